@@ -28,7 +28,7 @@ constexpr int kLoopbackRate_Hz = 48000;
 class Device {
   public:
     static Result<Device> open(bool loopback, bool headphones);
-    Device() = default; // none
+    Device() = default; // no device
     Device(Device&&) noexcept = default;
     Device& operator=(Device&& other) noexcept {
         std::swap(device_, other.device_); // the other destroys its context before its device
@@ -38,13 +38,14 @@ class Device {
 
     explicit operator bool() const { return context_ != nullptr; }
 
-    // OpenAL's context is global to the process; each method of Audio starts with this. False: no device.
+    // Makes OpenAL's context, global to the process, current; every method of Audio calls it. False: no
+    // device.
     bool makeCurrent() const {
         if (context_ && alcGetCurrentContext() != context_.get()) alcMakeContextCurrent(context_.get());
         return context_ != nullptr;
     }
 
-    // False once the device was unplugged.
+    // Returns false once the device has been unplugged.
     bool connected() const { return device_ && integer(ALC_CONNECTED) != ALC_FALSE; }
 
     bool headphones() const { return device_ && integer(ALC_HRTF_SOFT) != ALC_FALSE; }
@@ -102,9 +103,9 @@ Result<Device> Device::open(bool loopback, bool headphones) {
 struct Audio::State {
     AudioOptions options;
     std::vector<Clip> clips;
-    // Pausing, all first glides to silence, and then stands still.
+    // While pausing all first glides to silence, and then stands still.
     bool paused = false, standing = false;
-    double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which goes on meanwhile
+    double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which goes on during a pause
     Clock::time_point retry;
 
     Device device;
@@ -158,7 +159,7 @@ struct Audio::State {
         device = Device();
     }
 
-    // True with a device to play on.
+    // Returns whether there is a device to play on; looks for another if it is gone.
     bool ready() {
         if (device.connected()) return device.makeCurrent();
         if (device) {

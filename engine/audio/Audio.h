@@ -26,8 +26,8 @@ struct Clip {
 
 constexpr int kMaxClip_s = 60;
 
-// WAV, FLAC, Ogg Vorbis and what else libsndfile reads; at most kMaxClip_s long, 1 or 2 channels, 8 to 192
-// kHz. What the file's head claims is checked before memory is taken.
+// Reads WAV, FLAC, Ogg Vorbis and other formats of libsndfile; at most kMaxClip_s long, 1 or 2 channels, 8 to
+// 192 kHz. The file's header is checked before memory is allocated.
 Result<Clip> readClip(const Path& file);
 
 // Exaggeration of the Doppler effect. At the speed of sound in water (1500 m/s) a shark at 3 m/s shifts
@@ -38,7 +38,7 @@ struct AudioOptions {
     bool headphones = false;         // HRTF
     bool loopback = false;           // renders to memory: render() below; no device is touched
     float volume = 1;                // 0 to 1
-    float doppler = kDopplerAsInAir; // times water's own; 0: none
+    float doppler = kDopplerAsInAir; // factor of water's own effect; 0: none
 };
 
 struct Listener {
@@ -49,12 +49,12 @@ struct Listener {
 
 // A sound that plays now: an emitter, which loops for as long as it is listed, or one that plays once.
 struct Sound {
-    uint32_t id = 0; // of an emitter: the same from one update to the next
+    uint32_t id = 0; // of an emitter: the same in all updates
     int clip = 0;
     glm::vec3 position{0};
     float gain = 1, pitch = 1; // 0 to 1; 0.25 to 4
     bool everywhere = false;   // ambient, without a position. Stereo clips are always ambient
-    glm::vec3 velocity{0};     // m/s; what plays once keeps moving with it
+    glm::vec3 velocity{0};     // m/s; a sound that plays once keeps moving with it
 };
 
 // Source of a streamed track, such as a video's own sound: stereo at 48 kHz, read piece by piece.
@@ -66,25 +66,25 @@ struct TrackSource {
 
 class Audio {
   public:
-    // Fails where there is no sound device.
+    // Fails if there is no sound device.
     static Result<Audio> open(const AudioOptions& options);
 
-    // Index for Sound::clip, counted from 0 in the order of the calls. The clip is kept,
-    // for a device that comes back.
+    // Returns the index for Sound::clip, counted from 0 in the order of the calls. Keeps the clip, for a
+    // device that comes back.
     int add(Clip clip);
 
-    // Starts, moves and ends sounds; call once a frame. At most kSources play at once: a new one replaces the
-    // quietest, if that is quieter, else it is left out (an emitter until there is room). Emitters end with a
-    // short fade. A device that was unplugged is replaced when there is another; meanwhile all is silent.
-    // Does not allocate.
+    // Starts, moves and ends sounds; call it once a frame. At most kSources play at once: a new one replaces
+    // the quietest, if that is quieter, else it is left out (an emitter until there is room). Emitters end
+    // with a short fade. An unplugged device is replaced when there is another; meanwhile all is silent. Does
+    // not allocate.
     void update(const Listener& listener, std::span<const Sound> emitters, std::span<const Sound> shots);
     static constexpr int kSources = 32;
 
-    // Streams this track from now on; an empty one ends it. Its functions are called only by syncTrack().
+    // Streams this track from now on; an empty one ends it. Only syncTrack() calls its functions.
     void setTrack(TrackSource sound);
 
-    // Keeps the track in step; call once a frame. position_s: of the track (modulo its length) that belongs
-    // to the picture now shown. Paused it is silent and stands still. Returns how far the sound is ahead of
+    // Keeps the track in step; call it once a frame. position_s: position in the track (modulo its length) of
+    // the picture now shown. A paused track is silent and stands still. Returns how far the sound is ahead of
     // the picture, seconds; 0 while it is silent.
     double syncTrack(double position_s, float gain, bool paused);
 
@@ -100,7 +100,7 @@ class Audio {
     bool headphones() const; // HRTF is on
     int sounding() const;    // number of sounds now playing
 
-    // Loopback only: the next samples, stereo interleaved, 48 kHz. Nominally -1 to 1, but not clipped.
+    // Renders the next samples, stereo interleaved, 48 kHz; nominally -1 to 1, not clipped. Loopback only.
     void render(std::span<float> stereo);
 
   private:
@@ -109,7 +109,7 @@ class Audio {
     Hidden<State> state_;
 };
 
-// Names of the sound outputs; empty without any.
+// Returns the names of the sound outputs; empty if there are none.
 std::vector<std::string> listOutputs();
 
 } // namespace shoal::audio

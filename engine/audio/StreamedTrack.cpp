@@ -19,7 +19,7 @@ constexpr double kMaxSilence_s = 0.1; // queued in front of its first samples
 
 int64_t framesOf(double seconds) { return std::llround(seconds * kRate_Hz); }
 
-// To -half .. half of the length.
+// Wraps to -half .. half of the length.
 double wrapped(double seconds, double length_s) {
     return seconds - length_s * std::round(seconds / length_s);
 }
@@ -62,7 +62,7 @@ void StreamedTrack::begin(const TrackSource& sound, double position_s) {
     state_ = State::Waiting;
 }
 
-// Fills and queues a spare buffer; false if nothing is ready.
+// Fills and queues a spare buffer; returns false if no samples are ready.
 bool StreamedTrack::queue(const TrackSource& sound) {
     const auto frames = static_cast<int64_t>(sound.read(piece_));
     if (frames == 0) return false;
@@ -71,7 +71,7 @@ bool StreamedTrack::queue(const TrackSource& sound) {
     return true;
 }
 
-// The first frames of piece_.
+// Queues the first frames of piece_.
 void StreamedTrack::queuePiece(int64_t frames) {
     const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
     alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(), static_cast<ALsizei>(frames * kFrameBytes),
@@ -88,7 +88,7 @@ void StreamedTrack::queueSilence(int64_t frames) {
     }
 }
 
-// Starts playing at the right time, to the sample.
+// Starts playing at the right time, exact to the sample.
 void StreamedTrack::prime(const TrackSource& sound, double position_s) {
     const double length_s = static_cast<double>(sound.length) / kRate_Hz;
     const double ahead_s = wrapped(static_cast<double>(next_) / kRate_Hz - position_s, length_s);
@@ -126,7 +126,7 @@ void StreamedTrack::refill(const TrackSource& sound) {
     }
 }
 
-// The position in the track that leaves the device now.
+// Returns the position in the track that leaves the device now.
 double StreamedTrack::heard_s() const {
     std::array<ALint64SOFT, 2> offset{}; // frames as 32.32, and nanoseconds on the way to the ear
     alGetSourcei64vSOFT(source_, AL_SAMPLE_OFFSET_LATENCY_SOFT, offset.data());

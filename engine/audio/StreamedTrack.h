@@ -16,7 +16,7 @@
 
 namespace shoal::audio {
 
-// Playback rate that corrects this offset, 1: none.
+// Returns the playback rate that corrects this offset; 1: none.
 double rateFor(double ahead_s);
 
 class StreamedTrack {
@@ -44,7 +44,7 @@ class StreamedTrack {
 
     ALuint source_ = 0;
     std::array<ALuint, kBuffers> buffers_{};
-    std::array<ALuint, kBuffers> spare_{}; // those not queued
+    std::array<ALuint, kBuffers> spare_{}; // those that are not queued
     int spares_ = 0;
     State state_ = State::Stopped;
     std::vector<int16_t> piece_ = std::vector<int16_t>(2 * kPieceFrames);

@@ -22,7 +22,7 @@ constexpr float kAmbientLoudness = 10; // sounds without a position are never re
 
 // The water, chosen by ear: over the distances of this game real sea water would be inaudible.
 constexpr float kReference_m = 0.7f; // within this a sound keeps its level; beyond, it falls as 1 / distance
-constexpr float kSpeed_mps = 1500;   // of sound in water, 4.4 times that in air
+constexpr float kSpeed_mps = 1500;   // speed of sound in water, 4.4 times that in air
 constexpr float kReverbOpen = 0.12f, kReverbTunnel = 0.8f; // reverberation gain
 constexpr float kHighNear = 0.6f;                          // gain above 5 kHz at distance 0
 constexpr float kHighFade_m = 4;                           // distance over which that falls to 1/e
@@ -55,7 +55,7 @@ void VoicePool::setUpEffects(float doppler) {
     applyReverbGain();
 }
 
-// Interpolated geometrically, because loudness is perceived on a logarithmic scale.
+// Interpolates geometrically, because loudness is perceived on a logarithmic scale.
 void VoicePool::applyReverbGain() const {
     alAuxiliaryEffectSlotf(slot_, AL_EFFECTSLOT_GAIN,
                            silent_ ? 0 : kReverbOpen * std::pow(kReverbTunnel / kReverbOpen, enclosure_));
@@ -74,7 +74,7 @@ void VoicePool::setSilent(bool silent) {
     applyReverbGain();
 }
 
-// Ambient sounds (everywhere) were recorded under water already.
+// Applies the water's low-pass and reverberation; ambient sounds were recorded under water already.
 void VoicePool::applyWater(const Voice& voice, float distance_m) const {
     const bool everywhere = voice.sound.everywhere;
     const float high = std::max(kHighNear * std::exp(-distance_m / kHighFade_m), kHighMin);
@@ -147,11 +147,11 @@ void VoicePool::start(Voice& voice, const Clips& clips, bool loop) {
     const bool stereo = clips.clips[clip].channels == 2;
     alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(clips.buffers[clip]));
     alSourcei(voice.source, AL_LOOPING, loop ? AL_TRUE : AL_FALSE);
-    // Stereo goes to the ears as it is, not through the HRTF of two loudspeakers.
+    // Stereo goes to the ears directly, not through the HRTF of two loudspeakers.
     alSourcei(voice.source, AL_DIRECT_CHANNELS_SOFT, stereo ? AL_TRUE : AL_FALSE);
     if (loop) {
-        // Each emitter starts elsewhere in its loop, so that two of one clip do not coincide; and OpenAL Soft
-        // fades in what does not start at 0.
+        // Each emitter starts at another place in its loop, so that two of one clip do not coincide; and
+        // OpenAL Soft fades in sounds that do not start at 0.
         const auto frames = static_cast<uint32_t>(clips.clips[clip].samples.size() / (stereo ? 2 : 1));
         const uint32_t offset = frames > 1 ? 1 + (voice.sound.id * 2654435761u >> 8) % (frames - 1) : 0;
         alSourcei(voice.source, AL_SAMPLE_OFFSET, static_cast<ALint>(offset));

@@ -13,11 +13,11 @@ namespace shoal::audio {
 
 class VoicePool {
   public:
-    // Fewer than kSources where the device has fewer. doppler: times water's own.
+    // Makes kSources voices, fewer if the device has fewer. doppler: factor of water's own effect.
     void setUp(float doppler);
     void tearDown();
 
-    // One frame. now_s: the device's clock, less the time spent paused.
+    // One frame of updates. now_s: the device's clock, minus the time spent paused.
     struct Clips {
         std::span<const ALuint> buffers;
         std::span<const Clip> clips;
@@ -25,8 +25,8 @@ class VoicePool {
     void update(const Clips& clips, const glm::vec3& listener, std::span<const Sound> emitters,
                 std::span<const Sound> shots, double now_s);
 
-    // Reverberation: 0 open water, where only ground and surface reflect, to 1 a tunnel. silent: none; the
-    // listener's gain does the rest.
+    // Reverberation: 0 open water, where only ground and surface reflect, to 1 a tunnel. silent: no
+    // reverberation; the listener's gain silences the rest.
     void setEnclosure(float enclosure);
     void setSilent(bool silent);
     void setPaused(bool paused);
@@ -35,7 +35,7 @@ class VoicePool {
   private:
     enum class Use { Free, OneShot, Emitter, Ending };
     struct Voice {
-        ALuint source = 0; // 0: the device has no more
+        ALuint source = 0; // 0: the device has no more sources
         ALuint filter = 0; // its low-pass
         Use use = Use::Free;
         Sound sound;

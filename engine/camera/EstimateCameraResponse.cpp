@@ -26,15 +26,15 @@ constexpr float kInsideTails =
 constexpr float kSlant = 0.5f; // tangent of the maximum angle between gradient and row
 // Variance of the box filters of a texel and of the difference of two: a twelfth each.
 constexpr float kTexelVariance = 1.0f / 6;
-// Quantile of the edges' blur that counts as the camera's: most edges are soft by themselves or by the codec.
-// In a film whose camera sharpens, a fifth of the edges is sharper than 0.7 texels, a twentieth than 0.2.
+// Quantile of the edges' blur that counts as the camera's: most edges are soft themselves or by the codec. In
+// a film whose camera sharpens, a fifth of the edges is sharper than 0.7 texels, a twentieth than 0.2.
 constexpr double kSharpest = 0.05;
 // Minimum step in standard deviations of noise: noise truncates the tails of lower steps, so that these would
 // seem the sharpest.
 constexpr float kAboveNoise = 20;
 
-// --- Noise: from the Laplacians of a block; the flattest thirtieth of the blocks is taken to contain only
-// noise.
+// --- Noise: from the Laplacians of a block; the flattest thirtieth of the blocks is assumed to be noise
+// alone.
 constexpr double kFlattest = 0.03;
 // Selection bias: that quantile of the measured deviation of pure noise in a 16 x 16 block, fine and coarse,
 // by simulation.
@@ -77,7 +77,7 @@ void CameraResponseEstimator::readStripe(const light::FrameView& frame, int top)
     }
 }
 
-// stretch: horizontal, 1 / cos(latitude).
+// stretch: horizontal stretch of the map, 1 / cos(latitude).
 void CameraResponseEstimator::measureEdges(float stretch) {
     for (int y = 1; y + 1 < kStripeRows; y += 2) {
         const float* row = luma_.data() + static_cast<ptrdiff_t>(y) * width_;
@@ -115,7 +115,7 @@ void CameraResponseEstimator::measureEdges(float stretch) {
     }
 }
 
-// Of the edges with sufficient contrast to noise.
+// Measures the blur of edges with sufficient contrast to noise.
 void CameraResponseEstimator::measureBlur(CameraResponseEstimate& out) {
     const float noise = 255 * *std::ranges::max_element(out.response.fineNoise);
     blurs_.clear();
@@ -149,7 +149,7 @@ void CameraResponseEstimator::measureNoise(CameraResponseEstimate& out) {
     }
 }
 
-// The darkest and brightest thousandth are ignored: dead texels, glints.
+// Measures black and white, without the darkest and brightest thousandth: dead texels, glints.
 void CameraResponseEstimator::measureLevels(const light::FrameView& frame, CameraResponse& response) {
     constexpr int kApart = 8;
     constexpr double kShare = 0.001;

@@ -11,7 +11,7 @@
 
 namespace shoal::camera {
 
-// The counts tell how reliable it is.
+// Estimated response; the counts tell how reliable it is.
 struct CameraResponseEstimate {
     CameraResponse response{.chromaTexels = glm::ivec2(2)}; // not estimated: 4:2:0, unless the decoder knows
     int edges = 0;                                          // edges measured; below kFewEdges blur is 0
@@ -20,7 +20,7 @@ struct CameraResponseEstimate {
 };
 
 constexpr int kFewEdges = 12;
-constexpr int kFewBlocks = 8; // of a band: fewer are likely to contain texture
+constexpr int kFewBlocks = 8; // of a band: fewer probably contain texture
 
 class CameraResponseEstimator {
   public:
@@ -33,7 +33,7 @@ class CameraResponseEstimator {
     void measureNoise(CameraResponseEstimate& out);
     void measureLevels(const light::FrameView& frame, CameraResponse& response);
 
-    // The current stripe, row by row: luma, 0 to 255; clipped: any channel is.
+    // The current stripe, row by row: luma, 0 to 255; clipped: whether any channel is.
     int width_ = 0;
     std::vector<float> luma_;
     std::vector<unsigned char> clipped_;
@@ -53,15 +53,15 @@ class CameraResponseEstimator {
 // Temporal smoothing of estimates. Deterministic: depends only on the estimates and the times between them.
 class CameraResponseOverTime {
   public:
-    // The estimate of the frame now shown; dt_s: since the last call. The first is taken as it is, later ones
-    // with a time constant of 2.2 seconds: cameras are not changed in mid-dive. Unknown values stay.
+    // Takes the estimate of the frame now shown; dt_s: since the last call. The first is used directly, later
+    // ones with a time constant of 2.2 seconds: cameras are not changed in mid-dive. Unknown values stay.
     void follow(const CameraResponseEstimate& estimate, float dt_s);
 
     // Upper bound of the glare from one frame (Glare.h): the minimum of all frames counts. While no frame
     // gives a useful bound, a typical lens is assumed.
     void followGlare(float maxShare, float dt_s);
 
-    const CameraResponse& response() const { return response_; } // before the first estimate: without effect
+    const CameraResponse& response() const { return response_; } // before the first estimate: no effect
 
   private:
     float maxGlare_ = 1;

@@ -9,11 +9,11 @@ namespace shoal::camera {
 
 namespace {
 
-constexpr int kSamples = 4; // of a cell, each way
-constexpr int kPasses = 4;  // of means over three cells: 8/3 cells^2 and the cell's own 1/12, (4.7 degrees)^2
+constexpr int kSamples = 4; // samples of a cell in each direction
+constexpr int kPasses = 4;  // of means over 3 cells: 8/3 cells^2 and the cell's own 1/12, (4.7 degrees)^2
 constexpr float kBright =
     0.05f; // light about a cell: noise, toe and black level are faint against a few percent of it
-constexpr double kDarkest = 0.002; // quantile: below lie the undershoots of sharpening
+constexpr double kDarkest = 0.002; // quantile; texels below it are undershoots of sharpening
 constexpr size_t kFewCells = 100;
 
 void readCells(const light::FrameView& frame, ImageRgbF& out) {
@@ -34,7 +34,7 @@ void readCells(const light::FrameView& frame, ImageRgbF& out) {
     }
 }
 
-// Means over three cells down and as many across as are as wide on the sphere.
+// Averages over three cells down and as many across as are equally wide on the sphere.
 void spread(ImageRgbF& map, ImageRgbF& across) {
     for (int y = 0; y < kGlowHeight; ++y) {
         const float ring = std::sin((static_cast<float>(y) + 0.5f) / kGlowHeight * std::numbers::pi_v<float>);

@@ -18,8 +18,8 @@ struct Glare {
     // Light blurred with a standard deviation of five degrees. Light is the square of display values, which
     // approximates any camera's coding well enough for this.
     ImageRgbF spread{kGlowWidth, kGlowHeight};
-    // Upper bound of the fraction that the lens scatters, from the darkest texels in bright surroundings. 1
-    // where nothing bright is seen.
+    // Upper bound of the fraction that the lens scatters, from the darkest texels in bright surroundings; 1
+    // if no bright texels are seen.
     float maxShare = 1;
 };
 

@@ -15,37 +15,37 @@ namespace shoal::depth {
 
 namespace {
 
-// Inverse distances that differ by more than this within neighbouring texels of a track are an edge: a slope
-// seen at a small angle differs less.
+// Inverse distances of neighbouring texels of a track that differ by more than this are an edge: a slope seen
+// at a small angle differs less.
 constexpr int kEdge = 8;
 
-// Colours of one surface differ by about this much (of 255, in all channels together) by grain, caustics and
+// Colours of one surface differ by about this much (of 255, all channels together) due to grain, caustics and
 // coding.
 constexpr float kSameColour = 16;
 
-constexpr size_t kLanes = 16;   // texels of the map that are worked on at once
+constexpr size_t kLanes = 16;   // texels of the map that are processed at once
 constexpr float kReach = 1.3f;  // texels of the track
-constexpr float kSharpness = 3; // of the vote: from one side to the other within 1 / this
+constexpr float kSharpness = 3; // of the vote: it changes sides within 1 / this of the weights
 
-// Confidence below the first: nothing is known; above the second: all is believed.
+// Confidence up to which nothing is believed, and from which on everything is.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
 
-// Of a search along a ray, as shaders/render/FilmDepth.glsl has it too: a step may move by the first on the
-// map; what is as near as the second, a quarter of a texel, is found; and a point is far behind a surface
-// that is so many times nearer.
+// Of a search along a ray, as in shaders/render/FilmDepth.glsl: the greatest step on the map; the distance, a
+// quarter of a texel, within which a point is found; and the ratio of distances from which on a point is far
+// behind a surface.
 constexpr auto kSearchStep_rad = static_cast<float>(FILM_STEP_RAD);
 constexpr auto kFound_rad = static_cast<float>(FILM_FOUND_RAD);
 constexpr auto kPassed = static_cast<float>(FILM_PASSED);
 constexpr int kSearchSteps = FILM_MAX_STEPS;
 
-// Of two rows, the second's weight in 256ths.
+// Blends two rows; weight: the second's, in 256ths.
 SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int weight, uint8_t* out,
                            size_t count) {
     for (size_t i = 0; i < count; ++i)
         out[i] = static_cast<uint8_t>((above[i] * (256 - weight) + below[i] * weight + (1 << 15)) >> 16);
 }
 
-// The nearest of a texel and the four beside it, where that is beyond an edge; columns repeat.
+// Writes the nearest of a texel and its four neighbours, if that is across an edge; columns repeat.
 SHOAL_VECTORISE void widenRow(const uint8_t* above, const uint8_t* row, const uint8_t* below, size_t count,
                               uint8_t* out) {
     const auto widened = [&](size_t left, size_t x, size_t right) {
@@ -57,19 +57,19 @@ SHOAL_VECTORISE void widenRow(const uint8_t* above, const uint8_t* row, const ui
     out[count - 1] = widened(count - 2, count - 1, 0);
 }
 
-// The nine texels of a track around an edge.
+// The nine texels of a track around an edge, which vote.
 struct Voters {
-    const uint8_t* colours; // of the map's texels in the middle one: a channel each `stride` values
-    const float* nearness;  // of these to each of the nine: one each `stride` values
+    const uint8_t* colours; // of the map's texels in the middle texel: channels `stride` values apart
+    const float* nearness;  // of these to each of the nine: `stride` values apart
     size_t stride;
     std::array<const float*, 9> means; // their colours
     std::array<float, 9> inverse;
     std::array<bool, 9> isNear;
 };
 
-// Each texel of the map goes with those of the track around it that are near and whose colour it has: joint
-// bilateral upsampling (Kopf et al. 2007), but as a vote between what is near and what is far, since a mean
-// of their distances is where nothing is. Of kLanes texels from `begin` on.
+// Assigns each texel of the map to the texels of the track around it that are close and share its colour:
+// joint bilateral upsampling (Kopf et al. 2007), but as a vote between near and far, since at a mean of their
+// distances there is nothing. Processes kLanes texels from `begin` on.
 SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
     using Lanes = std::array<float, kLanes>;
     Lanes c0, c1, c2, farWeight, nearWeight, farSum, nearSum;
@@ -88,7 +88,7 @@ SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
         for (size_t i = 0; i < kLanes; ++i) {
             const float d0 = c0[i] - m0, d1 = c1[i] - m1, d2 = c2[i] - m2;
             const float off = (d0 * d0 + d1 * d1 + d2 * d2) * (1 / (kSameColour * kSameColour));
-            const float weight = nearness[i] / (1 + off * off) + 1e-9f; // never 0 in all
+            const float weight = nearness[i] / (1 + off * off) + 1e-9f; // so that the sum is never 0
             weights[i] += weight;
             sums[i] += weight * inverse;
         }
@@ -107,7 +107,7 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
     if (inverse.empty()) return 0;
     const int width = inverse.width, height = inverse.height;
     const glm::vec2 uv = latLongRoughly(dirEnv);
-    // From half a texel left of the map on: nothing is negative, so that it may be cut off to whole numbers.
+    // Counted from half a texel left of the map: never negative, so that truncation rounds down.
     const float x = uv.x * static_cast<float>(width) + 0.5f;
     const float y =
         std::clamp(uv.y * static_cast<float>(height) - 0.5f, 0.0f, static_cast<float>(height - 1));
@@ -121,15 +121,15 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
     return glm::mix(above, below, partY) * perM(1);
 }
 
-// The ray's point s metres from the eye lies towards dir + eye / s from the camera: only w = 1 / s is
-// searched, which is 0 for what is endlessly far. From near to far, each time to where the surface that the
-// film shows towards the point would be met, in steps that miss little. A point a little behind that surface
-// is taken back to it; one far behind has passed an edge.
+// The ray's point s metres from the eye lies towards dir + eye / s from the camera: the search varies w = 1 /
+// s, which is 0 at infinity. It goes from near to far, each time to where the ray would meet the surface that
+// the film shows towards the point, in steps that miss little. A point a little behind that surface is moved
+// back to it; one far behind it has passed an edge.
 Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
     struct Point {
-        float inverse; // of the distance from the eye
+        float inverse; // of its distance from the eye
         Seen seen;
-        float met; // the inverse distance at which the ray meets what is seen
+        float met; // inverse distance at which the ray meets that surface
     };
     const float along = glm::dot(eyeEnv, dirEnv), eye2 = glm::dot(eyeEnv, eyeEnv), eye = std::sqrt(eye2);
     const auto at = [&](float inverse) {
@@ -149,7 +149,7 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
         point = at(std::max(point.met, point.inverse - maxStep));
     }
     const Point nearer = at(point.met);
-    if (isMet(nearer)) return nearer.seen; // a step went over it
+    if (isMet(nearer)) return nearer.seen; // a step went past it
     const Point beyond = at(before.met);
     if (isMet(beyond)) return beyond.seen;
     return nearer.met < point.met ? nearer.seen : before.seen;
@@ -210,7 +210,7 @@ void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
     }
 }
 
-// Where their inverse distances fall into two groups with a gap between: a slope has none, however steep.
+// Finds an edge where the nine inverse distances fall into two groups with a gap between: slopes have none.
 bool DepthRefiner::findEdge(int x, int y, Edge& edge) const {
     const std::array<int, 3> columns{wrappedColumn(x - 1, coarse_.width), x,
                                      wrappedColumn(x + 1, coarse_.width)};
@@ -237,7 +237,7 @@ bool DepthRefiner::findEdge(int x, int y, Edge& edge) const {
     return furthestNear - nearestFar >= kEdge;
 }
 
-// Of each of the map's texels in one of the track, how near it is to each of the nine around: 1 in its
+// Computes how close each of the map's texels in one of the track is to each of the nine around: 1 in its
 // middle, 0 from kReach texels of the track on, along both axes.
 void DepthRefiner::placeTexels(int scale) {
     const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
@@ -254,8 +254,8 @@ void DepthRefiner::placeTexels(int scale) {
                     along(x, n % 3 - 1) * along(y, n / 3 - 1);
 }
 
-// Of the film at the map's texels, channel by channel for each texel of the track that is wanted: the mean of
-// four pixels where one has as many.
+// Reads the film's colours at the map's texels, channel by channel for each wanted texel of the track: the
+// mean of four pixels if the film is fine enough.
 void DepthRefiner::readColours(const light::FrameView& film, int scale) {
     colours_.resize(static_cast<size_t>(coarse_.width) * coarse_.height * 3 * padded_);
     means_.fit(coarse_.width, coarse_.height);

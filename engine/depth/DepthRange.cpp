@@ -36,7 +36,7 @@ void DepthRange::make(const DepthMap& map) {
 
 DepthRange::Range DepthRange::around(const glm::vec3& dirEnv, float halfAngle) const {
     if (cells_.empty()) return {};
-    constexpr float kTexel = 0.01f; // radians, which interpolation reaches beyond an edge
+    constexpr float kTexel = 0.01f; // radians by which interpolation reaches beyond an edge
     const CellRange range = cellsOfCap(kCells, dirEnv, halfAngle + kTexel);
     Codes codes;
     for (int y = range.first.y; y <= range.last.y; ++y)

@@ -1,5 +1,5 @@
-// How near and how far off a film is within a part of it, without a look at every texel: whether it can hide
-// an object at all, or hides it wholly.
+// Nearest and farthest distance of a film within a part of it, without a look at every texel: tells whether
+// the film can hide an object at all, or hides it fully.
 #pragma once
 
 #include "engine/depth/DepthMap.h"
@@ -13,13 +13,13 @@ namespace shoal::depth {
 class DepthRange {
   public:
     struct Range {
-        float min_perM = 0, max_perM = 0; // of inverse distances
+        float min_perM = 0, max_perM = 0; // inverse distances
     };
 
-    // Allocates nothing once it has been made of a map of that size.
+    // Allocates only for a map of a new size.
     void make(const DepthMap& map);
 
-    // Of what lies within this angle of a direction, and a little around it. dirEnv: unit length.
+    // Returns the range within this angle of a direction, and a little around it. dirEnv: unit length.
     Range around(const glm::vec3& dirEnv, float halfAngle) const;
 
   private:
@@ -29,7 +29,7 @@ class DepthRange {
         uint8_t min = 255, max = 0;
     };
     std::vector<Codes> cells_;
-    std::vector<uint8_t> columnMin_, columnMax_; // scratch: over the rows of a cell
+    std::vector<uint8_t> columnMin_, columnMax_; // scratch: extremes over the rows of a cell
 };
 
 } // namespace shoal::depth

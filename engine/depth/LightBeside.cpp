@@ -24,7 +24,7 @@ glm::vec3 LightBeside::directionOf(int cell, int side) {
         (glm::vec2(cell % side, cell / side) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f);
 }
 
-// A cell of the octahedron is seen under a solid angle as the cube of its distance from the middle falls.
+// An octahedron's cell has a solid angle proportional to the inverse cube of its distance from the middle.
 const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>& LightBeside::rays() {
     static const auto made = [] {
         std::array<Ray, kCoarse * kCoarse> rays;
@@ -68,7 +68,7 @@ void LightBeside::make(const ImageRgbF& radianceLin, const DepthMap& map) {
     }
 }
 
-// Steps grow with the distance from the place; the one that passes the surface is halved.
+// Steps grow with the distance from the place; the step that passes the surface is halved repeatedly.
 int LightBeside::firstMet(const glm::vec3& place, const glm::vec3& dir) const {
     const auto passed = [&](float t, int& cell) {
         const glm::vec3 there = place + dir * t;

@@ -8,7 +8,7 @@ namespace {
 size_t indexOf(Kind kind) { return static_cast<size_t>(kind); }
 } // namespace
 
-// Libepoxy finds functions when they are first called, so the tables are made anew.
+// The table is made in each call, because libepoxy finds functions when they are first called.
 GLuint detail::create(Kind kind) {
     if (kind == Kind::Program) return glCreateProgram();
     const std::array make = {glGenBuffers,      glGenVertexArrays,  glGenTextures,

@@ -44,10 +44,10 @@ using Framebuffer = Object<Kind::Framebuffer>;
 using Renderbuffer = Object<Kind::Renderbuffer>;
 using Query = Object<Kind::Query>;
 
-// A 2D texture without storage yet; leaves it bound.
+// Returns a bound 2D texture without storage.
 Texture makeTexture(GLint minFilter, GLint magFilter, GLint wrapS, GLint wrapT);
 
-// Enables an attribute of the bound vertex array: so many floats in each vertex of the bound buffer. stride,
+// Enables an attribute of the bound vertex array: `count` floats in each vertex of the bound buffer. stride,
 // offset: in bytes.
 void setAttribute(GLuint location, GLint count, size_t stride, size_t offset);
 

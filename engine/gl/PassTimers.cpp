@@ -40,7 +40,7 @@ void PassTimers::read(Frame& frame) {
             times_, [&](const Time& time) { return std::string_view(time.pass) == span.pass; });
         const float gpu_ms = static_cast<float>(end_ns - begin_ns) * 1e-6f;
         if (same != times_.end())
-            same->gpu_ms += gpu_ms; // of both eyes
+            same->gpu_ms += gpu_ms; // sum of both eyes
         else
             times_.push_back({span.pass, gpu_ms});
     }

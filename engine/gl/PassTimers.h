@@ -1,5 +1,5 @@
-// GPU time of each render pass, and debug groups by which a frame debugger names them. The thread of the
-// context only.
+// Measures the GPU time of each render pass, and opens debug groups by which a frame debugger names them.
+// Only the thread of the context.
 #pragma once
 
 #include "engine/gl/Objects.h"
@@ -12,7 +12,7 @@ namespace shoal::gl {
 
 class PassTimers {
   public:
-    // What is drawn while one lives belongs to that pass. They may nest. pass: a string literal.
+    // Attributes all draws during its life to a pass. Scopes may nest. pass: a string literal.
     class Scope {
       public:
         Scope(PassTimers& timers, const char* pass);
@@ -30,9 +30,9 @@ class PassTimers {
         float gpu_ms;
     };
 
-    // Once a frame. measured: whether the frame that begins is timed; debug groups there always are.
+    // Call it once a frame. measured: whether the frame that begins is timed; debug groups are always opened.
     void beginFrame(bool measured);
-    // Of the last frame whose times have arrived, two or more back, since nothing waits for them.
+    // Returns the last frame's times that have arrived, from two or more frames back: it never waits.
     std::span<const Time> times() const { return times_; }
 
   private:

@@ -28,7 +28,7 @@ Status appendSource(const std::string& name, std::string& out, std::vector<std::
     while (std::getline(lines, line)) {
         ++number;
         const int first = number;
-        // GLSL before 4.20 continues no lines.
+        // Joins continued lines: GLSL before 4.20 has none.
         for (std::string next; line.ends_with('\\') && std::getline(lines, next); ++number) {
             line.pop_back();
             line += next;

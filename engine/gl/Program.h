@@ -30,7 +30,7 @@ class Program {
 
     void use() const { glUseProgram(program_.name()); }
 
-    // The program must be in use. A name that the compiler has removed is ignored.
+    // Sets a uniform of the program in use; a name that the compiler has removed is ignored.
     void set(const char* name, int value) const { glUniform1i(location(name), value); }
     void set(const char* name, float value) const { glUniform1f(location(name), value); }
     void set(const char* name, const glm::ivec2& v) const { glUniform2iv(location(name), 1, &v.x); }
@@ -47,7 +47,7 @@ class Program {
         glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0][0]);
     }
 
-    // name: with "[0]".
+    // Sets a uniform array of the program in use. name: with "[0]".
     void setArray(const char* name, std::span<const float> values) const {
         glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
     }
@@ -83,7 +83,7 @@ class Program {
 
 struct ShaderSource {
     std::string text;
-    std::vector<std::string> files; // as #line numbers them
+    std::vector<std::string> files; // in the order of #line's numbers
 };
 
 // name: below shaders/, with ending ("render/Object.vert"). defines: names set to 1. glsl: the version, 330
@@ -97,10 +97,10 @@ Result<ShaderSource> readShader(const std::string& name, const std::vector<std::
 class Variants {
   public:
     Variants() = default;
-    // names: of the features, bit by bit; must live as long as this. Nothing is compiled yet.
+    // names: of the features, bit by bit; must outlive this. Compiles nothing yet.
     Variants(std::string stem, std::span<const char* const> names) : stem_(std::move(stem)), names_(names) {}
 
-    // Compiled when first asked for; the pointer stays good. glsl: as Program::load() has it.
+    // Returns a program, compiled on the first call; the pointer stays valid. glsl: as in Program::load().
     Result<const Program*> get(unsigned features, int glsl = 330) {
         if (const auto found = programs_.find(features); found != programs_.end()) return &found->second;
         std::vector<std::string> defines;

@@ -1,15 +1,15 @@
-// What draws.
+// Identification of the renderer that draws.
 #pragma once
 
 namespace shoal::gl {
 
-// Whether the current context draws on the processor (Mesa's llvmpipe and softpipe, SwiftShader, Windows'
-// fallback).
+// Returns whether the current context draws on the processor (Mesa's llvmpipe and softpipe, SwiftShader,
+// Windows' fallback).
 bool rendersInSoftware();
 
-// Binds the software rasteriser's threads to a processor core each, where it has one for each of the cores
-// that this process may use: left to itself, Linux puts two of them onto one core for milliseconds now and
-// then, and a frame ends with its slowest thread. Once there is a context; does nothing elsewhere.
+// Binds the software rasteriser's threads to one processor core each, if it has one for each core that this
+// process may use: otherwise Linux now and then runs two of them on one core for milliseconds, and a frame
+// ends with its slowest thread. Needs a context; does nothing with other renderers.
 void spreadRasterThreads();
 
 } // namespace shoal::gl

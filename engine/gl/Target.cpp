@@ -15,9 +15,9 @@ Target::Target(int width, int height, int samples) : width_(width), height_(heig
         glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
         glRenderbufferStorageMultisample(GL_RENDERBUFFER, storage, format, width, height);
     };
-    // What is read in the end: without samples that is what is drawn into. Blue first in memory, as windows
-    // have it, which Mesa grants only where the format is left open so far; other orders are copied more
-    // slowly.
+    // The texture that is read in the end; without multisampling it is drawn into directly. Blue first in
+    // memory, as in windows, which Mesa grants only if the internal format is unsized; other orders are
+    // copied more slowly.
     texture_ = makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
     if (samples_ > 1) make(samplesColour_, GL_RGBA8);

@@ -13,22 +13,21 @@ namespace {
 
 constexpr int kBlock = 4;
 
-// What every loop computes, in whole numbers, with a scale of each channel:
-//     sum += (scale * weight + 2^14) / 2^15 * colour
+// All loops compute this in whole numbers, with a scale for each channel:
 //
 // The thesis' scale is one for all channels:
 //     l = 30 red + 59 green + 11 blue,  x = 2 l / 2^16
 //     scale = kPlain + 4 * 2^16 x^10  (each product cut to a whole number)
-// What the cuts take away from the tenth power is shared out by kThesisUnit between bright and dark.
+// What these cuts take from the tenth power, kThesisUnit gives back, shared between bright and dark.
 constexpr int kLumaRed = 30, kLumaGreen = 59, kLumaBlue = 11;
 constexpr int kPlain = 3843;                  // 0.18 times the 4 * 2^16 (51000 / 2^16)^10 of white
 constexpr float kThesisUnit = 1.8f / 3842.6f; // radiance of white for each 1 of scale
 
-// sRGB's scale is decoded over coded, which rises by twelve from black to white and is nearly straight over
-// any sixteenth of the coded values:
+// sRGB's scale is decoded over coded, which rises by a factor of twelve from black to white and is nearly
+// straight over any sixteenth of the coded values:
 //     scale = kStart[coded / 16] + kSlope[coded / 16] * (coded % 16)
-// These lines have the least of the largest errors, where those are counted in 2e-4 of white or 1 % from
-// coded 10 on, whichever is more strict, and 9 % below. White is met.
+// These lines minimise the largest error, counted in 2e-4 of white or 1 % from coded 10 on, whichever is
+// stricter, and 9 % below. White is exact.
 constexpr std::array<uint16_t, 16> kStart = {2295,  2596,  3637,  4966,  6466,  8098,  9845,  11688,
                                              13630, 15654, 17756, 19933, 22186, 24507, 26893, 29342};
 constexpr std::array<uint8_t, 16> kSlope = {17,  63,  83,  94,  102, 109, 115, 121,
@@ -55,11 +54,11 @@ struct BlockRow {
     ptrdiff_t stride = 0; // bytes from one row of pixels to the next
     bool bgr = true;
     std::array<int16_t, kBlock> weights{}, clippedWeights{}; // 2^15 would be 1
-    float unit = 0, clippedUnit = 0;                         // of a sum, in the mean's
+    float unit = 0, clippedUnit = 0;                         // a sum's unit in terms of the mean
     float* out = nullptr;
     float* clipped = nullptr;
 
-    // unitOfOne: radiance of white for each 1 of scale.
+    // Sets weights and units. unitOfOne: radiance of white for each 1 of scale.
     void weigh(const float* rows, float unitOfOne) {
         const float maximum = *std::max_element(rows, rows + kBlock);
         float sum = 0;
@@ -71,7 +70,7 @@ struct BlockRow {
         clippedUnit = 1 / (kClippedSteps * kBlock * sum);
     }
 
-    // After weigh(). Returns whether there is any weight.
+    // Sets clippedWeights, after weigh(). Returns whether one is above 0.
     bool weighClipped(const float* shares) {
         for (size_t y = 0; y < kBlock; ++y)
             clippedWeights[y] = static_cast<int16_t>(static_cast<float>(weights[y]) * shares[y] + 0.5f);
@@ -121,7 +120,7 @@ SHOAL_AVX2 inline __m256i twoHalves(const uint8_t* low, const uint8_t* high) {
         _mm_loadu_si128(reinterpret_cast<const __m128i*>(high)), 1);
 }
 
-// Of the four pixels from byte `first` on: all red, all green, all blue.
+// Returns the shuffle that sorts the four pixels from byte `first` on: all red, all green, all blue.
 __m128i planesOf(int first, bool bgr) {
     std::array<char, 16> pick;
     pick.fill(-1);
@@ -134,7 +133,7 @@ __m128i planesOf(int first, bool bgr) {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(pick.data()));
 }
 
-// Four blocks' pixels of two rows. In each half of a register: two blocks of the upper row, then the two
+// Pixels of two rows of four blocks. In each half of a register: two blocks of the upper row, then the two
 // below them.
 struct TwoRows {
     __m256i red, green, blue;
@@ -145,7 +144,7 @@ struct Picks {
 };
 
 SHOAL_AVX2 inline TwoRows readTwoRows(const uint8_t* p, ptrdiff_t stride, const Picks& picks) {
-    // The fourth block is read with what lies before it: nothing beyond the row is touched.
+    // The fourth block is read with the bytes before it: nothing beyond the row is read.
     const __m256i even = _mm256_shuffle_epi8(twoHalves(p, p + 24), picks.first);
     const __m256i odd = _mm256_shuffle_epi8(twoHalves(p + 12, p + 32), picks.second);
     p += stride;
@@ -158,7 +157,7 @@ SHOAL_AVX2 inline TwoRows readTwoRows(const uint8_t* p, ptrdiff_t stride, const 
             _mm256_unpacklo_epi64(blue, blueBelow)};
 }
 
-// 16 bits a value: the upper row's, and those below.
+// Widen the upper row's values, and those below, to 16 bits.
 SHOAL_AVX2 inline __m256i upper(__m256i bytes) { return _mm256_unpacklo_epi8(bytes, _mm256_setzero_si256()); }
 SHOAL_AVX2 inline __m256i lower(__m256i bytes) { return _mm256_unpackhi_epi8(bytes, _mm256_setzero_si256()); }
 
@@ -170,7 +169,7 @@ struct Sums {
     __m256i red, green, blue, clipped;
 };
 
-// blueGreen: bytes of both in turn.
+// blueGreen: bytes of blue and green in turn.
 SHOAL_AVX2 inline void addThesis(__m256i red, __m256i blueGreen, __m256i weight, Sums& sums) {
     const __m256i green = _mm256_srli_epi16(blueGreen, 8);
     const __m256i blue = _mm256_and_si256(blueGreen, _mm256_set1_epi16(0xff));
@@ -189,7 +188,7 @@ SHOAL_AVX2 inline void addThesis(__m256i red, __m256i blueGreen, __m256i weight,
     sums.blue = _mm256_add_epi32(sums.blue, _mm256_madd_epi16(share, blue));
 }
 
-// kStart by its bytes, and kSlope, in both halves.
+// kStart as low and high bytes, and kSlope, each in both halves of a register.
 struct Lines {
     __m256i low, high, slope;
 };
@@ -222,7 +221,7 @@ SHOAL_AVX2 inline void addLinear(__m256i coded, const Lines& lines, __m256i weig
                weightBelow, lower(coded), sum);
 }
 
-// As clippedSteps() has them.
+// clippedSteps() with AVX2.
 SHOAL_AVX2 inline __m256i clippedStepsAvx2(const TwoRows& rows) {
     const __m256i last = _mm256_set1_epi8(static_cast<char>(kLastUnclipped));
     const __m256i low = _mm256_min_epu8(rows.red, rows.green), high = _mm256_max_epu8(rows.red, rows.green);
@@ -233,7 +232,7 @@ SHOAL_AVX2 inline __m256i clippedStepsAvx2(const TwoRows& rows) {
     return _mm256_add_epi8(_mm256_add_epi8(six, least), middle);
 }
 
-// Blocks 0 .. count - 1, a multiple of 4: four at a time.
+// Makes blocks 0 .. count - 1, four at a time; count: a multiple of 4.
 template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) {
     const __m128i pick = planesOf(0, row.bgr);
     const Picks picks = {_mm256_broadcastsi128_si256(pick),
@@ -294,7 +293,7 @@ template <Mode kMode> void means(const BlockRow& row, int width, [[maybe_unused]
     meansPlain<kMode>(row, x, width);
 }
 
-// each: gets each row of blocks, and its number.
+// Calls each(row of blocks, its index) for every row.
 template <class Each>
 void forEachRow(const FrameView& frame, std::span<const float> weights, float unitOfOne, ImageRgbF& out,
                 Each&& each) {

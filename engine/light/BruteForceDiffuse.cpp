@@ -11,9 +11,9 @@ namespace shoal::light {
 
 namespace {
 
-constexpr size_t kBlock = 64; // texels out, so that their sums stay in the nearest cache
+constexpr size_t kBlock = 64; // texels of the result at a time: their sums stay in the nearest cache
 
-// out: of the texels from `first` on, interleaved.
+// out: the texels from `first` on, interleaved.
 SHOAL_VECTORISE
 void gather(const BruteForceDiffuse::Planes& directions, const BruteForceDiffuse::Planes& light, size_t first,
             float* __restrict out) {

@@ -30,7 +30,7 @@ void halveRow(const float* __restrict in, int width, float* __restrict out) {
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // of rows 2 y - 1 .. 2 y + 2
 
-// The row that lies where `row` would, beyond the poles too.
+// Returns the row where `row` lies on the sphere, beyond the poles too.
 int rowOnSphere(int row, int height) {
     return row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
 }
@@ -75,7 +75,7 @@ void CentroidChain::make(const ImageRgbF& base) {
                 const int at = 2 * y - 1 + i, row = rowOnSphere(at, in.height);
                 const auto n = static_cast<size_t>(i);
                 rows[n] = in.at(0, row);
-                if (row != at) { // the far side of the pole
+                if (row != at) { // beyond the pole
                     std::rotate_copy(rows[n], rows[n] + count / 2, rows[n] + count, overPole_.data());
                     rows[n] = overPole_.data();
                 }

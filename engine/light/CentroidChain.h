@@ -1,5 +1,5 @@
-// Smaller and smaller copies of a lat-long map for wide lobes to be summed over: a few thousand texels which
-// light a surface as the millions do from which they came.
+// Smaller and smaller copies of a lat-long map, for sums over wide lobes: a few thousand texels that light a
+// surface as the millions do from which they were made.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -8,18 +8,18 @@
 
 namespace shoal::light {
 
-// What a filter must know of a map to sum over it.
+// The properties of a map that a filter needs for sums over it.
 struct Sampling {
     int width = 0;
     int octaves = 0;             // halvings since the map came from its plain means
     std::vector<double> rowFlux; // per row: flux of one texel in light of radiance 1, steradians
 };
 
-// Each halving hands every texel's flux to the two nearest rows and columns, in the shares that keep its
-// centroid: (1 3 3 1) / 8 along rows and meridians, over the poles too. Where a small light stands is
-// kept then, and how far it is spread is the same wherever it stands (3/16 of a texel squared for each
-// halving, in each direction), so that a filter can take that back. Plain means move a light by up to half a
-// texel: summed over 64 texels around, 2 % of the diffuse light of a small sun.
+// Each halving distributes every texel's flux over the two nearest rows and columns, in the shares that keep
+// its centroid: (1 3 3 1) / 8 along rows and meridians, over the poles too. A small light then keeps its
+// position, and it is spread by the same amount wherever it is (3/16 of a texel squared for each halving, in
+// each direction), so that a filter can take that back. Plain means move a light by up to half a texel:
+// summed over 64 texels around, 2 % of the diffuse light of a small sun.
 class CentroidChain {
   public:
     // minWidth .. baseWidth, powers of two >= 16.
@@ -39,7 +39,7 @@ class CentroidChain {
     const ImageRgbF* base_ = nullptr;
     std::vector<Sampling> samplings_; // widest first
     std::vector<ImageRgbF> levels_;   // of samplings_[1 ..]
-    std::vector<float> row_;      // one row of a level, a texel of the other end on both sides and a float
+    std::vector<float> row_;      // a level's row, with a texel of the other end on both sides and one float
     std::vector<float> overPole_; // the row beyond a pole
 };
 

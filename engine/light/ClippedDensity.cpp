@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kColumns = 256;
 
-// The mean over 2 radius + 1 values of a row that is closed; not more than there are.
+// Averages 2 radius + 1 values, at most `count`, around each value of a row whose ends meet.
 void blurRow(const float* in, size_t count, size_t radius, float* out) {
     const size_t window = 2 * radius + 1;
     float sum = 0;
     for (size_t i = 0; i < window; ++i) sum += in[(count - radius + i) % count];
-    size_t next = (radius + 1) % count, last = count - radius; // of the window's values
+    size_t next = (radius + 1) % count, last = count - radius; // enters the window next; leaves it first
     for (size_t x = 0; x < count; ++x) {
         out[x] = std::max(0.0f, sum) / static_cast<float>(window);
         sum += in[next] - in[last % count];
@@ -67,7 +67,7 @@ void ClippedDensity::finish() {
         blurRow(sums, columns_, std::min(radius, (columns_ - 1) / 2), &across_[y * columns_]);
     }
     for (size_t y = 0; y < rows_; ++y) {
-        if (!anything_[y]) continue; // it has no values to weigh
+        if (!anything_[y]) continue; // it has no values to multiply
         float* density = &density_[y * columns_];
         std::fill_n(density, columns_, 0.0f);
         for (const size_t from : {y ? y - 1 : 0, y, std::min(y + 1, rows_ - 1)})

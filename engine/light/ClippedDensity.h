@@ -1,8 +1,8 @@
-// How much of what is around a clipped pixel is clipped as well: nearly all inside a sun, a lamp or a window,
+// How much of a clipped pixel's surroundings is clipped as well: nearly all inside a sun, a lamp or a window,
 // a few hundredths where waves glint or gaps between leaves shine, which are hardly brighter than white.
 //
-// The upper half of a lat-long frame in cells of 1.4 degrees; the density of a cell is the mean over 3 x 3 of
-// them, wider along rows near the pole. One that moves from cell to cell keeps its own.
+// The upper half of a lat-long frame is divided into cells of 1.4 degrees; a cell's density is the mean over
+// 3 x 3 cells, wider along rows near the pole. A light that moves across cells keeps its density.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@ namespace shoal::light {
 
 class ClippedDensity {
   public:
-    // Nothing is allocated while the size stays.
+    // Begins a frame. Allocates nothing while the size stays.
     void begin(int width, int height);
-    // A row at the horizon or above it. clipped: `width` values, 0 to 1.
+    // Adds a row at the horizon or above it. clipped: `width` values, 0 to 1.
     void addRow(int y, const float* clipped);
     void finish(); // after the last row
 
@@ -26,11 +26,11 @@ class ClippedDensity {
 
     int width_ = 0, height_ = 0;        // of the frame
     size_t columns_ = 0, rows_ = 0;     // of cells, on the whole sphere
-    std::vector<int> starts_;           // of a cell's pixels in a row, and the end of the last
-    std::vector<int> counts_;           // of the frame's rows in a row of cells
-    std::vector<char> anything_;        // is clipped in a row of cells
+    std::vector<int> starts_;           // first pixel of each cell in a row, and the end of the last
+    std::vector<int> counts_;           // by row of cells: rows of the frame in it
+    std::vector<char> anything_;        // by row of cells: whether anything is clipped in it
     std::vector<float> sums_, density_; // columns_ x rows_
-    std::vector<float> across_;         // scratch, as many
+    std::vector<float> across_;         // scratch: columns_ x rows_
 };
 
 } // namespace shoal::light

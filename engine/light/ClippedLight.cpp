@@ -14,26 +14,26 @@ namespace shoal::light {
 
 namespace {
 
-constexpr float kFullHeight = 0.15f;   // sine of the elevation from which on all is scaled
-constexpr float kGroundNeeded = 0.25f; // of the half sphere below, weighed by its cosine
+constexpr float kFullHeight = 0.15f;   // sine of the elevation from which clippedShare() is 1
+constexpr float kGroundNeeded = 0.25f; // share of the lower hemisphere, weighted by its cosine
 
-// Of the largest channel, coded: a covered lens, a tripod's patch, bars.
+// The largest coded channel: up to kLastBlack a texel shows a covered lens, a tripod's patch or bars, no
+// ground.
 constexpr int kLastBlack = 4, kFirstSeen = 12;
 
 constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
 constexpr float kMinTrust = 0.1f; // in the ground, for light from the horizon
 
-// Added to the irradiance of clipped pixels: what they would have to be times white does not leap where few
-// are left.
+// Added to the irradiance of clipped pixels, so that the gain does not leap where few of these are left.
 constexpr double kFewClipped = 0.015;
 
-constexpr double kMaxOfMean = 1.75; // of the ground's luminance: what is brighter is cut
+constexpr double kMaxOfMean = 1.75; // of the ground's luminance; brighter texels are cut
 
-// Of the elevation; row: from the zenith, a whole one is a row's upper edge.
+// Returns the sine of the elevation; row: counted from the zenith, whole numbers are upper edges of rows.
 double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
 
-// Between two edges' sines, of a texel of `width`: the integral of the sine over the solid angle.
+// Returns a texel's integral of the sine over the solid angle between two edges, given by their sines.
 double irradianceBetween(double top, double bottom, int width) {
     return std::numbers::pi / width * std::abs(top * top - bottom * bottom);
 }
@@ -47,22 +47,22 @@ SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
     return luminance(red, green, blue);
 }
 
-// Sums over a row's texels: what is seen of the ground, 0 to 1 each, and its luminance.
+// Sums over a row's texels: how much of the ground is seen, 0 to 1 each, and its luminance.
 struct Ground {
     float seen = 0, light = 0;
 };
 
-// Linear values between which a texel comes to be seen, and to be clipped.
+// Linear values between which a texel begins to count as seen, and as clipped.
 struct Seen {
     float first, perRise, last, perFall;
 };
 
-// 0 to 1; without a branch that would keep a loop from being vectorised.
+// Clamps to 0 to 1, without a branch that would keep a loop from being vectorised.
 inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
 
-constexpr int kTexels = 512; // of a row at a time
+constexpr int kTexels = 512; // texels of a row at a time
 
-// most: a texel's luminance is cut at it.
+// most: greater luminances are cut to it.
 SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, float most) {
     std::array<float, kTexels> light, seen;
     Ground ground;
@@ -82,15 +82,15 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, flo
     return ground;
 }
 
-// By the largest and by the least channel, linear: where a texel begins to be bright, and where it is white.
+// Linear values of the largest and of the least channel from which a texel is bright, and white.
 struct Bright {
     float first, perRise, white, perFall;
 };
 
-// Sums over a row.
+// Sums over a row's texels.
 struct RowColours {
-    std::array<float, 3> unclipped; // of what is not clipped in any channel,
-    std::array<float, 3> bright;    // of what is bright, but not clipped in all
+    std::array<float, 3> unclipped; // of texels that are not clipped in any channel
+    std::array<float, 3> bright;    // of bright texels that are not clipped in all
 };
 
 SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& by) {
@@ -117,7 +117,7 @@ SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& 
     return colours;
 }
 
-// Of the rows of large pictures every second one tells means over half of them well enough.
+// Every second row of a large picture gives means over half of it that are accurate enough.
 int rowStep(int height) { return height >= 256 ? 2 : 1; }
 
 glm::dvec3 ofLuminanceOne(const glm::dvec3& colour) {
@@ -166,7 +166,7 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     };
     measure(1);
     measure(static_cast<float>(kMaxOfMean * radiance));
-    const double below = std::numbers::pi; // of `seen`, the whole
+    const double below = std::numbers::pi; // value of `seen` for the whole lower hemisphere
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
         std::clamp(missing / (clippedIrradiance + kFewClipped), 0.0, static_cast<double>(kMaxFromGround));
@@ -179,7 +179,7 @@ glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
     constexpr int kBright = 230; // coded
     const Bright by = {linear[kBright], 1 / (linear[kLastUnclipped] - linear[kBright]), kWhite,
                        1 / (kWhite - linear[kLastUnclipped])};
-    constexpr double kGrey = 1e-4; // steradians of white: too little of a picture tells no colour
+    constexpr double kGrey = 1e-4; // steradians of white added: too little of a picture tells no colour
     glm::dvec3 whole(kGrey), bright(kGrey);
     const int step = rowStep(decoded.height);
     for (int y = 0; y < decoded.height; y += step) {

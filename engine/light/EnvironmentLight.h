@@ -1,4 +1,4 @@
-// What lights the objects: made once per frame of the environment, immutable afterwards, free of OpenGL.
+// The light of an environment: made once per frame, immutable afterwards, free of OpenGL.
 #pragma once
 
 #include "engine/core/Image.h"

@@ -18,9 +18,9 @@ constexpr int kCoarse = 64, kFine = 256; // texels around
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kFirst = std::numbers::sqrt3_v<float>, kRamp = 0.4f; // standard deviations above the mean
 constexpr float kMinReach = 0.21f, kMaxReach = 1.4f;                 // of the window, radians
-constexpr float kNarrow = 0.6f, kWide = 0.7f; // of the same: a sun's with its glow; half a scene's
+constexpr float kNarrow = 0.6f, kWide = 0.7f; // of the same: a sun with its glow; half a scene
 constexpr float kFineSlack = 0.04f;           // of a window of the fine level: a texel and a half
-// The radius of 1 - r^2 to the fifth power by that of itself: sqrt(3 / 7).
+// The radius of (1 - r^2)^5 by that of 1 - r^2: sqrt(3 / 7).
 constexpr float kParaboloid = 0.65f;
 constexpr float kMinShare = 1e-4f;
 
@@ -49,13 +49,13 @@ float solidAngle(const ImageRgbF& level, int y) {
 // Falls from the middle of a window to its edge, linear in the squared chord.
 float kernel(float cosine, float cosReach) { return std::max(0.0f, (cosine - cosReach) / (1 - cosReach)); }
 
-// 1 within, soft at the edge only.
+// Returns 1 within a window, falling to 0 at its edge.
 float inside(float cosine, float cosReach) { return std::min(1.0f, 2 * kernel(cosine, cosReach)); }
 
 float reachAround(float radius) { return std::clamp(1.5f * radius + 0.14f, kMinReach, kMaxReach); }
 
-// Takes the texels' own width s out of a spread: about its middle an even disc of radius r has the variance
-// r^2 / 2, a square s^2 / 6. Nothing is smaller than half a texel.
+// Removes the texels' own width s from a spread: about its middle an even disc of radius r has the variance
+// r^2 / 2, a square s^2 / 6. The result is at least half a texel.
 float withoutTexels(float radius, int texelsAround) {
     const float side = 2 * kPi / static_cast<float>(texelsAround);
     return std::sqrt(std::max(radius * radius - side * side / 3, side * side / 4));
@@ -65,8 +65,8 @@ float withoutTexels(float radius, int texelsAround) {
 
 struct LightFinder::Moments {
     float flux = 0;
-    glm::vec3 sum{0};     // of directions by flux
-    glm::vec3 towards{0}; // the same by the kernel: points to where the window shall go
+    glm::vec3 sum{0};     // sum of directions, weighted by flux
+    glm::vec3 towards{0}; // the same weighted by the kernel: the window moves in this direction
 
     // The mean direction's length R tells how spread they are: of a cap of radius r it is (1 + cos r) / 2.
     float radius() const {
@@ -119,7 +119,7 @@ void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRg
     }
 }
 
-// Shifts a light to the middle of what is near, and its window, which holds that, with it.
+// Shifts a light and its window to the centre of the light near it.
 void LightFinder::settle(FoundLight& light, float window) const {
     for (int i = 0; i < 8; ++i) {
         const Moments moments = momentsWithin(near_, light.direction, std::cos(window));
@@ -134,7 +134,7 @@ void LightFinder::settle(FoundLight& light, float window) const {
     }
 }
 
-// What a camera has clipped lies where what it left is brightest.
+// Moves a light towards its brightest texels, where a clipped source must be.
 void LightFinder::sharpen(float reach, FoundLight& light) {
     float maximum = 0;
     for (const Texel& texel : near_) maximum = std::max(maximum, texel.above);
@@ -150,7 +150,7 @@ void LightFinder::sharpen(float reach, FoundLight& light) {
     light.radius += (peak.radius - light.radius) * narrow * peaked;
 }
 
-// From a bright texel to the light that it belongs to; reach: of the window in the end.
+// Moves a window from a bright texel to the light that it belongs to; reach: the window's radius at the end.
 FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float& reach) {
     FoundLight light;
     light.direction = seed;
@@ -176,8 +176,8 @@ FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float
     return light;
 }
 
-// What it gives beyond its environment: the mean radiance, as a plane that faces it weighs it, of all the
-// rest. Texels that its edge crosses count by how far they lie above the sphere's mean.
+// Finds what the light gives beyond its surroundings: beyond the mean radiance of all the rest, weighted for
+// a plane that faces the light. Texels at its edge count by how far they lie above the sphere's mean.
 void LightFinder::weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const {
     const float cosReach = std::cos(reach);
     glm::vec3 bright(0), rest(0);
@@ -232,7 +232,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
     const double mean = sum / (4 * std::numbers::pi);
     mean_ = static_cast<float>(mean);
     deviation_ = static_cast<float>(std::sqrt(std::max(0.0, squares / (4 * std::numbers::pi) - mean * mean)));
-    if (!(deviation_ > 1e-4f * mean_)) return; // even, but for rounding
+    if (!(deviation_ > 1e-4f * mean_)) return; // uniform but for rounding
 
     bright_.clear();
     for (size_t i = 0; i < luminance_.size(); ++i)
@@ -247,7 +247,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
         float reach = 0;
         FoundLight light = seek(seed->direction, fine, reach);
         weigh(coarse, reach, light);
-        // What this window held is not sought again.
+        // Texels in this window are not used again.
         const glm::vec3 from = seed->direction;
         std::erase_if(bright_, [&](const Texel& texel) {
             return glm::dot(texel.direction, light.direction) > std::cos(reach) || texel.direction == from;

@@ -1,19 +1,19 @@
-// Where the light comes from: the few bright places of an environment that throw shadows, such as the sun or
-// Snell's window, found in every frame's radiance pyramid.
+// Finds the few bright places of an environment that throw shadows, such as the sun or Snell's window, in
+// every frame's radiance pyramid.
 //
-// A texel counts as light by how many standard deviations its luminance lies above the mean of the sphere,
-// as in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360 Panoramic Videos",
-// which takes two; here from the square root of three on, where a linear gradient over the sphere ends, and
-// wholly a little above. By Cantelli's inequality no more than a quarter of any sphere lies there: an
-// overcast sky throws no shadow, and is none. From the brightest of them a window shifts to the mode (mean
-// shift: Cheng 1995) and takes the size of what it holds as it goes (Bradski 1998, "Computer Vision Face
-// Tracking for Use in a Perceptual User Interface"); a place and a size are the spherical moments in it.
+// A texel counts as light by how many standard deviations its luminance lies above the mean of the sphere, as
+// in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360 Panoramic Videos", which
+// takes two; here from the square root of three on, where a linear gradient over the sphere ends, and fully a
+// little above. By Cantelli's inequality no more than a quarter of any sphere lies there: an overcast sky
+// throws no shadow, and is no light. A window starts at the brightest texel, shifts to the mode (mean shift:
+// Cheng 1995) and takes the size of the light in it as it goes (Bradski 1998, "Computer Vision Face Tracking
+// for Use in a Perceptual User Interface"); position and size are its spherical moments.
 //
-// A sun is ten thousand times as bright as the white to which a camera clips it, and the glow that is left
-// around it lies as haze, clouds and horizon have it. In a window no wider than a sun's with its glow texels
-// therefore count by the fifth power of what they have above the mean, and the window closes in on them. That
-// changes nothing where a dominant light is evenly bright. Wider windows look out on half a scene, whose
-// middle is that of all its light.
+// A sun is ten thousand times as bright as the white to which a camera clips it, and haze, clouds and horizon
+// shape the glow that is left around it. In a window no wider than a sun with its glow texels therefore count
+// by the fifth power of their excess over the mean, and the window closes in on the brightest. That changes
+// nothing if a dominant light is evenly bright. A wider window contains half a scene, whose middle is that of
+// all its light.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"
@@ -27,9 +27,9 @@ namespace shoal::light {
 
 struct FoundLight {
     glm::vec3 direction{0, 1, 0}; // towards it, unit length, env frame
-    float radius = 0;             // radians: of a cap of even radiance as widely spread
-    glm::vec3 irradiance{0};      // on a plane that faces it, beyond what would come without it
-    float share = 0;              // of the luminance of all that falls on that plane, 0 to 1
+    float radius = 0;             // radians: of a cap of even radiance with the same spread
+    glm::vec3 irradiance{0};      // on a plane that faces it, beyond what the rest of the sphere would give
+    float share = 0;              // share of the luminance of all light on that plane, 0 to 1
 };
 
 constexpr size_t kMaxLights = 3;
@@ -39,10 +39,10 @@ struct FoundLights {
     std::array<FoundLight, kMaxLights> lights; // the first `count`, the strongest first
     size_t count = 0;
     glm::vec3 groundIrradiance{0};                         // on level ground, by all the sphere
-    std::array<float, kThumbWidth * kThumbHeight> thumb{}; // luminance, lat-long: to tell scenes apart
+    std::array<float, kThumbWidth * kThumbHeight> thumb{}; // luminance, lat-long: for sceneDistance()
 };
 
-// Keeps tables and scratch: nothing is allocated after the first call. One thread at a time.
+// Keeps tables and scratch: allocates nothing after the first call. One thread at a time.
 class LightFinder {
   public:
     LightFinder();
@@ -63,9 +63,9 @@ class LightFinder {
     void weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const;
     float asLight(float luminance) const; // 0 to 1
 
-    const std::vector<glm::vec3> directions_, fineDirections_; // of the texels of the two levels looked at
-    std::vector<float> luminance_;                             // of the coarse one
-    std::vector<Texel> bright_, near_; // of the coarse one; of the fine, about a light
+    const std::vector<glm::vec3> directions_, fineDirections_; // of texels, coarse and fine level
+    std::vector<float> luminance_;                             // of the coarse level
+    std::vector<Texel> bright_, near_; // of the coarse level; of the fine level, near a light
     float mean_ = 0, deviation_ = 0;   // of luminance over the sphere
 };
 

@@ -1,4 +1,4 @@
-// A look at a decoded frame, or at one eye's rectangle of it: nothing is owned, nothing copied.
+// A view of a decoded frame, or of one eye's rectangle of it: owns nothing, copies nothing.
 #pragma once
 
 #include <cstddef>

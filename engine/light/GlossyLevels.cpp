@@ -10,7 +10,7 @@ namespace shoal::light {
 namespace {
 
 constexpr int kNarrowestMirror = 512;
-// Of the filtered levels.
+// Widths of the filtered levels.
 struct Widths {
     int minimum, maximum;
     int matte;            // roughness 1: the clamped cosine has a kink, which a strong sun makes visible
@@ -30,7 +30,7 @@ int widthFor(double roughness, int baseWidth, const Widths& widths) {
     return width;
 }
 
-// Half a lobe's light lies within 2 alpha of its peak, a texel reaches pi / width from its centre.
+// Returns a texel's roughness: half a lobe's light is within 2 alpha of its peak, a texel reaches pi / width.
 float roughnessOfTexel(int width) { return std::sqrt(2.5f / static_cast<float>(width)); }
 
 } // namespace

@@ -12,15 +12,15 @@ class Hartley {
   public:
     explicit Hartley(int length); // N, a power of two >= 8
 
-    // In place: `lanes` sequences, element n of lane i at data[n * lanes + i]. lanes: a multiple of 16. One
-    // thread at a time.
+    // Transforms in place `lanes` sequences: element n of lane i at data[n * lanes + i]. lanes: a multiple of
+    // 16. One thread at a time.
     void transform(float* data, int lanes);
 
   private:
     int length_;
     std::vector<int> order_;             // element i of the first step: bits reversed
     std::vector<float> cosines_, sines_; // of 2 pi k / N
-    std::vector<float> work_;            // of 16 lanes, so close together that they stay in the cache
+    std::vector<float> work_;            // of 16 lanes: small enough to stay in the cache
 };
 
 } // namespace shoal::light

@@ -1,5 +1,5 @@
-// From display to light and back: the thesis' inverse tone mapping, its eq. 4.1 to 4.3, and its exact
-// inverse. Twin of shaders/light/ToneCurve.glsl.
+// Converts display values to light and back: the thesis' inverse tone mapping, its eq. 4.1 to 4.3, and its
+// exact inverse. Twin of shaders/light/ToneCurve.glsl.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,15 +9,14 @@
 
 namespace shoal::light {
 
-// How radiance is had from a frame's coded values.
+// How radiance is computed from a frame's coded values.
 enum class FrameRadiance {
     Auto,   // decoded sRGB, with what was clipped estimated: ClippedLight.h
     Thesis, // radianceFromDisplay()
     Linear, // decoded sRGB: what was clipped stays white
 };
 
-// Eq. 4.3. Of coded values: the curve was made for them as they come. It is linear, so it serves for light
-// too.
+// Eq. 4.3, for coded values: the curve was made for these. It is linear, so it serves for light too.
 inline float thesisLuminance(const glm::vec3& c) { return 0.30f * c.x + 0.59f * c.y + 0.11f * c.z; }
 
 // Eq. 4.1 and 4.2: white gives 11.8, black 0. colour: coded red, green, blue, 0 to 1.
@@ -28,8 +27,8 @@ inline glm::vec3 radianceFromDisplay(const glm::vec3& colour) {
     return (10.0f * l4 * l4 * l2 + 1.8f) * colour;
 }
 
-// The inverse: a perfect mirror shows the video's own colours. radiance: not negative; the result is not
-// clamped.
+// Returns the inverse of radianceFromDisplay(): a perfect mirror shows the video's own colours. radiance: not
+// negative; the result is not clamped.
 //
 // Colour and radiance share their hue, so with y the radiance's luminance one number is unknown: y = 10 L^11
 // + 1.8 L. That function is convex and rising and the start lies at or above its root, so Newton falls onto

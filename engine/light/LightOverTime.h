@@ -1,5 +1,5 @@
-// From the lights found in single frames to the one that throws the shadows now: it moves smoothly, fades
-// where it is lost, and gives way to another only when that has been the stronger for a while.
+// Selects, from the lights found in single frames, the one that throws the shadows now: it moves smoothly,
+// fades where it is lost, and gives way to another only when that has been stronger for a while.
 #pragma once
 
 #include "engine/light/FindLights.h"
@@ -8,21 +8,21 @@ namespace shoal::light {
 
 struct ShadowLight {
     FoundLight light;
-    glm::vec3 groundIrradiance{0}; // as FoundLights has it, of the same age
-    float presence = 0;            // 0: none, 1: wholly there; shadows are to fade with it
+    glm::vec3 groundIrradiance{0}; // from FoundLights, smoothed in the same way
+    float presence = 0;            // 0: none, 1: fully there; a factor for its shadows
 };
 
-// How much two scenes differ, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their luminances
-// (Lance and Williams 1967), so that bright parts do not outshout the rest.
+// Returns how much two scenes differ, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their
+// luminances (Lance and Williams 1967), so that bright parts do not outweigh the rest.
 float sceneDistance(const FoundLights& a, const FoundLights& b);
 
-// A function of the frames shown and of the times between them alone.
+// The result depends on nothing but the frames shown and the times between them.
 class LightOverTime {
   public:
-    // What was found in the frame now shown; dt_s: since the last call. What belongs to the same light is
-    // followed with a time constant of 0.15 s, though never faster than 22 degrees a second; one that is more
-    // than 15 degrees ahead (or most of its radius) is lost, fades, and is taken up anew where it then is.
-    // After a cut, and at first, the strongest light is taken as it is.
+    // Follows the lights found in the frame now shown; dt_s: since the last call. The same light is followed
+    // with a time constant of 0.15 s, at most at 22 degrees a second; one that is more than 15 degrees ahead
+    // (or most of its radius) is lost: it fades, and is taken up anew where it then is. After a cut, and at
+    // first, the strongest light is taken as it is.
     const ShadowLight& follow(const FoundLights& found, float dt_s);
 
   private:
@@ -31,7 +31,7 @@ class LightOverTime {
     ShadowLight now_;
     FoundLights last_;
     bool begun_ = false;
-    float strongerFor_s_ = 0; // how long another light has been much the stronger
+    float strongerFor_s_ = 0; // how long another light has been much stronger
 };
 
 } // namespace shoal::light

@@ -12,7 +12,7 @@ glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
     const auto texel = [&](int column, int row) {
-        const bool beyond = row < 0 || row >= map.height; // a pole: the other side of it
+        const bool beyond = row < 0 || row >= map.height; // beyond a pole: the row on its other side
         if (beyond) column += map.width / 2;
         const float* t =
             map.at((column % map.width + map.width) % map.width, row < 0  ? -1 - row

@@ -1,5 +1,5 @@
-// What a graphics card's sampler does with a lat-long map, on the CPU: linear between texel centres, wrapping
-// in u, and over the poles. For tests, tools and reference maths.
+// Samples a lat-long map on the CPU as a graphics card does: linear between texel centres, wrapping in u, and
+// over the poles. For tests, tools and reference maths.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"

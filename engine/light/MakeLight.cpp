@@ -6,7 +6,7 @@ namespace shoal::light {
 
 namespace {
 
-// Rounding beside a sun of 10^9 goes below what a dark sky holds.
+// Removes negative values: near a sun of 10^9 rounding errors exceed the values of a dark sky.
 void cutBelowZero(ImageRgbF& image) {
     for (float& value : image.pixels) value = std::max(value, 0.0f);
 }
@@ -41,7 +41,7 @@ void LightMaker::makeFilters(int baseWidth) {
     }
 }
 
-// From the radiance pyramid to what surfaces see: the diffuse map and every glossy level.
+// Makes the diffuse map and every glossy level from the radiance pyramid.
 void LightMaker::filter(EnvironmentLight& out) {
     const int baseWidth = out.radiance.levels[0].width;
     if (!filters_ || filters_->plans[0].width != baseWidth) makeFilters(baseWidth);
@@ -62,7 +62,7 @@ void LightMaker::filter(EnvironmentLight& out) {
         ++filter;
         targets_.clear();
     }
-    // A lobe of alpha 1 is a matte surface's.
+    // A lobe of alpha 1 is that of a matte surface.
     out.diffuse = out.glossy.back().radianceLin;
 }
 

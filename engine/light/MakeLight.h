@@ -1,4 +1,4 @@
-// From a frame to the light: the whole pipeline, for each video frame on the decode thread, or once for a
+// Makes the light of a frame: the whole pipeline, for each video frame on the decode thread, or once for a
 // still.
 #pragma once
 
@@ -14,18 +14,18 @@
 namespace shoal::light {
 
 struct LightOptions {
-    // Most texels around pyramid level 0, which mirrors show; rounded down to a power of two.
+    // Greatest width of pyramid level 0, which mirrors show; rounded down to a power of two.
     int baseWidth = 1024;
-    // Of all surfaces that will be lit: levels below it are not made, see glossyPlans().
+    // Least roughness of all surfaces to be lit: levels below it are not made, see glossyPlans().
     float minRoughness = 0.1f;
     LightQuality quality = LightQuality::Video;
     FrameRadiance frames = FrameRadiance::Thesis;
 };
 
-// Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that
-// nothing is allocated while out keeps its buffers. One thread at a time; a maker for each thread.
+// Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that nothing
+// is allocated while out keeps its buffers. One thread at a time; each thread needs its own maker.
 //
-// The light is finite and not negative whatever comes in, and absolute: a sun keeps its strength up to
+// The light is finite and not negative whatever the input, and absolute: a sun keeps its strength up to
 // kMaxRadianceIn. Textures of half floats cannot hold all of it: packLight() scales or cuts it.
 class LightMaker {
   public:
@@ -37,7 +37,7 @@ class LightMaker {
     size_t makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out);
 
   private:
-    // Filters for a base width.
+    // The filters for one base width.
     struct Filters {
         std::vector<GlossyPlan> plans;
         CentroidChain chain;

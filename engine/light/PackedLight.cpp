@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint16_t kOne = 0x3c00; // a half float
 
-// value: 0 .. 65504. To the nearest half float, ties to even. No branches: loops over it vectorise.
+// Rounds a value of 0 .. 65504 to the nearest half float, ties to even. Without branches: loops vectorise.
 inline uint16_t halfFromFloat(float value) {
     const uint32_t bits = std::bit_cast<uint32_t>(value);
     const uint32_t normal = (bits - (112u << 23) + 0xfffu + ((bits >> 13) & 1u)) >> 13;
@@ -40,12 +40,12 @@ float brightest(const ImageRgbF& map) {
     return map.empty() ? 0 : *std::max_element(map.pixels.begin(), map.pixels.end());
 }
 
-// top: the atlas' row of the border above the map.
+// top: the atlas' row that holds the border above the map.
 void packBordered(const ImageRgbF& map, float factor, int top, HalfImage& atlas) {
     const auto texels = [&](int x, int y) { return atlas.at(x + 1, top + 1 + y); };
     for (int y = 0; y < map.height; ++y) packRow(map.at(0, y), map.width, factor, texels(0, y));
     const int half = map.width / 2;
-    for (const int y : {0, map.height - 1}) { // beyond the poles: the other side
+    for (const int y : {0, map.height - 1}) { // beyond a pole lies its other side
         const int beyond = y == 0 ? -1 : map.height;
         std::copy_n(texels(0, y), half * 4, texels(half, beyond));
         std::copy_n(texels(half, y), half * 4, texels(0, beyond));

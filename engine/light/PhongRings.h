@@ -11,8 +11,8 @@
 namespace shoal::light {
 
 struct PhongRing {
-    double angle = 0;  // of its six samples from the mirror direction, radians, in (0, pi / 2)
-    double weight = 0; // of the six together; the rings' weights sum to 1
+    double angle = 0;  // between its six samples and the mirror direction, radians, in (0, pi / 2)
+    double weight = 0; // of all six together; the rings' weights sum to 1
 };
 
 constexpr int kPhongRings = 6;
@@ -23,7 +23,7 @@ constexpr int kSamplesPerRing = 6;
 // The exponent is phongExponentFromRoughness().
 std::array<PhongRing, kPhongRings> phongRings(double roughness);
 
-// The lookup itself; every ring is read from the level whose texels are as far apart as its samples.
+// Looks the light up; every ring is read from the level whose texels are as far apart as its samples.
 glm::vec3 phongRingsRadiance(const RadiancePyramid& pyramid, const glm::vec3& mirror, double roughness);
 
 } // namespace shoal::light

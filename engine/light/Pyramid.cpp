@@ -13,7 +13,7 @@ namespace shoal::light {
 
 namespace {
 
-// One row's bytes to planes of floats.
+// Splits a row's bytes into planes of floats.
 inline void splitRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                      float* __restrict green, float* __restrict blue) {
     const int blueAt = 2 - redAt;
@@ -24,7 +24,7 @@ inline void splitRow(const uint8_t* __restrict bytes, int width, int redAt, floa
     }
 }
 
-// One row of coded bytes to linear planes; the arithmetic of radianceFromDisplay().
+// Decodes a row of bytes to linear planes; the arithmetic of radianceFromDisplay().
 SHOAL_VECTORISE
 void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                float* __restrict green, float* __restrict blue) {
@@ -42,8 +42,8 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
     }
 }
 
-// linearFromSrgb() of coded bytes: its power branch as the polynomial that has the least of the largest
-// errors, counted in 1e-5 of white or 5e-4 of themselves, whichever is more strict.
+// linearFromSrgb() of coded bytes; its power branch is the polynomial with the least largest error, counted
+// in 1e-5 of white or a relative 5e-4, whichever is stricter.
 inline float linearOf(float byte) {
     const float c = byte * (1.0f / 255.0f);
     const float power =
@@ -53,7 +53,7 @@ inline float linearOf(float byte) {
     return c <= 0.04045f ? c * (1.0f / 12.92f) : power;
 }
 
-// The same as decodeRow() by decoding sRGB.
+// As decodeRow(), for sRGB.
 SHOAL_VECTORISE
 void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                      float* __restrict green, float* __restrict blue) {
@@ -65,7 +65,7 @@ void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, floa
     }
 }
 
-// One row's clippedSteps() times `unit`; returns their sum before that.
+// Writes a row's clippedSteps() times `unit`; returns their sum without that factor.
 SHOAL_VECTORISE
 int decodeClippedRow(const uint8_t* __restrict bytes, int width, float unit, float* __restrict out) {
     int sum = 0;
@@ -87,7 +87,7 @@ void addClippedBlocks(const float* __restrict clipped, const glm::vec3& white, i
         for (int c = 0; c < 3; ++c) out[3 * x + c] += white[c] * clipped[x];
 }
 
-// Every kFactor columns to their mean, planes to interleaved.
+// Averages every kFactor columns, from planes to interleaved texels.
 template <int kFactor>
 SHOAL_VECTORISE void narrowBy(const float* __restrict red, const float* __restrict green,
                               const float* __restrict blue, int width, float* __restrict out) {
@@ -113,7 +113,7 @@ void addScaled(const float* __restrict in, float weight, int count, float* __res
 SHOAL_VECTORISE
 void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
               float bottomWeight, int width, float* __restrict out) {
-    constexpr int kTexels = 128; // out at a time
+    constexpr int kTexels = 128; // texels of the result at a time
     float mixed[6 * kTexels + 1];
     for (int first = 0; first < width; first += kTexels) {
         const int count = std::min(kTexels, width - first);
@@ -124,18 +124,18 @@ void halveRow(const float* __restrict top, const float* __restrict bottom, float
     }
 }
 
-// Half of the sphere's height lies between the two: sine of the latitude of a row's edge, row counted from
-// the top.
+// Returns the sine of the latitude of a row's edge, row counted from the top; a band's share of the sphere is
+// half the difference of its edges' sines.
 double edgeSine(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
 
-// Returns whether the value had to change.
+// Returns whether the value had to be changed.
 bool repair(float& value) {
     if (value >= 0 && value <= kMaxRadianceIn) return false;
     value = std::isinf(value) && value > 0 ? kMaxHalf : value > 0 ? kMaxRadianceIn : 0.0f;
     return true;
 }
 
-// Keeps levels that have their size already.
+// Levels that have their size already stay.
 void fitLevels(int width, RadiancePyramid& pyramid) {
     const auto count = static_cast<size_t>(std::bit_width(static_cast<unsigned>(width)) - 1);
     pyramid.levels.resize(count);
@@ -156,8 +156,8 @@ int baseWidthFor(int sourceWidth, int askedWidth) {
 void halve(const ImageRgbF& in, ImageRgbF& out) {
     assert(in.width >= 4 && in.height >= 2);
     out.fit(in.width / 2, in.height / 2);
-    // A row's solid angle goes by the cosine of its middle's latitude; those of two whose border lies at m
-    // have the shares (1 -+ tan m tan d) / 2, d half a row.
+    // A row's solid angle is proportional to the cosine of its middle's latitude; two rows with a border at
+    // latitude m have the shares (1 -+ tan m tan d) / 2, d half a row.
     const double half = std::tan(0.5 * std::numbers::pi / in.height);
     for (int y = 0; y < out.height; ++y) {
         const double more = half * std::tan(std::numbers::pi * (0.5 - (y + 0.5) / out.height));
@@ -166,9 +166,9 @@ void halve(const ImageRgbF& in, ImageRgbF& out) {
     }
 }
 
-// Shares in whole numbers, so that no texel is left over or counted twice: edges of the source are multiples
-// of `target`, edges of the target multiples of `source`, in a map of their product. edge: falls from each
-// edge of the target to the next by what lies between them.
+// Computes shares in whole numbers, so that no texel is left over or counted twice: edges of the source are
+// multiples of `target`, edges of the target multiples of `source`, in a map of their product. edge(row):
+// falls from one edge of the target to the next by the measure of what lies between.
 template <class Edge>
 void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares) {
     shares.clear();
@@ -202,7 +202,7 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
 }
 
 void PyramidMaker::narrowRow() {
-    // The usual sizes have loops of their own; the shares below serve any.
+    // The usual sizes have loops of their own; the shares below serve all others.
     const auto narrow = sourceWidth_ == baseWidth_       ? narrowBy<1>
                         : sourceWidth_ == 2 * baseWidth_ ? narrowBy<2>
                         : sourceWidth_ == 4 * baseWidth_ ? narrowBy<4>
@@ -221,7 +221,7 @@ void PyramidMaker::narrowRow() {
     }
 }
 
-// decodeRow(y): puts row y of the source into the planes; returns whether there is anything in it.
+// decodeRow(y): decodes row y of the source into the planes; returns whether it holds anything but zeros.
 template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, ImageRgbF& base) {
     size_t share = 0;
     for (int y = 0; y < sourceHeight_; ++y) {
@@ -235,7 +235,7 @@ template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, Ima
 
 void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
     const int above = (frame.height + 1) / 2;
-    // Puts a row into the red plane, a wholly clipped pixel as `white`; returns whether there is any.
+    // Decodes a row into the red plane, a fully clipped pixel as `white`; returns whether any is clipped.
     const auto decode = [&](int y, float white) {
         return decodeClippedRow(frame.pixels + y * frame.rowStride, frame.width, white / kClippedSteps,
                                 red_.data()) > 0;
@@ -298,7 +298,7 @@ void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRa
                          blocks.width, blocks.at(0, y));
 }
 
-// Blocks of 4 x 4 pixels first, where the base needs no finer ones; what is left to average is a sixteenth.
+// Averages blocks of 4 x 4 pixels first, if the base needs no finer ones; a sixteenth is left to average.
 bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out,
                                 FrameRadiance from) {
     const int base = baseWidthFor(frame.width, askedWidth);

@@ -12,12 +12,11 @@
 
 namespace shoal::light {
 
-// Input above this is cut to it; NaN and negative values become 0. The sun's disc has 5 * 10^4 in a picture
-// in which a white wall in its light has 1, and 10^9 in cd/m^2. No sum of products of such overflows.
+// Larger values are cut to it; NaN and negative values become 0. The sun's disc has 5 * 10^4 in a picture in
+// which a white wall in its light has 1, and 10^9 in cd/m^2. Sums of products of such values do not overflow.
 constexpr float kMaxRadianceIn = 1e9f;
 
-// The largest half float. Infinities come from pictures whose sun was stored as half floats: they become
-// this.
+// The largest half float. Infinities become this: they come from pictures that store the sun in half floats.
 constexpr float kMaxHalf = 65504.0f;
 
 constexpr int kMinBaseWidth = 256; // smaller sources are enlarged, so that every step has its levels
@@ -26,27 +25,27 @@ constexpr int kMinBaseWidth = 256; // smaller sources are enlarged, so that ever
 // kMinBaseWidth.
 int baseWidthFor(int sourceWidth, int askedWidth);
 
-// Half the size; each texel is the mean of four weighed by their solid angles. in: width = 2 height, a power
-// of two >= 4.
+// Halves width and height; each texel is the mean of four weighted by their solid angles. in: width = 2
+// height, a power of two >= 4.
 void halve(const ImageRgbF& in, ImageRgbF& out);
 
 // Makes pyramids; keeps its tables and rows between calls, so nothing is allocated while sizes stay. One
 // thread at a time.
 class PyramidMaker {
   public:
-    // Inverse tone mapping (InverseToneMap.h) happens before any averaging. Any width and height: the source
-    // is taken as the whole sphere. Auto: as ClippedLight.h says.
+    // Averages only after inverse tone mapping (InverseToneMap.h). Any width and height: the source is the
+    // whole sphere. Auto: see ClippedLight.h.
     void make(const FrameView& frame, int askedWidth, RadiancePyramid& out,
               FrameRadiance from = FrameRadiance::Thesis);
 
-    // Linear radiance in. Returns how many texels had to be repaired.
+    // Takes linear radiance. Returns how many texels had to be repaired.
     size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
 
-    // Of the last frame that was made as Auto.
+    // The gain of the last frame that was made as Auto.
     const ClippedGain& clippedGain() const { return clippedGain_; }
 
   private:
-    // Source row or column `from` gives the part `weight` of target row or column `to`.
+    // Source row or column `from` adds the share `weight` of itself to target row or column `to`.
     struct Share {
         int from = 0, to = 0;
         float weight = 0;
@@ -64,9 +63,9 @@ class PyramidMaker {
     int sourceWidth_ = 0, sourceHeight_ = 0, baseWidth_ = 0;
     std::vector<Share> rows_, columns_;     // ascending by `from` and `to`
     std::vector<float> blockRows_;          // weights for makeBlockMeans()
-    std::vector<float> clippedShares_;      // of a frame of as many rows: clippedShare()
-    ImageRgbF blocks_;                      // its result, where that is not the base itself
-    ImageF clippedBlocks_;                  // the same of clipped pixels
+    std::vector<float> clippedShares_;      // by row of a frame: clippedShare()
+    ImageRgbF blocks_;                      // result of makeBlockMeans(), unless that is the base itself
+    ImageF clippedBlocks_;                  // the same for clipped pixels
     ClippedDensity density_;                // of these
     std::vector<float> red_, green_, blue_; // one source row, linear
     std::vector<float> narrow_;             // the same at the base's width, interleaved

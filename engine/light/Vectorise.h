@@ -10,7 +10,7 @@
 
 namespace shoal::light {
 
-// Sums of interleaved values, in 16 parts each: sums that can be vectorised although nothing is reordered.
+// Sums interleaved values in 16 parts each: compilers can vectorise this without reordering sums.
 template <size_t kChannels> inline std::array<float, kChannels> sumsOf(const float* values, size_t count) {
     std::array<float, 16 * kChannels> parts{};
     size_t at = 0;
@@ -24,7 +24,7 @@ template <size_t kChannels> inline std::array<float, kChannels> sumsOf(const flo
     return sums;
 }
 
-// --- Rows of interleaved texels to half as many ----------------------------------------------------------
+// --- Halving rows of interleaved texels -----------------------------------------------------------------
 
 // A texel, and one float of the next.
 using Texel4 = float __attribute__((vector_size(16)));
@@ -35,10 +35,10 @@ inline Texel4 texelAt(const float* in) {
     return texel;
 }
 
-// out: texel x is made of what lies around 2 x and 2 x + 1 of `in`, which can be read a float further than
-// that. make: gets the address of the first of the two.
+// Makes texel x of `out` from the texels around 2 x and 2 x + 1 of `in`, whose end may be read one float
+// further. make: gets the address of the first of the two.
 template <class Make> inline void halveColumns(const float* in, int width, float* out, Make&& make) {
-    // The float too much is overwritten by the next texel.
+    // The extra float is overwritten by the next texel.
     for (int x = 0; x + 1 < width; ++x) {
         const Texel4 texel = make(in + 6 * x);
         std::memcpy(out + 3 * x, &texel, sizeof texel);

@@ -19,9 +19,9 @@ using std::numbers::pi;
 constexpr int kRows = 16;      // ZonalFilter::kBlock
 constexpr size_t kSignals = 6; // three channels at frequency k and at N - k, which have the same kernel
 
-// For each signal, one after the other: out[0 .. 15] = sum over `count` rows in of kernel row times signal.
-// step: from one row in to the next, 1 or, for what lies south, -1; its rows out are counted from the south
-// too. Written once for each width of registers: left to itself the compiler keeps the sums in memory.
+// Computes for each signal in turn out[0 .. 15] = sum over `count` input rows of kernel row times signal.
+// step: between input rows, 1, or -1 for the southern half, whose results are counted from the south too.
+// Written out for each register width: compilers would keep the sums in memory.
 #ifdef SHOAL_VERSIONS
 #define SHOAL_TARGET __attribute__((target("arch=x86-64-v4")))
 #define SHOAL_FLOATS 16
@@ -38,7 +38,7 @@ constexpr size_t kSignals = 6; // three channels at frequency k and at N - k, wh
 
 using Four = float __attribute__((vector_size(16)));
 
-// A square of a picture, turned over. stride: floats from row to row.
+// Transposes a 4 x 4 square. stride: floats from row to row.
 inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_t outStride, float scale) {
     Four a, b, c, d;
     std::memcpy(&a, in, sizeof a);
@@ -59,7 +59,7 @@ inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_
     }
 }
 
-// out[x][y] = in[y][x] times scale, but not below 0.
+// Writes out[x][y] = in[y][x] times scale, at least 0.
 SHOAL_VECTORISE
 void transpose(const float* in, int width, int height, float scale, float* out) {
     for (int y = 0; y < height; y += 4)
@@ -69,7 +69,7 @@ void transpose(const float* in, int width, int height, float scale, float* out) 
 
 double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
 
-// out[d] += the lobe at two points of column difference d, summed.
+// Adds to out[d] the lobe at two points of column difference d.
 SHOAL_VECTORISE
 void addLobe(const double* __restrict cosines, int count, double sine, double ring, double alpha,
              double* __restrict out) {
@@ -78,8 +78,8 @@ void addLobe(const double* __restrict cosines, int count, double sine, double ri
                   math::ggxMirrorLobe(sine + ring * cosines[2 * d + 1], alpha);
 }
 
-// The lobes around the rows from `out` on, kRows + 2 of them, over as many rows from `in` on: the mean over a
-// texel of the row in, for column differences 0 .. width / 2; two by two points of Gauss, exact for cubics.
+// Computes the lobes around kRows + 2 rows from `out` on over as many input rows from `in` on: the mean over
+// a texel of the input row, for column differences 0 .. width / 2; two by two Gauss points, exact for cubics.
 // Rows beyond a pole lie on the other side of it. Result: [row out][row in][column difference].
 void lobesOfTile(int out, int in, int width, double alpha, const std::vector<double>& cosines,
                  std::vector<double>& lobes) {
@@ -98,20 +98,20 @@ void lobesOfTile(int out, int in, int width, double alpha, const std::vector<dou
     }
 }
 
-// Variance, in texels squared, of what the map and the mean over a texel spread light by, less that of the
-// plain means it came from: what inside those was, nobody knows.
+// Returns the variance, in texels squared, by which the map and the mean over a texel spread light, less that
+// of the plain means it came from: how light was distributed within those is unknown.
 double spreadVariance(int octaves) {
     const double rest = std::pow(0.25, octaves);
     return 0.25 * (1 - rest) + (1 - rest) / 12;
 }
 
-// The same spread along a row, exactly, as what it leaves of frequency m; and how linear lookup is best
-// prepared for: least squares among linear splines on these texels.
+// Returns a factor for frequency m along a row: takes back what the same spread, exactly, leaves of it, and
+// prepares linear lookups: least squares among linear splines on these texels.
 double columnGain(int m, int width, int octaves) {
     const double x = pi * m / width;
     double response = sinc(x) / sinc(x * std::pow(0.5, octaves));
     for (int i = 1; i <= octaves; ++i) response *= std::pow(std::cos(x * std::pow(0.5, i)), 3);
-    constexpr double kMin = 0.4; // above, more is folded than told
+    constexpr double kMin = 0.4; // below it noise is amplified more than light is restored
     const double spline = sinc(x) * sinc(x) * 3 / (2 + std::cos(2 * x));
     return spline / std::max(response, kMin);
 }
@@ -129,7 +129,7 @@ ZonalFilter::ZonalFilter(const Sampling& sampling, const std::vector<double>& al
 
 ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling) {
     assert(alpha > 0);
-    std::vector<double> cosines; // of the two points of each column difference
+    std::vector<double> cosines; // at the two points of each column difference
     for (int d = 0; d <= width_ / 2; ++d)
         for (int t = 0; t < 2; ++t)
             cosines.push_back(std::cos(2 * pi * (d + (t - 0.5) / std::numbers::sqrt3) / width_));
@@ -137,7 +137,7 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
     std::vector<double> gains;
     for (int m = 0; m < frequencies; ++m) gains.push_back(columnGain(m, width_, sampling.octaves));
     const double spread = -0.5 * spreadVariance(sampling.octaves);
-    constexpr double kSide = -1.0 / 12; // the spline's preparation again, from row to row
+    constexpr double kSide = -1.0 / 12; // prepares linear lookups from row to row too
 
     const auto n = static_cast<size_t>(frequencies);
     std::vector<double> raw(n * (kRows + 2) * (kRows + 2)), sharp(n * (kRows + 2));
@@ -176,15 +176,14 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
     return kernel;
 }
 
-// Adds the rows in that matter to a block of rows out. lobes: [frequency][row in][row out].
+// Appends a block of rows out with the input rows that matter. lobes: [frequency][row in][row out].
 void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const std::vector<double>& gains,
                               Kernel& kernel) const {
     const int blocks = northernBlocks();
     const auto lobe = [&](int m, int in, size_t out) {
         return static_cast<double>(lobes[static_cast<size_t>(m * height_ + in) * kRows + out]);
     };
-    // Frequency 0 is the sum over the columns: what a uniform environment gives. Its rows kept must sum
-    // to 1.
+    // Frequency 0 is the sum over the columns: the result in uniform light. The rows kept must sum to 1.
     std::array<double, kRows> whole{}, kept{};
     for (int in = 0; in < height_; ++in)
         for (size_t out = 0; out < kRows; ++out) whole[out] += lobe(0, in, out);
@@ -251,7 +250,7 @@ void ZonalFilter::apply(const ImageRgbF& in, std::span<ImageRgbF* const> out) {
         out[i]->fit(width_, height_);
         filter(kernels_[i]);
         hartley_.transform(filtered_.data(), 3 * height_);
-        // Rounding may leave a hair below zero where no light comes from.
+        // Rounding errors may leave values slightly below zero where no light arrives.
         transpose(filtered_.data(), height_, 3 * width_, 1.0f / static_cast<float>(width_),
                   out[i]->pixels.data());
     }

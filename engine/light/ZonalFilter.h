@@ -1,5 +1,5 @@
-// Filters a lat-long map by GGX lobes around every direction, by a transform along the rows: the whole sum
-// over all texels for a hundredth of its multiplications.
+// Filters a lat-long map by GGX lobes around every direction, by a transform along the rows: the sum over all
+// texels for a hundredth of its multiplications.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -17,33 +17,33 @@ namespace shoal::light {
 // Turning the environment by one column turns the result, so for a row out and a row in the sum over columns
 // is a circular convolution with an even kernel; in the transformed rows it is one product for each
 // frequency. A narrow lobe has high frequencies, but those reach over few rows; a wide lobe reaches over all
-// rows, but has low frequencies only. What is below kNegligible of the whole is left out, and the rest scaled
-// so that uniform light stays exactly as it is.
+// rows, but has low frequencies only. Values below kNegligible of the whole are left out, and the rest is
+// scaled so that uniform light stays exactly as it is.
 //
-// The kernel takes back, to second order, how far the map's texels spread the light (Sampling::octaves), and
-// what looking the result up linearly between its texels takes away: among maps of this size it is nearly
-// the one with the least squared error.
+// The kernel compensates, to second order, for how far the map's texels spread the light (Sampling::octaves),
+// and for what linear lookups between its texels take away: among maps of this size it is nearly the one with
+// the least squared error.
 class ZonalFilter {
   public:
-    // sampling.width: a power of two >= 32, of the maps in and out. Kernels take 1 ms (64) to 1 s (512) and
-    // 0.1 to some 10 MB for each alpha.
+    // sampling.width: a power of two >= 32, the width of the maps in and out. Kernels take 1 ms (64) to 1 s
+    // (512) and 0.1 to some 10 MB for each alpha.
     ZonalFilter(const Sampling& sampling, const std::vector<double>& alphas);
 
-    // out[i] is filtered by the lobe of alphas[i]. All maps: width x width / 2; out are made so. Linear
-    // radiance; nothing negative comes out. One thread at a time.
+    // Writes to out[i] the map filtered by the lobe of alphas[i]. All maps: width x width / 2; out are
+    // resized. Linear radiance; results are not negative. One thread at a time.
     void apply(const ImageRgbF& in, std::span<ImageRgbF* const> out);
 
     int width() const { return width_; }
 
   private:
-    static constexpr int kBlock = 16; // rows out that share a range of rows in
+    static constexpr int kBlock = 16; // rows of the result that share a range of input rows
     static constexpr double kNegligible = 2e-6;
 
     struct Range {
-        int first = 0, count = 0; // rows in
-        size_t kernel = 0;        // index of kBlock floats for each of them
+        int first = 0, count = 0; // input rows
+        size_t kernel = 0;        // index of kBlock floats for each input row
     };
-    // South of the equator the kernel is the north's, with rows in and out counted from the other end.
+    // The kernel of the northern half; south of the equator rows in and out are counted from the other end.
     struct Kernel {
         std::vector<Range> ranges; // [frequency][northern block of rows out]
         std::vector<float> values;
@@ -53,7 +53,7 @@ class ZonalFilter {
     void appendBlock(int block, const std::vector<float>& lobes, const std::vector<double>& gains,
                      Kernel& kernel) const;
     void filter(const Kernel& kernel);
-    int northernBlocks() const { return (height_ / kBlock + 1) / 2; } // of rows out
+    int northernBlocks() const { return (height_ / kBlock + 1) / 2; } // of the result's rows
 
     int width_, height_;
     Hartley hartley_;

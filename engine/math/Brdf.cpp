@@ -15,12 +15,12 @@ double phongExponentFromRoughness(double roughness) {
     return 0.5 / (alpha * alpha) + 0.5;
 }
 
-// With normals drawn as they are seen from v, the estimator of the albedo is F G2 / G1 (Heitz 2018, "Sampling
+// Sampling normals that are visible from v, the estimator of the albedo is F G2 / G1 (Heitz 2018, "Sampling
 // the GGX Distribution of Visible Normals", eq. 19). The normals come from a uniform spherical cap around the
 // stretched view: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
 Dfg dfg(double nv, double roughness) {
     assert(nv > 0 && nv <= 1);
-    constexpr int kSamples = 24; // midpoints each way
+    constexpr int kSamples = 24; // midpoints in each direction
     const double alpha = std::max(alphaFromRoughness(roughness), 1e-4);
     const double sinV = std::sqrt(std::max(0.0, 1.0 - nv * nv));
     const double stretched = std::sqrt(alpha * alpha * sinV * sinV + nv * nv);
@@ -30,15 +30,14 @@ Dfg dfg(double nv, double roughness) {
     };
     const double lambdaV = lambda(nv);
 
-    std::vector<double> cosines, sines; // of phi; the other half of the circle mirrors this one
+    std::vector<double> cosines, sines; // of phi; the other half of the circle is symmetric
     for (int i = 0; i < kSamples; ++i) {
         cosines.push_back(std::cos(pi * (i + 0.5) / kSamples));
         sines.push_back(std::sin(pi * (i + 0.5) / kSamples));
     }
     Dfg sum;
     for (int j = 0; j < kSamples; ++j) {
-        // Midpoints of s in share = s^2: what masking and the horizon take lies in the lobe's thin tail, near
-        // share 0.
+        // Midpoints of s in share = s^2: masking and the horizon cut the lobe's thin tail, near share 0.
         const double s = (j + 0.5) / kSamples;
         const double cz = s * s * (1.0 + wz) - wz, part = 2.0 * s;
         const double cr = std::sqrt(std::max(0.0, 1.0 - cz * cz));
@@ -51,7 +50,7 @@ Dfg dfg(double nv, double roughness) {
             if (nl <= 0 || vh <= 0) continue;
             const double visible = part * (1.0 + lambdaV) / (1.0 + lambdaV + lambda(std::min(nl, 1.0)));
             const double away = 1.0 - std::min(vh, 1.0), away2 = away * away;
-            const double fresnel = away2 * away2 * away; // std::pow would take as long as all else
+            const double fresnel = away2 * away2 * away; // std::pow would take as long as everything else
             sum.scale += (1.0 - fresnel) * visible;
             sum.bias += fresnel * visible;
         }

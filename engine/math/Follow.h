@@ -1,11 +1,11 @@
-// Values that follow others over time.
+// Smoothing of values that follow others over time.
 #pragma once
 
 #include <algorithm>
 
 namespace shoal::math {
 
-// The share of the way to a goal that is gone in dt_s, where what is left falls to 1/e in constant_s: 1 -
+// Returns the share of the way to a goal that is covered in dt_s if the rest falls to 1/e in constant_s: 1 -
 // exp(-x). From basic arithmetic, so that it has the same bits on every machine (see Trigonometry.h): exp(x /
 // 16) by Taylor's series to order 7, which is within 1e-9 for x <= 2, to the power of 16.
 inline float followShare(float dt_s, float constant_s) {

@@ -29,9 +29,9 @@ template <class T> glm::vec<2, T> latLongFromDirection(const glm::vec<3, T>& dir
 }
 
 // As latLongFromDirection(), within 4e-6 of the map's height, without calls and branches; for maps of few
-// texels; dir may have any length. Abramowitz and Stegun 1964, 4.4.49, which is off by 1e-5 radians at most.
+// texels; dir may have any length. Abramowitz and Stegun 1964, 4.4.49, with an error of at most 1e-5 radians.
 inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
-    const auto angle = [](float y, float x) { // of a point of a plane, -pi to pi
+    const auto angle = [](float y, float x) { // angle of a point of a plane, -pi to pi
         const float ay = std::abs(y), ax = std::abs(x);
         const float t = std::min(ax, ay) / std::max(std::max(ax, ay), 1e-30f), t2 = t * t;
         float a = ((((0.0208351f * t2 - 0.085133f) * t2 + 0.180141f) * t2 - 0.3302995f) * t2 + 0.999866f) * t;
@@ -44,10 +44,10 @@ inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
             0.5f - angle(dir.y, std::sqrt(dir.x * dir.x + dir.z * dir.z)) * kInvPi};
 }
 
-// The column of a map that this one is, up to its width beyond an edge: columns repeat.
+// Returns a column of the map for one up to a map's width beyond its edges: columns repeat.
 inline int wrappedColumn(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
-// The inverse; uv may lie outside [0, 1] in u (it wraps). Result: unit length.
+// The inverse of latLongFromDirection(); uv may lie outside [0, 1] in u (it wraps). Result: unit length.
 template <class T> glm::vec<3, T> directionFromLatLong(const glm::vec<2, T>& uv) {
     const T longitude = (uv.x - T(0.5)) * T(2) * std::numbers::pi_v<T>;
     const T latitude = (T(0.5) - uv.y) * std::numbers::pi_v<T>;
@@ -55,13 +55,13 @@ template <class T> glm::vec<3, T> directionFromLatLong(const glm::vec<2, T>& uv)
     return {ring * std::sin(longitude), std::sin(latitude), -ring * std::cos(longitude)};
 }
 
-// Of the middle of texel (x, y) of a width x height map.
+// Returns the direction of the middle of texel (x, y) of a width x height map.
 template <class T = float> glm::vec<3, T> texelDirection(int x, int y, int width, int height) {
     return directionFromLatLong(glm::vec<2, T>((T(x) + T(0.5)) / T(width), (T(y) + T(0.5)) / T(height)));
 }
 
-// Solid angle in steradians of one texel of row y in a width x height map, exact: the band between two
-// latitudes, 2 pi (sin a - sin b), shared by its texels. Rows sum to 4 pi.
+// Returns the solid angle in steradians of one texel of row y in a width x height map, exactly: the band
+// between two latitudes, 2 pi (sin a - sin b), shared by its texels. All texels sum to 4 pi.
 inline double texelSolidAngle(int y, int width, int height) {
     const double pi = std::numbers::pi;
     const double top = std::sin(pi * (0.5 - static_cast<double>(y) / height));

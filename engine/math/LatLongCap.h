@@ -1,4 +1,4 @@
-// Which cells of a grid over the lat-long map a cap of the sphere touches.
+// Finds the cells of a grid over the lat-long map that a cap of the sphere touches.
 #pragma once
 
 #include "engine/math/LatLong.h"
@@ -12,8 +12,8 @@ struct CellRange {
     glm::ivec2 first{0}, last{-1}; // rows are within the grid; columns may lie beyond an edge, and repeat
 };
 
-// Its meridians are furthest from the middle one where they touch it: sin(longitude) = sin(angle) /
-// cos(latitude); a cap that holds a pole touches all. dirEnv: unit length; halfAngle: radians.
+// Returns the cells that a cap touches. The cap's outermost meridians are sin(longitude) = sin(angle) /
+// cos(latitude) from its middle; a cap that holds a pole touches all. dirEnv: unit; halfAngle: radians.
 inline CellRange cellsOfCap(const glm::ivec2& cells, const glm::vec3& dirEnv, float halfAngle) {
     constexpr float kPi = std::numbers::pi_v<float>;
     const glm::vec2 uv = latLongFromDirection(dirEnv);

@@ -1,6 +1,6 @@
-// Directions on a square: an octahedron around them, unfolded (Meyer et al. 2010, "On Floating-Point Normal
-// Vectors"). +Y is in the middle, -Y in the corners. Only sums, products, quotients and a square root, so
-// that results are the same on every machine.
+// Maps directions to a square: an octahedron around them, unfolded (Meyer et al. 2010, "On Floating-Point
+// Normal Vectors"). +Y is in the middle, -Y in the corners. Only sums, products, quotients and a square root,
+// so that results are the same on every machine.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -12,7 +12,7 @@
 
 namespace shoal::math {
 
-// dir: of any length but 0. Result in [-1, 1]^2: along X, along Z.
+// dir: of any length but 0. Returns coordinates in [-1, 1]^2: along X, along Z.
 inline glm::vec2 octahedralFromDirection(const glm::vec3& dir) {
     const auto sign = [](float x) { return x < 0 ? -1.0f : 1.0f; };
     const float sum = std::abs(dir.x) + std::abs(dir.y) + std::abs(dir.z);
@@ -21,7 +21,7 @@ inline glm::vec2 octahedralFromDirection(const glm::vec3& dir) {
     return {(1 - std::abs(z)) * sign(x), (1 - std::abs(x)) * sign(z)};
 }
 
-// Unit length.
+// Returns the direction, of unit length.
 inline glm::vec3 directionFromOctahedral(const glm::vec2& square) {
     const auto sign = [](float x) { return x < 0 ? -1.0f : 1.0f; };
     const float y = 1 - std::abs(square.x) - std::abs(square.y), over = std::max(-y, 0.0f);

@@ -1,4 +1,4 @@
-// The value that a share of all are less than.
+// Quantiles: the value below which a given share of all values lies.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace shoal::math {
 
-// 0 where there is nothing; of two in the middle the median is the upper one. Reorders the values.
+// Returns 0 without values; the median of an even number is the upper middle one. Reorders the values.
 template <class T> T quantile(std::vector<T>& values, double share) {
     if (values.empty()) return T(0);
     const auto count = static_cast<double>(values.size());

@@ -1,5 +1,5 @@
-// Real, orthonormal spherical harmonics to band 4 on the env frame's x, y, z, and what a matte surface makes
-// of them.
+// Real, orthonormal spherical harmonics to band 4 on the env frame's x, y, z, and the irradiance of matte
+// surfaces from them.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -17,20 +17,20 @@ constexpr int kShCount = kShBands * kShBands;
 using ShBasis = std::array<double, kShCount>;
 using ShRgb = std::array<glm::dvec3, kShCount>;
 
-// All Y_lm in one direction (unit length, z the polar axis of the harmonics). Signs as in Ramamoorthi and
-// Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", eq. 3: without the
+// Returns all Y_lm in one direction (unit length, z the polar axis of the harmonics). Signs as in Ramamoorthi
+// and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", eq. 3: without the
 // Condon-Shortley phase.
 ShBasis shBasis(const glm::dvec3& dir);
 
-// Of bands 0 to 2: Y_lm is its factor times 1; y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2.
+// Constant factors of bands 0 to 2: Y_lm is its factor times 1; y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2.
 extern const std::array<double, 9> kShFactors;
 
-// Integral of radiance times Y_lm over the sphere (their eq. 2); texels taken at their centres, with exact
-// solid angles.
+// Returns the integrals of radiance times Y_lm over the sphere (their eq. 2); texels are sampled at their
+// centres, with exact solid angles.
 ShRgb shProject(const ImageRgbF& radianceLin);
 
-// Factors A_l which turn radiance into irradiance, band by band: pi, 2 pi / 3, pi / 4, 0, -pi / 24 (their eq.
-// 8 and 9).
+// Factors A_l that turn radiance into irradiance, by band: pi, 2 pi / 3, pi / 4, 0, -pi / 24 (their eq. 8 and
+// 9).
 extern const std::array<double, kShBands> kShCosine;
 
 } // namespace shoal::math

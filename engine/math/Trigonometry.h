@@ -11,8 +11,8 @@
 
 namespace shoal::math {
 
-// |angle| <= 1e6 radians. Error below 1e-9 before the result is rounded to float: Taylor's series to x^15 on
-// [-pi/2, pi/2], whose next term is (pi/2)^17 / 17! = 6e-12, after reduction by multiples of pi.
+// Returns the sine; |angle| <= 1e6 radians. Error below 1e-9 before rounding to float: Taylor's series to
+// x^15 on [-pi/2, pi/2], whose next term is (pi/2)^17 / 17! = 6e-12, after reduction by multiples of pi.
 inline double sine(double angle) {
     const double turns = std::floor(angle / std::numbers::pi + 0.5);
     const double x = angle - turns * std::numbers::pi, x2 = x * x;
@@ -26,9 +26,9 @@ inline float cosine(float angle) {
     return static_cast<float>(sine(static_cast<double>(angle) + std::numbers::pi / 2));
 }
 
-// Angle of (x, y) from the x axis, -pi to pi, like std::atan2; 0 for (0, 0). Error below 1e-9 before the
-// result is rounded: halving the angle twice brings its tangent below tan(pi/16) = 0.2, where the first term
-// that Taylor's series leaves out is 0.2^13 / 13, four times as much in the whole.
+// Returns the angle of (x, y) from the x axis, -pi to pi, like std::atan2; 0 for (0, 0). Error below 1e-9
+// before rounding: halving the angle twice brings its tangent below tan(pi/16) = 0.2, where the first term
+// that Taylor's series leaves out is 0.2^13 / 13, four times as much in the result.
 inline float arcTangent(float y, float x) {
     double across = std::fabs(static_cast<double>(y)), along = std::fabs(static_cast<double>(x));
     if (across == 0 && along == 0) return 0;
@@ -43,13 +43,13 @@ inline float arcTangent(float y, float x) {
     return static_cast<float>(y < 0 ? -angle : angle);
 }
 
-// 0 to pi; of the nearest value from -1 to 1.
+// Returns 0 to pi; value is clamped to -1 to 1.
 inline float arcCosine(float value) {
     const float x = std::clamp(value, -1.0f, 1.0f);
     return arcTangent(std::sqrt((1 - x) * (1 + x)), x);
 }
 
-// By the angle about the axis of unit length.
+// Returns the rotation by the angle about an axis of unit length.
 inline glm::quat rotationAbout(glm::vec3 axis, float angle) {
     return {cosine(angle / 2), axis * sine(angle / 2)};
 }

@@ -8,15 +8,15 @@
 
 namespace shoal::media {
 
-// A description ("2048x1024 h264 video, ..."), or the reason why it cannot be used. Decodes up to a second at
-// the beginning and the last part, so damage in the middle may go unnoticed.
-// Says as well what is known of its depth, where a track lies beside it.
+// Returns a description ("2048x1024 h264 video, ..."), also of the depth track beside the file if there is
+// one, or the reason why the video cannot be used. Decodes up to a second at the beginning and the last part,
+// so damage in the middle may go unnoticed.
 Result<std::string> checkVideo(const Path& file);
 
-// The same for a depth track (DepthTrack.h), of which all frames are decoded.
+// As checkVideo(), for a depth track (DepthTrack.h); decodes all frames.
 Result<std::string> checkDepthTrack(const Path& file);
 
-// The same for photos and high dynamic range pictures, which are decoded whole.
+// As checkVideo(), for photos and high dynamic range pictures; decodes them whole.
 Result<std::string> checkPicture(const Path& file);
 
 } // namespace shoal::media

@@ -20,7 +20,7 @@ struct CameraRequest {
     int waiting = 0;           // length of the driver's queue; 0: its default
 };
 
-// Null: waits for the next picture. Else converts that one, blue first. False where there is none any more.
+// Null: waits for the next picture. Else: converts it, blue first. Returns false when no more pictures come.
 using CameraReader = std::function<bool(cv::Mat* bgr)>;
 
 // OpenCV's functions of these names, which may throw. Empty, false or null on failure.

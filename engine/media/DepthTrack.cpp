@@ -24,8 +24,8 @@ std::string tagOf(const AVFormatContext& input, const char* name) {
     return tag ? tag->value : "";
 }
 
-// Each of FFV1's slices ends with the CRC of what comes before, so that its own is 0, and with it that of all
-// (RFC 9043, 4.9.3). FFmpeg's decoder shows damaged slices as they were in the frame before.
+// Each of FFV1's slices ends with the CRC of the bytes before it, so the CRC of a whole slice is 0, and so is
+// that of all slices (RFC 9043, 4.9.3). FFmpeg's decoder shows damaged slices as in the frame before.
 bool isWhole(const AVPacket& packet) {
     const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE);
     return packet.size > 0 && av_crc(table, 0, packet.data, static_cast<size_t>(packet.size)) == 0;
@@ -54,7 +54,7 @@ struct DepthTrack::Impl {
     Codec codec;
     Packet packet = makePacket();
     Frame frame = makeFrame();
-    int next = 0; // number of the packet that is read next, where nothing is sought
+    int next = 0; // number of the packet that is read next without a seek
 
     bool seek(int number);
     bool readPacket(int number);

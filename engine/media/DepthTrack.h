@@ -1,5 +1,5 @@
-// Depth of a film: the distance of what it shows, in every direction and at every time, read from a small
-// second video beside it, whose layout content/README.md documents. One thread at a time.
+// Depth of a film: its distances in every direction and at every time, read from a small second video beside
+// it, whose layout content/README.md documents. One thread at a time.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -15,12 +15,12 @@ namespace shoal::media {
 
 // Inverse metres and confidence are stored in ten bits.
 constexpr int kMaxDepthCode = 1023;
-constexpr float kMaxInverse_perM = 4; // of the highest code: nothing is nearer than 0.25 m
+constexpr float kMaxInverse_perM = 4; // of the highest code, 0.25 m; nearer distances are stored as this
 
 // One frame, equirectangular as the film is, rows from the top. Distances are radial, from the film's camera.
 struct DepthFrame {
     int width = 0, height = 0;
-    std::vector<uint16_t> inverse;    // 0: beyond all measure
+    std::vector<uint16_t> inverse;    // 0: infinitely far
     std::vector<uint16_t> confidence; // 0 to kMaxDepthCode; half as wide and half as high
 
     float inverse_perM(int x, int y) const {
@@ -35,25 +35,25 @@ struct DepthTrackInfo {
     double duration_s = 0; // of the film; frame i belongs to the time i / frameCount of it
 };
 
-// FILM.depth.mkv for FILM.mp4 and, as both show the same, for FILM.small.mp4.
+// Returns FILM.depth.mkv for FILM.mp4 and for FILM.small.mp4, which show the same.
 Path depthTrackOf(const Path& film);
 
-// What a track says of the film that it belongs to: FNV-1a of its first megabyte, sixteen hexadecimal digits.
+// Returns a film's identity, as tracks store it: FNV-1a of its first megabyte, 16 hexadecimal digits.
 Result<std::string> filmIdentity(const Path& film);
 
 class DepthTrack {
   public:
-    // Reads from the file as long as it lives. An error where that is cut, of another film, or no track of
-    // this version. film: empty for a track by itself, of whatever film.
+    // Opens a track, which reads from the file as long as it lives. Fails if the file is cut short, of
+    // another film, or no track of this version. film: empty accepts a track of any film.
     static Result<DepthTrack> open(const Path& file, const Path& film = {});
 
     const DepthTrackInfo& info() const;
 
-    // The number of the frame nearest to this time of the film, which repeats for ever.
+    // Returns the number of the frame nearest to this time of the film, which repeats without end.
     int frameAt(double time_s) const;
 
-    // False: damaged there, by its checksums; `out` is as it was. Of ours, allocates only where `out` has
-    // another size.
+    // Reads a frame. Returns false, without changing `out`, if its checksums show damage. Our code allocates
+    // only if `out` has another size.
     bool read(int number, DepthFrame& out);
 
   private:

@@ -21,7 +21,7 @@ template <auto kFree> struct FreeAt {
 struct CloseParser {
     void operator()(AVCodecParserContext* parser) const { av_parser_close(parser); }
 };
-// Of a file that is made in memory (avio_open_dyn_buf()), with what it holds so far.
+// Frees a file that is made in memory (avio_open_dyn_buf()), with its contents so far.
 struct CloseOutput {
     void operator()(AVFormatContext* output) const {
         uint8_t* bytes = nullptr;
@@ -39,16 +39,16 @@ using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
 inline Packet makePacket() { return Packet(av_packet_alloc()); }
 inline Frame makeFrame() { return Frame(av_frame_alloc()); }
 
-// To be called before the first use of FFmpeg and of OpenCV's codecs (Codecs.h). Silences their logs on
+// Must be called before the first use of FFmpeg and of OpenCV's codecs (Codecs.h). Silences their logs on
 // standard error, bounds FFmpeg's allocations, enables the EXR codec. The first call should come before other
 // threads read the environment.
 void setUpDecoders();
 
-// container: null to find out. As a file and nothing else: neither a name nor a playlist may lead to a
-// server. Null if it cannot be opened.
+// Opens a file and nothing else: neither its name nor a playlist may lead to a server. container: null
+// detects it. Returns null if it cannot be opened.
 Input openInput(const Path& file, const AVInputFormat* container = nullptr);
 
-// Side data of a stream; null if there is none, or too little. FFmpeg 6.1 moved it.
+// Returns side data of a stream; null if there is none, or too little. FFmpeg 6.1 moved it.
 template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType type, size_t count = 1) {
 #if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 0)
     const AVCodecParameters& in = *of.codecpar;
@@ -62,7 +62,7 @@ template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType ty
     return size >= count * sizeof(T) ? reinterpret_cast<const T*>(bytes) : nullptr;
 }
 
-// Of all streams only this one is read.
+// Discards all streams but this one.
 void keepOnly(AVFormatContext& input, int stream);
 
 } // namespace shoal::media

@@ -33,7 +33,7 @@ Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational time
     codec_->pkt_timebase = timeBase;
     codec_->thread_count = threads;
     if (threading == FrameThreading::None) {
-        codec_->thread_type = FF_THREAD_SLICE; // threads that share a picture
+        codec_->thread_type = FF_THREAD_SLICE; // threads share a picture
         codec_->flags |= AV_CODEC_FLAG_LOW_DELAY;
     }
     codec_->max_pixels = maxPixels;
@@ -70,8 +70,8 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
     if (format != AV_PIX_FMT_YUV420P && format != AV_PIX_FMT_YUVJ420P && format != AV_PIX_FMT_YUV422P &&
         format != AV_PIX_FMT_YUVJ422P)
         return convertBySwscale(bgr);
-    // By our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT) or up to 3
-    // of 255 levels off, where ours is within 0.6.
+    // Uses our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND
+    // SWS_FULL_CHR_H_INT) or up to 3 of 255 levels off, where ours is within 0.6.
     toBgr({{frame_->data[0], frame_->data[1], frame_->data[2]},
            {frame_->linesize[0], frame_->linesize[1], frame_->linesize[2]},
            chromaTexels().y,
@@ -81,7 +81,7 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
     return Done{};
 }
 
-// By swscale, which writes beyond the ends of rows: so into memory of its own.
+// Converts by swscale into memory of its own, because swscale writes beyond the ends of rows.
 Status PictureDecoder::convertBySwscale(ImageRgb8& bgr) {
     const Error unknown{"", "its picture is of an unknown form"};
     const int width = frame_->width, height = frame_->height;

@@ -19,10 +19,10 @@ namespace shoal::media {
 
 constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
 
-// Error: pictures of that size are not played.
+// Fails if pictures of that size are not played.
 Status checkPictureSize(int width, int height);
 
-// Motion JPEG is BT.601 whatever its size (JFIF); else as colourMatrixOf() says.
+// Returns BT.601 for Motion JPEG of any size (JFIF), else colourMatrixOf().
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
 
 struct FreeScaler {
@@ -34,24 +34,24 @@ enum class FrameThreading { None, ByThreads };
 
 class PictureDecoder {
   public:
-    // threads: at least 1. maxPixels: larger pictures are skipped as damaged ones are. Error: no such codec
-    // is installed, or it does not start.
+    // Fails if no such codec is installed or it does not start. threads: at least 1. maxPixels: larger
+    // pictures are skipped like damaged ones.
     Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
                 int threads, int64_t maxPixels = kMaxPixels);
 
-    // packet: null drains the decoder. Damaged packets are skipped. hurry: non-reference pictures too.
+    // Sends a packet; null drains the decoder. Skips damaged packets, and if hurry non-reference pictures.
     void send(const AVPacket* packet, bool hurry = false);
-    void flush() { avcodec_flush_buffers(codec_.get()); } // after a seek, or where packets were left out
+    void flush() { avcodec_flush_buffers(codec_.get()); } // after a seek, or after packets were left out
 
-    // The next picture that is complete, if there is one.
+    // Receives the next complete picture; false if there is none.
     bool receive();
     // Properties of the picture received last:
     const AVFrame& frame() const { return *frame_; }
     ColourMatrix matrix() const;
-    glm::ivec2 chromaTexels() const; // that share a colour, across and down
+    glm::ivec2 chromaTexels() const; // texels that share a colour, across and down
 
-    // The picture received last, blue first; bgr takes its size. Colours by the matrix and range that it
-    // states. Error: it is too large, or of an unknown pixel format.
+    // Converts the picture received last, blue first, by the matrix and range that it states; bgr takes its
+    // size. Fails if it is too large, or of an unknown pixel format.
     Status convert(ImageRgb8& bgr);
 
   private:
@@ -60,7 +60,7 @@ class PictureDecoder {
 
     Codec codec_;
     Frame frame_ = makeFrame();
-    std::unique_ptr<SwsContext, FreeScaler> scaler_; // of rare pixel formats
+    std::unique_ptr<SwsContext, FreeScaler> scaler_; // for rare pixel formats
     std::vector<uint8_t> rows_;                      // its output, with a margin behind each row
 };
 

@@ -52,7 +52,7 @@ std::optional<Size> webpSize(ByteSpan b) {
     return std::nullopt;
 }
 
-// The next unsigned number in the text of a PNM or PFM header, past white space and comments.
+// Returns the next unsigned number in the text of a PNM or PFM header, past white space and comments.
 std::optional<int64_t> nextNumber(ByteSpan b, size_t& at) {
     while (at < b.size() && (std::isspace(b[at]) || b[at] == '#')) {
         if (b[at] == '#')
@@ -87,8 +87,8 @@ std::optional<Size> radianceSize(ByteSpan b) {
     return Size{*width, *height};
 }
 
-// The library reads a value as its type has it, whatever size is stated, and takes what follows for the next
-// attribute: the two must agree.
+// Returns whether a value has the size of its type: the library reads as many bytes as the type has, whatever
+// size is stated, and takes what follows for the next attribute.
 bool exrSizeFits(std::string_view type, ByteSpan value) {
     static constexpr std::pair<size_t, std::string_view> kTypesBySize[] = {
         {1, " compression deepImageState envmap lineOrder "},
@@ -118,7 +118,7 @@ bool exrSizeFits(std::string_view type, ByteSpan value) {
     }
     if (type == "preview")
         return value.size() >= 8 && value.size() - 8 == uint64_t{4} * little32(value, 0) * little32(value, 4);
-    return type != "stringvector" && type != "idmanifest"; // sizes within sizes; no picture needs them
+    return type != "stringvector" && type != "idmanifest"; // contain sizes themselves; no picture needs them
 }
 
 // OpenEXR file layout: attributes "name\0 type\0 size value" up to an empty name. All of them are walked: the
@@ -142,7 +142,7 @@ std::optional<Size> exrSize(ByteSpan b) {
             const auto side = [&](size_t offset) {
                 return int64_t{static_cast<int32_t>(little32(b, value + offset))};
             };
-            if (window) break; // which one would hold?
+            if (window) break; // two data windows are ambiguous
             window = Size{side(8) - side(0) + 1, side(12) - side(4) + 1};
         }
         at = value + size;
@@ -159,7 +159,7 @@ struct Kind {
     bool (*is)(ByteSpan);
     std::optional<Size> (*size)(ByteSpan);
 };
-// By PictureKind.
+// In the order of PictureKind.
 constexpr Kind kKinds[] = {
     {"JPEG", [](ByteSpan b) { return hasText(b, 0, "\xff\xd8\xff"); }, jpegSize},
     {"PNG", [](ByteSpan b) { return hasText(b, 0, "\x89PNG\r\n\x1a\n"); }, pngSize},

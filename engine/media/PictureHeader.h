@@ -23,7 +23,7 @@ inline uint32_t little16(ByteSpan b, size_t at) { return uint32_t{b[at + 1]} << 
 inline uint32_t little24(ByteSpan b, size_t at) { return uint32_t{b[at + 2]} << 16 | little16(b, at); }
 inline uint32_t little32(ByteSpan b, size_t at) { return little16(b, at + 2) << 16 | little16(b, at); }
 
-// False too if the bytes end before.
+// Returns whether the text lies at this offset; false also if the bytes end before.
 inline bool hasText(ByteSpan b, size_t at, std::string_view text) {
     return b.size() >= at && b.size() - at >= text.size() &&
            std::memcmp(b.data() + at, text.data(), text.size()) == 0;
@@ -45,7 +45,7 @@ struct PictureHeader {
 // bytes: the file or at least its beginning (a JPEG's size may follow long metadata). The error has no path.
 Result<PictureHeader> readPictureHeader(ByteSpan bytes);
 
-// Whether a JPEG's end mark is missing: libjpeg would fill the rest with grey.
+// Returns whether a JPEG's end mark is missing: libjpeg would fill the rest with grey.
 bool isCutJpeg(ByteSpan bytes);
 
 // Calls visit(marker, payload) for each segment of a JPEG (ITU T.81 annex B) until it returns true or the

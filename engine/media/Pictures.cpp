@@ -29,7 +29,7 @@ struct PictureFile {
     PictureHeader header;
 };
 
-// A file of the wanted kind whose stated size is within the limits.
+// Reads a file of the wanted kind whose stated size is within the limits.
 Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits limits) {
     auto bytes = readFile(file, hdr ? kMaxHdrFileBytes : kMaxFileBytes);
     if (!bytes) return bytes.error();
@@ -48,13 +48,13 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
     return PictureFile{std::move(*bytes), *header};
 }
 
-// A view of the image's own memory.
+// Returns a view of the image's own memory.
 template <class T, int kChannels> cv::Mat viewOf(const Image<T, kChannels>& image) {
     return {image.height, image.width, CV_MAKETYPE(cv::DataType<T>::depth, kChannels),
             const_cast<T*>(image.pixels.data())};
 }
 
-// What OpenCV decodes, red first. decode: gives a matrix of `type`, empty if it cannot; may throw.
+// Converts OpenCV's picture to red first. decode: returns a matrix of `type`, empty if it cannot; may throw.
 template <class Picture, class Decode>
 Result<Picture> decoded(const Path& file, PictureKind kind, int type, Decode&& decode) {
     const Error undecodable{file.string(), std::string("cannot be decoded as ") + nameOf(kind) +
@@ -73,17 +73,17 @@ Result<Picture> decoded(const Path& file, PictureKind kind, int type, Decode&& d
     }
 }
 
-// --- High dynamic range pictures that no library reads as wanted. The errors have no path.
+// --- High dynamic range pictures that no library reads as needed. The errors have no path.
 
-// Reads lines of RGBE pixels; false when the bytes end or make no sense.
+// Reads lines of RGBE pixels; its functions return false when the bytes end or make no sense.
 struct LineReader {
     ByteSpan bytes;
     size_t at;
 
     bool has(size_t count) const { return bytes.size() - at >= count; }
 
-    // Each of the four components by itself: a count above 128 repeats the next byte count - 128 times, a
-    // count up to 128 is followed by so many bytes.
+    // Reads the four components one after another: a count above 128 repeats the next byte count - 128 times,
+    // a count up to 128 is followed by that many bytes.
     bool coded(std::span<uint8_t> line, size_t width) {
         at += 4;
         for (size_t component = 0; component < 4; ++component)
@@ -99,7 +99,7 @@ struct LineReader {
         return true;
     }
 
-    // Pixels one after the other; mantissas of 1 1 1 repeat the pixel before, in base 256 if in a row.
+    // Reads pixels one after another; mantissas of 1 1 1 repeat the pixel before, in base 256 if in a row.
     bool flat(std::span<uint8_t> line, size_t width) {
         int shift = 0;
         for (size_t x = 0; x < width;) {
@@ -138,7 +138,7 @@ Result<ImageRgbF> decodeRadiance(ByteSpan bytes, int width, int height) {
     if (resolutionEnd == std::string_view::npos) return Error{"", "its Radiance header is cut short"};
     if (asText(bytes.first(empty)).find("FORMAT=32-bit_rle_xyze") != std::string_view::npos)
         return Error{"", "is coded in XYZ; convert it to RGB"};
-    // Before memory is taken: even the shortest line takes a pixel.
+    // Checked before memory is allocated: even the shortest line takes a pixel.
     const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
     if ((bytes.size() - resolutionEnd) / 4 < h) return Error{"", "is cut short"};
 
@@ -186,7 +186,7 @@ Result<ImageRgbF> decodePfm(ByteSpan bytes, int width, int height) {
     return image;
 }
 
-// See HdrPicture::repaired and clamped.
+// Replaces values, see HdrPicture::repaired and clamped.
 void repair(HdrPicture& picture) {
     float largest = 0;
     for (const float value : picture.radianceLin.pixels)
@@ -199,7 +199,7 @@ void repair(HdrPicture& picture) {
     }
 }
 
-// As the extension says. toOpenCv: the conversion that brings blue first.
+// Encodes as the extension says. toOpenCv: the conversion to blue first.
 Result<std::string> encoded(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
                             const char* uncodable) {
     assert(!rgb.empty());
@@ -301,7 +301,7 @@ Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
     if (extension == ".pfm") return encodePfm(radianceLin);
     if (extension != ".exr")
         return Error{name.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
-    // OpenCV codes it into a temporary file, which may not fit.
+    // OpenCV writes into a temporary file, which may not fit.
     auto bytes =
         encoded(name, viewOf(radianceLin), cv::COLOR_RGB2BGR, extension, "the picture cannot be coded");
     if (!bytes) return bytes;

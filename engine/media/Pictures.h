@@ -11,38 +11,38 @@
 
 namespace shoal::media {
 
-// Checked against the file's header before memory is taken for the pixels.
+// Largest sizes; checked against the file's header before memory is allocated for the pixels.
 struct PictureLimits {
     int maxWidth = 16384;
     int maxHeight = 8192;
 };
 
-// JPEG, PNG, BMP, WebP, PNM; sRGB-coded, red first, turned upright by its EXIF orientation, transparency
-// dropped. The kind is told by the content, not by the name.
+// Reads JPEG, PNG, BMP, WebP, PNM; sRGB-coded, red first, turned upright by its EXIF orientation, without
+// transparency. The content decides the kind, not the name.
 Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
 struct HdrPicture {
     ImageRgbF radianceLin; // linear, Rec. 709 primaries assumed, as the file says (no exposure applied)
-    // Components that were replaced: NaN and negative by 0, infinite by the largest finite one. And those
-    // above kMaxRadiance, which became that. Worth a warning if above 0.
+    // Number of components that were replaced: NaN and negative by 0, infinite by the largest finite one; and
+    // of those above kMaxRadiance, which became that. Worth a warning if above 0.
     int64_t repaired = 0, clamped = 0;
 
-    // A sentence about those, or nothing.
+    // Returns a sentence about these numbers, empty if both are 0.
     std::string repairs() const;
 };
 
 // The sun's disc is about 1e9 cd/m^2, and sums of squares of this stay finite in 32 bits.
 constexpr float kMaxRadiance = 1e9f;
 
-// Radiance RGBE (-Y +X orientation), OpenEXR (one part, flat), PFM (colour or grey). Values above the
+// Reads Radiance RGBE (-Y +X orientation), OpenEXR (one part, flat), PFM (colour or grey). Values above the
 // half-float limit 65504 are kept.
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
 
-// What a file holds, told by its beginning; None: no picture, such as a video, or no regular file.
+// Kind of a file by its first bytes; None: no picture, such as a video, or no regular file.
 enum class PictureContent { None, Coded, Hdr };
 PictureContent pictureContent(const Path& file);
 
-// Lossless. Written whole (engine/core/WriteFile.h).
+// Lossless; the file appears whole or not at all (engine/core/WriteFile.h).
 Status writePng(const Path& file, const ImageRgb8& image);
 Status writePng(const Path& file, const ImageRgba8& image);
 
@@ -50,16 +50,16 @@ Status writePng(const Path& file, const ImageRgba8& image);
 enum class WrittenAs { Nothing, Png, Jpeg, Hdr };
 WrittenAs writtenAs(const Path& file);
 
-// PNG or JPEG (quality 95) by extension. Written whole.
+// Writes PNG or JPEG (quality 95) by extension, whole or not at all.
 Status writePicture(const Path& file, const ImageRgb8& image);
 
-// By extension: .pfm (exact), .exr (32-bit float, exact), .hdr (RGBE: shared exponent, error up to 1/256 of
-// the pixel's largest component). encodeHdr: the file's bytes. Written whole.
+// Encodes by extension: .pfm (exact), .exr (32-bit float, exact), .hdr (RGBE: shared exponent, error up to
+// 1/256 of the pixel's largest component). encodeHdr returns the file's bytes; writeHdr writes a whole file.
 Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin);
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin);
 
-// The same pixels with a fourth byte of 255, blue first, in the image's own memory where it has the size.
-// bgr: blue comes first in `in`.
+// Copies pixels with a fourth byte of 255, blue first, into the image's own memory if it has the size. bgr:
+// whether blue comes first in `in`.
 void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out);
 
 } // namespace shoal::media

@@ -26,8 +26,8 @@ namespace {
 constexpr double kShortest_s = 0.1, kLongest_s = 24 * 3600;
 constexpr int kMaxChannels = 64, kMinRate_Hz = 1000, kMaxRate_Hz = 384000;
 constexpr int kMaxBlock = 1 << 16; // samples of one decoded block
-constexpr int kMaxBadPackets = 64; // in a row; a few are passed over
-// A time stamp that far off, in frames, is believed; nearer ones are rounding.
+constexpr int kMaxBadPackets = 64; // in a row; fewer are skipped
+// A time stamp that differs by more frames than this is believed; smaller differences are rounding.
 constexpr int64_t kHole = kSoundRate_Hz / 50;
 
 // Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time.
@@ -37,11 +37,11 @@ class SoundDecoder {
 
     double length_s() const; // as the file says; 0 if it does not
 
-    // To this frame or somewhat before it; false if the file does not let itself be read there.
+    // Seeks to this frame or somewhat before it; returns false if the file cannot be read there.
     bool seek(int64_t frame);
 
-    // Replaces stereo by the next samples, of which the first is the frame returned; -1 at the end, or where
-    // nothing more can be decoded. At most some tenths of a second at a time.
+    // Replaces stereo by the next samples and returns the frame of the first; -1 at the end, or if nothing
+    // more can be decoded. At most some tenths of a second at a time.
     int64_t next(std::vector<int16_t>& stereo);
 
   private:
@@ -50,12 +50,12 @@ class SoundDecoder {
 
     Input input_;
     Codec codec_;
-    std::unique_ptr<SwrContext, FreeAt<swr_free>> converter_{swr_alloc()}; // set up by the block it meets
+    std::unique_ptr<SwrContext, FreeAt<swr_free>> converter_{swr_alloc()}; // configured by the first block
     Packet packet_ = makePacket();
     Frame block_ = makeFrame(), converted_ = makeFrame();
     int stream_ = -1;
     double begins_s_ = 0;  // the first picture's time stamp
-    int64_t follows_ = -1; // the frame that the next samples should begin with; -1: as the time stamp says
+    int64_t follows_ = -1; // frame that the next samples should begin with; -1: unknown
     bool draining_ = false;
 };
 
@@ -82,7 +82,7 @@ Result<SoundDecoder> SoundDecoder::open(const Path& file) {
     if (!d.codec_ || avcodec_parameters_to_context(d.codec_.get(), sound.codecpar) < 0)
         return failed("has a sound that cannot be decoded");
     d.codec_->pkt_timebase = sound.time_base;
-    d.codec_->thread_count = 1; // there is little to do
+    d.codec_->thread_count = 1; // there is little work
     if (avcodec_open2(d.codec_.get(), kind, nullptr) < 0) return failed("has a sound that cannot be decoded");
     return d;
 }
@@ -105,14 +105,14 @@ bool SoundDecoder::seek(int64_t frame) {
     return true;
 }
 
-// The decoded block as samples; their first frame, or -1 if it is nonsense.
+// Converts the decoded block to samples; returns their first frame, or -1 if the block is invalid.
 int64_t SoundDecoder::convert(std::vector<int16_t>& stereo) {
     AVFrame& block = *block_;
     if (block.sample_rate < kMinRate_Hz || block.sample_rate > kMaxRate_Hz || block.nb_samples < 1 ||
         block.nb_samples > kMaxBlock || block.ch_layout.nb_channels < 1 ||
         block.ch_layout.nb_channels > kMaxChannels)
         return -1;
-    // A decoder may only know how many channels there are.
+    // Some decoders know only the number of channels.
     if (block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
         av_channel_layout_default(&block.ch_layout, block.ch_layout.nb_channels);
     int64_t begins = follows_;
@@ -121,7 +121,7 @@ int64_t SoundDecoder::convert(std::vector<int16_t>& stereo) {
         const double seconds =
             static_cast<double>(block.best_effort_timestamp) * av_q2d(codec_->pkt_timebase) - begins_s_;
         if (!(std::abs(seconds) < 1e7)) return -1;
-        // What still waits in the converter comes out first.
+        // Samples that wait in the converter come out first.
         const int64_t waiting =
             swr_is_initialized(converter_.get()) ? swr_get_delay(converter_.get(), kSoundRate_Hz) : 0;
         const int64_t stated = std::llround(seconds * kSoundRate_Hz) - waiting;
@@ -151,7 +151,7 @@ int64_t SoundDecoder::next(std::vector<int16_t>& stereo) {
         const int got = avcodec_receive_frame(codec_.get(), block_.get());
         if (got == 0) {
             const int64_t begins = convert(stereo);
-            // Before the first picture there is nothing to be heard: the priming of a codec, mostly.
+            // Sound before the first picture is dropped: mostly the priming of a codec.
             const auto count = static_cast<int64_t>(stereo.size() / 2);
             if (begins + count > 0 && count > 0) {
                 if (begins >= 0) return begins;
@@ -189,7 +189,7 @@ struct SoundTrack::Impl {
 
     int64_t pass = 0; // length in frames; constant
 
-    SoundDecoder decoder; // the thread's
+    SoundDecoder decoder; // used by the thread only
     std::thread thread;
 
     explicit Impl(SoundDecoder opened) : decoder(std::move(opened)) {}
@@ -202,7 +202,7 @@ struct SoundTrack::Impl {
         if (thread.joinable()) thread.join();
     }
 
-    // Appends frames (null: silence) as there is room. False if stopped or sought meanwhile.
+    // Appends frames (null: silence) as room becomes free. Returns false if stopped or sought meanwhile.
     bool put(const int16_t* stereo, int64_t frames, int mine) {
         std::unique_lock lock(mutex);
         while (!stop && generation == mine) {

@@ -18,13 +18,13 @@ constexpr int kSoundAhead = kSoundRate_Hz; // frames decoded ahead at most, 192 
 
 class SoundTrack {
   public:
-    // passLength_s: of the video, after which it loops; 0: as the file says. Fails where the file has no
-    // sound that can be decoded.
+    // Opens a video file's sound. passLength_s: length of the video, after which it loops; 0: the file's own.
+    // Fails if the file has no sound that can be decoded.
     static Result<SoundTrack> open(const Path& file, double passLength_s);
 
     int64_t passLength() const; // frames
 
-    // The next frame to be read is this one (modulo the pass's length). Does not wait.
+    // Makes this frame (modulo the pass's length) the next to be read. Does not wait.
     void seek(int64_t frame);
 
     // Reads the next frames, interleaved, and returns their number: fewer than asked for where the thread has
@@ -34,7 +34,7 @@ class SoundTrack {
   private:
     struct Impl;
     explicit SoundTrack(Hidden<Impl> impl) : impl_(std::move(impl)) {}
-    Hidden<Impl> impl_; // its end is that of the thread, after at most the packet in work
+    Hidden<Impl> impl_; // its destructor ends the thread, after at most the packet in work
 };
 
 } // namespace shoal::media

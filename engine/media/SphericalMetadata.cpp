@@ -16,8 +16,8 @@ namespace shoal::media {
 
 namespace {
 
-// The text of <name>value</name> or name="value" in XMP; empty if absent. Single values do not need an XML
-// parser, which would meet hostile entities.
+// Returns the text of <name>value</name> or name="value" in XMP; empty if absent. No XML parser is needed for
+// single values, and none meets hostile entities.
 std::string_view xmpValue(std::string_view xmp, const std::string& name) {
     const size_t at = xmp.find(name);
     const size_t begin = at == xmp.npos ? at : xmp.find_first_not_of(" \t\r\n=>\"'", at + name.size());
@@ -40,7 +40,7 @@ std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
     return p;
 }
 
-// What an MP4 file's movie box, or a Matroska file, begins with. Empty if there is none.
+// Returns the beginning of an MP4 file's movie box, or of a Matroska file; empty if there is none.
 std::string headerText(const Path& file, bool matroska) {
     std::ifstream stream(file, std::ios::binary);
     std::array<uint8_t, 16> head{}; // size, name, and the large size if size is 1
@@ -56,8 +56,8 @@ std::string headerText(const Path& file, bool matroska) {
     return header;
 }
 
-// What libavformat drops: meshes, version 2 without its header box, version 1 without the names of who
-// stitched.
+// Reads what libavformat drops: meshes, version 2 without its header box, version 1 without the name of the
+// stitching software.
 SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
     constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03"; // ProjectionType, of one byte: 3
     const std::string header = headerText(file, matroska);

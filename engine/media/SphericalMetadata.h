@@ -23,7 +23,7 @@ struct SphericalMetadata {
     bool partial = false;         // a part of the sphere is missing
 };
 
-// Of a video as libavformat read it; file: the same, for what libavformat drops.
+// Reads a video's metadata from libavformat, and from the file what libavformat drops.
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file);
 
 // Pixels of the full equirectangular picture, and the part of it that the file holds, from the top left.
@@ -32,7 +32,7 @@ struct PanoramaPlacement {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-// Of a JPEG photo. Nothing if the file cannot be read, does not state it, or contradicts itself.
+// Reads a JPEG photo's placement; empty if the file cannot be read, does not state it, or contradicts itself.
 std::optional<PanoramaPlacement> panoramaPlacement(const Path& file);
 
 } // namespace shoal::media

@@ -10,16 +10,16 @@ namespace shoal::media {
 
 namespace {
 
-constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // of a half, in which blocks are compared
-constexpr int kMaxShift = 6;     // either way: 17 degrees of a sphere, twice what an arm's length away has
-constexpr double kStructure = 3; // of a block: standard deviation along its rows, in levels of 255
-// The correlation from which a block is found in the other half, and how many of those with structure are to
-// be. Of two stereo pictures at hand 97 % are; of a room that repeats itself 76 %; of ten other panoramas at
-// most 14 %.
+constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // cells of a half; of a block
+constexpr int kMaxShift = 6;     // either way: 17 degrees, twice what an arm's length away has
+constexpr double kStructure = 3; // least standard deviation along a block's rows, in levels of 255
+// The least correlation of a block with the other half, and the least share of structured blocks that must
+// reach it. In two stereo pictures at hand 97 % do; in a room that repeats itself 76 %; in ten other
+// panoramas at most 14 %.
 constexpr double kAlike = 0.7, kOfStructured = 0.9;
-constexpr int kMinStructured = 12; // blocks with structure, of 128: fewer tell nothing
+constexpr int kMinStructured = 12; // least number of structured blocks, of 128: fewer tell nothing
 
-// The brightness of a part of the frame.
+// Returns the brightness of a part of the frame, by cell.
 cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
     constexpr int kSamples = 4; // a cell each way, whatever the frame's size
     cv::Mat samples, cells, brightness;
@@ -30,8 +30,8 @@ cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
     return brightness;
 }
 
-// One row after the other without its mean: the gradient of a sky or of water is no structure. Cells beyond
-// the right end go on at the left.
+// Returns a block row by row, each minus its mean: the gradient of a sky or of water is no structure. Columns
+// wrap around at the right end.
 std::array<float, kBlock * kBlock> blockAt(const cv::Mat& half, int x, int y) {
     std::array<float, kBlock * kBlock> block;
     for (int row = 0; row < kBlock; ++row) {
@@ -54,8 +54,8 @@ double product(const std::array<float, kBlock * kBlock>& a, const std::array<flo
 
 enum class Halves { Unlike, Alike, Unstructured };
 
-// Whether blocks of one half are found in the other, each with a shift of its own: near things are shifted
-// more than far ones.
+// Returns whether blocks of one half are found in the other, each with a shift of its own: near things are
+// shifted more than far ones.
 Halves compare(const cv::Mat& a, const cv::Mat& b) {
     constexpr double kMinVariance = kStructure * kStructure * kBlock * kBlock;
     int structured = 0, found = 0;

@@ -8,31 +8,31 @@
 
 namespace shoal::media {
 
-// Auto only as a request ("detect"), never as a result. TopBottom: left eye above; LeftRight: left eye left.
+// Auto is only a request ("detect"), never a result. TopBottom: left eye above; LeftRight: left eye left.
 enum class Layout { Auto, Mono, TopBottom, LeftRight };
 
-// The part of a frame that an eye sees: pixels. Of an odd size both eyes' halves fit in.
+// The part of a frame that an eye sees, pixels. If the frame has an odd size both halves fit in.
 struct EyePart {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-// eye: 0 left, 1 right. Both eyes see the whole of a mono frame. layout is not Auto.
+// Returns an eye's part. eye: 0 left, 1 right. Both eyes see the whole of a mono frame. layout is not Auto.
 EyePart eyePart(Layout layout, int eye, int width, int height);
 
-// From the frame's shape alone, expecting 2:1 for each eye within 6 %: 2:1 is mono, 1:1 top-bottom, 4:1
+// Guesses by the frame's shape alone, expecting 2:1 for each eye within 6 %: 2:1 is mono, 1:1 top-bottom, 4:1
 // left-right. Auto if the shape is ambiguous (16:9 is used for all three).
 Layout layoutFromShape(int width, int height);
 
-// From a frame: two eyes see the same but for small shifts along the rows, the halves of one panorama do not.
-// Halves are compared in blocks that have structure. Mono where neither pair of halves is alike, or both are;
-// Auto where there is nothing to tell by: blank, a fade, plain water. frame: either channel order.
+// Detects the layout from a frame: two eyes see the same but for small shifts along the rows, the halves of
+// one panorama do not. Compares halves in blocks that have structure. Mono if neither pair of halves is
+// alike, or both are; Auto if nothing can be told: blank, a fade, plain water. frame: either channel order.
 Layout layoutFromContent(const ImageRgb8& frame);
 
-// What two frames of a video say together: Mono where they disagree.
+// Combines the results of two frames of a video: Mono if they disagree.
 Layout bothFrames(Layout a, Layout b);
 
-// Of a still picture: by shape, but 2:1 may be two eyes' pictures squeezed, so it and what is ambiguous go by
-// content. Never Auto; Mono when in doubt.
+// Detects a still picture's layout: by shape, but 2:1 may be two eyes' pictures squeezed, so 2:1 and
+// ambiguous shapes are decided by content. Never Auto; Mono when in doubt.
 Layout layoutOf(const ImageRgb8& picture);
 
 } // namespace shoal::media

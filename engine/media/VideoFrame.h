@@ -1,4 +1,4 @@
-// What is known of a video, its frames as its players give them out, and the slots that they lie in.
+// Properties of a video, its frames as the players return them, and the slots that hold them.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -37,25 +37,25 @@ struct VideoInfo {
 struct VideoFrame {
     ImageRgb8 pixelsBgr;          // sRGB-coded, blue first; see PlayerOptions::keepPixels
     Layout layout = Layout::Mono; // never Auto
-    glm::ivec2 chromaTexels{2};   // that share a colour, across and down; 2, 2 is 4:2:0
-    int64_t index = -1;           // since the start, from 0; of a file it counts on as the file repeats
+    glm::ivec2 chromaTexels{2};   // texels that share a colour, across and down; 2, 2 is 4:2:0
+    int64_t index = -1;           // counted from the start, from 0; in a file it grows on as the file repeats
     int64_t number = -1;          // within the file; -1: live
     double time_s = 0;            // within the file; 0: live
-    size_t slot = 0;              // that it lies in, below kFrameSlots
-    double arrived_s = 0;         // of a live one, by LiveOptions::now_s
+    size_t slot = 0;              // index of its slot, below kFrameSlots
+    double arrived_s = 0;         // of a live frame, by LiveOptions::now_s
     double decode_ms = 0;         // decoding and conversion of this frame alone
-    double prepare_ms = 0;        // of PlayerOptions::prepare
+    double prepare_ms = 0;        // time of PlayerOptions::prepare
 };
 
-constexpr size_t kFrameSlots = 3; // one shown, the others ready or being filled
+constexpr size_t kFrameSlots = 3; // one is shown, the others are ready or being filled
 
 struct PlayerOptions {
     Layout layout = Layout::Auto;
-    // Called on the decode thread for each frame that may be shown, after it lies in its slot; the caller
-    // keeps what it makes per slot. Nobody else reads or writes that slot meanwhile, and it stays untouched
-    // for as long as the frame is shown. Must not throw nor call the player.
+    // Called on the decode thread for each frame that may be shown, once it is in its slot; the caller keeps
+    // its results by slot. No other thread uses that slot meanwhile, and it stays untouched for as long as
+    // the frame is shown. Must not throw nor call the player.
     std::function<void(const VideoFrame& frame)> prepare;
-    // False: only `prepare` sees pixelsBgr; in frames that are given out it is empty.
+    // False: only `prepare` sees pixelsBgr; it is empty in frames that the player returns.
     bool keepPixels = true;
 };
 
@@ -75,7 +75,7 @@ class FrameSlots {
     Slot* begin() { return slots_.data(); }
     Slot* end() { return slots_.data() + slots_.size(); }
 
-    // The first one in that state, or null.
+    // Returns the first slot in that state, or null.
     Slot* find(State state) {
         Slot* found = std::ranges::find(slots_, state, &Slot::state);
         return found == end() ? nullptr : found;
@@ -88,11 +88,11 @@ class FrameSlots {
     }
     const VideoFrame& shown() const { return shown_->frame; } // once there is one
 
-    // Where the decode thread puts the pixels of a slot that it fills.
+    // Returns where the decode thread puts the pixels of a slot that it fills.
     ImageRgb8& pixelsOf(Slot& slot, const PlayerOptions& options) {
         return options.keepPixels ? slot.frame.pixelsBgr : pixels_;
     }
-    // Lets options.prepare see what has been put there.
+    // Calls options.prepare with the slot's frame and pixels.
     void prepare(Slot& slot, const PlayerOptions& options) {
         if (!options.keepPixels) std::swap(slot.frame.pixelsBgr, pixels_);
         const auto began = std::chrono::steady_clock::now();
@@ -105,7 +105,7 @@ class FrameSlots {
   private:
     std::array<Slot, kFrameSlots> slots_;
     Slot* shown_ = nullptr;
-    ImageRgb8 pixels_; // of all slots, if they do not keep theirs
+    ImageRgb8 pixels_; // shared by all slots, if they do not keep theirs
 };
 
 } // namespace shoal::media

@@ -20,9 +20,9 @@ using Clock = std::chrono::steady_clock;
 using Slot = FrameSlots::Slot;
 using State = FrameSlots::State;
 
-// A jump ahead of more than this is a seek: below it, decoding through is about as quick.
+// A jump ahead of more than this is a seek: below it, decoding all frames is about as quick.
 constexpr double kSeekAhead_s = 3;
-// While catching up in newest(), one of so many frames is shown.
+// While catching up, newest() shows at least one of so many frames.
 constexpr int64_t kMaxSkip = 16;
 constexpr double kBackwardSlack_s = 0.5;
 // Frames that a pass may have fewer than stated without counting as damaged: containers count frames that
@@ -40,18 +40,18 @@ struct VideoPlayer::Impl {
     std::mutex mutex;
     std::condition_variable changed;
     // Guarded by mutex:
-    FrameSlots slots;       // the one being filled is the decode thread's, the others' frames are constant
+    FrameSlots slots;       // the decode thread owns the one being filled; the others' frames are constant
     int64_t wanted = 0;     // unwrapped index that the frame's thread asked for last
-    bool exact = true;      // it is waiting for just that one
-    int64_t made = -1;      // index that was made last
-    int64_t passLength = 0; // frames in a pass; 0 until the end was seen
+    bool exact = true;      // whether it waits for exactly that one
+    int64_t made = -1;      // index of the frame made last
+    int64_t passLength = 0; // frames in a pass; 0 until the end has been seen
     int64_t last = std::numeric_limits<int64_t>::max(); // last frame that can be decoded
     bool broken = false; // nothing more can be decoded; before the first frame: open() fails
     bool damaged = false;
     std::string message;
 
     std::atomic<bool> stop{false};
-    VideoSource source; // the decode thread's
+    VideoSource source; // used by the decode thread only
     std::thread thread;
 
     explicit Impl(VideoSource opened) : source(std::move(opened)) {}
@@ -69,12 +69,12 @@ struct VideoPlayer::Impl {
 
     int64_t indexAt(double time_s) const {
         if (!(time_s > 0)) return 0; // also NaN
-        // A millionth of a frame, so that i / fps is frame i in spite of rounding; below 2^53 frames.
+        // Adds a millionth of a frame, so that i / fps is frame i in spite of rounding; below 2^53 frames.
         return static_cast<int64_t>(std::min(time_s, 1e9) * info.fps + 1e-6);
     }
 
     int64_t due() const { return std::min(wanted, last); }
-    // So many frames beyond the one that is due are kept, and read on from.
+    // Returns how many frames beyond the due one are kept, and from how far ahead decoding continues.
     int64_t slack() const { return framesIn(kBackwardSlack_s) + static_cast<int64_t>(kFrameSlots); }
 
     // --- Decode thread -------------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ struct VideoPlayer::Impl {
         });
     }
 
-    // The frame to make next; -1 if there is none to make.
+    // Returns the frame to make next; -1 if there is none.
     int64_t nextTarget() {
         if (broken) return -1;
         const bool readsOn = !exact && due() <= made && made - due() <= slack();
@@ -96,7 +96,7 @@ struct VideoPlayer::Impl {
         return catchesUp ? made + kMaxSkip : next;
     }
 
-    // A free slot, or for a frame that is due already the slot of the one that is ready furthest ahead.
+    // Returns a free slot, or for a frame that is due already the slot of the ready frame furthest ahead.
     Slot* slotFor(int64_t target) {
         Slot* found = slots.find(State::Free);
         if (found || target > due()) return found;
@@ -133,7 +133,7 @@ struct VideoPlayer::Impl {
         }
     }
 
-    // Decodes the frame's picture. Returns how many pictures the video has as far as could be seen: more than
+    // Decodes the frame's picture. Returns how many pictures the video is known to have: more than
     // frame.number, or fewer if it ends before (or the thread is to stop).
     int64_t fill(Slot& slot) {
         const int64_t number = slot.frame.number;
@@ -152,7 +152,7 @@ struct VideoPlayer::Impl {
         return number + 1;
     }
 
-    // The pass that began at index `pass` gave only `count` frames. With the lock held.
+    // Handles the end of a pass that began at index `pass` and gave only `count` frames. Needs the lock.
     void ended(int64_t pass, int64_t count) {
         const int64_t stated = passLength > 0 ? passLength : info.frameCount;
         const int64_t missing =
@@ -162,7 +162,7 @@ struct VideoPlayer::Impl {
             passLength = count;
             return;
         }
-        // Failed before the last good frame when read again: give up.
+        // Reading again failed before the last good frame: give up.
         broken = broken || made < 0 || damaged || pass + count == 0;
         last = std::min(last, pass + count - 1);
         made = std::min(made, last);
@@ -190,7 +190,7 @@ struct VideoPlayer::Impl {
 };
 
 Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
-    // On a thread of low priority, because the decoder's threads inherit it.
+    // Opened on a thread of low priority, because the decoder's threads inherit it.
     auto source = std::async(std::launch::async, [&] {
                       lowerThreadPriority();
                       return VideoSource::open(file, options.layout);

@@ -21,28 +21,28 @@ class VideoPlayer {
   public:
     // Returns when the first frame is ready. Fails if the file is not a regular one, not a video, larger than
     // kMaxVideoSide, or if its first frame cannot be decoded. Layout::Auto is detected from the metadata,
-    // else the frame's shape, else the first frame.
+    // else from the frame's shape, else from the first frame.
     static Result<VideoPlayer> open(const Path& file, PlayerOptions options = {});
 
     const VideoInfo& info() const;
 
-    // The newest complete frame that is due at this time, without waiting. Where the decoder is late this is
-    // an older one, and it skips frames to catch up. Small steps back in time (up to half a second) keep the
-    // frame, larger ones and jumps ahead seek. Never null. Valid until the next call of newest() or
-    // waitFor().
+    // Returns the newest complete frame that is due at this time, without waiting. If the decoder is late it
+    // is an older one, and the decoder skips frames to catch up. Small steps back in time (up to half a
+    // second) keep the frame, larger ones and jumps ahead seek. Never null. Valid until the next call of
+    // newest() or waitFor().
     const VideoFrame* newest(double videoTime_s);
 
-    // Exactly the frame due at this time, however far ahead or back; waits for it. The same times give the
-    // same frames on every machine. Where the file is damaged before that time: the last good frame.
+    // Returns exactly the frame due at this time, however far ahead or back, and waits for it. The same times
+    // give the same frames on every machine. Before that time damage stops it: the last good frame.
     const VideoFrame* waitFor(double videoTime_s);
 
-    // A message for the user if something went wrong since the last call, else empty.
+    // Returns a message for the user if something went wrong since the last call, else an empty one.
     std::string status();
 
   private:
     struct Impl;
     explicit VideoPlayer(Hidden<Impl> impl) : impl_(std::move(impl)) {}
-    Hidden<Impl> impl_; // its end is that of the decode thread, after at most the frame in work
+    Hidden<Impl> impl_; // its destructor ends the decode thread, after at most the frame in work
 };
 
 } // namespace shoal::media

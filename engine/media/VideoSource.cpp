@@ -16,15 +16,15 @@ namespace shoal::media {
 
 namespace {
 
-// What one thread decodes at least per second, H.264 of a few Mbit/s; each thread needs memory for some
-// pictures.
+// Pixels that one thread decodes at least per second, H.264 of a few Mbit/s; each thread needs memory for
+// some pictures.
 constexpr double kPixelsPerThread = 64e6;
 constexpr int kMaxThreads = 8;
 constexpr double kMaxStamp = 9e15;   // exact in double
 constexpr int kMaxBadPackets = 4096; // in a row, without a picture
 
-// FFmpeg's name of a container, by the file's beginning; null: not supported. Its other formats include play
-// lists and scripts that name further files.
+// Returns FFmpeg's name of a container, by the file's beginning; null: not supported. Its other formats
+// include playlists and scripts that name further files.
 const char* containerOf(ByteSpan b) {
     for (const char* name : {"ftyp", "moov", "mdat", "wide", "free", "skip", "pnot", "styp", "moof"})
         if (hasText(b, 4, name)) return "mov";
@@ -37,7 +37,7 @@ const char* containerOf(ByteSpan b) {
     return nullptr;
 }
 
-// The format to open it with. Pictures are told apart first, for a better reason.
+// Returns the format to open the file with. Pictures are detected first, to give a better reason.
 Result<const AVInputFormat*> formatOf(const Path& file, ByteSpan fileBegin) {
     if (fileBegin.empty()) return Error{file.string(), "is empty"};
     if (const auto picture = readPictureHeader(fileBegin))
@@ -54,7 +54,7 @@ Result<const AVInputFormat*> formatOf(const Path& file, ByteSpan fileBegin) {
 
 double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
 
-// Clockwise quarter turns that show the stream's pictures upright: a telephone held upright says so.
+// Returns the clockwise quarter turns that make the stream's pictures upright: telephones record them.
 int quarterTurnsOf(const AVStream& stream) {
     const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9);
     const double turn_deg = matrix ? av_display_rotation_get(matrix) : 0;
@@ -90,7 +90,7 @@ Status VideoSource::reopen() {
     begun_ = held_ = drained_ = false;
     input_ = openInput(file_, container_);
     if (!input_) return undecodable;
-    // Before the decoder sees it, where the container states a size.
+    // Checked before the decoder sees the stream, if the container states a size.
     for (unsigned i = 0; i < input_->nb_streams; ++i)
         if (const AVCodecParameters& stated = *input_->streams[i]->codecpar;
             stated.codec_type == AVMEDIA_TYPE_VIDEO && std::max(stated.width, stated.height) > kMaxVideoSide)
@@ -145,7 +145,7 @@ bool VideoSource::decode() {
         av_packet_unref(packet_.get());
         const int read = av_read_frame(input_.get(), packet_.get());
         if (read >= 0 && packet_->stream_index != stream_) continue;
-        drained_ = read < 0; // what the decoder still holds back comes out
+        drained_ = read < 0; // the decoder returns the pictures that it still holds
         decoder_.send(drained_ ? nullptr : packet_.get());
     }
     return false;
@@ -172,8 +172,8 @@ bool VideoSource::retrieve(ImageRgb8& bgr) {
     return true;
 }
 
-// Seeks to the last key frame at or before this frame; further back each time that the container's own search
-// lands behind it.
+// Seeks to the last key frame at or before this frame; starts further back each time that the container's own
+// search lands after it.
 bool VideoSource::jump(int64_t number) {
     const double frame_stamps = 1 / (rate_ * av_q2d(stream().time_base)); // time stamps a frame
     if (!begun_ || begins_ == AV_NOPTS_VALUE || !std::isfinite(frame_stamps)) return false;
@@ -203,15 +203,15 @@ bool VideoSource::jump(int64_t number) {
 
 bool VideoSource::seek(int64_t number) {
     if (number == position_) return true;
-    // Near the stated end a seek could land behind the real one, so it stops short and the caller grabs on.
+    // Near the stated end a seek could land after the real end, so it stops short and the caller grabs on.
     constexpr int64_t kShortOfEnd = 16;
     const int64_t safe = std::clamp(number, int64_t{0}, std::max(int64_t{0}, info_.frameCount - kShortOfEnd));
     if (number >= position_ && safe <= position_) return true;
-    // The first frame's time stamp is what all others count from.
+    // All other time stamps count from the first frame's.
     if (seekable_ && !begun_ && position_ == 0) held_ = decode();
     if (seekable_ && jump(safe)) return true;
     if (!seekable_ && number >= position_) return true;
-    seekable_ = false; // from here on this file is only read in order
+    seekable_ = false; // from now on this file is only read in order
     return reopen().ok();
 }
 
@@ -232,7 +232,7 @@ bool VideoSource::findLayout(Layout request) {
     for (int64_t i = 0, told = 0; i < kFrames && told < 3 && content != Layout::Mono; ++i) {
         const bool read = seek(info_.frameCount * i / kFrames) && grab() && retrieve(frame);
         if (!read && i == 0 && shape == Layout::Auto) return false;
-        if (!read) break; // where the file ends before it says it does, what came before decides
+        if (!read) break; // if the file ends earlier than stated, the frames before decide
         const Layout one = layoutFromContent(frame);
         told += one != Layout::Auto;
         content = bothFrames(content, one);

@@ -18,25 +18,25 @@ class VideoSource {
     // Number of the frame that the next grab() gives, from 0.
     int64_t position() const { return position_; }
 
-    // Decodes the next frame. False at the end, or where nothing more can be decoded.
+    // Decodes the next frame. Returns false at the end, or if nothing more can be decoded.
     bool grab();
 
-    // Converts the frame grabbed last, blue first and turned upright, into the image's memory. False if it
+    // Converts the frame grabbed last, blue first and upright, into the image's memory. Returns false if it
     // cannot be converted or has another size than info() says.
     bool retrieve(ImageRgb8& bgr);
 
-    glm::ivec2 chromaTexels() const { return decoder_.chromaTexels(); } // of that frame
+    glm::ivec2 chromaTexels() const { return decoder_.chromaTexels(); } // of the frame grabbed last
 
-    // Makes `number` the next frame, or an earlier one where the file allows no better: the caller grabs on
-    // from position(). False if the file cannot be opened again.
+    // Makes `number` the next frame, or an earlier one if the file allows no better: the caller grabs on from
+    // position(). Returns false if the file cannot be opened again.
     //
-    // Frame numbers follow from time stamps at the container's mean rate: exact where no frame is half a
+    // Frame numbers are computed from time stamps at the container's mean rate: exact if no frame is half a
     // frame early or late.
     bool seek(int64_t number);
 
   private:
     VideoSource() = default;
-    Status reopen(); // without the file's name
+    Status reopen(); // errors lack the file's name
     bool decode();   // the next frame
     bool jump(int64_t number);
     const AVStream& stream() const;
@@ -50,14 +50,14 @@ class VideoSource {
     PictureDecoder decoder_;
     Packet packet_ = makePacket();
     VideoInfo info_;
-    int quarterTurns_ = 0; // clockwise, to be upright
+    int quarterTurns_ = 0; // clockwise, to make pictures upright
     ImageRgb8 unturned_;   // scratch for rotation
     int64_t position_ = 0;
-    double rate_ = 0;      // frames a second as the container says, unchecked
+    double rate_ = 0;      // frames a second by the container, unchecked
     int64_t begins_ = 0;   // time stamp of frame 0
-    bool begun_ = false;   // frame 0 was decoded
-    bool held_ = false;    // the next frame is decoded already
-    bool drained_ = false; // the end of the file was sent to the decoder
+    bool begun_ = false;   // whether frame 0 was decoded
+    bool held_ = false;    // whether the next frame is decoded already
+    bool drained_ = false; // whether the end of the file was sent to the decoder
     bool seekable_ = true; // until a seek failed
 };
 

@@ -21,15 +21,15 @@ constexpr int kSumBits = 5;
 constexpr int kLumaBits = 7, kDifferenceBits = 8; // shifts that fill 16 bits before they are multiplied
 constexpr int kMiddle = 128;                      // of differences
 
-// The rounded product of two fractions of 2^15, in a form that GCC makes one instruction of.
+// Returns the rounded product of two fractions of 2^15, in a form that GCC compiles to one instruction.
 int16_t product(int16_t a, int16_t b) { return static_cast<int16_t>((((a * b) >> 14) + 1) >> 1); }
 
-// black: luma. The others: of luma by 2^13, of differences by 2^12.
+// black: luma. The others: factors of luma times 2^13, of differences times 2^12.
 struct Factors {
     int16_t black, luma, blueOfBlue, greenOfBlue, greenOfRed, redOfRed;
 };
 
-// What a row's differences add to the luma of each pixel: by channel, blue first.
+// Computes what a row's differences add to the luma of each pixel: by channel, blue first.
 SHOAL_VECTORISE
 void addends(const uint8_t* __restrict blueDifference, const uint8_t* __restrict redDifference, int pairs,
              const Factors& factors, int16_t* __restrict blue, int16_t* __restrict green,

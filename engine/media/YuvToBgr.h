@@ -1,5 +1,5 @@
-// From luma and colour differences, 8 bits each, to blue, green and red. Internal to this folder, but for the
-// matrices.
+// Converts luma and colour differences, 8 bits each, to blue, green and red. Internal to this folder, except
+// for the matrices.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -34,11 +34,10 @@ struct YuvPicture {
     std::array<ptrdiff_t, 3> strides; // bytes
     int rowsPerDifference;            // 1 or 2
     ColourMatrix matrix;
-    bool fullRange; // luma from 0 to 255 and differences by 255; else 16 to 235 and by 224 (BT.601 and 709)
+    bool fullRange; // luma 0 to 255, differences by 255; else 16 to 235 and by 224 (BT.601 and 709)
 };
 
-// Writes a picture of the size that bgr has. Each value is within 0.6 of what the formula gives, then bound
-// to 0 .. 255.
+// Writes a picture of the size that bgr has. Values are within 0.6 of the formula's, clamped to 0 .. 255.
 void toBgr(const YuvPicture& yuv, ImageRgb8& bgr);
 
 } // namespace shoal::media

@@ -1,4 +1,4 @@
-// A body's triangles, and checks of them that are made before memory is taken.
+// A body's triangles, and checks that are made before memory is allocated for it.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -17,15 +17,15 @@ struct BodyMesh {
     std::span<const glm::uvec3> triangles;
 };
 
-// Errors: positions or normals that are not finite, as many normals as positions missing, indices beyond
-// them, more than 2^24 triangles.
+// Fails if positions or normals are not finite, their numbers differ, indices are out of range, or there are
+// more than 2^24 triangles.
 Status checkMesh(const BodyMesh& mesh);
 
-// Every edge is shared by two triangles that run along it in opposite senses, once vertices at the same place
-// are taken for one. Such a body has an inside: rays meet it only where they enter.
+// Returns whether every edge is shared by two triangles that run along it in opposite directions, once
+// vertices at the same place are merged. Such a body has an inside: rays hit it only where they enter.
 bool isClosed(const BodyMesh& mesh);
 
-// Around the middle of the bounding box; of no triangle, radius 0.
+// Returns a sphere around the middle of the bounding box; without triangles its radius is 0.
 Sphere boundingSphere(const BodyMesh& mesh);
 
 } // namespace shoal::occlusion

@@ -12,11 +12,11 @@
 
 namespace shoal::occlusion {
 
-// Radians from one point of a spiral to the next, so that they never line up.
+// Angle in radians between successive points of a spiral, so that they never line up.
 inline constexpr double kGoldenAngle = std::numbers::pi * 0.7639320225002103; // 3 - sqrt 5
 
-// Any number of axes spread over half a sphere (a Fibonacci lattice), each serving the rays along it both
-// ways. A shader reads the nearest from a table.
+// Axes spread over half a sphere (a Fibonacci lattice), each for rays in both directions. A shader looks up
+// the nearest in a table.
 struct Axes {
     static constexpr int kTableWidth = 64;
 
@@ -28,16 +28,16 @@ struct Axes {
     std::vector<uint16_t> table;
 };
 
-// Some right-handed frame with +Z along a unit normal; turns smoothly with it but at one point. Duff et al.
-// 2017, "Building an Orthonormal Basis, Revisited".
+// Returns a right-handed frame with +Z along a unit normal; continuous but for one point. Duff et al. 2017,
+// "Building an Orthonormal Basis, Revisited".
 glm::mat3 frameAround(const glm::vec3& normal);
 
-// A rotation whose third row is `axis` (unit), the others turned by `turn` radians around it.
+// Returns a rotation whose third row is `axis` (unit), the others turned by `turn` radians around it.
 glm::mat3 lookingAlong(const glm::vec3& axis, float turn);
 
-// Unit vectors as two numbers, on an octahedron unfolded around +Z: signed steps of 1 / (2^(bits - 1) - 1), x
-// in the low half; bits: of each coordinate, 2 to 16. With 8 the angle is off by at most 0.0167 rad, with 16
-// by 6.5e-5.
+// Packs unit vectors as two numbers, on an octahedron unfolded around +Z: signed steps of 1 / (2^(bits - 1) -
+// 1), x in the low half; bits: of each coordinate, 2 to 16. With 8 the angle is off by at most 0.0167 rad,
+// with 16 by 6.5e-5.
 inline uint32_t packDirection(const glm::vec3& direction, int bits) {
     const auto top = static_cast<float>((1 << (bits - 1)) - 1);
     const glm::vec2 square = math::octahedralFromDirection({direction.x, direction.z, direction.y});

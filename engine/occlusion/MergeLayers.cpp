@@ -11,24 +11,23 @@ namespace shoal::occlusion {
 
 namespace {
 
-// Of the middle of a sample from the middle of the pixel, pixels.
+// Returns the offset of a sample's middle from the pixel's middle, pixels.
 glm::vec2 sampleOffset(int sample) {
     return {static_cast<float>(sample % 4) * 0.25f - 0.375f, static_cast<float>(sample / 4) * 0.25f - 0.375f};
 }
 
-// Unit normal, laid back to kSteepest where it is steeper; towards: whether its z shall be negative.
+// Returns the unit normal, laid back to kSteepest if it is steeper; towards: its z becomes negative.
 glm::vec3 layBack(const glm::vec3& normal, bool towards) {
     const float flat = glm::length(glm::vec2(normal));
     const float depth = std::max(towards ? -normal.z : normal.z, flat / kSteepest);
     return glm::normalize(glm::vec3(glm::vec2(normal), towards ? -depth : depth));
 }
 
-// Sets depth and, where the normals' slope does not fit the depths, slope and normal of the plane through the
-// chosen fragments. Near a silhouette depth grows as a root does: the slope at most samples is far from the
+// Sets the plane's depth and, if the normals' slope does not fit the depths, its slope and normal, from the
+// chosen fragments. Near a silhouette depth grows as a square root: the slope at most samples is far from the
 // mean normal's.
 void fit(std::span<const Fragment> fragments, const std::array<int, 16>& chosen, bool towards, Plane& plane) {
-    // Least squares, drawn to the normals' slope by this much, which decides where samples are few or in a
-    // line.
+    // Least squares with a pull towards the normals' slope, which decides where samples are few or in a line.
     constexpr float kPull = 0.02f;
     constexpr float kFits = 0.3f; // pixels of depth per pixel
     glm::vec2 asideSum(0);
@@ -62,13 +61,14 @@ void fit(std::span<const Fragment> fragments, const std::array<int, 16>& chosen,
 
 constexpr uint8_t kTaken = 16; // a sample that no pixel has
 
-// Takes the fragments that continue the first one's plane, at most one of each sample. By growing depth;
-// those of kTaken are gone.
+// Takes the fragments that continue the first one's plane, at most one for each sample. They are sorted by
+// depth; taken ones have kTaken.
 Plane takePlane(std::span<Fragment> rest) {
     const Fragment seed = rest.front();
     const glm::vec2 seedSlope = slopeOf(layBack(seed.normal, seed.towards));
     const float steep = glm::length(seedSlope);
-    constexpr float kBend_px = 0.5f, kFurthest_px = 1.07f; // between two samples of a pixel
+    constexpr float kBend_px = 0.5f,
+                    kFurthest_px = 1.07f; // pixels; the latter is the greatest distance of two samples
     const float beyond = seed.depth + kBend_px + 2 * steep * kFurthest_px;
     std::array<int, 16> chosen;
     std::array<float, 16> apart;
@@ -78,7 +78,7 @@ Plane takePlane(std::span<Fragment> rest) {
         if (f.sample == kTaken || f.towards != seed.towards) continue;
         const glm::vec2 aside = sampleOffset(f.sample) - sampleOffset(seed.sample);
         const float off = std::abs(f.depth - seed.depth - glm::dot(seedSlope, aside));
-        // Where the surface is steep, its slope may be twice the seed's.
+        // On a steep surface the slope may be twice the seed's.
         if (off > kBend_px + steep * glm::length(aside)) continue;
         if (chosen[f.sample] >= 0 && off >= apart[f.sample]) continue;
         chosen[f.sample] = i, apart[f.sample] = off;

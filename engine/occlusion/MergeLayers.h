@@ -8,12 +8,12 @@
 
 namespace shoal::occlusion {
 
-// One triangle at one sample.
+// A triangle's surface at one sample.
 struct Fragment {
     float depth = 0;      // pixels
     glm::vec3 normal{0};  // unit, view frame
     uint8_t sample = 0;   // 4 y + x in the pixel
-    bool towards = false; // whether the outside is on the viewer's side
+    bool towards = false; // whether its outside faces the viewer
 };
 
 // A plane through a pixel: depth at its middle, and depth per pixel right and up.
@@ -24,11 +24,11 @@ struct Plane {
     uint16_t coverage = 0;
 };
 
-// Depth per pixel of the plane with this normal, whose z is not zero.
+// Returns the depth per pixel of the plane with this normal, whose z is not zero.
 inline glm::vec2 slopeOf(const glm::vec3& normal) { return -glm::vec2(normal) / normal.z; }
 
-// Appends to `planes` the surfaces that these fragments of one pixel are samples of, by growing depth. Every
-// fragment belongs to one plane, every plane covers a sample once. Uses up the fragments.
+// Appends to `planes` the surfaces that these fragments of one pixel sample, by growing depth. Every fragment
+// belongs to one plane, every plane covers a sample once. Empties the fragments.
 void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes);
 
 } // namespace shoal::occlusion

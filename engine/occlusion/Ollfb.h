@@ -1,14 +1,13 @@
-// Orthographic linearised layered fragment buffers: a body seen from many directions, all its surfaces behind
-// each other kept, so that rays through it can be traced in a shader (shaders/occlusion/Ollfb.glsl). After
-// Iorns 2016, chapter 6, with what it left open:
-// - A layer is a plane with the slope of its normal, and says which sixteenths of its pixel it covers. So
-// steep
-//   surfaces join, and silhouettes are four times as fine as pixels.
-// - What is between two layers is inside the body. A ray that is outside in one cell and inside in the next
-//   has gone through the wall between them, however steep.
-// - Where a hit lies and how the surface turns there is read in the view that looks straight at it, blended
+// Orthographic linearised layered fragment buffers: a body seen from many directions, with all its surfaces
+// behind each other, so that shaders can trace rays through it (shaders/occlusion/Ollfb.glsl). After Iorns
+// 2016, chapter 6, with additions:
+// - A layer is a plane with the slope of its normal, and stores which sixteenths of its pixel it covers. So
+//   steep surfaces join, and silhouettes are four times as fine as pixels.
+// - The space between two layers is inside the body. A ray that is outside in one cell and inside in the next
+//   has crossed the wall between them, however steep.
+// - A hit's exact position and normal are read in the view that looks straight at the surface, interpolated
 //   between four pixels.
-// - A view serves both ways along its axis, and is cropped and turned to what it sees.
+// - A view serves both directions of its axis, and is cropped and rotated to the body.
 // - 48 bits a layer, 16 a pixel.
 #pragma once
 
@@ -30,14 +29,14 @@ struct OllfbLayer {
 };
 static_assert(sizeof(OllfbLayer) == 6, "48 bits a layer");
 
-// Steeper planes are laid back to this slope: pixels of depth per pixel.
+// Steeper planes are laid back to this slope, in pixels of depth per pixel.
 inline constexpr float kSteepest = 12;
-// Depth beyond the body's own that a view can say, either side: what a plane may reach at its pixel's middle.
+// Depth that a view can store beyond the body's on either side: a plane may reach it at its pixel's middle.
 inline constexpr float kDepthMargin_px = kSteepest * 0.75f;
 
 struct OllfbView {
     glm::mat3 viewFromBody{1};
-    glm::vec3 low{0};         // view frame, pixels: what becomes the origin of the pixels
+    glm::vec3 low{0};         // view frame, pixels: position of the pixels' origin
     float pixelsPerMetre = 1; // along all three axes
     float depthRange_px = 1;  // of OllfbLayer::depth, margins included
     glm::ivec2 size{0};       // pixels
@@ -48,11 +47,11 @@ struct OllfbView {
     }
 };
 
-// What a view sees in one row of pixels.
+// A row of pixels of a view.
 struct OllfbRow {
     uint32_t firstLayer = 0;     // index into Ollfb::layers
     uint32_t firstStart = 0;     // index into Ollfb::starts, of pixel `begin`
-    uint16_t begin = 0, end = 0; // pixels from the first to past the last that have layers
+    uint16_t begin = 0, end = 0; // range of pixels that have layers
 };
 static_assert(sizeof(OllfbRow) == 12);
 
@@ -63,8 +62,8 @@ struct Ollfb {
         size_t maxBytes = 64u << 20;
     };
 
-    // Errors: a mesh that cannot be (BodyMesh.h), more than maxBytes, more than 65535 layers in a row of
-    // pixels. What has no triangles or no extent is met by no ray.
+    // Fails for an invalid mesh (BodyMesh.h), more than maxBytes, more than 65535 layers in a row of pixels.
+    // A body without triangles or extent is hit by no ray.
     static Result<Ollfb> make(const BodyMesh& mesh, const Options& options);
 
     size_t bytes() const {
@@ -74,12 +73,12 @@ struct Ollfb {
     }
 
     Sphere sphere;
-    // isClosed(): what lies between two layers is inside, and rays meet surfaces only where they enter, as
-    // what is drawn with its back faces culled; else from both sides.
+    // isClosed(): the space between two layers is inside, and rays hit surfaces only where they enter, as
+    // with back-face culling; otherwise rays hit them from both sides.
     bool closed = false;
 
-    // Pixel x of a row has the layers from starts[firstStart + x - begin] after its firstLayer to where the
-    // next begins, by growing depth.
+    // Pixel x of a row has the layers from firstLayer + starts[firstStart + x - begin] to those of the next
+    // pixel, by growing depth.
     Axes axes;
     std::vector<OllfbView> views;
     std::vector<OllfbRow> rows;

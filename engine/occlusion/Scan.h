@@ -10,9 +10,9 @@
 
 namespace shoal::occlusion {
 
-// Calls found(x, y, b) for every sample of a width x height grid, its samples at half integers, that the
-// triangle covers; b: barycentric weights, sum 1. Corners are snapped to 1/256 of a sample, and of two
-// triangles that share an edge just one owns the samples on it, whichever way they face: what is closed has
+// Calls found(x, y, b) for every sample that the triangle covers in a width x height grid with samples at
+// half integers; b: barycentric weights, sum 1. Corners are snapped to 1/256 of a sample, and of two
+// triangles that share an edge exactly one owns the samples on it, whichever way they face: a closed body has
 // as many layers towards as away. corners: xy in samples, within +-2^20.
 template <class Found>
 void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height, Found&& found) {
@@ -24,7 +24,7 @@ void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height
     }
     int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
     if (area == 0) return; // edge-on or collapsed: covers no sample
-    // Corners b and c change places where the triangle runs clockwise.
+    // Corners b and c are exchanged if the triangle runs clockwise.
     const size_t b = area > 0 ? 1 : 2, c = 3 - b;
     area = std::abs(area);
 
@@ -41,7 +41,7 @@ void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height
     const int64_t startX = first(lowX) * kOne + kHalf, startY = first(lowY) * kOne + kHalf;
     const auto edge = [&](size_t from, size_t to) {
         const int64_t dx = x[to] - x[from], dy = y[to] - y[from];
-        const bool owned = dy < 0 || (dy == 0 && dx > 0); // this sense only, so the neighbour's is not
+        const bool owned = dy < 0 || (dy == 0 && dx > 0); // else the neighbour owns it
         return Edge{dx * (startY - y[from]) - dy * (startX - x[from]), -dy * kOne, dx * kOne, owned ? 0 : 1};
     };
     Edge opposite0 = edge(b, c), oppositeB = edge(c, 0), oppositeC = edge(0, b);

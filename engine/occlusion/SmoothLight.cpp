@@ -11,9 +11,9 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr double kBright = 2;  // times the mean luminance: what lies above belongs to the dominant light
-constexpr double kReach = 0.7; // cosine at which texels cease to be the dominant light's
-constexpr double kMin = 0.004; // sin^2 of half angle: what texels of a small map can tell
+constexpr double kBright = 2;  // times the mean luminance: the excess belongs to the dominant light
+constexpr double kReach = 0.7; // cosine at which texels no longer belong to the dominant light
+constexpr double kMin = 0.004; // least sin^2 of the half angle: the resolution of a small map
 
 double luminance(const float* rgb) {
     return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
@@ -44,7 +44,7 @@ template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
     }
 }
 
-// Shares a texel's light among the ends of the axes around it.
+// Distributes a texel's light over the ends of the axes around it.
 class Spread {
   public:
     void add(const glm::dvec3& d, double solidAngle, const glm::dvec3& radiance) {
@@ -86,7 +86,7 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     const auto excess = [&](int x, int y) {
         return std::max(luminance(radianceLin.at(x, y)) - kBright * mean, 0.0);
     };
-    // Where it is brightest: squares let the strongest of several dominant lights win.
+    // Squares let the strongest of several dominant lights win.
     glm::dvec3 brightest(0);
     eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3& dir) {
         brightest += solidAngle * excess(x, y) * excess(x, y) * dir;
@@ -115,7 +115,7 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
         light.ahead[k] = rest.radiance(k), light.behind[k] = rest.radiance(kAxisCount + k);
     for (size_t k = 0; k < 4; ++k) light.even[k] = glm::vec3(smooth[k]);
     if (weight <= 0) return light;
-    // A cap's mean direction is (1 + cos) / 2 long.
+    // The mean direction of a cap has the length (1 + cos) / 2.
     const double cosine = std::clamp(2 * glm::length(centre) / weight - 1, 0.0, std::sqrt(1 - kMin));
     light.dominantTowards = glm::vec3(glm::normalize(centre));
     light.dominantShare = static_cast<float>(1 - cosine * cosine);

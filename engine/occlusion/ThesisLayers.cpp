@@ -12,7 +12,7 @@ namespace shoal::occlusion {
 
 namespace {
 
-// All that one view sees, by pixel, each by growing depth.
+// Renders one view; seen: by pixel, each by growing depth.
 void see(const BodyMesh& mesh, const ThesisViews& views, const glm::mat3& viewFromBody,
          std::vector<std::vector<ThesisLayer>>& seen) {
     for (std::vector<ThesisLayer>& pixel : seen) pixel.clear();

@@ -17,7 +17,7 @@ namespace shoal::panorama {
 
 namespace {
 
-// --- Pictures and the perceptually coded matrices that this folder computes on: 3 floats a pixel, red first
+// Colours coded by a power up to 1 and by a logarithm above
 
 cv::Mat viewOf(const ImageRgb8& picture) {
     return {picture.height, picture.width, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())};

@@ -18,14 +18,14 @@ struct Nearest {
 };
 Nearest nearest(const Capsule&, const Capsule&);
 
-// Distance between the surfaces; negative when they overlap.
+// Returns the distance between the surfaces; negative if they overlap.
 float separation(const Capsule&, const Capsule&);
 
-// End points on straight lines between two places; t 0 to 1.
+// Interpolates the end points between two capsules; t 0 to 1.
 Capsule between(const Capsule& from, const Capsule& to, float t);
 
-// Share of the way, 0 to 1, at which two capsules that start apart first touch (come within kTouchGap_m);
-// above 1 if they do not. Conservative advancement, see ContactModel.h.
+// Returns the share of the way, 0 to 1, at which two capsules that start apart first touch (come within
+// kTouchGap_m); above 1 if they do not. Conservative advancement, see ContactModel.h.
 float firstTouch(const Capsule& from, const Capsule& to, const Capsule& otherFrom, const Capsule& otherTo);
 
 } // namespace shoal::physics

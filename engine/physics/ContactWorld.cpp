@@ -19,7 +19,7 @@ bool teleported(const Mover& m) {
     return std::max(glm::distance(m.before.a, m.after.a), glm::distance(m.before.b, m.after.b)) > kTeleport_m;
 }
 
-// Of the bone's end points' velocities, the one at a point of its core segment.
+// Returns the bone's velocity at a point of its core segment, interpolated between its end points'.
 glm::vec3 velocityAt(const Mover& mover, glm::vec3 onCore) {
     const glm::vec3 along = mover.after.b - mover.after.a;
     const float squared = glm::dot(along, along);
@@ -38,7 +38,7 @@ glm::vec3 turned(glm::vec3 from, glm::vec3 to) {
     return glm::normalize(from + across * (kNormalTurn_rad / length));
 }
 
-// A pair of a mover and a body during the tick. A mover that was replaced is only looked at where it is now.
+// A pair of a mover and a body during the tick. A mover that was teleported is only tested at its new place.
 struct Pair {
     const Mover& mover;
     const Body& body;
@@ -54,8 +54,8 @@ struct Pair {
           at(nearest(m.after, b.after)), apart(at.onSecond - at.onFirst) {}
 };
 
-// The shortest way out of two capsules whose axes cross: across both, or, where they lie along one line,
-// across the longer. Either sense is as short.
+// Returns the shortest way out of two capsules whose axes cross: across both, or, if they lie along one line,
+// across the longer. The opposite direction is as short.
 glm::vec3 wayOut(const Capsule& first, const Capsule& second) {
     const glm::vec3 d1 = first.b - first.a, d2 = second.b - second.a;
     const glm::vec3 longer = glm::dot(d1, d1) > glm::dot(d2, d2) ? d1 : d2, across = glm::cross(d1, d2);
@@ -65,8 +65,8 @@ glm::vec3 wayOut(const Capsule& first, const Capsule& second) {
     return glm::dot(level, level) > 0 ? glm::normalize(level) : glm::vec3(0, 1, 0);
 }
 
-// A lasting contact keeps its side; its normal turns towards the line of nearest points where that is
-// certain.
+// Returns the normal of a lasting contact: it keeps its side and turns towards the line of nearest points
+// where that is certain.
 glm::vec3 renewedNormal(const Pair& pair, glm::vec3 normal) {
     const float distance = glm::length(pair.apart);
     if (distance <= kCoreShare * pair.radii) return normal;
@@ -74,9 +74,9 @@ glm::vec3 renewedNormal(const Pair& pair, glm::vec3 normal) {
     return turned(normal, pair.apart * (side / distance));
 }
 
-// Depth, place and velocities at the tick's end. False: it is over.
+// Sets depth, place and velocities at the tick's end. Returns false if the contact is over.
 bool complete(const Pair& pair, float dt_s, Contact& c) {
-    // Beyond both radii on the far side the mover is through, and free.
+    // Beyond both radii on the far side the mover has gone through, and is free.
     const float along = glm::dot(pair.apart, c.normal);
     c.lasting = glm::length(pair.apart) < pair.radii + kLift_m && along > -pair.radii;
     if (!c.lasting && !c.fresh) return false;
@@ -89,14 +89,14 @@ bool complete(const Pair& pair, float dt_s, Contact& c) {
     return true;
 }
 
-// Normal and time of a contact without a past. False: the two do not touch.
+// Sets normal and time of a new contact. Returns false if the two do not touch.
 bool begin(const Pair& pair, Contact& c) {
     const Capsule &bone = pair.mover.after, &flesh = pair.body.after;
     c.fresh = true;
     const Nearest was = nearest(pair.moverFrom, pair.bodyFrom);
     const glm::vec3 start = was.onSecond - was.onFirst;
     const float room = glm::length(start);
-    if (room <= pair.radii) { // inside one another, and nobody knows how
+    if (room <= pair.radii) { // overlapping, in an unknown way
         c.normal = room > kCrossed_m ? start / room : wayOut(pair.moverFrom, pair.bodyFrom);
         return true;
     }
@@ -133,9 +133,9 @@ void collide(std::span<const Body> bodies, std::span<const Mover> movers, float 
 
 namespace {
 
-constexpr size_t kMax = 64; // contacts looked at: two hands have 48 bones
+constexpr size_t kMax = 64; // contacts considered: two hands have 48 bones
 
-// min |v - velocity|^2 + kSoftness |impulses|^2 so that v . n >= goal, impulses >= 0.
+// Solves min |v - velocity|^2 + kSoftness |impulses|^2 so that v . n >= goal, impulses >= 0.
 template <class Goal> glm::vec3 solve(glm::vec3 velocity, std::span<const Contact> contacts, Goal goal) {
     std::array<float, kMax> impulse{};
     const size_t count = std::min(contacts.size(), kMax);
@@ -166,7 +166,7 @@ glm::vec3 parting(std::span<const Contact> contacts) {
         if (!c.lasting) return 0.0f;
         return std::min(kPartRate_Hz * std::max(0.0f, c.depth - kPartSlop_m), kPartMax_mps);
     });
-    const float speed = glm::length(velocity); // in a wedge, more than any one contact asks
+    const float speed = glm::length(velocity); // in a wedge it exceeds what a single contact asks
     return speed > kPartMax_mps ? velocity * (kPartMax_mps / speed) : velocity;
 }
 

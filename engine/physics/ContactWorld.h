@@ -1,5 +1,5 @@
-// Contacts of the bones of hands with bodies during one tick, and which of them last from tick to tick; and
-// how they push; see ContactModel.h, steps 1 to 3.
+// Contacts of bones of hands with bodies during one tick, which of them last from tick to tick, and how they
+// push; see ContactModel.h, steps 1 to 3.
 #pragma once
 
 #include "engine/physics/Capsule.h"
@@ -13,12 +13,12 @@ namespace shoal::physics {
 
 // World frame, metres, seconds.
 
-// A kinematic capsule that goes from one place to another during the tick.
+// A kinematic capsule that moves from one place to another during the tick.
 struct Mover {
     Capsule before, after;
-    glm::vec3 velocityA{0}, velocityB{0}; // of its ends: how it pushes; steadier than the way over the tick
-    int group = 0;                        // a hand
-    int tag = 0;                          // a bone
+    glm::vec3 velocityA{0}, velocityB{0}; // of its ends, for pushing; steadier than the way over the tick
+    int group = 0;                        // index of the hand
+    int tag = 0;                          // index of the bone
 };
 
 struct Body {
@@ -32,30 +32,30 @@ struct Contact {
     int group = 0;
     int tag = 0;
     bool fresh = false;         // began this tick
-    bool lasting = false;       // the tick ends touching
+    bool lasting = false;       // whether they touch at the tick's end
     glm::vec3 point{0};         // on the body's surface
-    glm::vec3 normal{0};        // unit length, from the mover towards the body: the way the body is pushed
+    glm::vec3 normal{0};        // unit, from the mover towards the body: the direction of the push
     float depth = 0;            // of the mover in the body along the normal at the tick's end, metres, >= 0
-    float closingSpeed = 0;     // of the mover's way against the body along the normal, m/s, >= 0
-    glm::vec3 moverVelocity{0}; // of the mover where it touches, m/s
-    float time = 0;             // of first touch, 0 to 1 within the tick; 0 for lasting ones
+    float closingSpeed = 0;     // of the mover relative to the body along the normal, m/s, >= 0
+    glm::vec3 moverVelocity{0}; // of the mover at the contact, m/s
+    float time = 0;             // of first touch, 0 to 1 within the tick; 0 for lasting contacts
 };
 
-// Replaces out by the contacts of this tick, at most one for each (body, group, tag), sorted by these.
-// last: what the tick before gave. Deterministic: a function of its arguments alone, whatever the order
-// of bodies and movers. A mover that goes farther than kTeleport_m is only tested at its end.
+// Replaces out by the contacts of this tick, at most one for each (body, group, tag), sorted by these. last:
+// the contacts of the tick before. Deterministic: a function of its arguments alone, whatever the order of
+// bodies and movers. A mover that goes farther than kTeleport_m is only tested at its end.
 void collide(std::span<const Body>, std::span<const Mover>, float dt_s, std::span<const Contact> last,
              std::vector<Contact>& out);
 
 // Velocity of a free body after contacts with hands; see ContactModel.h, step 3. All contacts are those of
 // one body.
 
-// Its velocity after the contacts: no slower along a normal than the mover there, as far as they agree.
-// Against movers that rest it never gains speed.
+// Returns the velocity after the contacts: along a normal at least as fast as the mover there, if the
+// contacts agree. A mover at rest never makes the body faster.
 glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact>);
 
-// The velocity that parts what overlaps; to be moved by for one tick, not to be kept. At most kPartMax_mps
-// where contacts agree, and next to nothing where they contradict one another.
+// Returns the velocity that separates overlapping capsules, to be used for one tick and not kept. At most
+// kPartMax_mps where contacts agree, and almost 0 where they contradict one another.
 glm::vec3 parting(std::span<const Contact>);
 
 } // namespace shoal::physics

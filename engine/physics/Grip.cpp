@@ -15,17 +15,17 @@ namespace {
 
 const glm::quat kStill(1, 0, 0, 0);
 
-// The smallest turn from one direction to another; both unit.
+// Returns the smallest rotation from one direction to another; both unit.
 glm::quat arc(glm::vec3 from, glm::vec3 to) {
     const glm::vec3 axis = glm::cross(from, to);
     const glm::quat q(1 + glm::dot(from, to), axis.x, axis.y, axis.z);
     const float squared = glm::dot(q, q);
-    return squared > 1e-8f ? q / std::sqrt(squared) : kStill; // folded back upon itself: no bones do that
+    return squared > 1e-8f ? q / std::sqrt(squared) : kStill; // folded back onto itself, as no bones are
 }
 
 glm::quat share(const glm::quat& turn, float t) { return glm::normalize(kStill * (1 - t) + turn * t); }
 
-// Corners, edge middles of an icosahedron: 42 directions.
+// Returns the corners and edge middles of an icosahedron: 42 directions.
 const std::array<glm::vec3, 42>& directions() {
     static const std::array<glm::vec3, 42> all = [] {
         std::array<glm::vec3, 42> d{};
@@ -46,9 +46,9 @@ const std::array<glm::vec3, 42>& directions() {
     return all;
 }
 
-// How much force, along the unit vector d, the presses can give beyond what is needed there: the support
-// function of all that they can give, less the need's part. A cone of friction reaches farthest along d at
-// its edge.
+// Returns how much force along the unit vector d the presses can give beyond the need: the support function
+// of all forces that they can give, minus the need's component. A cone of friction reaches farthest along d
+// at its edge.
 float beyond(std::span<const Press> presses, glm::vec3 need_N, glm::vec3 d) {
     float sum = -glm::dot(need_N, d);
     for (const Press& press : presses) {
@@ -120,7 +120,7 @@ Hold hold(std::span<const Press> presses, glm::vec3 asked_N) {
         worst = d;
     };
     for (const glm::vec3& d : directions()) consider(d);
-    // Downhill from there, by ever smaller steps around it.
+    // Descends from there, by ever smaller steps around it.
     for (float step = 0.17f; step > 0.01f; step *= 0.5f) {
         const glm::vec3 middle = worst;
         const glm::vec3 pick = std::fabs(middle.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);

@@ -1,4 +1,4 @@
-// Fingers that close around a body, and the test whether they hold it against a force; see ContactModel.h,
+// Fingers that close around a body, and a test whether they hold it against a force; see ContactModel.h,
 // steps 4 and 5. Newtons, metres.
 #pragma once
 
@@ -12,40 +12,40 @@
 
 namespace shoal::physics {
 
-// A finger that closes around a body which it cannot enter. A device sees the player's real finger, which
+// A finger that closes around a body without entering it. A device sees the player's real finger, which
 // nothing stops; this finger is shown, and grips.
 struct Finger {
     std::array<glm::vec3, hands::kMaxFingerJoints> joints{}; // world, from the metacarpal to the tip
     std::array<float, hands::kMaxFingerJoints> radii{}; // of the bone that ends there; the first is unused
     std::array<glm::quat, hands::kMaxFingerJoints>
-        turned{}; // from the finger given to the one wrapped, by bone's end
-    std::array<bool, hands::kMaxFingerJoints> touches{}; // the bone that ends there rests on the body
-    int count = hands::kMaxFingerJoints;                 // of joints
+        turned{}; // rotation from the given finger to the wrapped one, by bone's end
+    std::array<bool, hands::kMaxFingerJoints> touches{}; // whether the bone that ends there rests on the body
+    int count = hands::kMaxFingerJoints;                 // number of joints
 };
 
-// The finger, straightened, then bent knuckle by knuckle as it was given until what lies beyond the knuckle
+// Returns the finger straightened, then bent as given, knuckle by knuckle, until the part beyond the knuckle
 // touches the body; the metacarpal stays. Bones keep their lengths.
 Finger wrapped(const Finger& given, const Capsule& body);
 
-// One place where a hand presses on a body.
+// A contact at which a hand presses on a body.
 struct Press {
     glm::vec3 normal{0}; // unit, into the body
-    float force_N = 0;   // along the normal it can give anything from 0 to this, with friction across
+    float force_N = 0;   // it can push with 0 to this force along the normal, with friction across
 };
 
 struct Hold {
-    float margin_N = 0; // so much more force from the worst side would still be borne; below 0: it slips
-    glm::vec3 gives{0}; // unit: the way in which it slips, or would slip first
+    float margin_N = 0; // additional force from the worst side that would still be held; below 0: it slips
+    glm::vec3 gives{0}; // unit: the direction in which it slips, or would slip first
 };
 
-// asked_N: the force from outside that the presses must balance. The directions are sampled every 18 degrees
-// and refined.
+// Tests a grip. asked_N: the external force that the presses must balance. Directions are sampled every 18
+// degrees and refined.
 Hold hold(std::span<const Press>, glm::vec3 asked_N);
 
-// Of a contact pressed in so deep.
+// Returns the force of a contact of this depth.
 float pressForce_N(float depth_m);
 
-// Of a body with that capsule.
+// Returns the mass of a body with that capsule.
 float mass_kg(float radius_m, float halfLength_m);
 
 } // namespace shoal::physics

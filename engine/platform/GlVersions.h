@@ -1,5 +1,5 @@
-// The versions of OpenGL that are asked for, best first. Some drivers (NVIDIA's) give exactly what is asked
-// for, not the newest that they have: asked for 3.3 alone, they would never keep layers, which need 4.3.
+// The versions of OpenGL that are requested, best first. Some drivers (NVIDIA's) give exactly the requested
+// version, not their newest: with 3.3 alone layers, which need 4.3, would never be available.
 #pragma once
 
 namespace shoal::platform {

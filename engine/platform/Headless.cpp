@@ -9,7 +9,7 @@ namespace shoal::platform {
 
 namespace {
 
-// The first display that starts: a graphics card's (device platform) before Mesa's software rasteriser.
+// Returns the first display that starts: a graphics card's (device platform), else Mesa's software one.
 EGLDisplay firstDisplay() {
     const auto getDisplay =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));

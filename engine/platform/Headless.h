@@ -14,7 +14,7 @@ class Headless {
 
   private:
     explicit Headless(void* display);
-    std::unique_ptr<void, void (*)(void*)> display_; // EGL's; the context dies with it
+    std::unique_ptr<void, void (*)(void*)> display_; // EGL's display; destroying it destroys the context
 };
 
 } // namespace shoal::platform

@@ -13,7 +13,7 @@ namespace shoal::platform {
 namespace {
 
 glm::vec2 withDeadZone(float x, float y) {
-    constexpr float kDead = 0.18f; // of the stick's way: sticks do not come back to their exact middle
+    constexpr float kDead = 0.18f; // share of the stick's way: sticks do not return to their exact middle
     const glm::vec2 stick(x, -y);
     const float length = glm::length(stick);
     return length <= kDead ? glm::vec2(0) : stick / length * std::min((length - kDead) / (1 - kDead), 1.0f);
@@ -64,8 +64,8 @@ struct Window::State {
 };
 
 Result<Window> Window::open(const WindowOptions& options) {
-    glfwSetErrorCallback([](int, const char*) {}); // said in our own words below
-#ifdef GLFW_PLATFORM_X11 // 3.4 would open its windows by Wayland, where headsets are not bound to them
+    glfwSetErrorCallback([](int, const char*) {}); // errors are reported in our own words below
+#ifdef GLFW_PLATFORM_X11 // 3.4 would open windows by Wayland, to which headsets cannot be bound
     glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
     if (!glfwInit())
@@ -153,7 +153,7 @@ glm::ivec2 Window::framebufferSize() const {
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle(), title.c_str()); }
 
 void Window::setIcon(const ImageRgba8& icon) {
-    std::vector<uint8_t> pixels = icon.pixels; // GLFW takes no constant ones
+    std::vector<uint8_t> pixels = icon.pixels; // GLFW takes no constant pixels
     const GLFWimage image{icon.width, icon.height, pixels.data()};
     glfwSetWindowIcon(handle(), 1, &image);
 }

@@ -1,5 +1,5 @@
-// A window with a context of OpenGL 3.3 or newer (core profile), and what the player does in it since the
-// last poll.
+// A window with a context of OpenGL 3.3 or newer (core profile), and the player's input in it since the last
+// poll.
 #pragma once
 
 #include "engine/core/Hidden.h"
@@ -49,11 +49,11 @@ struct WindowInput {
 
 class Window {
   public:
-    // Main thread only. Makes the context current. Fails where there is no display.
+    // Opens a window and makes its context current. Main thread only. Fails if there is no display.
     static Result<Window> open(const WindowOptions& options);
 
     const WindowInput& poll(); // valid until the next poll
-    // Sleeps until the player does something, at most so long; the next poll() tells what.
+    // Sleeps until the player does something, at most atMost_s; the next poll() returns it.
     void wait(double atMost_s);
     bool down(int key) const;
     glm::ivec2 framebufferSize() const;

@@ -11,21 +11,21 @@ namespace shoal::render {
 
 namespace {
 
-// Of the image plane at distance 1. Of a 2048 wide video at most 0.1 texels off up to 45 degrees of latitude,
-// 0.2 where polar cells begin.
+// Largest side of a cell on the image plane at distance 1. Coordinates in a 2048 wide video are wrong by at
+// most 0.1 texels up to 45 degrees of latitude, 0.2 where polar cells begin.
 constexpr float kCell = 0.04f;
-// Of what the eye sees of a film that has distances: in the middle of a cell, from what its corners say (half
-// a texel of a 2048 wide video); and the side in pixels of what a cell is then divided into.
+// A cell of a film with distances is divided if the direction in its middle differs by more than this (half a
+// texel of a 2048 wide video) from the mean of its corners'; kSmallCell: side of the parts, pixels.
 constexpr float kCrooked_rad = 1.5e-3f;
 constexpr int kSmallCell = 8;
-// Corners whose parallaxes differ by more than this (two texels) lie on both sides of an edge in the film.
-// Between them nothing is drawn out, and no line of the film is drawn twice, if pieces of the cell, pixels
-// wide, show what is seen in their middles.
+// Corners whose parallaxes differ by more than this (two texels) lie on both sides of a depth edge of the
+// film. Between them pieces of kPiece pixels show what is seen in their middles, so that nothing is stretched
+// across the edge and no line of the film is drawn twice.
 constexpr float kTorn_rad = 6e-3f;
 constexpr int kPiece = 2;
-constexpr float kPolarV = 0.3234f; // of the map's height, from its middle: a latitude whose sine is 0.85
+constexpr float kPolarV = 0.3234f; // of the map's height, from its middle: the latitude whose sine is 0.85
 
-// Where cells meet: whole pixels, of larger pictures eight at a time, which are sampled together.
+// Finds the cells' edges: whole pixels; in larger pictures multiples of 8, which are sampled together.
 void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
     const int wanted = std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
     const int cells = std::clamp(wanted, 1, std::max(pixels, 1)), step = pixels / cells >= 16 ? 8 : 1;
@@ -35,8 +35,8 @@ void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
     edges.push_back(pixels);
 }
 
-// So coarse that sums of a few of them are exact: corners then lie in one plane to the last bit, by which
-// llvmpipe knows a rectangle. 1/1024 texel of a 2048 wide video.
+// Rounds to 1/1024 texel of a 2048 wide video, so coarse that sums of a few coordinates are exact: corners
+// then lie in one plane to the last bit, by which llvmpipe recognises a rectangle.
 glm::vec2 rounded(const glm::vec2& uv) {
     constexpr float kSteps = 1 << 21;
     return glm::round(uv * kSteps) / kSteps;
@@ -76,7 +76,7 @@ BackgroundCell BackgroundCells::cellOf(const Corners& corners, glm::ivec2 low, g
     return cell;
 }
 
-// Whether the film is where the cell's corners say in its middle as well.
+// Returns whether the direction that the film gives in the cell's middle is the mean of its corners'.
 bool BackgroundCells::isStraight(const BackgroundCell& cell, const Rays& rays) const {
     const glm::vec3 expected =
         0.25f * (cell.directions[0] + cell.directions[1] + cell.directions[2] + cell.directions[3]);

@@ -1,7 +1,6 @@
 // Divides a view of an equirectangular map into rectangles within which the map's coordinates are affine to a
-// tenth of a texel, so that no pixel needs trigonometry. Where the film has distances and the eye is beside
-// its camera, what an eye sees of the film is found at the rectangles' corners, which are smaller where
-// distances change.
+// tenth of a texel, so that no pixel needs trigonometry. If the film has distances and the eye is beside its
+// camera, the film is looked up at the rectangles' corners, which are closer where distances change.
 #pragma once
 
 #include "engine/depth/DepthMap.h"
@@ -17,19 +16,19 @@
 
 namespace shoal::render {
 
-// The film as it lies in space, and the eye that looks at it.
+// A film with the distances of what it shows, and the position of the eye that looks at it.
 struct FilmSpace {
-    const depth::DepthMap* depth = nullptr; // widened (depth::widenNear()); null: endlessly far
+    const depth::DepthMap* depth = nullptr; // widened (depth::widenNear()); null: infinitely far
     glm::vec3 eyeInFilm{0};                 // env frame, from the film's camera
 };
 
 struct BackgroundCell {
-    glm::ivec2 low{0}, high{0};          // of the picture's pixels, from the bottom
-    glm::vec2 first{0}, right{0}, up{0}; // of the map: at the corner, and from there to the next ones
-    bool polar = false; // so near a pole that coordinates have to be found for each pixel, from
+    glm::ivec2 low{0}, high{0};          // range of the picture's pixels, rows counted from the bottom
+    glm::vec2 first{0}, right{0}, up{0}; // map coordinates at `low`, and the steps to the next corners
+    bool polar = false; // so near a pole that each pixel computes its coordinates from `directions`
     std::array<glm::vec3, 4> directions{}; // env frame: lower left, lower right, upper left, upper right
 
-    // What it shows lies between these.
+    // Bounds of the map coordinates that the cell shows.
     glm::vec2 mapLow() const { return first + glm::min(right, 0.0f) + glm::min(up, 0.0f); }
     glm::vec2 mapHigh() const { return first + glm::max(right, 0.0f) + glm::max(up, 0.0f); }
 };
@@ -41,29 +40,29 @@ struct CellToDraw {
 
 class BackgroundCells {
   public:
-    // size: in pixels. Nothing allocates once there have been as many.
+    // size: in pixels. Allocates only if there are more cells than ever before.
     void make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size,
               const FilmSpace& film = {});
 
     std::span<const BackgroundCell> all() const { return cells_; } // row by row
     int rows() const { return static_cast<int>(rowBegins_.size()) - 1; }
-    // The cells of a row, by their places in all(): those before the next row's first.
+    // Returns the index in all() of a row's first cell; the row ends before that of the next.
     size_t rowBegin(int row) const { return rowBegins_[static_cast<size_t>(row)]; }
 
   private:
     struct Corner {
-        glm::vec3 directionEnv{0}; // as long as from the eye to the image plane
+        glm::vec3 directionEnv{0}; // reaches from the eye to the image plane
         glm::vec2 uv{0};
-        glm::vec3 parallax{0}; // by which the film's distance moves the direction
+        glm::vec3 parallax{0}; // offset of the direction that the film's distance causes
     };
     using Corners = std::array<Corner, 4>; // lower left, lower right, upper left, upper right
-    struct Rays {                          // of the picture being made
+    struct Rays {                          // the picture being made
         glm::vec2 half{1}, shift{0};
         glm::mat3 envFromRay{1};
         glm::vec2 size{1};
         FilmSpace film;
         glm::vec3 direction(const glm::vec2& pixel) const;
-        Corner at(const glm::vec2& pixel) const; // with the parallax found there
+        Corner at(const glm::vec2& pixel) const; // looks up the parallax in the film's distances
         Corner at(const glm::vec2& pixel, const glm::vec3& parallax) const;
     };
     static BackgroundCell cellOf(const Corners& corners, glm::ivec2 low, glm::ivec2 high);
@@ -74,7 +73,7 @@ class BackgroundCells {
     std::vector<BackgroundCell> cells_;
     std::vector<size_t> rowBegins_;
     std::vector<int> columns_, rows_;      // edges, in pixels
-    std::vector<Corner> corners_, within_; // scratch: of the grid; of a divided cell
+    std::vector<Corner> corners_, within_; // scratch: of the grid's corners; of a divided cell's corners
 };
 
 } // namespace shoal::render

@@ -43,7 +43,7 @@ Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bo
 
 Status BackgroundPass::setUp(bool withLayers) {
     programs_ = gl::Variants("render/Background", kBackgroundDefines);
-    // Compiled now, so that a broken shader is known at the start.
+    // These programs are compiled now, so that a broken shader is reported at the start.
     for (const unsigned features : {0u, static_cast<unsigned>(kPolarBit)})
         if (auto program = programs_.get(kAsIs | features); !program) return program.error();
     if (withLayers) {

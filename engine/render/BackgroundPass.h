@@ -20,9 +20,9 @@ namespace shoal::render {
 // Objects as an eye sees them, to be put into the texels of the frame.
 struct TexelLayer {
     LayerPass& layer;
-    View view; // of the layer: a little wider than the picture
+    View view; // of the layer, a little wider than the picture's
     const FrameTiles& tiles;
-    bool filmed = false; // with the response of the frame's camera
+    bool filmed = false; // whether the layer gets the response of the frame's camera
 };
 
 class BackgroundPass {
@@ -38,17 +38,17 @@ class BackgroundPass {
     // Tiles: null where there is no layer; they and the environment's frame must live until draw().
     virtual void prepare(const EyePicture&, const FrameTiles*) {}
 
-    // Over the whole canvas, which is bound before and after: depth is neither tested nor changed. layer:
-    // null for the environment alone. The program for a tone curve that is new is compiled first.
+    // Draws over the whole canvas, which is bound before and after; neither tests nor changes depth. layer:
+    // null for the environment alone. Compiles the program for a new tone curve first.
     virtual Status draw(const EyePicture& picture, const TexelLayer* layer);
 
   protected:
     BackgroundPass() = default;
-    Status drawCells(const EyePicture& picture, const TexelLayer* layer); // those in drawn_
+    Status drawCells(const EyePicture& picture, const TexelLayer* layer); // draws the cells in drawn_
     void want(const FrameTiles& tiles, const BackgroundCell& cell); // marks the tiles that the cell shows
 
-    std::vector<CellToDraw> drawn_; // by OpenGL
-    std::vector<bool> wanted_;      // tiles
+    std::vector<CellToDraw> drawn_; // cells that OpenGL draws
+    std::vector<bool> wanted_;      // by tile
 
   private:
     struct Corner {

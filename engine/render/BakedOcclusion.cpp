@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 constexpr size_t kMaxParts = 64;
-constexpr float kMax_m = 100; // of a centre's coordinates and a semi-axis
+constexpr float kMax_m = 100; // largest magnitude of a centre's coordinate or a semi-axis
 constexpr uint64_t kMaxBytes = 8u << 20;
 
 template <class T> void addAll(Hash& hash, const std::vector<T>& values) {
@@ -37,7 +37,7 @@ template <class Model, class Each> void eachPrimitive(Model& model, Each&& each)
     }
 }
 
-// Throws, like the functions below, if the list is not of so many numbers of at most this magnitude.
+// Throws, like the functions below, unless the list has kCount numbers of at most this magnitude.
 template <int kCount> glm::vec<kCount, float> vectorFrom(const json& list, float maximum) {
     const auto numbers = list.get<std::vector<float>>();
     if (numbers.size() != kCount) throw std::length_error("has a vector of another length");
@@ -67,7 +67,7 @@ std::vector<glm::vec4> selfOcclusionFrom(const json& list) {
     if (list.size() % 4 != 0) throw std::length_error("has a self-occlusion cut short");
     std::vector<glm::vec4> selfOcclusion(list.size() / 4);
     for (size_t i = 0; i < list.size(); ++i) {
-        const auto step = list.at(i).get<double>(); // which no integer wraps around in
+        const auto step = list.at(i).get<double>(); // a double: integers do not wrap around in it
         if (!list[i].is_number_integer() || std::abs(step) > kMaxSelfOcclusionSteps)
             throw std::out_of_range("has a self-occlusion out of range");
         selfOcclusion[i / 4][static_cast<int>(i % 4)] = static_cast<float>(step / kSelfOcclusionSteps);

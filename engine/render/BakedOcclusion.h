@@ -13,10 +13,10 @@
 namespace shoal::render {
 
 struct BakedOcclusion {
-    uint64_t skin = 0;                      // skinHash() of the model that it is of
+    uint64_t skin = 0;                      // skinHash() of the model that it belongs to
     std::vector<occlusion::BodyPart> parts; // model frame, at rest; joint: the node that carries it
     // Primitive::selfOcclusion and selfOcclusionBesideOwn, one for each vertex in the model's order.
-    // besideOwn is empty for a body whose parts take no light from each other.
+    // besideOwn is empty for a body whose parts do not occlude each other.
     std::vector<glm::vec4> selfOcclusion, besideOwn;
 };
 
@@ -27,9 +27,9 @@ uint64_t skinHash(const scene::Model& model);
 Path bakedOcclusionBeside(const Path& model);
 
 constexpr double kSelfOcclusionSteps = 250;  // steps of 1 in the file: a step is a tenth of the error of rays
-constexpr int kMaxSelfOcclusionSteps = 2000; // either way: what is hidden is whole long before
+constexpr int kMaxSelfOcclusionSteps = 2000; // largest magnitude; total occlusion needs fewer
 
-// Fails where it is none: out of range, or not as long as it says.
+// Both fail if a value is out of range or a list has not the length that its model's entry says.
 Result<BakedOcclusion> parseBakedOcclusion(std::string_view text);
 Result<BakedOcclusion> readBakedOcclusion(const Path& file);
 

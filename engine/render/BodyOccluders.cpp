@@ -13,7 +13,7 @@ namespace shoal::render {
 
 namespace {
 
-// Of the cosine-weighted hemisphere: less is not worth a look, and twice as much counts in full.
+// Least share of the cosine-weighted hemisphere that counts; twice as much counts in full.
 constexpr float kMinShare = 0.01f;
 
 PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFromWorld, float strength,
@@ -28,8 +28,8 @@ PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFro
             .albedo = {albedo, 0}};
 }
 
-// Of the body's length that a part has moved against the first: an idle hand's fingers 0.12, one that holds a
-// fish more than 0.3.
+// How far a part has moved against the first, by the body's length: below kStill it counts as at rest. An
+// idle hand's fingers move 0.12, those of one that holds a fish more than 0.3.
 constexpr float kStill = 0.15f, kBent = 0.3f;
 
 occlusion::Ellipsoid transformed(const occlusion::Ellipsoid& e, const glm::mat4& to) {
@@ -76,7 +76,7 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
     const std::span own = ellipsoids(receiver);
     for (size_t b = 0; b < bodies_.size(); ++b) {
         const Body& body = bodies_[b];
-        // Beyond this even all of it takes less than is worth a look.
+        // Farther away than this the whole body together takes less than kMinShare.
         const float apart = glm::distance(body.bound.centre, self.bound.centre) - self.bound.radius;
         if (b == receiver || apart * apart * kMinShare > body.bound.radius * body.bound.radius) continue;
         for (size_t p = body.first; p < body.first + body.count; ++p) {
@@ -85,7 +85,7 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
             for (size_t mine = 0; mine < own.size(); ++mine)
                 nearest = std::min(nearest, glm::distance(shapes_[p].centre, own[mine].centre) -
                                                 sizes_[self.first + mine].reach);
-            // Counted from its middle, so that it goes on growing once they touch.
+            // The distance is that of the part's middle, so that the share goes on growing once they touch.
             const float away = std::max(nearest + part.size, 0.2f * part.size);
             const float share = part.size * part.size / (away * away);
             if (share > kMinShare) found_.push_back({share, p, b});

@@ -16,7 +16,7 @@ namespace {
 constexpr int kSlices = 8;       // along a body
 constexpr size_t kMaxParts = 32; // ellipsoids of a body that cast
 
-// Where a line across the silhouettes meets some; depth: of their middle, towards the light.
+// The part of a line across the silhouettes that lies within some; depth: of its middle, towards the light.
 struct Chord {
     float low = 0, high = 0, depth = 0;
 };
@@ -24,10 +24,10 @@ struct Chord {
 // An ellipsoid's silhouette on the plane at right angles to the way to the light: an ellipse.
 struct Silhouette {
     glm::vec3 centre{0};          // x and y on the plane, z towards the light
-    float xx = 0, xy = 0, yy = 0; // its symmetric matrix, whose eigenvalues are its semi-axes squared
-    float xz = 0;                 // the ellipsoid's own: how its middle rises along x
+    float xx = 0, xy = 0, yy = 0; // symmetric matrix; its eigenvalues are the squared semi-axes
+    float xz = 0;                 // of the ellipsoid's matrix: how its middle rises along x
 
-    // What a line of constant x meets.
+    // Returns the part of a line of constant x that lies within the ellipse.
     std::optional<Chord> chordAt(float x) const {
         const float from = x - centre.x, left = 1 - from * from / xx;
         if (!(left > 0)) return {};
@@ -48,7 +48,7 @@ Silhouette silhouetteOf(const occlusion::Ellipsoid& shape, const glm::vec3& x, c
     return seen;
 }
 
-// The direction between right and up in which the silhouettes extend furthest: of their second moments.
+// Returns the direction between right and up in which the silhouettes extend farthest, by second moments.
 glm::vec3 longestAxis(std::span<const occlusion::Ellipsoid> body, const glm::vec3& right,
                       const glm::vec3& up) {
     glm::vec2 middle(0);
@@ -79,8 +79,8 @@ float CastingLight::raised() const {
     return glm::smoothstep(0.3f, 0.5f, towards.y - tangent * level);
 }
 
-// Of the irradiance E on level ground the light gives s E, the rest is (1 - s) E; on another surface it gives
-// s E k, k the ratio of the cosines.
+// This light gives s E of the irradiance E of level ground and the rest (1 - s) E; on another surface this
+// light gives s E k, k the ratio of the cosines.
 glm::vec3 CastingLight::shareAt(float cosine) const {
     if (!(towards.y > 0)) return glm::vec3(0);
     const glm::vec3 given = share * (std::max(cosine, 0.0f) / towards.y);
@@ -145,10 +145,10 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
 
 namespace {
 
-constexpr float kLevel = 1;      // rise of a surface that a guess at it allows for, by what it goes aside
-constexpr float kHit_m = 0.004f; // gap that counts as none: less than the map's steps from 0.8 m on
+constexpr float kLevel = 1;      // steepest slope between two pieces' shadows that a guess allows for
+constexpr float kHit_m = 0.004f; // gap that counts as a hit: less than the map's steps from 0.8 m on
 
-// A ray before what a film shows.
+// A ray in the space that a film shows.
 struct FilmRay {
     const depth::DepthMap& map;
     glm::vec3 from, dir; // frame of the film
@@ -157,7 +157,7 @@ struct FilmRay {
         : map(*film.map), from(film.envFromWorld * (fromWorld - film.cameraWorld)),
           dir(film.envFromWorld * dirWorld) {}
 
-    // Metres that the surface lies behind the place s along the ray, seen from the film's camera.
+    // Returns by how many metres the surface lies behind the point at s, seen from the film's camera.
     float gapAt(float s) const {
         const glm::vec3 place = from + s * dir;
         const float distance = glm::length(place);
@@ -165,13 +165,13 @@ struct FilmRay {
     }
 };
 
-// The first of what the film shows that a ray meets, as metres along it; negative where there is nothing up
-// to reach_m, or nothing that is known. Behind an edge of the film nothing is known, and the ray goes on.
-// What begins within the surface, as a hand that touches it, meets it at once.
+// Returns how many metres along the ray it first meets what the film shows; negative if it meets nothing
+// known up to reach_m. Behind a depth edge of the film nothing is known, and the ray goes on. A ray that
+// begins inside the surface, as from a hand that touches it, meets it at once.
 float meet(const FilmRay& ray, float reach_m) {
     constexpr float kMinStep_m = 0.1f, kMaxStep_m = 0.5f;
-    constexpr float kTouch_m = 0.3f; // so far within a surface a ray begins at it
-    // A rise of the gap by this much for what a ray goes on is an edge: as of a surface seen at 4 degrees.
+    constexpr float kTouch_m = 0.3f; // greatest depth inside a surface at which a ray begins on it
+    // At an edge the gap changes by more than this per metre of ray, as on a surface seen at 4 degrees.
     constexpr float kEdge = 16;
     constexpr int kHalvings = 10;
     float before = 0, gapBefore = ray.gapAt(0);
@@ -181,8 +181,8 @@ float meet(const FilmRay& ray, float reach_m) {
         float gapLow = gapBefore, gapHigh = ray.gapAt(high);
         before = high, gapBefore = gapHigh;
         if (!(gapLow > 0 && gapHigh <= 0)) continue;
-        // False position, which finds a smooth surface at once; halves find an edge, and where what is
-        // known ends.
+        // False position, which finds a smooth surface at once, takes turns with halving, which finds an edge
+        // and the border of what is known.
         for (int k = 0; k < kHalvings; ++k) {
             const float part = k % 2 == 0 && std::isfinite(gapLow) ? gapLow / (gapLow - gapHigh) : 0.5f;
             const float middle = low + part * (high - low), gap = ray.gapAt(middle);
@@ -195,8 +195,8 @@ float meet(const FilmRay& ray, float reach_m) {
     return -1;
 }
 
-// The same where a ray close by meets the surface at guess: looks there first, no further off than within_m.
-// What only this ray meets before that is passed over.
+// As meet(), for a ray beside one that meets the surface at guess: looks there first, at most within_m away,
+// and ignores what only this ray meets before that.
 float meetNear(const FilmRay& ray, float guess, float within_m, float reach_m) {
     constexpr int kLooks = 4;
     float at = guess, gap = ray.gapAt(at), next = at + gap;
@@ -209,8 +209,8 @@ float meetNear(const FilmRay& ray, float guess, float within_m, float reach_m) {
     return std::abs(gap) < kHit_m && at >= 0 ? at : meet(ray, reach_m);
 }
 
-// How far a piece's shadow falls; negative: it meets nothing. groundBefore: where that of the piece beside it
-// fell, along the light's way.
+// Returns how far a piece's shadow falls, negative if it meets nothing. groundBefore: where the shadow of the
+// piece beside it fell, along the light's direction.
 float fallOf(const FilmSurface& film, const FlatPiece& piece, const CastingLight& light, float groundBefore) {
     const FilmRay ray(film, piece.middle, -light.towards);
     const float guess = groundBefore + glm::dot(piece.middle, light.towards);
@@ -223,7 +223,7 @@ float fallOf(const FilmSurface& film, const FlatPiece& piece, const CastingLight
 void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
                std::vector<Spot>& out) {
     out.clear();
-    float ground = -INFINITY; // where the last piece's shadow falls, along the light's way
+    float ground = -INFINITY; // where the last piece's shadow falls, along the light's direction
     for (const FlatPiece& piece : body) {
         const float fall = fallOf(film, piece, light, ground);
         if (fall < 0) continue;
@@ -238,7 +238,7 @@ float darkest(std::span<const Spot> spots, const CastingLight& light) {
     float hidden = 0;
     for (const Spot& spot : spots) {
         const float disc = std::max(light.discTangent() * spot.fall_m, kMinDisc_m);
-        // Its area on the disc's, where the product of strips is densest.
+        // Its area by the disc's; 1.27: density of the product of strips where it is densest.
         const float flat = 4 * spot.piece.halfAlong_m * spot.piece.halfAside_m;
         hidden += spot.fade * std::min(1.0f, flat * 1.27f / (std::numbers::pi_v<float> * disc * disc));
     }

@@ -34,69 +34,69 @@ namespace shoal::render {
 
 struct CastingLight {
     glm::vec3 towards{0, 1, 0}; // unit, world frame
-    float tangent = 0;          // of its radius
-    glm::vec3 share{0};         // of level ground's irradiance that it gives, 0 to 1
-    float presence = 1;         // to multiply what shadows take with, 0 to 1
+    float tangent = 0;          // tangent of its angular radius
+    glm::vec3 share{0};         // share of level ground's irradiance that it gives, 0 to 1
+    float presence = 1;         // factor for what shadows take, 0 to 1
 
-    // 1 where its lower edge is well above the horizon, falling to 0: of lower lights the share on level
-    // ground is too small to tell that on other surfaces.
+    // Returns 1 where the light's lower edge is well above the horizon, falling to 0: the share of a lower
+    // light on level ground is too small to tell its share on other surfaces.
     float raised() const;
-    // Of its radius, but of no light that is narrower than a sun's disc.
+    // Tangent of the radius that shadows are computed with: at least 0.01, about twice the sun's.
     float discTangent() const { return std::max(tangent, 0.01f); }
-    // Of the irradiance that it gives a surface, the cosine of the angle between whose normal and the way to
-    // the light is this. The other light is taken to be as much there as on level ground.
+    // Returns the light's share of the irradiance of a surface; cosine: between the surface's normal and the
+    // direction to the light. All other light is taken to be the same as on level ground.
     glm::vec3 shareAt(float cosine) const;
 };
 
-// What a frame of a film shows, by its distances.
+// The surfaces that a frame of a film shows, known by its distances.
 struct FilmSurface {
     const depth::DepthMap* map = nullptr; // never null where it is used
     glm::mat3 envFromWorld{1};            // a rotation
-    glm::vec3 cameraWorld{0.0f};          // the film's
+    glm::vec3 cameraWorld{0.0f};          // position of the film's camera
 };
 
-// The share of a disc of radius 1 before a line at t: C(t) as above, a polynomial, without calls.
+// Returns C(t) as above, the share of a unit disc before a line at t: a polynomial, without calls.
 inline float discBefore(float t) {
     const float c = std::min(std::max(t, -1.0f), 1.0f), c2 = c * c;
     return 0.5f + c * (0.65733645f + c2 * (-0.27372406f + c2 * (0.32543878f - c2 * 0.20905117f)));
 }
 
-// An ellipsoid's silhouette as the light sees it, as a rectangle of the same area.
+// A strip across a body's silhouette as seen from the light: a rectangle.
 struct FlatPiece {
     glm::vec3 middle{0};          // world frame
     glm::vec3 along{0}, aside{0}; // unit, at right angles to the way to the light and to each other
     float halfAlong_m = 0, halfAside_m = 0;
 };
 
-// Replaces out: pieces that share along and aside. body: world frame.
+// Replaces out by pieces that all have the same along and aside. body: world frame.
 void flatten(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
              std::vector<FlatPiece>& out);
 
-// The share of the light that a body hides from a place, 0 to 1. body: flattened for this light; place: world
-// frame.
+// Returns the share of the light that a body hides from a place, 0 to 1. body: flattened for this light;
+// place: world frame.
 float covered(std::span<const FlatPiece> body, const CastingLight& light, const glm::vec3& place);
 
-constexpr float kMinDisc_m = 1e-3f;  // of the light, seen from a place that a body touches
-constexpr float kMinShadow = 0.012f; // of a surface's light: three of 255 display values; less is not drawn
+constexpr float kMinDisc_m = 1e-3f;  // least radius of the light's disc, where a body touches a place
+constexpr float kMinShadow = 0.012f; // least share of light that is drawn: three of 255 display values
 
-constexpr float kShadowReach_m = 8; // that shadows fall; they fade over its last third
+constexpr float kShadowReach_m = 8; // how far shadows fall; they fade over the last third
 
-// Where the shadow of a body's piece falls on what a film shows.
+// The place where the shadow of a body's piece falls on what a film shows.
 struct Spot {
     FlatPiece piece;
-    float fall_m = 0;   // from the piece, along the light's way
-    float radius_m = 0; // at right angles to it, with the penumbra
-    float fade = 1;     // to multiply with what the piece hides: shadows end where they have fallen far
+    float fall_m = 0;   // distance from the piece, in the direction of the light
+    float radius_m = 0; // at right angles to that, with the penumbra
+    float fade = 1;     // factor for what the piece hides: shadows fade where they have fallen far
 
     glm::vec3 middle(const CastingLight& light) const { return piece.middle - fall_m * light.towards; }
 };
 
-// Replaces out. Pieces below which the film shows nothing, or nothing near enough, have no spot. body:
+// Replaces out. A piece has no spot if the film shows nothing below it, or nothing near enough. body:
 // flattened for this light.
 void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
                std::vector<Spot>& out);
 
-// The share of the light's disc that a body hides where its shadow is darkest, at most.
+// Returns an upper bound of the share of the light's disc that a body hides where its shadow is darkest.
 float darkest(std::span<const Spot> spots, const CastingLight& light);
 
 } // namespace shoal::render

@@ -10,13 +10,13 @@ namespace {
 // beyond its edge.
 constexpr float kLayerWidth = 1.02f;
 
-// Four samples cost two frames where the driver renders on the processor: there outlines are smoothed.
+// Four samples cost as much as two frames if the driver renders on the processor: it smooths outlines.
 int defaultSamples(const CompositorSetup& setup, Composition composition) {
     const bool filtered = setup.frameIsCoded && composition != Composition::MatchedResolution;
     return gl::rendersInSoftware() && filtered ? 1 : 4;
 }
 
-// What is left of it for an HDR frame.
+// Returns the composition that is possible: an HDR frame has no coded texels and no camera.
 Composition possible(const CompositorSetup& setup) {
     if (setup.frameIsCoded) return setup.composition;
     return setup.composition == Composition::VideoTexels      ? Composition::MatchedResolution
@@ -33,7 +33,7 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     made.smoothsLayers_ = setup.layerSamples == 0 && made.samples_ == 1;
     if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
-    // Objects in a frame's texels are filtered with them, but not those beside which an eye moves.
+    // Objects in a frame's texels are filtered with them, but an eye beside the film's camera sees none.
     made.smoothsOutlines_ =
         made.samples_ > 1 && made.drawsObjects() && (!setup.frameIsCoded || made.mayDrawIntoTexels());
     if (made.mayDrawIntoTexels() || made.composition_ == Composition::MatchedResolution ||
@@ -51,8 +51,8 @@ glm::ivec2 Compositor::layerSize(const EyePicture& picture) const {
                       picture.size(), static_cast<int>(rows));
 }
 
-// Else objects are drawn into the canvas: so too where the video is finer than that. Beside an HDR picture,
-// which no texel blurs, a canvas of one sample would leave stairs at their outlines.
+// Without a layer objects are drawn into the canvas, as where the video is finer than it. In front of an HDR
+// picture, which no texel blurs, a canvas of one sample would leave stairs at their outlines.
 bool Compositor::usesLayer(const EyePicture& picture) const {
     return drawsIntoTexels(picture) || (smoothsOutlines_ && picture.canvas.samples() == 1) ||
            ((mayDrawIntoTexels() || composition_ == Composition::MatchedResolution) &&
@@ -64,7 +64,7 @@ void Compositor::chooseTiles(const EyePicture& picture, CompositorScene& scene) 
                   scene.visibleSpheres(widened(picture.view, kLayerWidth)), picture.view.eyeWorld);
 }
 
-// Objects, and particles in front of them.
+// Draws objects, and particles in front of them, into the eye's layer.
 Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     const glm::ivec2 size = layerSize(picture);
     if (drawsIntoTexels(picture)) {
@@ -107,7 +107,7 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
     }
     glFlush(); // the background's pixels are drawn while the objects' vertices are shaded
     picture.canvas.bind();
-    // Every pixel is what the background left there: only the depth needs clearing.
+    // The background has filled every pixel: only the depth needs clearing.
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     if (Status s = scene.drawObjects(picture); !s) return s;
@@ -125,7 +125,7 @@ Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene
     for (const EyePicture& eye : eyes) {
         eye.canvas.bindColour();
         if (&eye != eyes.data() && drawsIntoTexels(eye)) chooseTiles(eye, scene);
-        // First, though objects hide some of it: testing the depth of every pixel costs more than that.
+        // First, though objects hide some of the background: testing every pixel's depth would cost more.
         if (Status s = drawBackground(eye, scene); !s) return s;
         if (Status s = drawForeground(eye, scene); !s) return s;
         if (afterEye) afterEye(eye);

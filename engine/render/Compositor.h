@@ -15,14 +15,14 @@
 
 namespace shoal::render {
 
-// What a compositor asks the scene to draw, into the framebuffer that is bound.
+// Draws what a compositor asks for into the bound framebuffer.
 class CompositorScene {
   public:
-    // With depth, which has been cleared. Colours are premultiplied by coverage.
+    // Draws with depth, which has been cleared. Colours are premultiplied by coverage.
     virtual Status drawObjects(const EyePicture& picture) = 0;
     virtual Status drawParticles(ParticlePass::On on, const EyePicture& picture) = 0;
     virtual gl::PassTimers& timers() = 0;
-    // Spheres that hold all objects in the view; world. Valid until the next call.
+    // Returns spheres that hold all objects in the view, world frame; valid until the next call.
     virtual std::span<const scene::Sphere> visibleSpheres(const View& view) = 0;
 
   protected:
@@ -32,8 +32,8 @@ class CompositorScene {
 struct CompositorSetup {
     Composition composition = Composition::Plain;
     Backend backend = Backend::Auto;
-    int layerSamples = 0;     // anti-aliasing of layers; 0: by driver and composition
-    bool frameIsCoded = true; // else HDR: nothing can be put into its texels, and no camera filmed it
+    int layerSamples = 0;     // samples a pixel in layers; 0: by driver and composition
+    bool frameIsCoded = true; // false: HDR; nothing can be put into its texels, and no camera filmed it
 };
 
 class Compositor {
@@ -44,8 +44,8 @@ class Compositor {
     // Draws each eye's picture; afterEye is called with its canvas bound.
     Status draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye);
 
-    // The depth of the objects that were just drawn in this picture, whether in the canvas or in a layer, and
-    // of the film, where it is known, into a framebuffer with depth; where there is none, the far plane's.
+    // Draws into a framebuffer with depth that of the objects just drawn in this picture, whether in the
+    // canvas or in a layer, and that of the film where it is known; elsewhere the far plane's.
     Status drawDepth(const EyePicture& picture, GLuint into);
 
     bool drawsObjects() const { return composition_ != Composition::BackgroundOnly; }
@@ -54,8 +54,8 @@ class Compositor {
     static bool showsFilm(const EyePicture& picture) { return picture.surroundings == Surroundings::Film; }
     bool filmed() const { return composition_ == Composition::CameraResponse; }
     bool mayDrawIntoTexels() const { return composition_ == Composition::VideoTexels || filmed(); }
-    // An eye beside the film's camera sees the frame's texels moved by their distances, and objects by
-    // theirs: they are in no texel then.
+    // An eye beside the film's camera sees texels and objects each moved by their own distance: objects then
+    // lie in no texel.
     bool drawsIntoTexels(const EyePicture& picture) const {
         return mayDrawIntoTexels() && showsFilm(picture) && !picture.filmSpace().depth;
     }
@@ -69,11 +69,11 @@ class Compositor {
 
     Composition composition_ = Composition::BackgroundOnly;
     std::unique_ptr<BackgroundPass> background_;
-    std::array<LayerPass, 2> layers_; // of the eyes; of objects in their own resolution or in texels
+    std::array<LayerPass, 2> layers_; // by eye; objects in their own resolution or in texels
     int samples_ = 1;                 // of the layers
-    bool smoothsLayers_ = false;      // outlines in layers that have one sample
-    bool smoothsOutlines_ = false;    // of objects in a canvas that has one sample
-    FrameTiles tiles_;                // of the eye drawn last
+    bool smoothsLayers_ = false;      // whether outlines in layers of one sample are smoothed
+    bool smoothsOutlines_ = false;    // whether objects in a canvas of one sample are smoothed
+    FrameTiles tiles_;                // for the eye drawn last
     std::optional<DepthPass> depth_;  // made when it is first needed
 };
 

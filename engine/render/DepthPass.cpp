@@ -17,7 +17,7 @@ void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2
     if (copySize_ != fromSize) {
         copySize_ = fromSize;
         copy_ = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
-        // As the target has it: depth is copied between equal formats only.
+        // The target's own format: depth is copied between equal formats only.
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, fromSize.x, fromSize.y, 0, GL_DEPTH_COMPONENT,
                      GL_UNSIGNED_INT, nullptr);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy_.name(), 0);
@@ -40,7 +40,7 @@ void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2
         program.set("rayShift", film->view.shift);
         program.set("planes", glm::vec2(film->view.near_m, film->view.far_m));
     }
-    glEnable(GL_DEPTH_TEST); // without it nothing is written
+    glEnable(GL_DEPTH_TEST); // depth is written only while it is tested
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

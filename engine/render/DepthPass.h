@@ -21,17 +21,17 @@ class DepthPass {
         const EnvironmentGpu& environment;
         const View& view;
         glm::mat3 envFromEye;
-        glm::vec3 eyeInFilm; // as EyePicture has it
+        glm::vec3 eyeInFilm; // as in EyePicture
     };
 
-    // Of one sample a pixel, the nearest, not filtered. part: of the target's width and height, about its
-    // middle. `into` has depth; its lowest left `size` pixels are filled. film: null where it has no depth.
+    // Copies each pixel's nearest sample, unfiltered. part: of the target's width and height, about its
+    // middle. Fills the lowest left `size` pixels of `into`, which has depth. film: null without distances.
     void draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size, const Film* film = nullptr);
 
   private:
     gl::Program plain_, filmed_;
     WholePicture picture_;
-    gl::Texture copy_; // without samples
+    gl::Texture copy_; // without multisampling
     gl::Framebuffer copyTarget_;
     glm::ivec2 copySize_{0};
 };

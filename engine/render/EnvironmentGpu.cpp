@@ -38,7 +38,7 @@ void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
     frameHeight_ = frame.height;
 }
 
-// Storage is reused while the size stays.
+// Uploads a new frame first; storage is reused while the size stays.
 GLuint EnvironmentGpu::frameTexture() const {
     if (uploaded_) return frame_.name();
     uploaded_ = true;

@@ -14,38 +14,38 @@
 
 namespace shoal::render {
 
-// Without storage yet; leaves it bound. Sampled as maps of the sphere are: columns repeat.
+// Returns a bound texture without storage, sampled as a map of the sphere: columns repeat.
 gl::Texture makeLatLongTexture();
 
 class EnvironmentGpu {
   public:
     EnvironmentGpu();
 
-    // The pixels must live until the next frame, or longer than this: they go into a texture only when that
-    // is asked for, which an implementation that samples them in memory rarely does.
+    // Sets the frame. Its pixels must live until the next frame, or longer than this: they are uploaded only
+    // when frameTexture() is called, which an implementation that samples them in memory rarely does.
     void setFrame(const DisplayFrame& frame);
     void setFrame(const ImageRgbF& radianceLin); // HDR environments; copied
-    // smooth: what bodies take from each other; env frame.
+    // smooth: the light that bodies hide from each other, env frame.
     void uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth = {});
 
-    // Light that port and lens scatter over the frame: squares of display values, lat-long.
+    // Uploads the light that port and lens scatter over the frame: squares of display values, lat-long.
     void uploadScattered(const ImageRgbF& light);
 
-    // How far off what the frame shows is; null: nobody knows. widened: by depth::widenNear(), as the frame
-    // is drawn for an eye beside its camera. All must live until the next frame.
+    // Sets the distances of what the frame shows; null: unknown. widened: the map after depth::widenNear(),
+    // for an eye beside the film's camera. All must live until the next frame.
     void setDepth(const depth::DepthMap* map, const depth::DepthMap* widened, const depth::DepthRange* range);
     const depth::DepthMap* depth() const { return depthMap_; }
     const depth::DepthMap* widenedDepth() const { return widenedDepth_; }
     const depth::DepthRange* depthRange() const { return depthRange_; }
-    // eyeInFilm: env frame, from the film's camera. Pairs with shaders/render/FilmDepth.glsl.
+    // Binds the distances for shaders/render/FilmDepth.glsl. eyeInFilm: env frame, from the film's camera.
     void bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const;
 
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
     int frameHeight() const { return frameHeight_; }
-    uint64_t frameNumber() const { return frameNumber_; } // of those set; 0: none yet
+    uint64_t frameNumber() const { return frameNumber_; } // number of frames set so far
     GLuint frameTexture() const;
-    const DisplayFrame& displayFrame() const { return displayFrame_; } // in memory; of coded frames only
+    const DisplayFrame& displayFrame() const { return displayFrame_; } // in memory; for coded frames only
 
     void bindLight(const gl::Program& program) const;       // the program must be in use
     bool lightIsScaled() const { return lightScale_ != 1; } // programs that use it need SCALED_LIGHT
@@ -55,7 +55,7 @@ class EnvironmentGpu {
 
     const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
 
-    // Of the smoothest filtered map: smoother surfaces look up the mirrors.
+    // Roughness of the smoothest filtered map: smoother surfaces look up the mirrors.
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
 
   private:
@@ -64,8 +64,8 @@ class EnvironmentGpu {
     const depth::DepthMap* widenedDepth_ = nullptr;
     const depth::DepthRange* depthRange_ = nullptr;
     DisplayFrame displayFrame_;
-    mutable bool uploaded_ = true;    // into frame_
-    mutable glm::ivec2 codedSize_{0}; // of frame_, where it holds coded texels
+    mutable bool uploaded_ = true;    // whether frame_ holds the newest frame
+    mutable glm::ivec2 codedSize_{0}; // size of frame_ while it holds coded texels
     int frameWidth_ = 0, frameHeight_ = 0;
     uint64_t frameNumber_ = 0;
     bool coded_ = true;
@@ -77,7 +77,7 @@ class EnvironmentGpu {
     occlusion::SmoothLight smooth_;
 };
 
-// Hands water to a program in use. Pairs with shaders/render/Water.glsl.
+// Passes the water to a program in use. Pairs with shaders/render/Water.glsl.
 inline void setWater(const gl::Program& program, const water::Water& water) {
     program.setArray("waterVeil[0]", water.veil);
     program.set("attenuation_perM", water.attenuation_perM);

@@ -15,10 +15,10 @@ namespace shoal::render {
 namespace {
 
 enum Feature : unsigned { kFilmed = 1, kShaded = 2 };
-constexpr float kFinest = 0.6f;            // texels
+constexpr float kFinest = 0.6f;            // texels a pixel
 constexpr float kUnseenNoise = 0.3f / 255; // standard deviation
-// A range of 16 to 235 that is shown as 0 to 255 lacks both ends in all channels. Where one end alone is
-// missing, it is the scene that has nothing as dark or as bright, and what is drawn may.
+// A video whose range of 16 to 235 is shown as 0 to 255 lacks both ends in all channels. Where only one end
+// is missing, the scene has nothing as dark or as bright, and objects may.
 constexpr float kMaxLift = 16.0f / 255, kMaxCut = 20.0f / 255, kMissing = 6.0f / 255;
 
 } // namespace

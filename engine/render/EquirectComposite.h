@@ -22,32 +22,32 @@
 
 namespace shoal::render {
 
-// As the video's own camera would have filmed them: where objects cover a part of a texel, light is mixed,
-// not coded values; port and lens scatter the light of what is around onto them; then come levels, shared
-// colours and the frame's own grain.
+// Objects are painted as the video's own camera would have filmed them: where they cover a part of a texel,
+// light is mixed, not coded values; port and lens scatter the light around onto them; then come levels,
+// shared colours and the frame's own grain.
 
-// Texels of the video to a pixel of the layer, so that painting it leaves objects' edges as soft as the
+// Returns how many texels of the video a pixel of the layer spans so that objects' edges are as soft as the
 // film's.
 //
-// Variances in texels^2: between a layer's pixels of k texels values are drawn straight, k^2 / 6, and where
-// it has several samples a pixel each is a mean over its square, k^2 / 12; the video's own texels are such
-// means, 1 / 12, and its camera's blur^2 comes on top. With one sample a pixel, as software renderers draw,
-// never finer than the video: twice the pixels took only a fifth off the distance to what is filmed.
+// Variances in texels^2: between a layer's pixels of k texels values are interpolated linearly, k^2 / 6; with
+// several samples each pixel is a mean over its square, k^2 / 12; the video's own texels are such means, 1 /
+// 12, and its camera's blur^2 is added. With one sample a pixel, as software renderers draw, a layer is never
+// finer than the video: twice the pixels made the error against filmed objects only a fifth smaller.
 float layerTexels(const camera::CameraResponse& response, int samples);
 
-// The noise that films have: 256 x 256 texels that repeat, two bytes each, of single texels and of squares of
-// 2 x 2; 0.5 is none, a standard deviation is kGrainDeviation.
+// The noise of films: 256 x 256 texels that repeat, two bytes each, for single texels and for squares of 2 x
+// 2; 0.5 is none, the standard deviation is kGrainDeviation.
 constexpr float kGrainDeviation = 0.125f;
 constexpr int kGrainSize = 256;
 std::vector<uint8_t> makeGrain();
 
-// How the frame's camera would have seen what is painted into it.
+// The response of a frame's camera, which is applied to what is painted into the frame.
 struct FilmedFrame {
     camera::CameraResponse response;
-    int64_t index = 0; // of the frame, whose grain is its own
+    int64_t index = 0; // of the frame, which selects its grain
 };
 
-// The same as shaders/render/EquirectComposite calls it.
+// The same response as uniforms of shaders/render/EquirectComposite.
 struct CameraUniforms {
     glm::vec3 black{0}, range{1};
     float glare = 0;
@@ -63,14 +63,14 @@ class EquirectComposite {
     static Result<EquirectComposite> make();
 
     // Writes the wanted tiles (indices as FrameTiles counts them). layer: a texture of display values,
-    // premultiplied, seen by layerView; nothing may be in it beside the chosen tiles. Leaves another
-    // framebuffer bound. Display-coded frames only. shadows: ShadowTexture's; 0: none. filmed: null for the
-    // layer as it is.
+    // premultiplied, seen by layerView; only the chosen tiles have objects in it. Leaves another framebuffer
+    // bound. Display-coded frames only. shadows: ShadowTexture's; 0: none. filmed: null paints the layer
+    // unchanged.
     void paint(const EnvironmentGpu& environment, const FrameTiles& tiles, const std::vector<bool>& wanted,
                GLuint layer, const View& layerView, const glm::mat3& envFromWorld,
                const FilmedFrame* filmed = nullptr, GLuint shadows = 0);
 
-    GLuint texture() const { return frame_.name(); } // undefined beside the tiles painted last
+    GLuint texture() const { return frame_.name(); } // undefined outside the tiles painted last
 
   private:
     std::array<gl::Program, 4> programs_; // by features

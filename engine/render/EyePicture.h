@@ -1,4 +1,4 @@
-// What the passes of an eye's picture have in common.
+// The input that all passes of an eye's picture share.
 #pragma once
 
 #include "engine/gl/Target.h"
@@ -24,17 +24,17 @@ struct EyePicture {
     int eye = 0;             // 0 left, 1 right
     bool sharesFrame = true; // both eyes see the same frame of the video
     FilmedFrame filmed;      // what the video's camera did to the frame
-    // Of the eye, from the film's camera, env frame: what the film shows is drawn at its distance, as far as
-    // it is known. 0: as if it were endlessly far, so that the eye sees what the camera saw.
+    // Position of the eye from the film's camera, env frame: the film is drawn at its distances, where they
+    // are known. 0: the film is drawn infinitely far away, so that the eye sees what the camera saw.
     glm::vec3 eyeInFilm{0};
-    const FilmShadows* shadows = nullptr; // on what the film shows, under the objects; null: none
+    const FilmShadows* shadows = nullptr; // on the film, under the objects; null: none
     SkippedPass skip = SkippedPass::None;
     Surroundings surroundings = Surroundings::Film;
 
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
-    // Those that there is anything of; null: none.
+    // Returns the shadows if there are any, else null.
     const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }
-    // How the eye sees the film in space; without distances where it sees what the camera saw.
+    // Returns the film's distances and the eye's position; no distances if the eye sees what the camera saw.
     FilmSpace filmSpace() const {
         if (eyeInFilm == glm::vec3(0) || !environment.widenedDepth()) return {};
         return {environment.widenedDepth(), eyeInFilm};

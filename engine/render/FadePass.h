@@ -1,4 +1,4 @@
-// Fading of a headset's picture to one colour. Pairs with shaders/render/Fade.
+// Fades a headset's picture to one colour. Pairs with shaders/render/Fade.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -12,7 +12,7 @@ class FadePass {
   public:
     static Result<FadePass> make();
 
-    // Over the bound framebuffer. amount: 0 leaves it as it is, 1 leaves nothing but the colour (display
+    // Draws over the bound framebuffer. amount: 0 keeps the picture, 1 leaves only the colour (display
     // values, premultiplied by alpha).
     void draw(const glm::vec4& colour, float amount);
 

@@ -13,11 +13,11 @@ namespace shoal::render {
 
 namespace {
 
-constexpr float kUnseen = 0.002f; // share of the light
-constexpr float kFar_m = 1e4f;    // stands for what nobody knows; no shadow falls so far
-constexpr int kSame = 2;          // codes: of texels that differ by so much the mean is taken
+constexpr float kUnseen = 0.002f; // share of the light that is not worth shading
+constexpr float kFar_m = 1e4f;    // stands for unknown distances; no shadow falls so far
+constexpr int kSame = 2;          // texels whose codes differ by no more than this are averaged
 
-// Adds what the piece hides from each of these places. disc: of the light, by the distance.
+// Adds what the piece hides from each of these places. disc: the light's radius by its distance.
 SHOAL_VECTORISE void hide(const FilmShadows::Occluder& piece, float disc, const float* along,
                           const float* aside, const float* up, size_t count, float* hidden) {
     for (size_t i = 0; i < count; ++i) {
@@ -42,12 +42,12 @@ Sphere sphereAround(std::span<const occlusion::Ellipsoid> body) {
     return sphere;
 }
 
-// Whether an eye sees anything of where a body's shadow can fall: spheres hold that, step by step. Most
-// bodies are beside the view, and this is found sooner than their shadows.
+// Returns whether an eye may see a place that a body's shadow can fall on: tests spheres that hold it, step
+// by step. Most bodies are outside the view, and this test is quicker than finding their shadows.
 bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const View> eyes) {
     constexpr int kSteps = 8;
     constexpr float kStep_m = kShadowReach_m / kSteps;
-    // A piece's middle is off by one radius at most along each axis, and its spot is as reachTiles() has it.
+    // A piece's middle is off by at most one radius along each axis; its spot is as in reachTiles().
     constexpr float kOff = std::numbers::sqrt3_v<float> + 2;
     for (int k = 0; k < kSteps; ++k) {
         const float end = static_cast<float>(k + 1) * kStep_m;
@@ -111,12 +111,12 @@ void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingL
                                    glm::mat3(spots_[0].piece.along, spots_[0].piece.aside, light.towards));
     findOccluders(light);
     reachTiles(light, eyes);
-    // A body that takes a little more than nothing comes in faintly.
+    // The shadow of a body that takes little more than kMinShadow is faint, so that it does not pop in.
     const float strength = light.presence * glm::smoothstep(kMinShadow, 2 * kMinShadow, taken);
     for (const glm::ivec2& tile : reached_) shadeTile(light, strength, tile);
 }
 
-// Around the spots: of a surface that rises by as much as it goes aside, a spot is longer.
+// Finds the tiles around the spots; a spot on a surface that slopes by 45 degrees is longer by sqrt(2).
 void FilmShadows::reachTiles(const CastingLight& light, std::span<const View> eyes) {
     reached_.clear();
     reachedBy_.resize(FrameTiles::kAll);
@@ -133,8 +133,8 @@ void FilmShadows::reachTiles(const CastingLight& light, std::span<const View> ey
     }
 }
 
-// In the light's frame. Codes are means of those around that are nearly the same: of a surface that slopes
-// little, whole numbers leave steps.
+// Computes the texels' places in the light's frame. Codes are averaged over neighbours that are nearly equal:
+// on a surface that slopes little, whole numbers leave steps.
 void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
     const Image<uint8_t, 1>& codes = film_.map->inverse;
     const auto count = static_cast<size_t>(high.x - low.x) * static_cast<size_t>(high.y - low.y);
@@ -168,8 +168,8 @@ glm::vec3 FilmShadows::placeAt(int x, int y) const {
     return distance_m_[*film_.map->inverse.at(x, y)] * directionAt(x, y);
 }
 
-// From the neighbours, along each axis the one that is nearer in depth: the other may lie beyond an edge.
-// So far apart that the map's steps tilt the normal little.
+// Takes the normal from neighbours, along each axis from the one that is nearer in depth: the other may lie
+// beyond an edge. They are so far apart that the map's steps tilt the normal little.
 float FilmShadows::cosineAt(int x, int y, const glm::vec3& towardsEnv) const {
     constexpr float kSpan_m = 0.25f;
     const Image<uint8_t, 1>& codes = film_.map->inverse;
@@ -197,7 +197,7 @@ void FilmShadows::findOccluders(const CastingLight& light) {
     occluders_.clear();
     for (const Spot& spot : spots_) {
         const glm::vec3 middle = spot.piece.middle - film_.cameraWorld;
-        // A little lower than where it meets the surface, which may slope.
+        // The lower end is a little below where the shadow meets the surface, which may slope.
         const float up = glm::dot(middle, light.towards), margin = 0.5f * spot.radius_m + 0.05f;
         occluders_.push_back({.along = glm::dot(middle, spot.piece.along),
                               .aside = glm::dot(middle, spot.piece.aside),
@@ -210,8 +210,8 @@ void FilmShadows::findOccluders(const CastingLight& light) {
     }
 }
 
-// By the nearest and the furthest of its texels: most tiles that a spot's sphere reaches lie before or behind
-// it.
+// Uses the nearest and the farthest of the tile's texels: most tiles that a spot's sphere reaches lie before
+// or behind it.
 FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec2& high) const {
     const Image<uint8_t, 1>& codes = film_.map->inverse;
     int least = 255, most = 0;
@@ -279,7 +279,7 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
     chooseAround(tile);
 }
 
-// A tile with its neighbours, whose outermost texels take from it where the map is enlarged.
+// Chooses a tile and its neighbours, whose outermost texels are mixed with its own where the map is enlarged.
 void FilmShadows::chooseAround(const glm::ivec2& tile) {
     for (int y = std::max(tile.y - 1, 0); y <= std::min(tile.y + 1, FrameTiles::kCount.y - 1); ++y)
         for (int x = tile.x - 1; x <= tile.x + 1; ++x) tiles_.choose({x, y});

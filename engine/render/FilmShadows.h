@@ -1,12 +1,12 @@
-// Where bodies shade what a film shows: what they leave of it, by direction from the film's camera.
+// Shadows of bodies on what a film shows, by direction from the film's camera.
 //
-// Of each texel of a film's distances the place is known, and what a body hides of the light from a place is
-// a closed form (CastShadow.h). So shadows are not drawn but worked out at the places themselves, once for
-// both eyes; whoever draws the film multiplies its texels with what is left before objects come over them.
+// The place of each texel of a film's distances is known, and what a body hides of the light from a place is
+// a closed form (CastShadow.h). So shadows are not drawn but computed at these places, once for both eyes;
+// the passes that draw the film multiply its texels by what is left, before they draw objects over them.
 //
 // Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the film is
-// multiplied by what the surface would send back shaded over what it sends back unshaded, never more than 1,
-// so that a wrong guess at the surface or the light is a faint mistake.
+// multiplied by what the surface reflects in shadow over what it reflects without, at most 1, so that a wrong
+// guess at the surface or the light is a faint mistake.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -22,32 +22,31 @@
 
 namespace shoal::render {
 
-// What of the display values of a surface is left where a shadow takes that share of its irradiance, 0 to 1.
-// Display values are taken for square roots of light (water/Water.h), but where frames are coded as the
-// thesis has them, whose radiance goes by display values where it is not bright (light/InverseToneMap.h). The
-// water between mixes squares, of which `arrives` comes through it; its own light, which is not dimmed, is
-// taken to be as bright as the surface.
+// Returns the factor for a surface's display values where shadows take `taken` (0 to 1) of its irradiance.
+// Display values are taken for square roots of light (water/Water.h), except in frames coded as in the
+// thesis, whose radiance is proportional to display values where it is not bright (light/InverseToneMap.h).
+// The water between mixes squares; arrives: the share that comes through it. The water's own light, which
+// shadows do not dim, is taken to be as bright as the surface.
 glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
 
 class FilmShadows {
   public:
-    // Once a frame: forgets the bodies of the last. The film must live until the last add(). Allocates
-    // nothing once there has been a map of that size.
+    // Begins a frame without bodies. The film must live until the last add(). Allocates for new sizes only.
     void begin(const FilmSurface& film, FrameCoding frames, const water::Water& water);
-    // body: world frame. What none of the eyes sees is left out; those beside the film's camera see a little
-    // more than it does from there.
+    // Adds the shadow of a body, world frame, as far as an eye sees it; what an eye beside the film's camera
+    // sees and the camera does not is never shaded.
     void add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
              std::span<const View> eyes);
 
-    bool empty() const { return empty_; } // since begin()
-    // Those in which something may be shaded.
+    bool empty() const { return empty_; } // whether nothing is shaded since begin()
+    // The tiles in which something may be shaded.
     const FrameTiles& tiles() const { return tiles_; }
-    // Lat-long, as fine as the distances; 255: all is left. Channels as DisplayFrame has them, blue first.
+    // What is left: lat-long, as fine as the distances; 255: all. Channels as in DisplayFrame, blue first.
     const Image<uint8_t, 4>& left() const { return left_; }
-    // Which shadows, since which begin(): tells whoever has a copy whether it is up to date.
+    // Identifies the shadows since one begin(): tells the owner of a copy whether it is up to date.
     struct Version {
         const FilmShadows* of = nullptr;
-        uint64_t number = 0; // of begin(), from 1 on
+        uint64_t number = 0; // counts begin(), from 1
         bool operator==(const Version&) const = default;
     };
     Version version() const { return {this, number_}; }
@@ -56,7 +55,7 @@ class FilmShadows {
     // camera.
     struct Occluder {
         float along, aside, up, halfAlong, halfAside;
-        float lowest, perFade; // what lies lower than this is beyond the surface that the shadow falls on
+        float lowest, perFade; // places below `lowest` are beyond the surface that the shadow falls on
         float share;
     };
 
@@ -67,17 +66,17 @@ class FilmShadows {
     struct Extent {
         glm::vec3 low, high;
     };
-    // Holds all places of a tile.
+    // Returns a box around all places of a tile.
     Extent extentOf(const glm::ivec2& low, const glm::ivec2& high) const;
     static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
-    bool hideInTile(const CastingLight& light); // whether anything is
+    bool hideInTile(const CastingLight& light); // returns whether anything is hidden
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
     void chooseAround(const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high);
-    // From the film's camera, env frame; a place where nothing is known is far away.
+    // Both are from the film's camera, env frame; a place of unknown distance is far away.
     glm::vec3 directionAt(int x, int y) const;
     glm::vec3 placeAt(int x, int y) const;
-    // Of the angle between the surface's normal at a texel of the map and a direction, env frame.
+    // Returns the cosine between the surface's normal at a texel of the map and towardsEnv.
     float cosineAt(int x, int y, const glm::vec3& towardsEnv) const;
 
     FilmSurface film_;
@@ -86,15 +85,16 @@ class FilmShadows {
     uint64_t number_ = 0;
     FrameTiles tiles_;
     Image<uint8_t, 4> left_;
-    std::vector<glm::vec2> columns_, rows_; // of the map: sine and cosine of longitude, of latitude
-    std::array<float, 256> distance_m_{};   // by a map's code
-    std::array<glm::vec3, 256> arrives_{};  // of light squared, through the water
-    glm::mat3 lightFromEnv_{1};             // of the body that is added: along, aside, up
-    std::vector<FlatPiece> pieces_;         // scratch: of one body
+    std::vector<glm::vec2> columns_,
+        rows_; // by the map's column and row: sine and cosine of longitude, of latitude
+    std::array<float, 256> distance_m_{};  // by the map's code
+    std::array<glm::vec3, 256> arrives_{}; // by code: share of light that comes through the water
+    glm::mat3 lightFromEnv_{1};            // for the body being added: along, aside, up
+    std::vector<FlatPiece> pieces_;        // scratch: of one body
     std::vector<Spot> spots_;
     std::vector<Occluder> occluders_;
-    std::vector<glm::ivec2> reached_; // tiles, by one body
-    std::vector<uint32_t> reachedBy_; // of each tile the last body, as they are counted
+    std::vector<glm::ivec2> reached_; // tiles that the body being added reaches
+    std::vector<uint32_t> reachedBy_; // by tile: the last body that reached it, counted by bodies_
     uint32_t bodies_ = 0;
     std::vector<float> along_, aside_, up_, hidden_; // of a tile's texels, in the light's frame
 };

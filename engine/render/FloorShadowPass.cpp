@@ -13,7 +13,7 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kMaxCells = 28; // along a shadow
+constexpr int kMaxCells = 28; // most cells along a shadow
 constexpr float kFinest_m = 0.03f;
 constexpr glm::vec3 kLuminance(0.2126f, 0.7152f, 0.0722f);
 
@@ -41,8 +41,8 @@ std::optional<Footprint> footprintOf(std::span<const FlatPiece> body, const Cast
     return found;
 }
 
-// Of the light that display cameras and eyes see. Radiance of frames that are coded as the thesis has them
-// goes by display values, the square roots of that (see leftOf()).
+// Returns the taken share of the light's luminance. Radiance of frames coded as in the thesis is proportional
+// to display values, the square roots of light (see leftOf()).
 float takenOf(const glm::vec3& share, FrameCoding frames) {
     const glm::vec3 left = 1.0f - share;
     return 1 - glm::dot(kLuminance, frames == FrameCoding::Srgb ? left : left * left);
@@ -69,7 +69,7 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
     const auto footprint = footprintOf(body_, light, floor_m);
     if (!footprint) return;
     const glm::vec2 size = footprint->high - footprint->low;
-    // Three nodes to a penumbra, between which what is taken can be taken for linear.
+    // Three nodes to a penumbra: between them the taken share is nearly linear.
     const glm::ivec2 cells = glm::clamp(glm::ivec2(glm::ceil(3.0f * size / footprint->softness_m)),
                                         glm::ivec2(1), glm::ivec2(kMaxCells));
     nodes_.clear();

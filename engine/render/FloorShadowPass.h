@@ -1,5 +1,5 @@
-// Shadows of bodies on the floor of the player's room, which others show: black, with an alpha of how much of
-// the floor's light they take. Pairs with shaders/render/FloorShadow.
+// Shadows of bodies on the floor of the player's own room, which the headset shows: black, with alpha the
+// share of the floor's light that they take. Pairs with shaders/render/FloorShadow.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -17,18 +17,18 @@ class FloorShadowPass {
   public:
     static Result<FloorShadowPass> make();
 
-    // Once a frame: forgets the bodies of the last.
+    // Begins a frame without bodies.
     void begin();
-    // body: world frame; what of it is below the floor casts nothing. floor_m: height, world. frames: whose
-    // light was found.
+    // Adds the shadow of a body, world frame; its parts below the floor cast none. floor_m: height, world.
+    // frames: coding of the frames in which the light was found.
     void add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light, float floor_m,
              FrameCoding frames);
 
-    // After the objects: under what they left in the picture, premultiplied, and behind what is nearer by its
-    // depth, which stays.
+    // Draws the shadows, after the objects: beneath the picture's premultiplied colours and behind what is
+    // nearer by its depth, which stays.
     void draw(const View& view);
 
-    // They hold the shadows; world.
+    // Spheres that hold the shadows, world frame.
     std::span<const Sphere> spheres() const { return spheres_; }
     bool empty() const { return triangles_.empty(); } // since begin()
 
@@ -42,8 +42,8 @@ class FloorShadowPass {
     TriangleBatch drawn_;
     std::vector<Node> triangles_; // of all bodies
     std::vector<Sphere> spheres_;
-    std::vector<FlatPiece> body_; // scratch: of one
-    std::vector<Node> nodes_;     // scratch: of one
+    std::vector<FlatPiece> body_; // scratch: of one body
+    std::vector<Node> nodes_;     // scratch: of one body
 };
 
 } // namespace shoal::render

@@ -8,7 +8,7 @@
 namespace shoal::render {
 
 namespace {
-constexpr float kMargin = 2; // texels that a layer's filter spreads an object by
+constexpr float kMargin = 2; // texels by which a layer's filter spreads an object
 } // namespace
 
 void FrameTiles::clear(const glm::ivec2& frameSize) {
@@ -18,7 +18,7 @@ void FrameTiles::clear(const glm::ivec2& frameSize) {
 
 CellRange FrameTiles::cellsOf(const glm::vec3& centreEnv, float radius) const {
     const float distance = glm::length(centreEnv);
-    // Around the camera: everywhere.
+    // A sphere around the camera covers every tile.
     const float halfAngle = distance > radius ? std::asin(radius / distance) : std::numbers::pi_v<float>;
     const float margin = kMargin * std::numbers::pi_v<float> / static_cast<float>(frameSize_.y);
     return cellsOfCap(kCount, distance > 0 ? centreEnv / distance : glm::vec3(0, 0, -1), halfAngle + margin);

@@ -1,4 +1,4 @@
-// Tiles of a lat-long frame's texels: in which of them objects may be.
+// Tiles of a lat-long frame: tells which of them may show objects.
 #pragma once
 
 #include "engine/math/LatLongCap.h"
@@ -17,20 +17,20 @@ namespace shoal::render {
 
 class FrameTiles {
   public:
-    // Of the frame: 16 x 16 texels of a 2048 x 1024 one. A row of texels bends by sin(2 latitude) / 16 of the
-    // square of a tile's longitude from the straight line that its rays are drawn on: a twentieth of a texel.
+    // Tiles of a frame; at 2048 x 1024, 16 x 16 texels each. A row of texels departs from the straight line
+    // of its rays by sin(2 latitude) / 16 of the square of a tile's longitude: a twentieth of a texel.
     static constexpr glm::ivec2 kCount{128, 64};
     static constexpr size_t kAll = size_t{128} * 64;
 
-    // Row by row; columns repeat.
+    // Returns the index of a tile, row by row; columns repeat.
     static size_t indexOf(int x, int y) {
         return static_cast<size_t>(y * kCount.x + (x + 2 * kCount.x) % kCount.x);
     }
 
-    // None.
+    // Chooses no tiles.
     void clear(const glm::ivec2& frameSize);
     void choose(const glm::ivec2& tile) { chosen_[indexOf(tile.x, tile.y)] = true; }
-    // visit(tile) of each of the cap behind which a sphere stands, seen from the frame's camera, and of a
+    // Calls visit(tile) for each tile of the cap that a sphere covers, seen from the frame's camera, and of a
     // margin about it.
     template <class Visit> void eachOfSphere(const glm::vec3& centreEnv, float radius, Visit&& visit) const {
         const CellRange range = cellsOf(centreEnv, radius);
@@ -39,28 +39,28 @@ class FrameTiles {
                 visit(glm::ivec2((x + 2 * kCount.x) % kCount.x, y));
     }
 
-    // The tiles of the caps behind which these spheres stand, and a margin about them.
+    // Chooses the tiles of the caps that these spheres cover, and of a margin about them.
     void choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
                 std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld);
 
     const glm::ivec2& frameSize() const { return frameSize_; }
     const std::vector<bool>& chosen() const { return chosen_; } // row by row; empty before choose()
 
-    // Where a tile begins, in texels; kCount: where the last ends.
+    // Returns a tile's first texel; of kCount: the end of the last tile.
     glm::ivec2 lowOf(const glm::ivec2& tile) const { return lowOf(tile, frameSize_); }
     static glm::ivec2 lowOf(const glm::ivec2& tile, const glm::ivec2& frameSize) {
         return tile * frameSize / kCount;
     }
 
-    // visit(tile) of each that is chosen.
+    // Calls visit(tile) for each chosen tile.
     template <class Visit> void eachChosen(Visit&& visit) const {
         for (int y = 0; y < kCount.y; ++y)
             for (int x = 0; x < kCount.x; ++x)
                 if (chosen_[indexOf(x, y)]) visit(glm::ivec2(x, y));
     }
 
-    // touch(index) of each tile that has a texel between these coordinates of the map, or beside one. Columns
-    // repeat: the seam is none.
+    // Calls touch(index) for each tile that has a texel between these coordinates of the map, or beside one.
+    // Columns repeat across the seam.
     template <class Touch>
     void eachBetween(const glm::vec2& low, const glm::vec2& high, Touch&& touch) const {
         const glm::vec2 texel = 1.0f / glm::vec2(frameSize_);
@@ -70,7 +70,7 @@ class FrameTiles {
             for (int x = first.x; x <= last.x; ++x) touch(indexOf(x, y));
     }
 
-    // Whether any of those has been chosen.
+    // Returns whether any of those tiles has been chosen.
     bool isChosen(const glm::vec2& low, const glm::vec2& high) const {
         if (chosen_.empty()) return false;
         bool found = false;

@@ -8,12 +8,12 @@ namespace shoal::render {
 
 namespace {
 
-// About 32 pixels each: laying over what is empty costs as much as what is not.
+// Cells of about 32 pixels each: laying over an empty one costs as much as any other.
 constexpr glm::ivec2 kCells(40, 24);
-// Of the picture's width: a larger layer saves less than laying it over takes.
+// Of the picture's width: a larger layer saves less time than laying it over takes.
 constexpr float kWorthIt = 0.85f;
 
-// Of a sphere's shadow on the line at distance 1, seen from a pinhole: `across` and `ahead` of its centre.
+// Finds where a sphere's tangents meet the line at distance 1; across, ahead: of its centre from the eye.
 bool tangents(float across, float ahead, float radius, float& low, float& high) {
     const float away = std::hypot(across, ahead);
     if (away <= radius) return false;
@@ -91,7 +91,7 @@ void LayerPass::smoothOutlines() {
     areNewer_ = true;
 }
 
-// Most frames are painted from the pixels alone.
+// Uploads smoothed pixels first: most frames are painted from the pixels alone.
 const gl::Target& LayerPass::layer() {
     if (areNewer_) {
         glBindTexture(GL_TEXTURE_2D, layer_->texture());
@@ -107,7 +107,7 @@ void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& 
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
     for (const scene::Sphere& sphere : spheres) {
         const Box box = boxAround(sphere.centre, sphere.radius, view);
-        // Half a texel more on each side, which the filter reaches.
+        // The margin is half a texel on each side, which the filter reaches.
         const glm::vec2 margin = 1.0f / glm::vec2(size());
         const auto cellOf = [](const glm::vec2& place) {
             return glm::ivec2(glm::floor((glm::clamp(place, -1.5f, 1.5f) * 0.5f + 0.5f) * glm::vec2(kCells)));
@@ -122,7 +122,7 @@ void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& 
 void LayerPass::unmarkEmpty() {
     const glm::ivec2 size = this->size();
     const auto isEmpty = [&](const glm::ivec2& cell) {
-        // And a texel more on each side, which the filter reaches.
+        // The range has a texel more on each side, which the filter reaches.
         const glm::ivec2 low = glm::max(cell * size / kCells - 1, 0);
         const glm::ivec2 high = glm::min((cell + 1) * size / kCells + 2, size);
         for (int y = low.y; y < high.y; ++y) {

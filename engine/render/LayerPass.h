@@ -1,5 +1,5 @@
-// An off-screen picture of the objects alone, at a resolution of its own. Laid over the background it is
-// enlarged as the background's texels are. Pairs with shaders/render/Layer.
+// An off-screen picture of the objects alone, at a resolution of its own. Where it is laid over the
+// background it is enlarged as the background's texels are. Pairs with shaders/render/Layer.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -15,44 +15,44 @@
 
 namespace shoal::render {
 
-// A part of the picture: -1 to 1, right and up positive.
+// A rectangle of the picture: -1 to 1, right and up positive.
 struct Box {
     glm::vec2 low{-1}, high{1};
 };
 
-// Around the sphere's outline; all of the picture where the sphere surrounds the eye. May reach beyond the
-// edges.
+// Returns the box around a sphere's outline; all of the picture if the sphere surrounds the eye. It may reach
+// beyond the edges.
 Box boxAround(const glm::vec3& centreWorld, float radius, const View& view);
 
-// How large a picture of `pixels` has to be drawn to show as many pixels in its middle, where a picture of a
-// plane is coarsest, as a lat-long frame of so many rows has: never more than `pixels`.
+// Returns the size, at most `pixels`, at which a picture has to be drawn to be as fine in its middle, where a
+// picture of a plane is coarsest, as a lat-long frame of frameRows rows.
 glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows);
 
-// The same eye with an image plane so much larger (1: equal).
+// Returns the view of the same eye with an image plane larger by factor.
 View widened(const View& view, float factor);
 
 class LayerPass {
   public:
     static Result<LayerPass> make();
 
-    // What is drawn next goes into the layer, which is empty: colours premultiplied by alpha.
+    // Empties the layer; what is drawn next goes into it, with colours premultiplied by alpha.
     void begin(glm::ivec2 size, int samples);
 
-    // Nothing more is drawn into it; leaves another framebuffer bound.
+    // Ends drawing into the layer; leaves another framebuffer bound.
     void end() const { layer_->resolve(); }
 
-    // Instead of more samples a pixel, after end(): what is in it with smoother outlines. Waits until it is
-    // drawn: for software renderers.
+    // Smooths outlines in the layer after end(), instead of more samples a pixel. Waits until it is drawn:
+    // for software renderers.
     void smoothOutlines();
 
-    // Over the bound framebuffer, wherever one of the spheres is seen: there must be nothing in the layer
-    // beside them. Where its pixels have been read, only the cells of the picture in which there are any.
+    // Lays the layer over the bound framebuffer wherever one of the spheres is seen; the layer must be empty
+    // elsewhere. If its pixels have been read, draws only the cells of the picture that are not empty.
     void layOver(std::span<const scene::Sphere> spheres, const View& view);
 
-    // After begin().
+    // Valid after begin().
     glm::ivec2 size() const { return {layer_->width(), layer_->height()}; }
     const gl::Target& layer();
-    // After end(): of the layer, blue first, from the lowest row; read once, waiting until it is drawn.
+    // Returns the pixels after end(), blue first, from the lowest row; waits for them on the first call.
     const std::vector<uint32_t>& pixels();
     const Coverage& coverage(); // of the pixels; smoothed outlines reach one pixel further
 
@@ -67,11 +67,11 @@ class LayerPass {
     int samples_ = 0;
     OutlineSmoother smoother_;
     std::vector<uint32_t> pixels_;   // of the layer
-    Coverage coverage_;              // of these
-    bool areRead_ = false;           // since begin()
-    bool areNewer_ = false;          // than what is in the layer's texture
+    Coverage coverage_;              // of pixels_
+    bool areRead_ = false;           // whether pixels_ has been read since begin()
+    bool areNewer_ = false;          // whether pixels_ is newer than the layer's texture
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture
-    std::vector<glm::vec2> corners_; // scratch: of their triangles
+    std::vector<glm::vec2> corners_; // scratch: of these cells' triangles
 };
 
 } // namespace shoal::render

@@ -13,9 +13,9 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kFine = 1024; // texels across of a map that is halved where detail is lean
+constexpr int kFine = 1024; // texels across; maps as wide are halved where detail is lean
 
-struct FixedVertex { // what morphing leaves alone
+struct FixedVertex { // attributes that morphing leaves unchanged
     glm::vec4 tangent{1, 0, 0, 1};
     glm::vec2 uv0{0}, uv1{0};
     glm::vec4 colour{1}; // linear or coded, as the reflectance is
@@ -43,7 +43,7 @@ glm::vec4 coded(const glm::vec4& lin) {
     return {glm::pow(glm::max(glm::vec3(lin), 0.0f), glm::vec3(1 / 2.2f)), lin.a};
 }
 
-// vertices: which of the primitive's, in this order.
+// vertices: indices of the primitive's vertices to upload, in this order.
 DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectance,
                        std::span<const uint32_t> vertices, std::span<const uint32_t> indices) {
     DetailGpu gpu;
@@ -120,7 +120,7 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
 }
 
 GLint wrapMode(scene::Texture::Wrap wrap) {
-    constexpr GLint kModes[] = {GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE}; // as they are numbered
+    constexpr GLint kModes[] = {GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE}; // in the order of Wrap
     return kModes[static_cast<size_t>(wrap)];
 }
 
@@ -163,7 +163,7 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
         const bool smaller = detail == Detail::Lean && texels.width >= kFine;
         slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
     };
-    // Not of materials that another variant wears.
+    // Materials that only another variant wears need no textures.
     std::vector<bool> isUsed(model.materials.size());
     for (const scene::Mesh& mesh : model.meshes)
         for (const scene::Primitive& primitive : mesh.primitives)

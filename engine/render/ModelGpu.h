@@ -17,18 +17,18 @@ struct DetailGpu {
     gl::Buffer vertices, indices,
         morphable; // morphable: position and normal, rewritten as the weights change
     GLsizei indexCount = 0;
-    float error = 0; // how far the surface lies off at most, in the mesh's units
+    float error = 0; // greatest distance of the surface from the finest one, in the mesh's units
 };
 
 struct PrimitiveGpu {
     std::vector<DetailGpu> details; // finest first; at least one
     int material = -1;
     bool skinned = false;
-    bool coloured = false;          // by the vertex
-    bool withSelfOcclusion = false; // hides something of the world from itself
+    bool coloured = false;          // by vertex colours
+    bool withSelfOcclusion = false; // whether it hides something of the world from itself
     scene::Gloss gloss;             // of its material
 
-    // The coarsest that is off by no more than this, in the mesh's units.
+    // Returns the coarsest level whose error is at most `tolerance`, in the mesh's units.
     const DetailGpu& detail(float tolerance) const;
 };
 
@@ -36,18 +36,18 @@ struct MeshGpu {
     std::vector<PrimitiveGpu> primitives;
 };
 
-// In which space surfaces scale light. The thesis' inverse tone mapping scales a video's coded values as they
-// come, so its "radiance" is still gamma-coded, and since coding is nearly a power, code(a L) = code(a)
+// The space in which surfaces scale light. The thesis' inverse tone mapping scales a video's coded values
+// directly, so its "radiance" is still gamma-coded, and since coding is nearly a power, code(a L) = code(a)
 // code(L): a surface of reflectance a must scale it by a's coded value. Light that was measured linear is
 // scaled by a itself.
 enum class Reflectance { Linear, Coded };
 
-// Of one material in such a model: an unlit one scales no light.
+// Returns the space for one material of such a model: an unlit one scales no light.
 inline Reflectance reflectanceFor(const scene::Material& material, Reflectance ofLit) {
     return material.unlit ? Reflectance::Linear : ofLit;
 }
 
-// Per Model::textures; empty where a texture is not used in that way.
+// By index into Model::textures; empty where a texture is not used in that way.
 struct TexturesGpu {
     std::vector<gl::Texture> colour; // sRGB, decoded by the sampler
     std::vector<gl::Texture> data;   // values as stored
@@ -64,14 +64,14 @@ struct ModelGpu {
     }
 };
 
-// Lean: what a software renderer gains most by and hardly anybody sees in a moving picture. Textures come
+// Lean leaves out what costs a software renderer most and is hardly seen in a moving picture. Textures come
 // from the nearest mip level (linear within it), large normal maps have half the texels, roughness and
 // metalness are a material's means, the nearest of the glossy maps stands for a mixture of two, diffuse light
-// comes by the vertex, shapes may be 1.6 pixels off, and what does not fill the picture has no relief and
-// all its light by the vertex.
+// is computed by the vertex, surfaces may be 1.6 pixels off, and an object that does not fill the picture has
+// no relief and all its light by the vertex.
 enum class Detail { Full, Lean };
 
-// textures: of another model with the same pictures and materials, to be shared; else they are made.
+// textures: shared with another model that has the same pictures and materials; null: new ones are made.
 ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail = Detail::Full,
                      std::shared_ptr<const TexturesGpu> textures = nullptr);
 

@@ -22,7 +22,7 @@ std::span<const Sphere> ObjectBounds::partsOf(const Object& object) const {
     return std::span(parts_).subspan(object.firstPart, object.partCount);
 }
 
-// By its parts: the sphere around an arm holds the eye, and reaches into views that the arm does not.
+// Tests the parts: the sphere around an arm holds the eye, and reaches into views that the arm does not.
 ObjectBounds::Seen ObjectBounds::seenIn(const View& view, const Object& object) const {
     Seen seen;
     if (!sees(view, object.whole)) return seen;
@@ -39,8 +39,8 @@ ObjectBounds::Seen ObjectBounds::seenIn(const View& view, const Object& object) 
     return seen;
 }
 
-// By the film's range within the caps behind which the object's parts stand, widened by what an eye beside
-// the camera sees past their edges.
+// Compares distances with the film's range within the caps that the object's parts cover, widened by what an
+// eye beside the camera sees past their edges.
 BehindFilm ObjectBounds::behindFilm(const Object& object, const EyePicture& picture) const {
     const depth::DepthRange* range = picture.environment.depthRange();
     if (!range) return BehindFilm::Nothing;
@@ -48,7 +48,7 @@ BehindFilm ObjectBounds::behindFilm(const Object& object, const EyePicture& pict
     const auto behind = [&](const Sphere& part) {
         const glm::vec3 away = part.centre - picture.view.eyeWorld;
         const float distance = glm::length(away), radius = part.radius;
-        // Distances from the film's camera and from the eye differ by at most what lies between them.
+        // Distances from the film's camera and from the eye differ by at most the distance between these.
         if (distance + radius + beside <= depth::kNearest_m) return BehindFilm::Nothing;
         if (distance <= radius) return BehindFilm::Perhaps;
         const float halfAngle = std::asin(radius / distance) + beside / depth::kNearest_m;

@@ -1,4 +1,4 @@
-// Where the objects of a frame are, by spheres: which of them a view sees, and which the film hides.
+// Bounds the objects of a frame by spheres, to find which of them a view sees and which the film hides.
 #pragma once
 
 #include "engine/render/EyePicture.h"
@@ -9,34 +9,34 @@
 
 namespace shoal::render {
 
-// Whether the film has something that is nearer than an object.
+// How much of an object lies behind nearer parts of the film.
 enum class BehindFilm { Nothing, Perhaps, All };
 
-// Nothing allocates once the vectors have grown.
+// Allocates nothing once the vectors have grown.
 class ObjectBounds {
   public:
     void clear();
-    // Spheres in the world: whole holds the object; parts are smaller ones that hold it all together, none if
-    // they are not known. Its number, from 0 on.
+    // Adds an object and returns its index, from 0. World frame: `whole` holds the object; parts are smaller
+    // spheres that together hold it, none if they are not known.
     size_t add(const Sphere& whole, std::span<const Sphere> parts);
 
     const Sphere& whole(size_t object) const { return objects_[object].whole; }
 
     struct Seen {
         bool any = false;
-        float nearest_m = INFINITY; // from the eye to the nearest of the parts in the view
-        // Its radius per distance; where its sphere holds the eye, the largest of these parts'.
+        float nearest_m = INFINITY; // distance from the eye to the nearest part in the view
+        // Its radius by distance; if its sphere holds the eye, the largest ratio among these parts.
         float slope = 0;
-        BehindFilm behind = BehindFilm::Nothing; // in the player's room nothing of the film hides
+        BehindFilm behind = BehindFilm::Nothing; // Nothing in the player's room, where the film is not seen
     };
-    void seenIn(const EyePicture& picture, std::vector<Seen>& out) const; // of each object
-    // Adds spheres that hold all that is in the view.
+    void seenIn(const EyePicture& picture, std::vector<Seen>& out) const; // one for each object
+    // Adds spheres that together hold all that is in the view.
     void addVisible(const View& view, std::vector<Sphere>& out) const;
 
   private:
     struct Object {
         Sphere whole;
-        size_t firstPart, partCount; // of parts_; one at least
+        size_t firstPart, partCount; // range of parts_; at least one
     };
     std::span<const Sphere> partsOf(const Object& object) const;
     Seen seenIn(const View& view, const Object& object) const;

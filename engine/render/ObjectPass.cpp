@@ -15,8 +15,8 @@ namespace shoal::render {
 
 namespace {
 
-// What a primitive needs of the shader, by the name that the shader asks for; each set is compiled once, when
-// it is first seen. Those from SHOW_NORMALS on as ShownQuantity orders them.
+// Features that a primitive may need of the shader, by the shader's names; each set is compiled when it is
+// first seen. Those from SHOW_NORMALS on are in the order of ShownQuantity.
 #define SHOAL_FEATURES(F)                                                                                    \
     F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
         F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER),                \
@@ -50,7 +50,7 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
     return features;
 }
 
-// Of a whole draw.
+// Returns the features that a whole draw needs.
 unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy glossy) {
     unsigned features = toneFeatures(exposure);
     if (glossy == Glossy::PhongRings) features |= PHONG_RINGS;
@@ -58,18 +58,18 @@ unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy 
     return features;
 }
 
-// World metres that no one sees from so far away.
+// Returns the size in world metres that cannot be seen from so far away.
 float toleranceAt(float distance_m, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
     const float unseen_px = detail == Detail::Lean ? 1.6f : 0.5f;
-    constexpr float kNearest_m = 0.2f; // of what an eye inside of a sphere looks at, such as its own arm
+    constexpr float kNearest_m = 0.2f; // to what an eye within a sphere looks at, such as its own arm
     return std::max(distance_m, std::max(view.near_m, kNearest_m)) * 2 * view.halfExtent().y /
            static_cast<float>(view.heightPixels) * unseen_px;
 }
 
-// Whether relief may be left out and light come by the vertex. Over a whole picture of a dive, hands and all,
-// that differs by 0.1 % root mean square; only what comes so near that it fills the picture shows its relief.
-// slope: of the radius to the distance.
+// Returns whether relief may be left out and light be computed by the vertex. Over a whole picture of a dive,
+// hands included, that differs by 0.1 % root mean square; only objects so near that they fill the picture
+// show their relief. slope: radius by distance.
 bool isSmall(float slope, const View& view) {
     constexpr float kSmall = 0.42f; // radius, of the picture's height
     return view.heightPixels > 0 && slope < kSmall * 2 * view.halfExtent().y;
@@ -84,8 +84,8 @@ gl::Texture makeDfgTable() {
     return texture;
 }
 
-// Of radiance's harmonics: each by its basis function's factor and by what a matte surface leaves of its
-// band, over pi (Ramamoorthi and Hanrahan 2001).
+// Returns a matte surface's light from radiance's harmonics: each times its basis function's factor and what
+// a matte surface leaves of its band, over pi (Ramamoorthi and Hanrahan 2001).
 depth::LightHarmonics matteFactors(const depth::LightHarmonics& radiance) {
     depth::LightHarmonics matte;
     for (size_t i = 0; i < matte.size(); ++i) {
@@ -103,7 +103,7 @@ gl::Texture makeWhite() {
     return texture;
 }
 
-// What only the fragment shader reads.
+// Returns whether a material has maps that only the fragment shader reads.
 bool hasLayerMaps(const scene::Material& material) {
     return material.specular.texture >= 0 || material.specularColour.texture >= 0 ||
            material.coat.texture >= 0 || material.coatRoughness.texture >= 0;
@@ -138,7 +138,7 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity
     GLint alignment = 256;
     glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
     pass.matrixAlignment_ = static_cast<size_t>(std::max(alignment, 16));
-    // Compiled now, so that a broken shader is known at the start and not when the first object appears.
+    // Compiled now, so that a broken shader is reported at the start and not when the first object appears.
     pass.programs_ = gl::Variants("render/Object", kObjectDefines);
     auto program = pass.programFor(0);
     if (!program) return program.error();
@@ -232,7 +232,7 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
     return program;
 }
 
-// Replaces order_ by what is in the view and not behind the film.
+// Replaces order_ by the items that are in the view and not behind the film.
 void ObjectPass::sortVisible(const EyePicture& picture) {
     const bool inRoom = picture.surroundings == Surroundings::Room;
     bounds_.seenIn(picture, seen_);
@@ -252,7 +252,7 @@ void ObjectPass::sortVisible(const EyePicture& picture) {
     std::sort(order_.begin(), order_.end());
 }
 
-// Of the shader, for one item; shared: what all of a picture have in common.
+// Returns the shader's features for one item; shared: those that all items of a picture have.
 unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture,
                                  Glossy glossy) const {
     const Item& item = items_[next.item];
@@ -279,7 +279,7 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
     return features;
 }
 
-// What all items that are drawn with it in this picture have in common.
+// Sets the uniforms that all items drawn with the program in this picture share.
 void ObjectPass::use(const gl::Program& program, unsigned features, const EyePicture& picture,
                      const water::Water& water) const {
     program.use();
@@ -304,9 +304,9 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
                             (detail_ == Detail::Lean ? LEAN : 0u) |
                             (picture.environment.lightIsScaled() ? SCALED_LIGHT : 0u);
     const gl::Program* current = nullptr;
-    // What swims behind something, or comes out from there, needs another program. They are compiled one a
-    // picture from the first on: a graphics driver takes a quarter to half a second for one, in which the
-    // game would stand still. Lean ones, for software renderers, take 20 ms.
+    // An object that swims behind something, or comes out from there, needs another program. One of these is
+    // compiled per picture from the first on: a graphics driver takes a quarter to half a second for it, in
+    // which the game would stand still. Lean ones, for software renderers, take 20 ms.
     const bool filmHides = picture.environment.depth() && picture.surroundings != Surroundings::Room;
     std::optional<unsigned> soon;
     for (const ToDraw& next : order_) {

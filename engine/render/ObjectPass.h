@@ -21,45 +21,45 @@ namespace shoal::render {
 
 class ObjectPass {
   public:
-    // occlusion: bodies take light from each other.
+    // occlusion: whether bodies take light from each other.
     static Result<ObjectPass> make(Detail detail = Detail::Full, bool occlusion = true,
                                    ShownQuantity shown = ShownQuantity::Light);
 
-    // From now on all that is drawn is one body, at rest in the world, that takes light from itself by rays
-    // through these layers and not by ellipsoids, baked values or occlusion maps; null: none. Needs
-    // OpenGL 4.3, Detail::Full. Must live until draw().
+    // Makes all that is drawn from now on one body, at rest in the world, that takes light from itself by
+    // rays through these layers and not by ellipsoids, baked values or occlusion maps; null: none. Needs
+    // OpenGL 4.3 and Detail::Full. The layers must live until draw().
     void setLayers(const occlusion::LayersGpu* layers) { layers_ = layers; }
 
-    // A posed model. model and gpu must live until draw(), all else is copied.
+    // A posed model. model and gpu must live until draw(); the rest is copied.
     struct Object {
         const scene::Model& model;
         const ModelGpu& gpu;
         const scene::Pose& pose;
         glm::mat4 worldFromModel = glm::mat4(1);
-        Sphere bound;                        // world; holds the posed model: outside the view it is not drawn
-        std::span<const Sphere> parts = {};  // smaller spheres that hold it all together; empty: not known
-        const BodyOccluders* body = nullptr; // what it takes of others' light, and they of its; null: nothing
-        float highlight = 0;                 // 0 to 1, of a rim that marks it for the player
-        bool isInRoom = false; // it stands for what is in the player's room as well, such as a hand
-        // Its light beyond that of the film's camera; null: none. In the player's room it is left out.
+        Sphere bound;                        // world; holds the posed model; outside the view it is not drawn
+        std::span<const Sphere> parts = {};  // smaller spheres that together hold it; empty: unknown
+        const BodyOccluders* body = nullptr; // its occluders; null: takes no light and loses none
+        float highlight = 0;                 // strength of a rim that marks it for the player, 0 to 1
+        bool isInRoom = false; // whether it stands for something in the player's room, such as a hand
+        // Its light minus that at the film's camera; null: none. Not used in the player's room.
         const depth::LightHarmonics* beside = nullptr;
     };
 
     void begin();
-    void add(const Object& object); // every mesh of it
-    // Sends what was added to the graphics side. Light's frame is env.
+    void add(const Object& object); // all meshes of it
+    // Uploads what was added. Light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
-    // Opaque objects front to back, then blended ones back to front.
-    // What of the film is nearer than an object hides it. In the player's room nothing of the film does, and
-    // what is there as well only hides what is behind it: it leaves depth alone.
+    // Draws opaque objects front to back, then blended ones back to front. Nearer parts of the film hide
+    // objects; in the player's room they do not. There an object that is in the room draws only depth, so
+    // that it hides what is behind it.
     Status draw(const EyePicture& picture, const water::Water& water, Glossy glossy);
 
     const ObjectBounds& bounds() const { return bounds_; } // of what was added since begin()
 
     // The bodies of what was added since begin(), as ellipsoids.
     const NearBodies& bodies() const { return near_; }
-    bool isInRoom(size_t body) const { return inRoom_[body]; } // as its Object said
+    bool isInRoom(size_t body) const { return inRoom_[body]; } // from its Object
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
@@ -70,11 +70,11 @@ class ObjectPass {
         const ModelGpu* gpu;
         const PrimitiveGpu* primitive;
         size_t object;       // in the order of add()
-        size_t matrixOffset; // bytes into the buffer of matrices
-        float scale;         // world metres for one of the mesh's units
-        bool mirrored;       // by its transform: what was counter-clockwise is clockwise (glTF 2.0, 3.7.4)
-        int body;            // of near_; -1: none
-        glm::vec3 albedo;    // mean, of the body that self-occlusion
+        size_t matrixOffset; // bytes, in the buffer of matrices
+        float scale;         // world metres per unit of the mesh
+        bool mirrored;       // whether its transform turns triangles clockwise (glTF 2.0, 3.7.4)
+        int body;            // index in near_; -1: none
+        glm::vec3 albedo;    // mean, of the body that occludes itself
         float highlight;
         bool isInRoom;
     };
@@ -82,20 +82,20 @@ class ObjectPass {
     enum class Stage { DepthAlone, Opaque, Blended };
     struct ToDraw {
         Stage stage;
-        float order; // within it
-        bool cut;    // by what of the film is nearer
+        float order; // within the stage
+        bool cut;    // whether nearer parts of the film may hide some of it
         size_t item;
         auto operator<=>(const ToDraw&) const = default;
     };
 
-    struct Shade {              // what takes light from a body
-        size_t offset = 0;      // bytes into the buffer of matrices
-        int count = 0, own = 0; // the first are its own parts,
-        float ownStrength = 0;  // which count that much
+    struct Shade {              // the occluders that take light from a body
+        size_t offset = 0;      // bytes, in the buffer of matrices
+        int count = 0, own = 0; // the first `own` are its own parts,
+        float ownStrength = 0;  // and count by this factor
     };
 
     bool shaded(const Item& item) const;
-    size_t append(const void* block, size_t bytes); // to the matrices; its offset
+    size_t append(const void* block, size_t bytes); // to the matrices; returns the offset
     Result<const gl::Program*> programFor(unsigned features);
     void sortVisible(const EyePicture& picture);
     unsigned featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture, Glossy glossy) const;
@@ -108,19 +108,19 @@ class ObjectPass {
     bool occlusion_ = true;
     ShownQuantity shown_ = ShownQuantity::Light;
     const occlusion::LayersGpu* layers_ = nullptr;
-    gl::Texture dfg_, white_; // white: for a map that a material has not got
+    gl::Texture dfg_, white_; // white: for a map that a material does not have
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
     std::vector<Item> items_;
     std::vector<ToDraw> order_;     // scratch
-    std::vector<uint8_t> matrices_; // and occluders
+    std::vector<uint8_t> matrices_; // matrices and occluders
     NearBodies near_;
     std::vector<bool> inRoom_;  // by body
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
     ObjectBounds bounds_;
     std::vector<depth::LightHarmonics> matteBeside_; // by object, as render/LightBeside.glsl has it
-    std::vector<ObjectBounds::Seen> seen_;           // scratch: of the objects, in the view that is drawn
+    std::vector<ObjectBounds::Seen> seen_;           // scratch: by object, in the view that is drawn
     int drawCount_ = 0, triangleCount_ = 0;
 };
 

@@ -11,14 +11,14 @@ namespace shoal::render {
 namespace {
 
 constexpr GLsizei kSpecks = 600;
-constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
+constexpr float kCube_m = 4.2f; // side of the cube of specks: eight a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
-constexpr double kSwell_s = 7; // a sway to and fro
+constexpr double kSwell_s = 7; // period of the swell that sways them
 
 constexpr std::array kParticleDefines = {SHOAL_TONE_DEFINES, "SCALED_LIGHT", "FILM_DEPTH"};
 constexpr unsigned kScaledLight = 1u << kToneFeatures, kFilmDepth = kScaledLight << 1;
 
-// Whether anything of the film is as near as specks are.
+// Returns whether any part of the film is as near as specks are.
 bool hidesSpecks(const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) {
     if (!environment.depthRange()) return false;
     const auto film = environment.depthRange()->around(glm::vec3(0, 1, 0), std::numbers::pi_v<float>);
@@ -53,7 +53,7 @@ Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& 
     program.set("clipFromWorld", picture.view.clipFromWorld());
     program.set("envFromWorld", picture.envFromWorld);
     program.set("exposureScale", picture.exposure.scale());
-    // Wrapped here: floats would lose a dive of hours.
+    // Wrapped here in double precision: floats are too coarse after hours.
     program.set("drift_m", glm::vec3(glm::mod(kDrift_mps * time_s, static_cast<double>(kCube_m))));
     program.set("swell", static_cast<float>(std::fmod(time_s / kSwell_s, 1.0) * 2 * std::numbers::pi));
     program.set("cube_m", kCube_m);

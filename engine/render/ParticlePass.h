@@ -13,18 +13,18 @@ class ParticlePass {
     static Result<ParticlePass> make();
 
     enum class On {
-        Everything, // that has been drawn with depth: near things hide specks
-        Objects,    // the same, but only where alpha says that there are any
-        Picture     // without depth: nothing hides specks
+        Everything, // all that has been drawn with depth: near things hide specks
+        Objects,    // the same, but only where alpha shows an object
+        Picture     // the picture without depth: nothing hides specks
     };
 
-    // After all else. time_s places every speck, so equal times give equal pictures. What of the film is
-    // nearer than a speck hides it.
+    // Draws last. time_s places every speck, so equal times give equal pictures. Nearer parts of the film
+    // hide specks.
     Status draw(On on, const EyePicture& picture, const water::Water& water, double time_s);
 
   private:
     gl::Variants programs_;
-    gl::VertexArray nothing_; // specks come from their numbers
+    gl::VertexArray nothing_; // no attributes: the shader makes specks from their indices
 };
 
 } // namespace shoal::render

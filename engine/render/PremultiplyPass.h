@@ -1,5 +1,5 @@
-// A picture for a headset's runtime to lay over its cameras': display values that were multiplied by their
-// coverage become light multiplied by it, coded as sRGB. Pairs with shaders/render/Premultiply.
+// Makes a picture for a headset's runtime to lay over its cameras': display values that were multiplied by
+// their coverage become light multiplied by it, coded as sRGB. Pairs with shaders/render/Premultiply.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -12,7 +12,7 @@ class PremultiplyPass {
   public:
     static Result<PremultiplyPass> make();
 
-    // Into the lowest left pixels of a framebuffer, as many as the target has; leaves it bound.
+    // Draws into the lowest left pixels of a framebuffer, as many as the target has; leaves it bound.
     void draw(const gl::Target& from, GLuint into);
 
   private:

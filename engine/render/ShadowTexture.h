@@ -1,4 +1,4 @@
-// A copy of what shadows leave of a film, for shaders: those with SHADED have a sampler2D named shadowsLeft.
+// A texture of FilmShadows::left(), for shaders with SHADED, which have a sampler2D named shadowsLeft.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -8,7 +8,7 @@ namespace shoal::render {
 
 class ShadowTexture {
   public:
-    // Brings it up to date. Leaves another texture bound.
+    // Uploads new shadows and returns the texture. Leaves another texture bound.
     GLuint update(const FilmShadows& shadows);
 
   private:

@@ -1,4 +1,4 @@
-// How an exposure chooses among the variants of shaders that include render/Output.glsl.
+// Chooses among the variants of shaders that include render/Output.glsl by an exposure.
 #pragma once
 
 #include "engine/render/View.h"

@@ -30,7 +30,7 @@ void TriangleBatch::draw(const void* vertices, size_t stride, size_t count, Dept
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * stride), vertices, GL_STREAM_DRAW);
     test == DepthTest::On ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    // Few at a time: llvmpipe cuts longer draws between the triangles of a rectangle.
+    // Draws are short: llvmpipe cuts longer ones between the triangles of a rectangle.
     constexpr size_t kAtOnce = 960;
     for (size_t first = 0; first < count; first += kAtOnce)
         glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first),

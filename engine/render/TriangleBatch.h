@@ -1,4 +1,4 @@
-// Triangles that are new in every frame.
+// Draws triangles that are new in every frame.
 #pragma once
 
 #include "engine/gl/Objects.h"
@@ -16,12 +16,12 @@ class TriangleBatch {
         GLuint location;
         GLint floats;
     };
-    // attributes: of a vertex, in their order in memory.
+    // attributes: of one vertex, in their order in memory.
     static TriangleBatch make(std::initializer_list<Attribute> attributes);
-    static TriangleBatch make(); // of places in a plane: glm::vec2
+    static TriangleBatch make(); // for vertices that are glm::vec2 in a plane
 
     enum class DepthTest { Off, On };
-    // Three vertices a triangle, with the program in use, regardless of which way round.
+    // Draws with the program in use; three vertices a triangle, in either winding order.
     template <class Vertex> void draw(const std::vector<Vertex>& vertices, DepthTest test = DepthTest::Off) {
         draw(vertices.data(), sizeof(Vertex), vertices.size(), test);
     }
@@ -33,11 +33,11 @@ class TriangleBatch {
     gl::Buffer vertices_;
 };
 
-// Two triangles.
+// Appends two triangles that make a rectangle.
 void addRectangle(const glm::vec2& low, const glm::vec2& high, std::vector<glm::vec2>& corners);
 
-// run(first, end, row) for each longest row of neighbours that are marked. marked: row by row, cells.x of
-// them in each.
+// Calls run(first, end, row) for each longest run of marked cells in a row. marked: row by row, cells.x in
+// each.
 template <class Run> void eachRun(const std::vector<bool>& marked, const glm::ivec2& cells, Run&& run) {
     for (int y = 0; y < cells.y; ++y)
         for (int x = 0; x < cells.x; ++x) {

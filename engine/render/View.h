@@ -1,4 +1,4 @@
-// One eye: where it stands, where it looks, what it covers; and the choices of how its picture is drawn.
+// An eye's position, direction and field of view; and the choices of how its picture is drawn.
 #pragma once
 
 #include "engine/math/Sphere.h"
@@ -17,12 +17,12 @@ struct View {
     glm::quat worldFromEye{1, 0, 0, 0}; // the eye looks along its -Z, +Y up
     float verticalFov = 1.0f;           // radians
     float aspect = 16.0f / 9.0f;        // width / height
-    // Nearer than an arm passes the eye that is in the picture at a field of view of 130 degrees.
+    // near_m: arms at a field of view of 130 degrees stay farther from the eye than this.
     float near_m = 0.02f, far_m = 100.0f;
     // Centre of the image plane at distance 1, for frusta off axis (headsets); right and up positive.
     glm::vec2 shift{0};
 
-    int heightPixels = 0; // of the picture: what is smaller than these is not drawn; 0: all there is
+    int heightPixels = 0; // of the picture: finer details are left out; 0: none are
 
     bool operator==(const View&) const = default;
     glm::vec2 halfExtent() const {
@@ -38,10 +38,10 @@ struct View {
     }
 };
 
-// Whether the sphere reaches into the view's pyramid. Errs towards yes at the pyramid's edges.
+// Returns whether the sphere reaches into the view's pyramid; may say yes beside the pyramid's edges.
 bool sees(const View& view, const Sphere& sphere);
 
-// How a video's coded values are radiance.
+// How coded values of a video become radiance.
 enum class FrameCoding {
     Srgb,
     Thesis, // light::radianceFromDisplay()
@@ -66,11 +66,11 @@ struct Exposure {
     FrameCoding frames = FrameCoding::Thesis; // as the light was made: light::FrameRadiance
 
     float scale() const { return std::exp2(exposure_ev); }
-    bool isLinear() const { // as the shaders' TONE_LINEAR is
+    bool isLinear() const { // as the shaders' TONE_LINEAR
         return curve == ToneCurve::Linear ||
                (curve == ToneCurve::InverseOfVideo && frames == FrameCoding::Srgb);
     }
-    // Frames are shown as they are coded: the curve undoes their decoding.
+    // Returns whether frames are shown as they are coded: the curve undoes their decoding.
     bool keepsFrames() const {
         return (curve == ToneCurve::InverseOfVideo || (isLinear() && frames == FrameCoding::Srgb)) &&
                exposure_ev == 0;
@@ -94,18 +94,18 @@ enum class Backend {
     Software
 };
 
-// What is seen where no object is.
+// What is seen where there is no object.
 enum class Surroundings {
     Film,
     Room // what a headset's cameras see of the player's room: the picture is clear there, alpha 0
 };
 
-// A pass that can be left out, to find out which one draws what, and what it costs. Depth: what of the film
-// is nearer than an object does not hide it, nor are there shadows and bounce light; the same animals swim
-// where they would. Bounce: what rock near the animals adds to their light, or takes.
+// A pass that can be left out, to find out what it draws and costs. Depth: nearer parts of the film do not
+// hide objects, and there are no shadows and no bounce light; animals still swim around them. Bounce: rock
+// near the animals neither adds to their light nor takes from it.
 enum class SkippedPass { None, Background, Objects, Particles, Shadows, Depth, Bounce, Overlay };
 
-// What objects are drawn as, to find out where their light comes from.
+// The quantity that objects show, to find out where their light comes from.
 enum class ShownQuantity {
     Light,
     Normals,   // world; -1 to 1 as black to white
@@ -115,13 +115,13 @@ enum class ShownQuantity {
     Depth      // 1 / (1 + metres from the eye)
 };
 
-// A frame as it is drawn: display-coded rows of it or of one eye's part of it, from the top: blue, green, red
-// and a byte that is 255. Drivers keep such texels as they come; three bytes a pixel they would turn into
-// these first.
+// A video frame to be drawn: coded display values from the top row, of the whole frame or one eye's part of
+// it; blue, green, red and a byte of 255. Drivers keep texels of this format; three bytes a pixel they would
+// convert to it.
 struct DisplayFrame {
     const uint8_t* pixels = nullptr;
     int width = 0, height = 0;
-    int rowPixels = 0; // from one row to the next, in pixels
+    int rowPixels = 0; // stride of rows, in pixels
 
     bool operator==(const DisplayFrame&) const = default;
 };

@@ -13,7 +13,7 @@ class WholePicture {
         return made;
     }
 
-    // With the program in use; depth, at 0.5 everywhere, and blending as they are.
+    // Draws with the program in use; depth is 0.5 everywhere, tested and blended as the caller has set.
     void draw() const {
         glDisable(GL_CULL_FACE);
         glBindVertexArray(noAttributes_.name());

@@ -61,11 +61,11 @@ void solve(std::array<std::array<double, kVeilTerms>, kVeilTerms>& a, std::array
     }
 }
 
-// Lower envelope of the cells by iteratively reweighted least squares: weight 1 below the fit, Lorentzian
-// weights above. level: of the horizon, the starting value.
+// Fits a lower envelope of the cells by iteratively reweighted least squares: weight 1 below the fit,
+// Lorentzian weights above. level: the veil at the horizon, the starting value.
 std::array<double, kVeilTerms> lowerFit(std::span<const VeilCell> cells, int channel, double level) {
     constexpr int kRounds = 8;
-    constexpr double kTolerance = 0.1; // of the level: excess at which the weight is a half
+    constexpr double kTolerance = 0.1; // share of the level: excess at which the weight is a half
     // Regularisation of bands 1 and 2, relative to the sum of weights.
     constexpr std::array<double, kVeilTerms> kRegularisation = {0,    0.004, 0.004, 0.004, 0.02,
                                                                 0.02, 0.02,  0.02,  0.02};
@@ -176,7 +176,7 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
     const int horizonTop = rowAt(kHorizon_deg), horizonBottom = rowAt(-kHorizon_deg);
     result.evidence = redLoss(horizonTop, horizonBottom);
     rankSectors(horizonTop, rowAt(0));
-    // Only the upper half of the band: towards the floor the water has an end.
+    // Only the upper half of the band is used: towards the floor the water is not deep.
     const glm::vec3 veilLin = medianLin(kOpenSectors, horizonTop, rowAt(0));
 
     result.water.attenuation_perM = attenuationFromVeil(veilLin);
@@ -189,12 +189,12 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             const float middle = top - kVeilBand_deg / 2;
             const glm::vec3 dir = directionFromLatLong(
                 glm::vec2((static_cast<float>(sector) + 0.5f) / kSectors, 0.5f - middle / 180));
-            // Below the horizon there is mostly floor, which only bounds the veil.
+            // Below the horizon most cells show floor, which only bounds the veil.
             const float weight = std::cos(glm::radians(middle)) * (middle > -15 ? 1.0f : 0.3f);
             cells[count] = {veilTerms(dir),
                             squaredCoded(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
         }
-    // Over all sectors: in a tunnel the veil is as dark as its walls, however bright the sea beyond its end.
+    // The level of all sectors: in a tunnel the veil is as dark as its walls, however bright the sea beyond.
     const glm::vec3 level = squaredCoded(medianLin(kSectors, horizonTop, rowAt(0)));
     for (int c = 0; c < 3; ++c) {
         const auto fit = lowerFit(cells, c, static_cast<double>(level[c]));

@@ -11,7 +11,7 @@ namespace shoal::water {
 
 struct WaterEstimate {
     Water water;        // valid if the environment is under water
-    float evidence = 0; // that it is, 0 to 1: water absorbs red first, so the horizon has lost it all around
+    float evidence = 0; // 0 to 1: whether all the horizon has lost its red, which water absorbs first
 };
 
 // Does not allocate after the first frame. One thread at a time.
@@ -34,27 +34,27 @@ class WaterEstimator {
     void rankSectors(int firstRow, int lastRow);
     glm::vec3 medianLin(int sectors, int firstRow, int lastRow) const; // over the most open sectors' means
 
-    static constexpr int kSectors = 16, kOpenSectors = 6; // of the horizon
+    static constexpr int kSectors = 16, kOpenSectors = 6; // sectors of the horizon
 
     std::array<int, kSectors> byOpenness_{};
-    std::vector<glm::vec3> cellsLin_; // of each row, the sectors' means of the scene's light
+    std::vector<glm::vec3> cellsLin_; // by row: mean light of the scene in each sector
 };
 
-// Per metre: that of clear coastal water, with red attenuated most. The ratio of green to blue follows from
-// the veil: under single scattering it is b E / beta with b about equal for both, and E, the light from
-// above, has passed through the water too, so it is proportional to about 1 / beta^2. Its red is not used,
-// because cameras' white balance compensates for it. veilLin: linear scene light at the horizon.
+// Returns the attenuation per metre: clear coastal water's, with red attenuated most. The ratio of green to
+// blue follows from the veil: under single scattering it is b E / beta with b about equal for both, and E,
+// the light from above, has passed through the water too, so it is proportional to about 1 / beta^2. Its red
+// is not used, because cameras' white balance compensates for it. veilLin: linear scene light at the horizon.
 //
-// On the reef film this is 2 % of the light off at 1 to 3 m; how its floor fades with distance tells less,
-// because rocks and slopes count as floor: 10 %.
+// On the reef film this is wrong by 2 % of the light at 1 to 3 m; fitting how its floor fades with distance
+// is wrong by 10 %, because rocks and slopes count as floor.
 glm::vec3 attenuationFromVeil(const glm::vec3& veilLin);
 
 // Temporal smoothing of estimates. Deterministic: depends only on the estimates and the times between them.
 class WaterOverTime {
   public:
-    // The estimate of the frame now shown; dt_s: since the last call. strength: 0 none of it, 1 all of it.
-    // The first is taken as it is; later the veil and the strength have a time constant of 0.43 s (the light
-    // changes as the camera moves), the attenuation of 4 s (the water stays the same).
+    // Takes the estimate of the frame now shown; dt_s: since the last call. strength: 0 none of it, 1 all of
+    // it. The first is used directly; later the veil and the strength have a time constant of 0.43 s (the
+    // light changes as the camera moves), the attenuation of 4 s (the water stays the same).
     void follow(const WaterEstimate& estimate, float strength, float dt_s);
 
     Water water() const;

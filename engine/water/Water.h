@@ -18,7 +18,7 @@
 
 namespace shoal::water {
 
-// The real spherical harmonics of bands 0 to 2, but for their constant factors. Twin of
+// Returns the real spherical harmonics of bands 0 to 2 without their constant factors. Twin of
 // shaders/render/Water.glsl.
 constexpr size_t kVeilTerms = 9;
 inline std::array<float, kVeilTerms> veilTerms(const glm::vec3& dir) {

@@ -8,15 +8,15 @@ namespace shoal::xr {
 
 namespace {
 
-// What closes the hand, what bends the index finger, what pauses. Where there is but one button, it does
-// both. Names are the registry's.
+// Bindings of a controller: squeeze closes the hand, trigger bends the index finger, menu pauses. A single
+// button does the first two. Names are those of OpenXR's registry.
 struct InteractionProfile {
-    const char* extension; // that has it; null: OpenXR 1.0
+    const char* extension; // the extension that defines it; null: OpenXR 1.0
     const char* name;
     const char* squeeze;
     const char* trigger;
     const char* menu; // null: none
-    bool menuOnRight; // there is one on each hand
+    bool menuOnRight; // each hand has one
     bool vibrates = true;
 };
 constexpr const char* kPico = "XR_BD_controller_interaction";
@@ -26,7 +26,7 @@ constexpr InteractionProfile kProfiles[] = {
     {nullptr, "valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
     {nullptr, "htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
     {nullptr, "microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
-    // Bare hands as the runtime reads them, for when their joints are not known.
+    // Bare hands as the runtime interprets them, for runtimes that do not give their joints.
     {"XR_EXT_hand_interaction", "ext/hand_interaction_ext", "grasp_ext/value", "pinch_ext/value", nullptr,
      false, false},
     {"XR_FB_touch_controller_pro", "facebook/touch_controller_pro", "squeeze/value", "trigger/value",

@@ -25,8 +25,8 @@ Space makeSpace(XrSession session, const Pose& referenceFromSpace,
     return space;
 }
 
-// A space whose origin is on the floor: below LOCAL's, else of the area that the player has set up. Empty:
-// the runtime has neither.
+// Returns a space with its origin on the floor: below LOCAL's, else that of the area that the player has set
+// up. Empty if the runtime has neither.
 Space makeFloor(XrSession session) {
     const auto offered = enumerate(XR_REFERENCE_SPACE_TYPE_LOCAL,
                                    [&](uint32_t capacity, uint32_t* count, XrReferenceSpaceType* items) {
@@ -41,7 +41,7 @@ Space makeFloor(XrSession session) {
 
 static_assert(XR_HAND_JOINT_COUNT_EXT == hands::kJointCount);
 
-// The first of those wanted that the runtime offers; 0: none.
+// Returns the first wanted format that the runtime offers; 0: none.
 int64_t formatOf(XrSession session, std::initializer_list<int64_t> wanted) {
     const auto offered = enumerate(int64_t{0}, [&](uint32_t capacity, uint32_t* count, int64_t* items) {
         SHOAL_XR(xrEnumerateSwapchainFormats(session, capacity, count, items));
@@ -55,11 +55,10 @@ int64_t formatOf(XrSession session, std::initializer_list<int64_t> wanted) {
 class Swapchain {
   public:
     Swapchain() = default;
-    // For display-coded values (sRGB's format, written raw).
+    // Makes one for display-coded values (sRGB's format, written raw).
     static Swapchain ofColour(XrSession session, glm::ivec2 size) {
-        // The picture is display-coded already, and written as it is (GL_FRAMEBUFFER_SRGB stays off): the
-        // runtime must know that, and does by the first format. The second is taken for linear by some, for
-        // coded by most.
+        // The picture is display-coded already and written unchanged (GL_FRAMEBUFFER_SRGB stays off): the
+        // first format tells the runtime so. Some runtimes take the second for linear, most for coded.
         const int64_t format = formatOf(session, {GL_SRGB8_ALPHA8, GL_RGBA8});
         if (format == 0)
             throw Failure("the headset's runtime takes no pictures of 8 bits a colour (GL_SRGB8_ALPHA8)");
@@ -70,13 +69,13 @@ class Swapchain {
                     GL_DEPTH_ATTACHMENT);
     }
 
-    // A framebuffer on the next picture, once the runtime has done with it; release() hands it over.
+    // Returns a framebuffer on the next picture once the runtime is done with it; release() hands it over.
     GLuint acquire() {
         uint32_t index = 0;
         const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
         SHOAL_XR(xrAcquireSwapchainImage(name(), &acquire, &index));
         acquired_ = true;
-        // Not for ever: a runtime that hangs must not take the window with it.
+        // Limited: a runtime that hangs must not stop the window too.
         constexpr XrDuration kPatience_ns = 2'000'000'000;
         const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, kPatience_ns};
         const XrResult waited = SHOAL_XR(xrWaitSwapchainImage(name(), &wait));
@@ -126,8 +125,8 @@ class Swapchain {
         return chain;
     }
 
-    // Its pictures may be memory that goes with it, and the driver's threads still draw into it where the
-    // runtime was lost in mid-frame.
+    // Finishes drawing first: pictures may be memory that is freed with the swapchain, and the driver's
+    // threads may still draw into it if the runtime was lost in mid-frame.
     static XrResult XRAPI_CALL destroyDrawn(XrSwapchain swapchain) {
         glFinish();
         return xrDestroySwapchain(swapchain);
@@ -142,7 +141,7 @@ class Swapchain {
 // Hands without controllers, tracked through XR_EXT_hand_tracking.
 class HandTrackers {
   public:
-    // Without the extension: hands that are never active.
+    // Without the extension hands are never active.
     static HandTrackers make(const Instance& instance, XrSession session) {
         HandTrackers made;
         if (!instance.bareHands) return made;
@@ -152,7 +151,7 @@ class HandTrackers {
         made.locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
         if (!create || !destroy || !made.locate_)
             throw Failure("the runtime promises XR_EXT_hand_tracking and lacks its functions");
-        // No joints that a runtime makes up for a hand with a controller: Controller says more of that.
+        // Joints that a runtime makes up for a hand with a controller are not wanted: see Controller.
         auto bare = XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
         const XrHandTrackingDataSourceInfoEXT bareAlone{XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT, nullptr,
                                                         1, &bare};
@@ -203,8 +202,8 @@ class HandTrackers {
     PFN_xrLocateHandJointsEXT locate_ = nullptr;
 };
 
-// Some headsets begin with fewer pictures a second than they can show. It is a request: frames say how long
-// they are, whatever comes of it.
+// Requests a higher refresh rate: some headsets begin with fewer pictures a second than they can show. Frames
+// tell their own length, whatever the runtime decides.
 void askForRefreshRate(const Instance& instance, XrSession session) {
     constexpr float kWanted_Hz = 90, kSame_Hz = 0.5f;
     if (!instance.choosesRate) return;
@@ -231,7 +230,7 @@ void askForRefreshRate(const Instance& instance, XrSession session) {
 } // namespace
 
 struct Headset::State {
-    // In this order: what is made from another dies before it.
+    // In order of construction: members depend on earlier ones and are destroyed first.
     Instance instance;
     SessionHandle session;
     Space local, world, floor;
@@ -242,13 +241,13 @@ struct Headset::State {
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false; // between xrBeginSession and xrEndSession
     bool lost = false;    // runtime or headset are gone
-    bool worn = true;     // as far as it senses that
+    bool worn = true;     // true if the headset has no sensor for it
     bool centring = true;
-    std::optional<XrTime> recentresAt_ns; // the runtime moves LOCAL then, as the player has asked of it
-    bool positionTracked = false;         // has ever been, not merely valid
-    bool everPlaced = false;              // a position was ever known
-    bool centredBlind = false;            // the dive was centred without one: again as soon as there is one
-    // Positions of the eyes in the head's frame, as last known; at first the mean of people.
+    std::optional<XrTime> recentresAt_ns; // time at which the runtime moves LOCAL, on the player's request
+    bool positionTracked = false;         // whether it was ever tracked, not merely valid
+    bool everPlaced = false;              // whether a position was ever known
+    bool centredBlind = false; // the dive was centred without a position: centred again once there is one
+    // Positions of the eyes in the head's frame, as last known; at first people's mean.
     std::array<glm::vec3, 2> headFromEye{glm::vec3(-0.0315f, 0, 0), glm::vec3(0.0315f, 0, 0)};
     Frame frame;
     Tracking tracking;
@@ -287,7 +286,7 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
         s.actions = Actions::make(s.instance, session);
         for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
             s.picture(p) = Swapchain::ofColour(session, p == Picture::Panel ? panelSize : s.instance.eyeSize);
-        // 16 bits would be too coarse from a hand to the far plane.
+        // 16 bits are too coarse for depths from a hand to the far plane.
         const int64_t depths =
             s.instance.takesDepth ? formatOf(session, {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F}) : 0;
         s.instance.takesDepth = depths != 0;
@@ -303,7 +302,7 @@ Status Headset::poll() {
         for (;;) {
             XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
             if (SHOAL_XR(xrPollEvent(state_->instance.handle.name(), &event)) == XR_EVENT_UNAVAILABLE) return;
-            // Told once the session runs, too. No enumerator of older headers.
+            // Also sent when the session begins to run. Not in the switch: older headers lack the enumerator.
             if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT && state_->instance.sensesWearer) {
                 state_->worn =
                     reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;
@@ -316,7 +315,7 @@ Status Headset::poll() {
             case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
                 throw Failure("the headset's runtime is going away", true);
             case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
-                // The floor's are located anew in every frame.
+                // The floor's space is located anew in every frame.
                 const auto& change = reinterpret_cast<XrEventDataReferenceSpaceChangePending&>(event);
                 if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL)
                     state_->recentresAt_ns = change.changeTime;
@@ -357,7 +356,7 @@ Result<Frame> Headset::waitFrame() {
         s.frame.display_ns = next.predictedDisplayTime;
         s.frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
         s.frame.drawn = next.shouldRender == XR_TRUE;
-        // Before that the head is still told where LOCAL was.
+        // Until then the head's pose refers to the old LOCAL.
         if (s.recentresAt_ns && s.frame.display_ns >= *s.recentresAt_ns) {
             s.centring = true;
             s.recentresAt_ns.reset();
@@ -371,14 +370,14 @@ Result<Frame> Headset::waitFrame() {
     return s.frame;
 }
 
-// The pose is drawn from wherever the runtime holds it for valid: TRACKED says only that it is measured now,
-// and some headsets never claim that (Monado's simulated one). Where a position that was tracked before is
-// merely guessed, or none is given, the head stays at its place and turns.
+// The pose is used wherever the runtime calls it valid: TRACKED says only that it is measured now, and some
+// headsets never claim that (Monado's simulated one). If a position that was tracked before is merely
+// guessed, or missing, the head keeps its position and turns.
 void Headset::State::locateEyes() {
     std::array<Eye, 2> eyes;
     bool placed = false; // the eyes' positions are known
     const auto middle = [&] { return between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f); };
-    const auto locate = [&](const Space& space) { // whether it is known which way the head looks
+    const auto locate = [&](const Space& space) { // returns whether the head's orientation is known
         const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, kStereo, frame.display_ns,
                                     space.name()};
         XrViewState viewState{XR_TYPE_VIEW_STATE};
@@ -399,7 +398,7 @@ void Headset::State::locateEyes() {
         positionTracked |= turns && placed && measured;
         return turns;
     };
-    // Where a position was known, the dive is centred at one that is known, not at the last.
+    // Once a position has been known, the dive is centred only at a known one, never at the last.
     if (centring && locate(local) && (placed || !everPlaced)) {
         world = makeSpace(session.name(), originAt(middle()));
         centring = false;
@@ -422,7 +421,7 @@ void Headset::State::locateEyes() {
     tracking.worldFromHead = middle();
 }
 
-// Not believed where nobody's eyes can be.
+// A floor too far below the eyes is ignored.
 void Headset::State::locateFloor() {
     constexpr float kHighestEyes_m = 3;
     tracking.floor_m.reset();
@@ -437,7 +436,7 @@ void Headset::State::locateFloor() {
 
 Status Headset::begin() {
     const XrFrameBeginInfo info{XR_TYPE_FRAME_BEGIN_INFO};
-    // XR_FRAME_DISCARDED is a success.
+    // XR_FRAME_DISCARDED counts as success.
     return state_->guard([&] { SHOAL_XR(xrBeginFrame(state_->session.name(), &info)); });
 }
 
@@ -495,7 +494,8 @@ Status Headset::end(const Shown& shown) {
 Headset::Headset(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Headset::Headset(Headset&&) noexcept = default;
 
-// As the runtime wants it: empty frames until it says that the session may end. Whatever fails ends it too.
+// Ends as OpenXR demands: submits empty frames until the runtime says that the session may end. Any error
+// ends it too.
 Headset::~Headset() {
     if (!state_ || !state_->running || state_->lost) return;
     constexpr int kMaxFrames = 120;

@@ -1,9 +1,6 @@
 // A headset driven through OpenXR: session, frames, poses of head, hands and controllers, pictures to show.
-// The runtime corrects the lenses' distortion. World frame: the dive's, whose origin is where the eyes were
-// when it was centred.
-//
-// Each turn of the game's loop: poll(); where wantsFrames(), waitFrame(), then begin(), the pictures, end().
-// One thread, with the GL context that was current at open().
+// The runtime corrects the lenses' distortion. World frame: the dive's; its origin is the position of the
+// eyes when it was last centred.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -18,7 +15,7 @@
 
 namespace shoal::xr {
 
-// Depths belong to the eyes; not every headset takes them.
+// Depths belong to the eyes' pictures; not every headset takes them.
 enum class Picture { LeftEye, RightEye, Panel, LeftDepth, RightDepth };
 
 // Distances of a frustum's planes, metres.
@@ -27,65 +24,65 @@ struct Planes {
 };
 
 struct Frame {
-    int64_t display_ns = 0; // when it will be seen; the runtime's clock
-    double period_s = 0;    // from one frame to the next
-    bool drawn = false;     // somebody sees it
+    int64_t display_ns = 0; // when it is shown; the runtime's clock
+    double period_s = 0;    // time from one frame to the next
+    bool drawn = false;     // whether it is visible and must be drawn
 };
 
-// What end() shows: the pictures that were released since begin().
+// What end() shows: pictures released since begin().
 struct Shown {
     bool eyes = false;
-    // Behind the eyes' pictures, where their alpha, by which their light is multiplied, lets it through.
+    // Shows the player's room behind the eyes' pictures, where their alpha (colours are premultiplied) is
+    // below 1.
     bool room = false;
-    glm::ivec2 eyeSize{0};        // the part drawn, from the lower left; at most eyeSize()
-    std::optional<Planes> planes; // of the eyes' depths, 0 to 1 from near to far; none: there are none
+    glm::ivec2 eyeSize{0};        // drawn part, from the lower left; at most eyeSize()
+    std::optional<Planes> planes; // of the eyes' depths, 0 to 1 from near to far; empty: no depths
     bool panel = false;           // with premultiplied alpha
-    Pose worldFromPanel;          // its middle, seen from +Z
+    Pose worldFromPanel;          // pose of its middle; its front is +Z
     glm::vec2 panelSize_m{0};
 };
 
 class Headset {
   public:
-    // Whether a runtime is set up, by the files that the OpenXR loader looks for: nothing is loaded or
-    // started. Whether it has a headset shows only in open().
+    // Returns whether a runtime is set up, by the files that the OpenXR loader looks for; loads and starts
+    // nothing. Whether it has a headset shows only in open().
     static bool hasRuntime();
-    // Whether a runtime answers and has one. May take seconds; any thread, while there is no Headset, and
-    // after the first: the loader's environment is set up by that.
+    // Returns whether a runtime answers and has a headset. May take seconds. Any thread while there is no
+    // Headset, but not before its first call has set up the loader's environment.
     static bool isThere();
-    // panelSize: of the picture for text, pixels. Needs a GLX context. Errors tell a player what to do.
+    // panelSize: of the picture for text, pixels. Needs a GLX context. Errors tell the player what to do.
     static Result<Headset> open(glm::ivec2 panelSize);
     Headset(Headset&&) noexcept;
-    ~Headset(); // ends the session in good order; what vibrates stops
+    ~Headset(); // ends the session properly and stops vibrations
 
-    // Handles the runtime's events: begins or ends the session as they demand. Fails when the headset is
-    // lost.
+    // Handles the runtime's events: begins or ends the session on demand. Fails when the headset is lost.
     Status poll();
-    bool lost() const;        // a call failed because runtime or headset went: another open() may find them
-    bool wantsFrames() const; // else no waitFrame(), begin(), end(); empty frames are frames too
-    bool plays() const;       // the headset is worn, and no menu of the runtime lies over the game
+    bool lost() const;        // a call failed because runtime or headset is gone: another open() may succeed
+    bool wantsFrames() const; // false: do not call waitFrame(), begin(), end(); empty frames are frames too
+    bool plays() const;       // the headset is worn, and no menu of the runtime covers the game
     bool leaving() const;     // the player told the runtime to end the game
-    // From the next tracked frame on the dive's origin is where the eyes are, and ahead where they look. So
-    // it is by itself when the player has recentred in the runtime's own way.
+    // Centres the dive at the next tracked frame: its origin becomes the eyes' position, and ahead where they
+    // look. Recentring in the runtime's own menu does the same.
     void recentre();
 
     Result<Frame> waitFrame();        // sleeps until the runtime wants the next one
-    const Tracking& tracking() const; // at the time when the frame will be seen
+    const Tracking& tracking() const; // at the time when the frame is shown
 
     Status begin();
-    // A framebuffer of eyeSize() or panelSize: colour only, for values coded for display (sRGB), or depth
+    // Returns a framebuffer of eyeSize() or panelSize: colour only, for display-coded values (sRGB), or depth
     // only.
     Result<GLuint> acquire(Picture picture);
     Status release(Picture picture);
     Status end(const Shown& shown);
 
-    // hand: 0 left, 1 right; amplitude 0 to 1. Goes on for up to a tenth of a second; 0 stops it.
+    // Vibrates for up to a tenth of a second. hand: 0 left, 1 right; amplitude 0 to 1, 0 stops it.
     Status vibrate(int hand, float amplitude, float frequency_Hz);
 
     glm::ivec2 eyeSize() const; // the runtime's recommendation, pixels
-    bool seesRoom() const;      // it can show the player's room behind pictures
-    bool takesDepth() const;    // with which it can move pictures more truly between two frames
+    bool seesRoom() const;      // it can show the player's room behind the pictures
+    bool takesDepth() const;    // it corrects pictures by depth between two frames
     bool bareHands() const;     // hands without controllers can be tracked
-    std::string name() const;   // of headset and runtime
+    std::string name() const;   // names of headset and runtime
 
   private:
     struct State;
@@ -93,7 +90,7 @@ class Headset {
     std::unique_ptr<State> state_;
 };
 
-// Name of the active runtime, or why there is none.
+// Returns the name of the active runtime, or the reason why there is none.
 Result<std::string> activeRuntime();
 
 } // namespace shoal::xr

@@ -79,7 +79,7 @@ void findHeadset(Instance& instance) {
         return std::find(blends.begin(), blends.end(), mode) != blends.end();
     };
     instance.seesRoom = offers(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
-    // The film is everywhere, so opaque wherever the headset can be.
+    // Opaque wherever the headset supports it, as the film is everywhere.
     if (!offers(XR_ENVIRONMENT_BLEND_MODE_OPAQUE) && !blends.empty()) instance.blend = blends.front();
 }
 
@@ -106,7 +106,7 @@ XrResult check(XrResult result, const char* call) {
 }
 
 Instance Instance::open(bool withHeadset) {
-    setenv("XR_LOADER_DEBUG", "none", 0); // what fails is said in our own words; the player's setting stands
+    setenv("XR_LOADER_DEBUG", "none", 0); // errors are reported in our own words; the player's setting stands
     const auto present = extensions();
     const auto has = [&](const char* name) {
         return std::any_of(present.begin(), present.end(), [&](const XrExtensionProperties& extension) {
@@ -142,7 +142,7 @@ Instance Instance::open(bool withHeadset) {
     info.enabledExtensionCount = static_cast<uint32_t>(wanted.size());
     info.enabledExtensionNames = wanted.data();
     const XrResult created = xrCreateInstance(&info, instance.handle.fresh());
-    // What the runtime's library says whose service does not answer (Monado: RUNTIME_FAILURE).
+    // Results of a runtime's library whose service does not answer (Monado: RUNTIME_FAILURE).
     if (created == XR_ERROR_RUNTIME_UNAVAILABLE || created == XR_ERROR_RUNTIME_FAILURE ||
         created == XR_ERROR_INITIALIZATION_FAILED || created == XR_ERROR_INSTANCE_LOST)
         throw Failure("a headset runtime is installed and does not answer; start its service "

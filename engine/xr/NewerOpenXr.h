@@ -1,5 +1,5 @@
-// What the registry of OpenXR (1.1.53) has and the header of Debian 12 (1.0.20) lacks. A header that has it
-// is left alone. After openxr.h.
+// Definitions of OpenXR's registry (1.1.53) that the header of Debian 12 (1.0.20) lacks; newer headers keep
+// their own. Include it after openxr.h.
 #pragma once
 
 #include <openxr/openxr.h>

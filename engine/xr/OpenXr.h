@@ -22,8 +22,8 @@
 #include <utility>
 #include <vector>
 
-// When the call fails the error names call and result: "OpenXR: xrCreateSession says XR_ERROR_LIMIT_REACHED".
-// Successes with a reservation (XR_SESSION_LOSS_PENDING ...) are successes.
+// Calls and checks. The error names call and result: "OpenXR: xrCreateSession says XR_ERROR_LIMIT_REACHED".
+// Successes with a reservation (XR_SESSION_LOSS_PENDING ...) count as successes.
 #define SHOAL_XR(call) ::shoal::xr::check((call), #call)
 
 namespace shoal::xr {
@@ -32,13 +32,13 @@ struct Failure : std::exception {
     explicit Failure(std::string reason, bool runtimeLost = false)
         : error{"OpenXR", std::move(reason)}, lost(runtimeLost) {}
     Error error;
-    bool lost; // runtime or headset are gone: everything made from them is of no use, a new one may come
+    bool lost; // runtime or headset is gone: everything made from them is useless, a new one may come
 };
 
 XrResult check(XrResult result, const char* call);
 const char* nameOf(XrResult result);
 
-// lost: set to true where the failure is a loss.
+// lost: set to true if the failure is a loss.
 template <class Work> Status statusOf(Work&& work, bool* lost = nullptr) {
     try {
         work();
@@ -49,15 +49,14 @@ template <class Work> Status statusOf(Work&& work, bool* lost = nullptr) {
     return Done{};
 }
 
-// A function of an extension, which the loader does not export. Null if there is none.
+// Returns a function of an extension, which the loader does not export; null if there is none.
 template <class Function> Function functionOf(XrInstance instance, const char* name) {
     PFN_xrVoidFunction function = nullptr;
     if (XR_FAILED(xrGetInstanceProcAddr(instance, name, &function))) return nullptr;
     return reinterpret_cast<Function>(function);
 }
 
-// Items of an enumeration of OpenXR's kind, queried twice: call(capacity, count, items). No runtime makes
-// us take more than kMax.
+// Returns the items of an OpenXR enumeration, queried twice: call(capacity, count, items); at most kMax.
 template <class Item, class Call> std::vector<Item> enumerate(const Item& blank, Call&& call) {
     constexpr uint32_t kMax = 4096;
     uint32_t count = 0;
@@ -69,7 +68,7 @@ template <class Item, class Call> std::vector<Item> enumerate(const Item& blank,
     return items;
 }
 
-// An OpenXR handle, destroyed at the end.
+// An OpenXR handle, destroyed with the object.
 template <class Name, XrResult(XRAPI_PTR* kDestroy)(Name)> class Handle {
   public:
     Handle() = default;
@@ -82,7 +81,7 @@ template <class Name, XrResult(XRAPI_PTR* kDestroy)(Name)> class Handle {
         if (name_ != Name{}) kDestroy(name_);
     }
     Name name() const { return name_; }
-    // To be filled by a function that creates; what was there is destroyed.
+    // Returns a place for a creating function to fill; destroys the old handle.
     Name* fresh() {
         *this = Handle();
         return &name_;
@@ -100,23 +99,23 @@ struct Instance {
     XrSystemId system = XR_NULL_SYSTEM_ID;
     std::string runtimeName, systemName;
     std::vector<std::string> enabled; // extensions
-    bool bareHands = false;           // XR_EXT_hand_tracking, and the headset can
-    bool sensesWearer = false;        // XR_EXT_user_presence, and the headset can
+    bool bareHands = false;           // XR_EXT_hand_tracking, supported by the headset
+    bool sensesWearer = false;        // XR_EXT_user_presence, supported by the headset
     bool choosesRate = false;         // XR_FB_display_refresh_rate
     bool takesDepth = false;          // XR_KHR_composition_layer_depth
-    glm::ivec2 eyeSize{0};            // as the runtime recommends, pixels
-    bool seesRoom = false;            // its cameras' picture can be blended with ours, by our alpha
-    XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE; // without the room
+    glm::ivec2 eyeSize{0};            // the runtime's recommendation, pixels
+    bool seesRoom = false;            // its cameras' picture can be blended with ours by our alpha
+    XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE; // while the room is not shown
 
     bool uses(std::string_view extension) const {
         return std::find(enabled.begin(), enabled.end(), extension) != enabled.end();
     }
-    // withHeadset: false only finds out which runtime there is.
+    // withHeadset: false only finds out which runtime is active.
     static Instance open(bool withHeadset);
 };
 
 using SessionHandle = Handle<XrSession, xrDestroySession>;
-SessionHandle createSession(const Instance& instance); // on the OpenGL context that is current
+SessionHandle createSession(const Instance& instance); // in the current OpenGL context
 
 inline Pose poseFrom(const XrPosef& pose) {
     const auto& [p, q] = std::pair(pose.position, pose.orientation);
@@ -139,15 +138,15 @@ inline bool valid(XrSpaceLocationFlags flags) {
 class Actions {
   public:
     Actions() = default;
-    // Of controllers: what there is of these is to be enabled.
+    // Extensions for controllers, to be enabled if the runtime has them.
     static std::vector<const char*> extensions();
     static Actions make(const Instance& instance, XrSession session);
 
     void locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const;
-    // amplitude 0 to 1; 0 stops. Runs until the next call, but no longer than kVibration_ns.
+    // amplitude 0 to 1; 0 stops. Ends with the next call, after kVibration_ns at the latest.
     void vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const;
 
-    // Longer than a frame, so that it does not stutter; short, so that it ends by itself if the game does.
+    // Longer than a frame, so that it is continuous; short, so that it ends by itself if the game does.
     static constexpr XrDuration kVibration_ns = 100'000'000;
 
   private:

@@ -1,4 +1,4 @@
-// The session on the OpenGL context that is current. Apart from the rest, because X11's headers define words
+// Makes the session in the current OpenGL context. In a file of its own, because X11's headers define words
 // such as Status and None.
 #include "engine/core/Result.h"
 

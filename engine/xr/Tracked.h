@@ -1,5 +1,5 @@
 // Tracking data of a headset: plain data, in the units and axes of the game (metres, radians, +Y up, -Z
-// ahead), which are OpenXR's too. Needs nothing of OpenXR.
+// ahead), which are OpenXR's too. Includes nothing of OpenXR.
 #pragma once
 
 #include "engine/render/View.h"
@@ -18,7 +18,7 @@ struct Pose {
     glm::quat orientation{1, 0, 0, 0};
 };
 
-// `worldFromA`, `aFromB` give `worldFromB`.
+// Chains `worldFromA` and `aFromB` to `worldFromB`.
 inline Pose operator*(const Pose& worldFromA, const Pose& aFromB) {
     return {worldFromA.position + worldFromA.orientation * aFromB.position,
             worldFromA.orientation * aFromB.orientation};
@@ -27,13 +27,13 @@ inline Pose inverse(const Pose& pose) {
     const glm::quat turn = glm::conjugate(pose.orientation);
     return {turn * -pose.position, turn};
 }
-// Between two poses: a at share 0, b at 1.
+// Interpolates between two poses: a at share 0, b at 1.
 inline Pose between(const Pose& a, const Pose& b, float share) {
     return {glm::mix(a.position, b.position, share),
             glm::normalize(glm::slerp(a.orientation, b.orientation, share))};
 }
 
-// From the middle of the view to each edge, radians; left and down are negative.
+// Angles from the view's middle to its edges, radians; left and down are negative.
 struct Fov {
     float left = 0, right = 0, up = 0, down = 0;
 };
@@ -43,7 +43,7 @@ struct Eye {
     Fov fov;
 };
 
-// What is held in a hand.
+// A controller held in a hand.
 struct Controller {
     bool active = false;
     bool gripValid = false;
@@ -53,16 +53,16 @@ struct Controller {
     bool menu = false;
 };
 
-// Everything of one moment.
+// The tracking data of one moment.
 struct Tracking {
-    bool headTracked = false;  // which way it looks is known; else what follows is the last that was known
-    bool positionLost = false; // the head turns where it was last known to be
-    Pose worldFromHead;        // between the eyes
-    // Height of the floor, world; empty: the runtime does not know it.
+    bool headTracked = false;  // the orientation is known; otherwise all below is as last known
+    bool positionLost = false; // the position is not known: the last one is kept
+    Pose worldFromHead;        // pose of the middle between the eyes
+    // Height of the floor, world frame; empty: unknown.
     std::optional<float> floor_m;
     std::array<Eye, 2> eyes{}; // left, right
-    // Left, right; bare hands, joints in the world's frame, without grip and pinch. Tracked if all joints are
-    // known; confidence: the share of them that is not merely guessed.
+    // Left, right; bare hands, joints in the world frame, without grip and pinch. Tracked if all joints are
+    // known; confidence: the share of joints that is not merely guessed.
     std::array<hands::HandPose, 2> hands{};
     std::array<Controller, 2> controllers{}; // left, right
 };
@@ -72,12 +72,12 @@ struct Tracking {
 // The eye as the renderer draws it. The frustum's edges lie at the tangents of the field of view.
 render::View viewOf(const Eye& eye);
 
-// Positions finite and within 100 m, orientation of unit length to a tenth: else not to be believed.
+// Returns whether positions are finite and within 100 m and the orientation has unit length within a tenth.
 bool believable(const Pose& pose);
-// All edges within 89 degrees, right of left, up above down.
+// Returns whether all edges are within 89 degrees, right of left, up above down.
 bool believable(const Fov& fov);
 
-// Where a dive that starts with this head has its origin: at the eyes, upright, ahead where they look. Same
+// Returns the origin of a dive that starts with this head: at the eyes, upright, ahead where they look. Same
 // frame as the head.
 Pose originAt(const Pose& head);
 

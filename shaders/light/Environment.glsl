@@ -6,7 +6,7 @@ uniform sampler2D lightMap;
 uniform vec4 lightPlaces[17];
 uniform float smoothestMap;
 
-// SCALED_LIGHT: the maps hold radiance / lightScale, of a sun stronger than half floats can say.
+// SCALED_LIGHT: the maps hold radiance / lightScale, for a sun that exceeds the range of half floats.
 #ifdef SCALED_LIGHT
 uniform float lightScale;
 #else
@@ -21,12 +21,12 @@ vec3 filteredRadiance(vec2 uv, int map) {
 vec3 diffuseRadiance(vec3 normal) { return filteredRadiance(latLongFromDirection(normal), 0); }
 
 #ifdef MIRRORS
-// For surfaces smoother than the smoothest map: the radiance pyramid, and the roughness of its levels and of that map.
+// For surfaces smoother than the smoothest map: the radiance pyramid, the roughness of its levels and of that map.
 uniform sampler2D radianceMap;
 uniform float mirrorRoughness[6];
 uniform int mirrorLevels;
 
-// Linear in 1 / alpha, alpha = roughness^2. Twin of lodFromRoughness() in engine/light/GlossyLevels.h, which says why.
+// Returns the level, linear in 1 / alpha, alpha = roughness^2. Twin of lodFromRoughness() in engine/light/GlossyLevels.h.
 float mirrorLod(float roughness) {
     float alpha = max(roughness * roughness, 1e-6);
     float lod = 0.0;
@@ -48,8 +48,8 @@ vec3 glossyRadiance(vec3 reflected, float roughness) {
         return mix(mirrored, filteredRadiance(uv, int(smoothestMap)), clamp(lod - last, 0.0, 1.0));
     }
 #endif
-    // Between two maps linearly in 1 / alpha too: with both a step apart, (10^(f / 8) - 1) / (10^(1 / 8) - 1), of which
-    // this is a parabola, at most 0.001 off.
+    // Between two maps the weight is linear in 1 / alpha too: (10^(f / 8) - 1) / (10^(1 / 8) - 1), approximated by a parabola
+    // within 0.001.
     float at = clamp(-4.8165 * log2(max(roughness, 1e-3)), 0.0, smoothestMap);
 #ifdef LEAN
     return filteredRadiance(uv, int(at + 0.5));

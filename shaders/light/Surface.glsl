@@ -1,12 +1,12 @@
-// What a surface passes on of the light around it: glTF 2.0's metallic-roughness material by the split sum.
+// The share of the surrounding light that a surface reflects: glTF 2.0's metallic-roughness material by the split sum.
 uniform sampler2D dfgTable; // x: n.v, y: roughness; scale and bias of F0 (engine/math/Brdf.h, Karis 2013)
 
 struct Reflectance {
-    vec3 mirrored; // of glossyRadiance(r, roughness), r the eye mirrored at the surface
-    vec3 around;   // of diffuseRadiance(n)
+    vec3 mirrored; // factor for glossyRadiance(r, roughness), r the eye mirrored at the surface
+    vec3 around;   // factor for diffuseRadiance(n)
 };
 
-// Of light that never enters the surface, at its first bounce and at all further ones between its microfacets.
+// The shares of light reflected without entering the surface: at its first bounce, and at more between microfacets.
 struct Bounced {
     vec3 single, multiple;
 };
@@ -15,8 +15,8 @@ struct Bounced {
 Bounced bouncedOf(vec3 f0, float f90, float roughness, float nv) {
     vec2 dfg = textureLod(dfgTable, vec2(nv, roughness), 0.0).rg;
     vec3 single = f0 * dfg.x + f90 * dfg.y;
-    // Light that bounces between the microfacets more than once: Fdez-Aguera 2019, "A Multiple-Scattering Microfacet
-    // Model for Real-Time Image Based Lighting", eq. 20.
+    // Light that bounces between the microfacets more than once: Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for
+    // Real-Time Image Based Lighting", eq. 20.
     float lost = 1.0 - (dfg.x + dfg.y);
     vec3 average = f0 + (f90 - f0) / 21.0;
     return Bounced(single, single * average / (1.0 - lost * average) * lost);
@@ -29,8 +29,8 @@ Reflectance reflectanceOf(vec3 baseLin, float metallic, float roughness, float n
     return Reflectance(bounced.single, bounced.multiple + matte);
 }
 
-// With a dielectric's Fresnel reflectance of its own, as KHR_materials_ior and KHR_materials_specular give it: the mixture of a
-// dielectric and a metal. What enters the dielectric is without colour, less by its reflection's strongest channel.
+// Takes a dielectric's own Fresnel reflectance, as KHR_materials_ior and KHR_materials_specular give it: mixes a dielectric and a
+// metal. The light that enters the dielectric is colourless, reduced by its reflection's strongest channel.
 Reflectance reflectanceOf(vec3 baseLin, float metallic, float roughness, float nv, vec3 dielectricF0, float dielectricF90) {
     Bounced dielectric = bouncedOf(dielectricF0, dielectricF90, roughness, nv), metal = bouncedOf(baseLin, 1.0, roughness, nv);
     vec3 kept = dielectric.single + dielectric.multiple;

@@ -1,4 +1,4 @@
-// Where storage buffers are bound; read by C++ too.
+// Binding points of the storage buffers; included by C++ too.
 #define OCCLUSION_STARTS 0
 #define OCCLUSION_LAYERS 1
 #define OCCLUSION_VIEWS 2

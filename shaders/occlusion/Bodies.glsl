@@ -2,45 +2,45 @@
 // content/make/models/occlusion/Silhouettes.h, which has the derivation. All in the light's frame. OpenGL 3.3.
 #define AXIS_ROWS 6
 layout(std140) uniform OccluderBlock {
-    // Each: centre, strength; the diagonal of the matrix that makes it a sphere, squared, and the product of its semi-axes;
-    // yz, zx, xy of that matrix; albedo.
+    // For each occluder: centre, strength; the diagonal of Q, where x Q x = 1 on the ellipsoid, and the product of its semi-axes;
+    // yz, zx, xy of Q; albedo.
     vec4 occluders[4 * MAX_OCCLUDERS];
 };
-uniform int occluderCount, ownCount; // the first of them are the surface's own body's, which its self-occlusion complete
+uniform int occluderCount, ownCount; // the first ownCount belong to the surface's own body and complete its self-occlusion
 uniform vec3 selfOcclusionAlbedo;             // of the surface's own body
-uniform vec3 radianceAhead[4 * AXIS_ROWS], radianceBehind[4 * AXIS_ROWS]; // along the axes, and against them
+uniform vec3 radianceAhead[4 * AXIS_ROWS], radianceBehind[4 * AXIS_ROWS]; // along the axes, and in the opposite directions
 uniform vec3 evenLight[4];                                                // factors of 1, x, y, z
 uniform mat4x3 dominantTowards;
 uniform vec3 dominantRadiance;
 uniform float dominantShare;
 
-const float kEndShare = 1.0 / float(8 * AXIS_ROWS); // of the sphere; as a cap:
+const float kEndShare = 1.0 / float(8 * AXIS_ROWS); // share of the sphere of one end of an axis; as a cap its sine is:
 const float kCellSine = 2.0 * sqrt(kEndShare * (1.0 - kEndShare));
 
 struct Shaded {
     vec3 taken;           // diffuse radiance lost, less what the ellipsoids reflect
     float lobeVisibility; // share of the glossy lobe that is free, 0 to 1
-    vec3 seenInLobe;      // radiance of the ellipsoids in the rest of it
+    vec3 seenInLobe;      // radiance of the ellipsoids in the rest of the lobe
 };
 
-// What the ellipsoids so far have left of a point's light: the free shares of those ends of the axes that lie above its
-// surface, of the dominant light and of the lobe.
+// The free shares of a point's light after the ellipsoids so far: of those ends of the axes that lie above its surface, of the
+// dominant light and of the lobe.
 struct OpenShares {
-    vec4 side[AXIS_ROWS]; // which ends these are
+    vec4 side[AXIS_ROWS]; // signs of these ends
     vec4 open[AXIS_ROWS];
     vec4 dominantOpen;
     float lobeOpen;
-    vec4 albedo; // sum over the ellipsoids, weighted by what they cover; w: of the weights
+    vec4 albedo; // sum over the ellipsoids, weighted by the share that they cover; w: sum of the weights
 };
 
-// The product with each of a row's axes.
+// Returns the dot products with a row's four axes.
 vec4 along(vec3 v, vec3 axis) {
     vec3 p = v * axis;
     float same = p.x + p.y, turned = p.x - p.y;
     return vec4(same + p.z, same - p.z, turned + p.z, turned - p.z);
 }
 
-// Of a symmetric matrix with each of a row's axes, from both sides.
+// Returns axis . matrix . axis of a symmetric matrix for a row's four axes.
 vec4 squares(vec3 diagonal, vec3 mixed, vec3 axis) {
     vec3 m = mixed * (2.0 * axis.yzx * axis.zxy);
     float d = dot(diagonal, axis * axis), same = d + m.z, turned = d - m.z, plus = m.x + m.y, minus = m.y - m.x;
@@ -83,7 +83,7 @@ void blockByOccluders(int first, int end, vec3 p, vec3 reflected, float lobeSine
     }
 }
 
-// self-occlusion: what else the body hides of itself, by direction: w plus its product with xyz.
+// selfOcclusion: the share of each direction that the body hides of itself: w plus the dot product with xyz.
 Shaded occludeByEllipsoids(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 selfOcclusion) {
     float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
     OpenShares so;
@@ -124,7 +124,7 @@ Shaded occludeByEllipsoids(vec3 p, vec3 normal, vec3 reflected, float roughness,
     vec3 r = back * reflected;
     vec3 sent = evenLight[0] * share + evenLight[1] * first.x + evenLight[2] * first.y + evenLight[3] * first.z;
     vec3 inLobe = evenLight[0] + evenLight[1] * r.x + evenLight[2] * r.y + evenLight[3] * r.z;
-    vec3 albedo = so.albedo.rgb / so.albedo.w * (1.0 - share); // the surface blocks as much of their light
+    vec3 albedo = so.albedo.rgb / so.albedo.w * (1.0 - share); // the surface hides that share of their light
     Shaded shaded;
     shaded.taken = lost - albedo * max(sent, 0.0) +
                    dominantRadiance * (0.25 * dominantShare * dot(max(normal * dominantTowards, 0.0), 1.0 - so.dominantOpen));

@@ -1,5 +1,5 @@
-// Light that a body's own surface blocks and reflects, by rays through its layered fragment buffers. LAYERS_THESIS: as the
-// thesis has them, one bounce of mirrored light; else engine/occlusion/Ollfb.h. Needs GLSL 4.30, envFromWorld,
+// Computes the light that a body's own surface blocks and reflects, by rays through its layered fragment buffers. LAYERS_THESIS:
+// the thesis' method, one bounce of mirrored light; else engine/occlusion/Ollfb.h. Needs GLSL 4.30, envFromWorld,
 // light/Environment.glsl and light/Surface.glsl.
 #ifdef LAYERS_THESIS
 #include "occlusion/ThesisTrace.glsl"
@@ -8,20 +8,20 @@ const int kBounces = 1;
 #include "occlusion/Ollfb.glsl"
 const int kBounces = 4;
 #endif
-uniform float layersNearest; // metres; nothing nearer to a ray's origin is met
-uniform vec3 bodyAlbedo;     // the body's mean base colour: what a ray meets is taken to have it
+uniform float layersNearest; // metres; hits nearer to a ray's origin are ignored
+uniform vec3 bodyAlbedo;     // mean base colour of the body, used wherever a ray hits it
 
 const int kDiffuseRays = 32, kGlossyRays = 8;
 const float kSharp = 0.1;            // roughness below which one ray stands for the lobe
-const float kDirectionalRough = 0.5; // its lobe is about as wide as one of kDiffuseRays' share of the hemisphere
+const float kDirectionalRough = 0.5; // its lobe is about as wide as the share of the hemisphere of one of kDiffuseRays
 
-// The same directions are turned by another angle at each pixel, so that few of them leave noise and no contours. Jimenez
-// 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare".
+// Returns the angle by which a pixel turns the ray directions, so that few rays leave noise and no contours. Jimenez 2014, "Next
+// Generation Post Processing in Call of Duty: Advanced Warfare".
 float turnOfPixel() {
     return 2.0 * kPi * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 }
 
-// A point of Vogel's spiral: radius the square root of (i + 1/2) / count, angle i golden angles.
+// Returns the direction of a point of Vogel's spiral and its squared radius (i + 1/2) / count; its angle is i golden angles.
 vec2 spiral(int i, int count, float turn, out float square) {
     square = (float(i) + 0.5) / float(count);
     float angle = turn + 2.39996323 * float(i);
@@ -33,7 +33,7 @@ struct Met {
     vec3 radiance; // from the body
 };
 
-// Follows a ray from its origin on the body until it leaves it, or as many bounces as are allowed.
+// Follows a ray from its origin on the body until it leaves the body, for at most kBounces bounces.
 Met reflectedByBody(vec3 origin, vec3 direction, float metal, float rough) {
     Met met = Met(false, vec3(0.0));
     vec3 throughput = vec3(1.0);
@@ -52,7 +52,7 @@ Met reflectedByBody(vec3 origin, vec3 direction, float metal, float rough) {
     return met;
 }
 
-// place, normal: world frame; geometric: without the normal map. around: the diffuse radiance where nothing is in the way.
+// place, normal: world frame; geometric: without the normal map. around: the unoccluded diffuse radiance.
 vec3 diffuseWithLayers(vec3 place, vec3 normal, vec3 geometric, vec3 around) {
     mat3 frame = frameAround(normal);
     float turn = turnOfPixel(), square;
@@ -71,7 +71,7 @@ vec3 diffuseWithLayers(vec3 place, vec3 normal, vec3 geometric, vec3 around) {
     return around * open / all + reflected / float(kDiffuseRays);
 }
 
-// mirror: world frame. mirrored: the glossy radiance where nothing is in the way.
+// mirror: world frame. mirrored: the unoccluded glossy radiance.
 vec3 glossyWithLayers(vec3 place, vec3 mirror, vec3 geometric, vec3 mirrored, float metal, float rough) {
     int count = rough < kSharp ? 1 : kGlossyRays;
     mat3 frame = frameAround(mirror);
@@ -79,7 +79,7 @@ vec3 glossyWithLayers(vec3 place, vec3 mirror, vec3 geometric, vec3 mirrored, fl
     vec3 reflected = vec3(0.0);
     float blocked = 0.0;
     for (int i = 0; i < count; ++i) {
-        // Half vectors as GGX spreads them: Karis 2013, "Real Shading in Unreal Engine 4".
+        // Half vectors distributed by GGX: Karis 2013, "Real Shading in Unreal Engine 4".
         vec2 across = spiral(i, count, turn, square);
         float cosine = count == 1 ? 1.0 : sqrt((1.0 - square) / (1.0 + (alpha * alpha - 1.0) * square));
         vec3 half_ = vec3(sqrt(1.0 - cosine * cosine) * across, cosine);

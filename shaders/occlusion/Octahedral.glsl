@@ -1,4 +1,4 @@
-// engine/occlusion/Directions.h
+// Twins of the functions in engine/occlusion/Directions.h.
 
 vec3 directionFromSquare(vec2 square) {
     vec3 v = vec3(square, 1.0 - abs(square.x) - abs(square.y));

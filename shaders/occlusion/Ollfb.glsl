@@ -1,12 +1,11 @@
-// Traces a ray through layered fragment buffers (engine/occlusion/Ollfb.h); tests/baselines/occlusion/TracedOllfb.cpp is
-// its twin on the processor, with the reasons. The hit's distance and normal; a negative distance where
-// nothing is met.
+// Traces a ray through layered fragment buffers (engine/occlusion/Ollfb.h); tests/baselines/occlusion/TracedOllfb.cpp is its twin
+// on the processor, with the reasons. Returns the hit's distance and normal; a negative distance if there is none.
 #include "occlusion/Bindings.glsl"
 #include "occlusion/Octahedral.glsl"
 #include "occlusion/Slab.glsl"
 
 struct OllfbView {
-    vec4 right, up, along; // rows of viewFromBody; w: what becomes the origin of the pixels
+    vec4 right, up, along; // rows of viewFromBody; w: position of the pixels' origin
     float pixelsPerMetre;
     float depthRange;
     int width, height;
@@ -23,7 +22,7 @@ layout(std430, binding = OCCLUSION_STARTS) readonly buffer Starts { uint starts[
 layout(std430, binding = OCCLUSION_LAYERS) readonly buffer Layers { uint layers[]; };  // 3 times 16 bits each
 layout(std430, binding = OCCLUSION_AXES) readonly buffer AxisTable { uint axisTable[]; }; // 16 bits each
 
-uniform bool closed; // rays meet surfaces only where they enter
+uniform bool closed; // rays hit surfaces only where they enter
 
 const int kTableWidth = 64;
 const float kSteepest = 12.0, kLeaving_px = 3.0, kDepthMargin_px = kSteepest * 0.75;
@@ -38,7 +37,7 @@ uint layerPart(uint layer, uint part) {
 uint startAt(uint at) { return half_(starts[at >> 1], at); }
 uint coverageOf(uint layer) { return layerPart(layer, 2u); }
 
-// The ray in its view, pixels, and what has become of it.
+// The ray in its view, in pixels, and the state of its walk.
 OllfbView view;
 vec3 rayFrom, rayAlong;
 bool forwards, outside, inside, dived;
@@ -157,7 +156,7 @@ bool walkLayers(float begin, float end, bool started) {
     return false;
 }
 
-// surfaceNear() in `view`; false where no layer fits.
+// Finds a surface near a place in `view`; false if no layer fits.
 bool surfaceNear(vec3 place, vec3 normal, out float depth, out vec2 slope, out vec3 blended) {
     ivec2 corner = ivec2(floor(place.xy - 0.5));
     vec2 share = place.xy - 0.5 - vec2(corner);
@@ -210,7 +209,8 @@ vec3 pixelFromBody(vec3 place) {
 
 const vec4 kNothing = vec4(-1, 0, 0, 0);
 
-// As traceLayers(); `again` where the ray grazes the surface it has begun on: from `nearest`, moved on, it goes on.
+// As traceLayers(). `again`: the ray grazes the surface on which it began, and must be traced again from `nearest`, which has
+// moved on.
 vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again) {
     again = false;
     view = views[nearestAxis(direction)];

@@ -1,5 +1,5 @@
-// Rays through slabs and through the cells of a grid (Amanatides and Woo 1987, "A Fast Voxel Traversal Algorithm for
-// Ray Tracing"), and frames around them.
+// Intersects rays with slabs and with the cells of a grid (Amanatides and Woo 1987, "A Fast Voxel Traversal Algorithm for Ray
+// Tracing"), and makes frames around them.
 
 bool clipSlab(float origin, float direction, float low, float high, inout float from, inout float to) {
     if (direction == 0.0) return origin >= low && origin <= high && from <= to;
@@ -44,7 +44,7 @@ bool walkStep(inout CellWalk walk, ivec2 low, ivec2 high) {
     return walk.cell[k] >= low[k] && walk.cell[k] < high[k];
 }
 
-// Columns: a right-handed frame around a unit vector. Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+// Returns a right-handed frame around a unit vector, as columns. Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
 mat3 frameAround(vec3 n) {
     float side = n.z < 0.0 ? -1.0 : 1.0;
     float a = -1.0 / (side + n.z), b = n.x * n.y * a;

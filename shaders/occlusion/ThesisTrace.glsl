@@ -1,5 +1,5 @@
-// Traces a ray through the thesis' layered fragment buffers (engine/occlusion/ThesisLayers.h). The hit's distance and normal;
-// a negative distance where nothing is met.
+// Traces a ray through the thesis' layered fragment buffers (engine/occlusion/ThesisLayers.h). Returns the hit's distance and
+// normal; a negative distance if there is none.
 #include "occlusion/Bindings.glsl"
 #include "occlusion/Octahedral.glsl"
 #include "occlusion/Slab.glsl"

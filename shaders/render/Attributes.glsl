@@ -29,7 +29,7 @@
 #define MAX_JOINTS 256
 #define MAX_OTHERS 24 // occluders: parts of other bodies
 #define MAX_OCCLUDERS 48
-// Of the map of distances, which engine/depth/DepthMap.cpp searches as render/FilmDepth.glsl does.
+// Constants for searching the map of distances, shared by engine/depth/DepthMap.cpp and render/FilmDepth.glsl.
 #define FILM_NEAREST_M 0.6
 #define FILM_MAX_STEPS 16
 #define FILM_STEP_RAD 0.06

@@ -1,5 +1,5 @@
-// The environment itself. The level is explicit: one texel size over the whole view, so no wrong mip along the seam.
-// AS_IS: coded values under the curve that undoes their decoding, at exposure 0: the video's own, untouched.
+// Draws the environment. The mip level is explicit: one texel size over the whole view, so there is no wrong mip along the seam.
+// AS_IS: coded values under the curve that undoes their decoding, at exposure 0: the video's own values, unchanged.
 #include "light/LatLong.glsl"
 #ifndef AS_IS
 #include "render/Output.glsl"
@@ -7,7 +7,7 @@
 
 uniform sampler2D frame;
 #ifdef SHADED
-uniform sampler2D shadowsLeft; // of the frame's coded values
+uniform sampler2D shadowsLeft; // factor for the frame's coded values
 #endif
 noperspective in vec2 mapUv;
 noperspective in vec3 direction;

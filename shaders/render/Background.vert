@@ -1,11 +1,11 @@
-// The environment behind everything, at the far plane, in cells of a grid over the picture. Away from the poles the map's
-// coordinates are as good as affine within a cell, so that no pixel needs trigonometry; cells near a pole are drawn by
-// a second program (POLAR), which computes them for each pixel.
+// Draws the environment behind everything, at the far plane, in cells of a grid over the picture. Away from the poles the map's
+// coordinates are nearly affine within a cell, so that no pixel needs trigonometry; cells near a pole are drawn by a second
+// program (POLAR), which computes them for each pixel.
 #include "render/Attributes.glsl"
 
 layout(location = ATTRIBUTE_POSITION) in vec2 place; // on the picture, -1 to 1
 layout(location = ATTRIBUTE_UV0) in vec2 uv;
-layout(location = ATTRIBUTE_NORMAL) in vec3 directionEnv; // in which the film shows it
+layout(location = ATTRIBUTE_NORMAL) in vec3 directionEnv; // direction in which the film shows the corner
 noperspective out vec2 mapUv;
 noperspective out vec3 direction;
 

@@ -1,6 +1,6 @@
-// Copies depth. FILM: of what the film shows, where that is nearer. Pairs with engine/render/DepthPass.
+// Copies depth. FILM: takes the film's depth where that is nearer. Pairs with engine/render/DepthPass.
 uniform sampler2D depth;
-uniform float part; // of its width and height, about the middle
+uniform float part; // share of its width and height that is copied, about the middle
 noperspective in vec2 uv;
 
 #ifdef FILM

@@ -1,17 +1,17 @@
-// A texel of the frame with what a layer of objects shows in its direction; display values, premultiplied by coverage.
-// FILMED: as the video's camera would have it, with its noise and where codecs keep one colour for squares of texels, see
-// engine/render/EquirectComposite.h.
+// Paints a texel of the frame with the layer of objects in its direction; display values, premultiplied by coverage. FILMED: as
+// the video's camera would show them, with its noise and, where codecs keep one colour for squares of texels, with shared
+// colours, see engine/render/EquirectComposite.h.
 uniform sampler2D layer;
 uniform vec2 rayScale; // half the layer's image plane's extent at distance 1
 uniform vec2 rayShift; // its centre
 uniform sampler2D frame; // without objects
 #ifdef SHADED
-uniform sampler2D shadowsLeft; // of the frame
+uniform sampler2D shadowsLeft; // factor for the frame
 #endif
 noperspective in vec3 eyeRay;
 out vec4 colour;
 
-// What is behind the objects.
+// Returns the background of the objects.
 vec3 frameTexel() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 texel = texelFetch(frame, at, 0).rgb;
@@ -41,7 +41,7 @@ float luma(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 void main() {
     vec4 c = seen(eyeRay);
-    // Fragments come in squares of two by two that begin where the codec's do: their mean is two differences away.
+    // Fragments come in squares of two by two that begin where the codec's do: two differences give their mean.
     vec2 aside = shares * (0.5 - mod(floor(gl_FragCoord.xy), 2.0));
     vec4 square = c + aside.x * dFdx(c) + aside.y * dFdy(c);
     ivec2 at = ivec2(gl_FragCoord.xy);

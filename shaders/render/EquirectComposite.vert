@@ -1,4 +1,4 @@
-// Tiles of the lat-long frame's texels, so small that rays are as good as linear within; the frame's first row is the
+// Draws tiles of the lat-long frame's texels, so small that rays are nearly linear within; the frame's first row is the
 // framebuffer's first.
 #include "render/Attributes.glsl"
 #include "light/LatLong.glsl"
@@ -7,7 +7,7 @@ layout(location = ATTRIBUTE_POSITION) in vec2 uv;
 uniform mat3 eyeFromEnv;
 noperspective out vec3 eyeRay;
 #ifdef FILMED
-uniform sampler2D scattered; // about each place; changes more slowly than tiles do
+uniform sampler2D scattered; // light around each place; changes more slowly than tiles do
 noperspective out vec3 scatteredLight;
 #endif
 

@@ -1,4 +1,4 @@
-// One colour over the whole picture. Pairs with engine/render/FadePass.
+// Draws one colour over the whole picture. Pairs with engine/render/FadePass.
 uniform vec4 colour;
 
 out vec4 fragment;

@@ -1,13 +1,13 @@
-// What of the film is nearer than an object hides it. Needs light/LatLong.glsl. Twin of engine/depth/DepthMap.h.
+// Hides objects behind nearer parts of the film. Needs light/LatLong.glsl. Twin of engine/depth/DepthMap.h.
 #include "render/Attributes.glsl"
 
 uniform sampler2D filmDepth;  // inverse distance from the film's camera, lat-long; 1 is 1 / FILM_NEAREST_M
-uniform vec3 eyeInFilm;       // env frame, metres from the film's camera; 0: the film is shown as if it were endlessly far
+uniform vec3 eyeInFilm;       // env frame, metres from the film's camera; 0: the film is shown infinitely far
 
 float filmInverse(vec3 dirEnv) { return textureLod(filmDepth, latLongFromDirection(dirEnv), 0.0).r * (1.0 / FILM_NEAREST_M); }
 
-// One over the distance from the eye, along a ray, of what the film shows there; 0: endlessly far. As depth::searchAlong(), which
-// says how; behind an edge lies what was seen before it.
+// Returns one over the distance from the eye, along a ray, of what the film shows there; 0: infinitely far. Method: see
+// depth::searchAlong(); behind a depth edge the surface before it is returned.
 float inverseAlong(vec3 dirEnv) {
     float eye2 = dot(eyeInFilm, eyeInFilm);
     if (eye2 == 0.0) return filmInverse(dirEnv);
@@ -19,14 +19,14 @@ float inverseAlong(vec3 dirEnv) {
         float met = d / (sqrt(1.0 + d * d * (along * along - eye2)) - along * d);
         if (abs(met - inverse) <= found) return met;
         if (passed) return before;
-        passed = met > FILM_PASSED * inverse + found; // then once more, where a step may have gone over it
+        passed = met > FILM_PASSED * inverse + found; // then once more, in case a step went past the surface
         if (!passed) before = met;
         inverse = passed ? met : max(met, inverse - FILM_STEP_RAD / eye);
     }
     return before;
 }
 
-// Of a place seen from the eye, how much its inverse distance exceeds that of what the film shows there: negative where it is hidden.
+// Returns by how much a place's inverse distance from the eye exceeds the film's there: negative where the film hides it.
 float inverseBeforeFilm(vec3 fromEyeEnv) {
     float away = length(fromEyeEnv);
     return 1.0 / away - inverseAlong(fromEyeEnv / away);

@@ -1,4 +1,4 @@
-// Cells of the picture in which a layer shows something.
+// Draws the cells of the picture in which a layer shows something.
 #include "render/Attributes.glsl"
 
 layout(location = ATTRIBUTE_POSITION) in vec2 place; // on the picture, -1 to 1

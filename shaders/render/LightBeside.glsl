@@ -1,6 +1,6 @@
-// Matte light of an object that does not stand at the film's camera: that of the camera's place, and by how much there is more or
-// less of it at the object's (engine/depth/LightBeside.h), as factors of the harmonics of bands 0 to 2 in math::shBasis()'s order.
-// Needs light/Environment.glsl.
+// Matte light of an object away from the film's camera: the light at the camera, plus the difference at the object
+// (engine/depth/LightBeside.h), as factors of the harmonics of bands 0 to 2 in math::shBasis()'s order. Needs
+// light/Environment.glsl.
 uniform vec3 lightBeside[9];
 
 vec3 diffuseRadianceBeside(vec3 n) {
@@ -8,5 +8,5 @@ vec3 diffuseRadianceBeside(vec3 n) {
     vec3 beyond = lightBeside[0] + lightBeside[1] * n.y + lightBeside[2] * n.z + lightBeside[3] * n.x + lightBeside[4] * (n.x * n.y) +
                   lightBeside[5] * (n.y * n.z) + lightBeside[6] * (3.0 * n.z * n.z - 1.0) + lightBeside[7] * (n.x * n.z) +
                   lightBeside[8] * (n.x * n.x - n.y * n.y);
-    return max(camera + beyond, 0.1 * camera); // so few harmonics may fall below nothing
+    return max(camera + beyond, 0.1 * camera); // so few harmonics may sum to less than zero
 }

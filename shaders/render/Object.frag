@@ -1,4 +1,4 @@
-// glTF 2.0 metallic-roughness, lit by the environment and by nothing else.
+// glTF 2.0 metallic-roughness, lit by the environment alone.
 uniform mat3 envFromWorld;
 #include "render/Attributes.glsl"
 #include "light/LatLong.glsl"
@@ -29,7 +29,7 @@ uniform float roughness;
 #ifdef DIELECTRIC
 uniform vec3 dielectricF0;
 uniform float dielectricF90;
-uniform sampler2D specularMap, specularColourMap; // white where there are none
+uniform sampler2D specularMap, specularColourMap; // white if the material has none
 uniform int specularUv, specularColourUv;
 #endif
 #ifdef CLEARCOAT
@@ -79,13 +79,13 @@ in vec4 bodiesInLobe;
 in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
 #ifdef VERTEX_LIT
-in float litUp; // as highlightOf() has it
+in float litUp; // from highlightOf()
 #else
 uniform float highlight; // 0 to 1
 #endif
 out vec4 colour;
 
-// Linear, with its coverage; where vertices are lit, times the light and exposed. Discards what the mask cuts out.
+// Returns the linear base colour with coverage; lit vertices: times the light and exposed. Discards what the mask cuts out.
 vec4 baseColour() {
 #ifdef VERTEX_LIT
     vec4 base = perMapExposed;
@@ -123,12 +123,12 @@ vec3 throughWater(vec3 display) {
 #endif
 }
 
-// What is marked for the player: lighter, so that it shows to every kind of colour vision, and by display values, so that it
-// shows in a cave as before a white sky; at night less, where white would dazzle. Not light: nothing else sees it.
+// Lightens an object that is marked for the player: by brightness, which every kind of colour vision sees, and in display values,
+// so that it shows in a cave as before a white sky; at night less, where white would dazzle. Not light: it lights nothing else.
 vec3 lightened(vec3 display, float share) { return mix(display, min(2.5 * display + 0.25, vec3(1.0, 0.98, 0.90)), share); }
 
 #ifndef VERTEX_LIT
-// With the normal map; on the side that the eye sees. geometric: without it.
+// Returns the normal on the side that the eye sees, with the normal map. geometric: without the map.
 vec3 shadingNormal(out vec3 geometric) {
     vec3 n = normalize(worldNormal);
     float facing = gl_FrontFacing ? 1.0 : -1.0;
@@ -143,8 +143,8 @@ vec3 shadingNormal(out vec3 geometric) {
     return n * facing;
 }
 
-// Radiance that arrives, filtered: around the normal for diffuse reflection, unoccluded and with what bodies take, around
-// the mirror direction for glossy, and around that of the clearcoat.
+// Filtered radiance that arrives: around the normal for diffuse reflection, unoccluded and occluded by bodies, around the mirror
+// direction for glossy reflection, and around that of the clearcoat.
 struct Incoming {
     vec3 unoccluded, around, mirrored, coat;
 };
@@ -185,7 +185,7 @@ Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough,
     return light;
 }
 
-// The pixel's display values in the light of the environment.
+// Returns the pixel's display values in the light of the environment.
 vec3 litByPixel(vec3 base) {
     float metal = metallic, rough = roughness;
 #ifdef METALLIC_ROUGHNESS_MAP
@@ -213,7 +213,7 @@ vec3 litByPixel(vec3 base) {
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
     open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);
-    // What a cavity leaves of a lobe around the mirror direction: Lagarde and de Rousiers 2014, "Moving Frostbite to
+    // The share of a lobe around the mirror direction that a cavity leaves: Lagarde and de Rousiers 2014, "Moving Frostbite to
     // Physically Based Rendering", listing 26.
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
@@ -238,9 +238,9 @@ vec3 litByPixel(vec3 base) {
     return lightened(throughWater(displayOfExposed(radiance * exposureScale)), highlightOf(highlight, dot(geometric, v)));
 }
 #elif defined(UNLIT)
-// KHR_materials_unlit, always with VERTEX_LIT: the base colour as it is, coded in, coded out, as the video's own colours are at
-// exposure 0. Exposure and tone curve make display values of light, which this is not: they leave it alone, as in Khronos'
-// sample renderer. Water between it and the eye does not.
+// KHR_materials_unlit, always with VERTEX_LIT: the base colour is shown unchanged, coded in, coded out, like the video's own
+// colours at exposure 0. Exposure and tone curve make display values of light, which this is not, and do not apply, as in
+// Khronos' sample renderer. Water between it and the eye does.
 vec3 litByVertex(vec3 baseLin) { return lightened(throughWater(srgbFromLinear(baseLin)), litUp); }
 #else
 vec3 litByVertex(vec3 baseExposed) {
@@ -253,7 +253,7 @@ vec3 litByVertex(vec3 baseExposed) {
 #endif
 
 #ifdef FILM_DEPTH
-// 0 behind what the film shows to 1 before it, over about a pixel of its outline, or 2 % of the distance where a body lies against it.
+// Returns 0 behind the film to 1 in front of it, over about a pixel, or 2 % of the distance where a body touches the film.
 float filmVisibility(vec3 fromEyeEnv) {
     float before = inverseBeforeFilm(fromEyeEnv);
     return clamp(before / max(fwidth(before), 0.02 / length(fromEyeEnv)) + 0.5, 0.0, 1.0);

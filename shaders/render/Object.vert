@@ -16,7 +16,7 @@ layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 #ifdef OCCLUDED
 layout(location = ATTRIBUTE_SELF_OCCLUSION) in vec4 selfOcclusion;
 layout(location = ATTRIBUTE_SELF_OCCLUSION_BESIDE_OWN) in vec4 selfOcclusionBesideOwn;
-uniform float ownStrength; // of the body's own occluders, 0 to 1
+uniform float ownStrength; // strength of the body's own occluders, 0 to 1
 #endif
 
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
@@ -37,17 +37,17 @@ uniform mat3 envFromWorld;
 out vec3 diffuseLin;
 #ifdef OCCLUDED
 uniform float roughness;
-out vec4 bodiesInLobe; // what they send into the glossy lobe, and what is left of it
+out vec4 bodiesInLobe; // radiance that bodies send into the glossy lobe, and the free share of it
 #endif
 #endif
 #ifdef VERTEX_LIT
 #include "render/VertexLight.glsl"
 uniform vec4 baseColourLin;
 uniform vec3 emissiveLin;
-uniform float twoSided; // 1: the normal turns to whoever looks
-// What is sent to the eye, exposed: the first, times what the base colour's map has there, plus the second. The first's alpha
-// is opacity. Software renderers fetch each uniform number once for each pixel, so pixels are handed products.
-// UNLIT: the first is what stands before the map, linear.
+uniform float twoSided; // 1: the normal turns towards the eye
+// The exposed light sent to the eye is perMapExposed times the base colour's map plus besidesExposed. The alpha of perMapExposed
+// is opacity. Software renderers fetch each uniform number once for each pixel, so pixels get products. UNLIT: perMapExposed is
+// the factor of the map, linear.
 out vec4 perMapExposed;
 #ifndef UNLIT
 out vec3 besidesExposed;
@@ -100,7 +100,7 @@ void main() {
     mat4 worldFromMesh = worldFromVertex();
     vec4 world = worldFromMesh * vec4(position, 1.0);
     mat3 m = mat3(worldFromMesh);
-    // The cofactor matrix turns normals rightly under any scale, without a division.
+    // The cofactor matrix transforms normals correctly under any scale, without a division.
     mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
     float handedness = dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0;
     vec3 n = normalize(cofactor * normal) * handedness;

@@ -1,5 +1,5 @@
-// Marine snow: specks in a cube around the world's origin, where the viewer is. Each speck is a function of its number and
-// of time, so nothing is simulated; what leaves the cube comes in on the other side.
+// Marine snow: specks in a cube around the world's origin, where the viewer is. Each speck is a function of its index and of
+// time, so nothing is simulated; specks that leave the cube enter on the other side.
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
 #include "render/Output.glsl"
@@ -10,14 +10,14 @@
 
 uniform mat4 clipFromWorld;
 uniform mat3 envFromWorld;
-uniform vec3 drift_m;      // of all of them, within the cube
-uniform float swell;       // radians of a slow sway, by time
-uniform float cube_m;      // its side
+uniform vec3 drift_m;      // common drift of all specks, within the cube
+uniform float swell;       // phase of a slow sway, radians
+uniform float cube_m;      // side of the cube
 uniform float pixelsPerSlope;
 out vec3 speck; // display value
-out float speckCover; // how opaque it is in its middle
+out float speckCover; // opacity in its middle
 
-// Of a number: three in 0 .. 1. Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", pcg3d.
+// Hashes an index to three numbers in 0 .. 1. Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", pcg3d.
 vec3 places(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
@@ -37,19 +37,19 @@ void main() {
 
     float size_m = mix(0.003, 0.014, habit.x * habit.x * habit.x);
     float size_px = size_m * pixelsPerSlope / ahead;
-    // Never below two pixels, or it would flicker from pixel to pixel: it covers less of them instead.
+    // At least two pixels wide, or it would flicker from pixel to pixel: a smaller speck covers less of them instead.
     const float kMin_px = 2.0;
     gl_PointSize = max(size_px, kMin_px);
     float cover = min(1.0, size_px / kMin_px);
-    // Out of the eye's focus near, and unseen where the cube ends.
+    // Near specks are out of the eye's focus, and specks fade towards the cube's end.
     cover *= smoothstep(0.15, 0.45, away) * (1.0 - smoothstep(0.35, 0.5, away / cube_m));
     speckCover = 0.8 * cover;
 #ifdef FILM_DEPTH
-    // By its middle; over 2 % of the distance, so that none vanishes at once.
+    // Compared at its middle; over 2 % of the distance, so that none vanishes at once.
     if (cover > 0.0) speckCover *= clamp(inverseBeforeFilm(envFromWorld * fromEye) * away / 0.02 + 0.5, 0.0, 1.0);
 #endif
 
-    // Specks let light through as much as they send it back: from all sides they are as bright as from above.
+    // Specks transmit as much light as they reflect: from all sides they are as bright as from above.
     vec3 lit = displayValue(diffuseRadiance(envFromWorld * vec3(0.0, 1.0, 0.0)));
     vec3 left, veil;
     throughWater(fromEye, envFromWorld, left, veil);

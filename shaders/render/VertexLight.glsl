@@ -1,6 +1,6 @@
-// The light that a vertex sends to the eye, for what does not fill the picture where the processor draws: the sums of
-// Object.frag without relief, put so that they are linear in the base colour, which the pixel brings. For metals their further
-// bounces are taken to have the base colour once. A clearcoat does not dim what glows. Needs render/LightBeside.glsl.
+// Computes the light that a vertex sends to the eye, for objects that do not fill the picture where the processor draws: the sums
+// of Object.frag without relief, written so that they are linear in the base colour, which the pixel adds. A metal's further
+// bounces are assumed to have the base colour once. A clearcoat does not dim emitted light. Needs render/LightBeside.glsl.
 uniform sampler2D dfgTable;
 uniform float metallic, roughness;
 #ifdef DIELECTRIC
@@ -14,7 +14,7 @@ const float dielectricF90 = 1.0;
 #include "render/Clearcoat.glsl"
 #endif
 
-// p: world; self-occlusion: of Primitive (engine/scene/Model.h), light's frame; n, v: unit, world, to the surface's outside and to the eye.
+// p: world; selfOcclusion: Primitive's (engine/scene/Model.h), light's frame; n, v: unit, world, outwards and to the eye.
 void lightVertex(vec3 p, vec3 n, vec3 v, vec4 selfOcclusion, out vec3 perBaseLin, out vec3 besidesLin) {
     float nv = clamp(dot(n, v), 1e-3, 1.0);
     vec2 dfg = textureLod(dfgTable, vec2(nv, roughness), 0.0).rg;

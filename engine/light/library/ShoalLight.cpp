@@ -30,7 +30,7 @@ struct ShoalLight {
     light::EnvironmentLight made;
     light::PackedLight packed;
     light::FoundLights found;               // none unless asked for
-    std::vector<ShoalLightTexture> mirrors; // of packed
+    std::vector<ShoalLightTexture> mirrors; // point into packed
 };
 
 namespace {
@@ -47,7 +47,7 @@ ShoalLightStatus fail(ShoalLightStatus status, const char* why) {
 }
 ShoalLightStatus bad(const char* why) { return fail(SHOAL_LIGHT_BAD_ARGUMENT, why); }
 
-// What can fail here but for arguments is memory.
+// Nothing but memory can fail here once arguments are checked.
 template <class Work> ShoalLightStatus guarded(const Work& work) {
     try {
         work();
@@ -103,7 +103,7 @@ void makeFromBytes(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff
     for (int y = 0; y < frame.height; ++y) {
         const uint8_t* from = rowOf(frame, rowBytes, y);
         uint8_t* to = maker.threeBytes.data() + 3 * width * static_cast<size_t>(y);
-        // Four bytes at once; the fourth lies where the next pixel comes.
+        // Copies four bytes at once; the next pixel overwrites the fourth.
         for (size_t x = 0; x + 1 < width; ++x) std::memcpy(to + 3 * x, from + 4 * x, 4);
         std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
     }
@@ -115,7 +115,7 @@ ShoalLightTexture textureOf(const light::HalfImage& image) {
     return {image.pixels.data(), image.width, image.height};
 }
 
-// A look-up must not leave the map, whatever it is asked.
+// Returns whether a look-up stays within the map, whatever the caller passed.
 bool canBeLookedUp(const ShoalLight* light, const float* direction) {
     return light && !light->packed.places.empty() &&
            std::isfinite(direction[0] + direction[1] + direction[2]);

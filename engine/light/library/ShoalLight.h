@@ -41,7 +41,7 @@ typedef enum ShoalLightStatus {
    thread's next failure. */
 SHOAL_LIGHT_API const char* shoalLightError(void);
 
-/* Of the library that is linked, "MAJOR.MINOR.PATCH". */
+/* Returns the version of the linked library, "MAJOR.MINOR.PATCH". */
 SHOAL_LIGHT_API const char* shoalLightVersion(void);
 
 /* ---- A frame ---- */
@@ -149,7 +149,7 @@ typedef struct ShoalLightMaps {
 
 SHOAL_LIGHT_API void shoalLightMaps(const ShoalLight* light, ShoalLightMaps* maps);
 
-/* What radiance is to what the maps hold: 1, or more with SHOAL_LIGHT_SCALED_MAPS. Since 1.1. */
+/* Returns radiance by the maps' values: 1, or more with SHOAL_LIGHT_SCALED_MAPS. Since 1.1. */
 SHOAL_LIGHT_API float shoalLightScale(const ShoalLight* light);
 
 /* A sun, a window, a lamp: what casts shadows. */
@@ -178,7 +178,7 @@ SHOAL_LIGHT_API void shoalLightDiffuse(const ShoalLight* light, const float norm
 SHOAL_LIGHT_API void shoalLightGlossy(const ShoalLight* light, const float direction[3], float roughness,
                                       float radiance[3]);
 
-/* What the 8-bit formats go through, and its inverse (shaders/light/ToneCurve.glsl): coded values 0 to 1. */
+/* The thesis' decoding of 8-bit formats, and its inverse (shaders/light/ToneCurve.glsl): values 0 to 1. */
 SHOAL_LIGHT_API void shoalLightRadianceFromDisplay(const float display[3], float radiance[3]);
 SHOAL_LIGHT_API void shoalLightDisplayFromRadiance(const float radiance[3], float display[3]);
 

@@ -24,7 +24,7 @@ inline void check(ShoalLightStatus status) {
     if (status != SHOAL_LIGHT_OK) throw Error(status, shoalLightError());
 }
 
-// What one frame gives: empty until a Maker fills it.
+// The light of one frame: empty until a Maker fills it.
 class Light {
   public:
     Light() {
@@ -87,7 +87,7 @@ class Maker {
     std::unique_ptr<ShoalLightMaker, Destroy> maker_;
 };
 
-// Of shaders/light/Surface.glsl: size x size x 2.
+// The dfgTable of shaders/light/Surface.glsl: size x size x 2 floats.
 inline std::vector<float> surfaceTable(int size = 64) {
     std::vector<float> table(size > 0 ? 2 * static_cast<size_t>(size) * static_cast<size_t>(size) : 0);
     check(shoalLightSurfaceTable(size, table.data()));

@@ -10,7 +10,7 @@ namespace shoal::media {
 static CameraReader openCamera(int index, const CameraRequest& request) {
     const auto camera = std::make_shared<cv::VideoCapture>(index, cv::CAP_V4L2);
     if (!camera->isOpened()) return {};
-    // What a camera does not know it refuses.
+    // A camera refuses properties that it does not know.
     if (request.jpeg) camera->set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
     camera->set(cv::CAP_PROP_FRAME_WIDTH, request.width);
     camera->set(cv::CAP_PROP_FRAME_HEIGHT, request.height);

@@ -12,7 +12,7 @@ namespace shoal::media {
 
 namespace {
 
-// The camera gives the nearest size it has.
+// The camera gives the nearest size that it has.
 constexpr int kRequestedWidth = 3840, kRequestedHeight = 1920;
 
 Status openCamera(int index, CameraReader& camera) {
@@ -23,7 +23,7 @@ Status openCamera(int index, CameraReader& camera) {
     if (!with) return Error{"", "cannot be opened: " + with.error().message()};
     try {
         camera = nullptr;
-        // A short queue: pictures that wait grow old.
+        // A short queue: waiting pictures grow old.
         camera = (*with)->openCamera(
             index, {.width = kRequestedWidth, .height = kRequestedHeight, .jpeg = true, .waiting = 2});
         if (!camera) return Error{"", "cannot be opened, or is in use elsewhere"};
@@ -79,7 +79,7 @@ std::vector<CameraListed> listCameras() {
         const std::string node = entry.path().filename().string();
         const auto number = parseNumber(node.substr(std::min<size_t>(5, node.size())), 0, 999);
         if (!node.starts_with("video") || !number) continue;
-        // A camera's further nodes give metadata.
+        // A camera's further nodes deliver metadata.
         int which = 0;
         if (std::ifstream(entry.path() / "index") >> which && which != 0) continue;
         CameraListed camera{*number, {}};

@@ -16,7 +16,7 @@ constexpr std::pair<const char*, const char*> kStreams[] = {
 
 constexpr size_t kMaxLength = 2048;
 
-// The text before "://", if that can be a scheme.
+// Returns the text before "://", if that can be a scheme.
 std::string_view schemeOf(const std::string& text) {
     const size_t end = text.find("://");
     if (end == std::string::npos || end == 0) return {};

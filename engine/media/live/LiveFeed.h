@@ -1,4 +1,4 @@
-// Sources of live pictures, as `--video` takes them: a camera, a named pipe or a URL; in tests a fake.
+// Sources of live pictures for `--video`: a camera, a named pipe or a URL; in tests a fake.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -22,7 +22,7 @@ struct CameraAddress {
 struct PipeAddress {
     Path file;
 };
-// Live pictures have at most so many pixels: some 250 MB for those that are decoded and shown at once.
+// Most pixels of a live picture: some 250 MB for the pictures that are decoded and shown at once.
 constexpr int64_t kMaxLivePixels = int64_t{4096} * 4096;
 
 struct StreamAddress {
@@ -32,21 +32,21 @@ struct StreamAddress {
 };
 using LiveAddress = std::variant<CameraAddress, PipeAddress, StreamAddress>;
 
-// "camera:N", the name of a named pipe, or a URL of a scheme that is played. Empty: `text` names a file, if
-// anything. Errors: a malformed camera or URL, or a scheme that is not allowed.
+// Parses "camera:N", the name of a named pipe, or a URL of a scheme that is played. Empty: `text` names a
+// file, if anything. Fails for a malformed camera or URL, or a scheme that is not allowed.
 Result<std::optional<LiveAddress>> liveAddress(const std::string& text);
 
-// For messages: without user name and password.
+// Returns the URL for messages: without user name and password.
 std::string withoutPassword(const std::string& url);
 
 // Monotonic clock of arrivals, seconds.
 double liveNow_s();
 
 struct LivePicture {
-    double arrived_s = 0; // by liveNow_s(): when its last byte was here, still coded
+    double arrived_s = 0; // when its last coded byte arrived, by liveNow_s()
     double decode_ms = 0;
-    int64_t passedOver = 0;     // pictures since the last that were skipped because a newer one was there
-    glm::ivec2 chromaTexels{2}; // as VideoFrame has them
+    int64_t passedOver = 0;     // pictures skipped since the last one because a newer one had arrived
+    glm::ivec2 chromaTexels{2}; // as in VideoFrame
 };
 
 struct LiveFeed {
@@ -55,37 +55,37 @@ struct LiveFeed {
 
     // open() and read() belong to one thread, and block.
 
-    // Connects, or connects again. Errors: why there is nothing to read.
+    // Connects, or connects again. The error says why there is nothing to read.
     std::function<Status()> open;
 
-    // The newest picture that was not returned before, as soon as there is one; blue first, sRGB-coded. The
-    // image takes the size of the picture, at most kMaxVideoSide a side. Errors: why no more come; then
-    // open() again.
+    // Returns the newest picture that was not returned before, as soon as there is one; blue first,
+    // sRGB-coded. The image takes the picture's size, at most kMaxVideoSide a side. The error says why no
+    // more come; then open() again.
     std::function<Result<LivePicture>(ImageRgb8& bgr)> read;
 
-    // From any thread: open() and read() return soon, from now on.
+    // Makes open() and read() return soon, now and later. Any thread.
     std::function<void()> interrupt;
 };
 
 struct FeedTimeouts {
-    double open_s = 10;   // until there is something to be read
+    double open_s = 10;   // until there is something to read
     double silence_s = 4; // between pictures, before the connection counts as lost
 };
 
-// Does not open it yet.
+// Makes a feed without opening it.
 LiveFeed feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts = {});
 
-// A pipe or a stream.
+// Makes a feed of a pipe or a stream.
 LiveFeed streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts);
 
-// A Video4Linux camera through OpenCV. Cannot be interrupted while it is silent: OpenCV waits ten seconds.
+// Makes a feed of a Video4Linux camera, by OpenCV. A silent one cannot be interrupted for ten seconds.
 LiveFeed cameraFeed(const CameraAddress& address);
 
 struct CameraListed {
     int index = 0;
     std::string name;
 };
-// As the system lists them; none is opened.
+// Lists the system's cameras without opening any.
 std::vector<CameraListed> listCameras();
 
 } // namespace shoal::media

@@ -33,7 +33,7 @@ struct LivePlayer::Impl {
     bool lost = false;
     std::string reason; // of the loss
     bool stop = false;
-    bool inFeed = false; // the thread is in a call that may block
+    bool inFeed = false; // whether the thread is in a call that may block
     bool finished = false;
     std::thread thread;
 
@@ -50,7 +50,7 @@ struct LivePlayer::Impl {
 
     // --- Decode thread -------------------------------------------------------------------------------------
 
-    // Runs `call` unlocked. False: the player ends.
+    // Runs `call` unlocked. Returns false if the player ends.
     template <class Call> bool inCall(std::unique_lock<std::mutex>& lock, Call&& call) {
         inFeed = true;
         lock.unlock();
@@ -67,7 +67,7 @@ struct LivePlayer::Impl {
         width = picture.width;
         height = picture.height;
         layout = options.layout;
-        // One picture is not enough to take 2:1 for two eyes'.
+        // A single picture is not enough to take 2:1 for two eyes' pictures.
         if (layout == Layout::Auto) layout = layoutFromShape(width, height);
         if (layout == Layout::Auto) layout = layoutOf(picture);
     }
@@ -85,7 +85,7 @@ struct LivePlayer::Impl {
         changed.notify_all();
     }
 
-    // Reads until no more pictures come; returns why.
+    // Reads until no more pictures come; returns the reason.
     Error play(std::unique_lock<std::mutex>& lock) {
         while (!stop) {
             Slot& slot = *slots.find(State::Free); // of three, one is shown and one ready
@@ -112,7 +112,7 @@ struct LivePlayer::Impl {
     }
 
     void run() {
-        // At normal priority, unlike a file's thread: live pictures are not ready before they are due.
+        // Runs at normal priority, unlike a file's thread: live pictures are not ready before they are due.
         double delay_s = options.retryFirst_s;
         std::unique_lock lock(mutex);
         while (!stop) {
@@ -135,7 +135,7 @@ struct LivePlayer::Impl {
 
     // --- Frame's thread, with the lock held ----------------------------------------------------------------
 
-    // Shows what is ready; false if nothing is.
+    // Shows the ready frame; returns false if there is none.
     bool takeReady() {
         Slot* ready = slots.find(State::Ready);
         if (!ready) return false;
@@ -182,7 +182,7 @@ Result<LivePlayer> LivePlayer::open(LiveFeed feed, LiveOptions options, const st
         Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(impl->options.firstPicture_s));
     std::unique_lock lock(impl->mutex);
     const auto failed = [&](std::string why) {
-        lock.unlock(); // for the player's end
+        lock.unlock(); // the player's destructor locks it
         return Error{impl->feed.name, std::move(why)};
     };
     for (;;) {

@@ -1,4 +1,4 @@
-// Bounded queue of coded pictures between the reader's thread and the decoder's. Where the decoder is behind
+// Bounded queue of coded pictures between the reader's thread and the decoder's. If the decoder falls behind
 // a live stream, packets before the newest key frame are dropped. And a rate limiter of packets.
 #pragma once
 
@@ -19,13 +19,13 @@ class PacketQueue {
 
     // --- The reader's thread
 
-    // Takes over the packet's data. False once stopped or interrupted.
+    // Takes over the packet's data. Returns false once stopped or interrupted.
     bool push(AVPacket& packet, double arrived_s);
 
-    // No more packets will come, for this reason. Those in the queue can still be popped.
+    // Ends the queue for this reason. Packets in it can still be popped.
     void close(std::string reason);
 
-    // False if stopped or interrupted meanwhile.
+    // Returns false if stopped or interrupted meanwhile.
     bool sleep(double seconds);
 
     // --- The decoder's thread
@@ -45,7 +45,7 @@ class PacketQueue {
 
     // --- Any thread
 
-    void interrupt(); // for good
+    void interrupt(); // permanent
 
     static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{32} << 20, kWaitingPackets = 4;
 
@@ -61,15 +61,15 @@ class PacketQueue {
     std::string reason_;
 };
 
-// Limits packets that come faster than their own time stamps (a file on a server, or written into a pipe) to
-// these. A token bucket of seconds: it fills as time passes, and each picture takes its duration. What is
-// live never has to wait.
+// Holds packets that come faster than their own time stamps (a file on a server, or written into a pipe) back
+// to these. A token bucket of seconds: it fills as time passes, and each picture takes its duration. Live
+// packets never wait.
 class TokenBucket {
   public:
-    // burst_s: how much may come at once: a server that sends the last seconds first is still live.
+    // burst_s: how much may come at once; a server that first sends the last seconds is still live.
     explicit TokenBucket(double burst_s) : max_s_(burst_s), left_s_(burst_s) {}
 
-    // Seconds that a packet stamped stamp_s, which came at now_s, has to wait.
+    // Returns the seconds that a packet stamped stamp_s, which came at now_s, has to wait.
     double wait_s(double stamp_s, double now_s) {
         if (!began_) {
             began_ = true;

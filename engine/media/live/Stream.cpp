@@ -24,7 +24,7 @@ namespace shoal::media {
 
 namespace {
 
-// Containers of video; no play lists, which name further addresses.
+// Containers of video; no playlists, which name further addresses.
 constexpr const char* kFormats =
     "mpegts,mov,mp4,matroska,webm,avi,flv,live_flv,ogg,mpeg,mpjpeg,mjpeg,h264,hevc,ivf,nut,rtsp";
 
@@ -40,9 +40,9 @@ std::string seconds(double s) { return fmt::format("{:.3g} s", s); }
 constexpr double kLiveBurst_s = 3, kStoredBurst_s = 0.05;
 // While catching up, a picture is shown at least this often.
 constexpr double kMaxHidden_s = 0.25;
-// So many waiting packets mean that the decoder is behind; fewer are network jitter.
+// This many waiting packets mean that the decoder is behind; fewer are network jitter.
 constexpr size_t kBehind = 3;
-// More bytes than this without a picture are no video: a sender may claim any size.
+// More bytes than this without a picture are not video: a sender may claim any size.
 constexpr int64_t kMaxBytesBetween = int64_t{32} << 20;
 
 Status checkLiveSize(int width, int height) {
@@ -66,7 +66,7 @@ class Stream {
     Stream(const Stream&) = delete;
     Stream& operator=(const Stream&) = delete;
 
-    // As LiveFeed has them.
+    // The functions of LiveFeed.
     Status open();
     Result<LivePicture> read(ImageRgb8& bgr);
     void interrupt() {
@@ -76,7 +76,7 @@ class Stream {
 
   private:
     bool givesUp() const { return interrupted_ || stopped_ || tooMuch_ || liveNow_s() > deadline_s_; }
-    static int watch(void* self); // as FFmpeg's interrupt callback
+    static int watch(void* self); // FFmpeg's interrupt callback
     int64_t bytesRead() const { return watched_ && watched_->pb ? watched_->pb->bytes_read : 0; }
     bool isRtsp() const {
         const auto* url = std::get_if<StreamAddress>(&address_);
@@ -93,35 +93,35 @@ class Stream {
     void readPackets();
     void stopReader();
 
-    // Of the thread that opens, then of the reader's:
+    // Used by the thread that opens, then by the reader's:
     LiveAddress address_;
     FeedTimeouts timeouts_;
-    int pipe_ = -1; // descriptor, of a pipe
+    int pipe_ = -1; // descriptor of a pipe
     Input format_;
     int stream_ = -1;
     AVFormatContext* watched_ = nullptr; // open, or being opened
-    bool closed_ = false;                // to further connections
-    int64_t packetBegan_ = 0;            // so many bytes had come before it
-    bool tooMuch_ = false;               // kMaxBytesBetween has come
+    bool closed_ = false;                // closed to further connections
+    int64_t packetBegan_ = 0;            // bytes received before the packet
+    bool tooMuch_ = false;               // more than kMaxBytesBetween have come
     bool unparsed_ = false;              // each packet is one picture
     std::unique_ptr<AVCodecParserContext, CloseParser> parser_;
     Codec parsed_;
     double deadline_s_ = 0;
 
     bool stored_ = false; // a file on a server, of known length: it sends as fast as it is read
-    bool stamped_ = true; // time stamps are the sender's, and not invented by FFmpeg
-    // open() and read() return soon; until the next open(), or for good.
+    bool stamped_ = true; // time stamps are the sender's, not invented by FFmpeg
+    // Make open() and read() return soon; until the next open(), or permanently.
     std::atomic<bool> stopped_{false}, interrupted_{false};
     PacketQueue queue_;
     std::thread reader_;
 
-    // The decoder's thread:
+    // Used by the decoder's thread:
     std::optional<PictureDecoder> decoder_;
     double lastShown_s_ = 0;
     bool ended_ = false;
 };
 
-// For the writer that is there, or the next.
+// Opens a pipe for its present writer, or the next.
 Status Stream::openPipe(const Path& file) {
     // Opened before the old one is closed: a new writer must not find the pipe without readers. And opened
     // again each time: after a writer has closed, the old descriptor reports only the end of the file.
@@ -131,8 +131,8 @@ Status Stream::openPipe(const Path& file) {
     struct stat found {};
     if (pipe_ < 0 || fstat(pipe_, &found) != 0 || !S_ISFIFO(found.st_mode))
         return Error{"", "cannot be opened for reading"};
-    // Waits for the first writer, because until there is one FFmpeg would find the end of the file. Where
-    // none comes in time openFormat() says so.
+    // Waits for the first writer, because before it comes FFmpeg would find the end of the file. If none
+    // comes in time openFormat() says so.
     constexpr int kPollInterval_ms = 100;
     pollfd waiting{pipe_, POLLIN, 0};
     while (!givesUp() && poll(&waiting, 1, kPollInterval_ms) <= 0) {
@@ -140,20 +140,19 @@ Status Stream::openPipe(const Path& file) {
     return Done{};
 }
 
-// Called by FFmpeg while it waits: whether to give up.
+// Called by FFmpeg while it waits: returns whether to give up.
 int Stream::watch(void* self) {
     auto& stream = *static_cast<Stream*>(self);
     if (AVFormatContext* format = stream.watched_) {
         stream.tooMuch_ |= stream.bytesRead() - stream.packetBegan_ > kMaxBytesBetween;
-        // The connection that is being waited for is the only one: a server of RTSP cannot send us to
-        // another.
+        // The connection being made is the only one: an RTSP server cannot redirect us to another.
         if (stream.isRtsp() && !std::exchange(stream.closed_, true))
             av_opt_set(format, "protocol_whitelist", "none", 0);
     }
     return stream.givesUp();
 }
 
-// Leaves format_ with its streams known.
+// Opens format_ and finds its streams.
 Status Stream::openFormat() {
     AVFormatContext* format = avformat_alloc_context();
     if (!format) return Error{"", "cannot be opened: there is no memory"};
@@ -174,7 +173,7 @@ Status Stream::openFormat() {
         av_dict_set(&options, "protocol_whitelist", "pipe", 0);
     }
     format->max_analyze_duration = AV_TIME_BASE;
-    format->fps_probe_size = 0; // frames come when they come: no need to wait for several
+    format->fps_probe_size = 0; // live frames arrive slowly: do not wait for several
     int error =
         avformat_open_input(&format, name.c_str(), nullptr, &options); // frees the context if it fails
     av_dict_free(&options);
@@ -196,7 +195,7 @@ Status Stream::openFormat() {
     return Error{"", "cannot be opened: " + textOf(error)};
 }
 
-// Decodes what it needs to.
+// Finds the streams' parameters; decodes as much as that needs.
 int Stream::findStreams() {
     std::vector<AVDictionary*> options(format_->nb_streams);
     for (AVDictionary*& each : options) av_dict_set_int(&each, "max_pixels", kMaxLivePixels, 0);
@@ -234,7 +233,7 @@ Status Stream::connect() {
 }
 
 // FFmpeg's parser finds the end of a picture by the beginning of the next, which would delay each by one. In
-// these formats packets are pictures already; a parser of our own tells which are key frames.
+// these formats packets are pictures already; a parser of our own finds the key frames.
 void Stream::passPacketsUnparsed() {
     const std::string_view name = format_->iformat->name;
     unparsed_ = name == "mpegts" || name == "rtsp";
@@ -251,7 +250,7 @@ void Stream::markKeyFrame(AVPacket& packet) {
     packet.flags = key ? packet.flags | AV_PKT_FLAG_KEY : packet.flags & ~AV_PKT_FLAG_KEY;
 }
 
-// Blocks until the next video packet. Error: why there is none.
+// Blocks until the next video packet. The error says why there is none.
 Status Stream::readPacket(AVPacket& packet) {
     deadline_s_ = liveNow_s() + timeouts_.silence_s;
     for (;;) {
@@ -337,7 +336,8 @@ Result<LivePicture> Stream::read(ImageRgb8& bgr) {
         picture.passedOver += popped.dropped;
         ended_ = !popped.packet; // reported once the decoder is drained
         const bool hurry = !stored_ && queue_.count() >= kBehind;
-        // A stamp comes out with the picture, whatever the order: when its packet was here, in microseconds.
+        // The decoder returns the stamp with the picture, in any order: the packet's time of arrival,
+        // microseconds.
         if (popped.packet) popped.packet->pts = static_cast<int64_t>(popped.arrived_s * 1e6);
         decoder_->send(popped.packet.get(), hurry);
     }

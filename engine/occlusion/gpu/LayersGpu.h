@@ -1,4 +1,4 @@
-// One body's layered fragment buffers in graphics memory, of either kind, for the shaders that trace rays
+// A body's layered fragment buffers of either kind in graphics memory, for the shaders that trace rays
 // through them (shaders/occlusion/Layers.glsl). Main thread; OpenGL 4.3.
 #pragma once
 
@@ -13,11 +13,11 @@ namespace shoal::occlusion {
 
 inline constexpr int kStorageGlsl = 430;
 
-// Whether the current context can keep layers: OpenGL 4.3, with storage buffers in fragment shaders. The
-// error says what it has.
+// Returns whether the context can store layers: OpenGL 4.3, with storage buffers in fragment shaders. The
+// error names the version or number of buffers that it has.
 Status canKeepLayers();
 
-// A shader storage buffer filled from `data`. The error says that the driver has not the memory.
+// Makes a shader storage buffer filled from `data`. Fails if the driver has not enough memory.
 Result<gl::Buffer> storageBuffer(const void* data, size_t bytes);
 
 enum class LayerMethod {
@@ -27,23 +27,23 @@ enum class LayerMethod {
 
 class LayersGpu {
   public:
-    // 150 views of 64 x 64 pixels. mesh: world frame. Errors: no OpenGL 4.3, a mesh that is broken or too
-    // large, no memory. Takes up to some seconds.
+    // Makes 150 views of 64 x 64 pixels. mesh: world frame. Fails without OpenGL 4.3, for a broken or too
+    // large mesh, or without memory. Takes up to some seconds.
     static Result<LayersGpu> make(const BodyMesh& mesh, LayerMethod method);
 
-    // Errors: no OpenGL 4.3, or no memory.
+    // Both fail without OpenGL 4.3 or memory.
     static Result<LayersGpu> upload(const Ollfb& ollfb);
     static Result<LayersGpu> upload(const ThesisLayers& layers);
 
     LayerMethod method() const { return method_; }
-    // For a program in use that includes occlusion/Layers.glsl, or Ollfb.glsl or ThesisTrace.glsl.
+    // Binds the buffers for a program in use: one with Layers.glsl, Ollfb.glsl or ThesisTrace.glsl.
     void bind(const gl::Program& program) const;
 
   private:
     template <class T> Status keep(int binding, const std::vector<T>& values);
 
     LayerMethod method_ = LayerMethod::Ollfb;
-    float nearest_m_ = 0;                                // rays that leave the surface meet nothing nearer
+    float nearest_m_ = 0;                                // rays that leave the surface hit nothing nearer
     bool closed_ = false;                                // of an Ollfb
     ThesisViews views_;                                  // of the thesis' layers
     std::vector<std::pair<GLuint, gl::Buffer>> buffers_; // by binding

@@ -1,4 +1,4 @@
-// In which blocks of a picture of objects there is anything: most of it is empty.
+// Finds the blocks of a picture that show objects: most of it is empty.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -13,12 +13,12 @@ class Coverage {
   public:
     static constexpr int kBlock = 16; // pixels, along a side
 
-    // Rows without gaps; a pixel of which all bytes are 0 is empty.
+    // Finds the blocks. Rows are without gaps; a pixel whose bytes are all 0 is empty.
     void find(std::span<const uint32_t> pixels, const glm::ivec2& size);
 
     const glm::ivec2& blocks() const { return blocks_; } // along each axis
-    // Whether there is anything in one of the blocks that hold these pixels: low to high, both included. What
-    // lies beyond the picture's edges is empty.
+    // Returns whether a block that holds any of these pixels shows an object. low to high: both included;
+    // beyond the picture's edges all is empty.
     bool any(const glm::ivec2& low, const glm::ivec2& high) const;
 
   private:

@@ -11,15 +11,15 @@ namespace {
 
 constexpr float kOne = 65536; // fixed point
 
-// Intrinsics, not Highway: version 1.0 has no product of unsigned with signed bytes (maddubs), and the same
-// in 16 bits takes 1.17 to 1.23 times as long.
+// Intrinsics, not Highway: version 1.0 has no product of unsigned with signed bytes (maddubs), and 16-bit
+// products take 1.17 to 1.23 times as long.
 #ifdef SHOAL_AVX2
 
 int fixed(float texels) { return _mm_cvtss_si32(_mm_set_ss(texels * kOne)); }
 
-// Places are fixed point: their low 16 bits say how far between two texels. Texels come with 128 taken off,
-// side by side in bytes, and are mixed as 16-bit numbers of 127.5 times their value, which is as much as they
-// hold: weights across have 8 bits, 255 - w and w, those down 15.
+// Mixes texels. Places are in fixed point: their low 16 bits are the weight between two texels. Texels come
+// as bytes less 128, neighbours side by side, and are mixed as 16-bit numbers of 127.5 times their value,
+// which just fit: weights across have 8 bits, 255 - w and w, those down 15.
 SHOAL_AVX2
 __m256i mixedRows(__m256i above, __m256i below, __m256i across, __m256i down) {
     const __m256i w = _mm256_xor_si256(across, _mm256_set1_epi16(0x00ff)), h = _mm256_srli_epi16(down, 1);
@@ -29,7 +29,7 @@ __m256i mixedRows(__m256i above, __m256i below, __m256i across, __m256i down) {
     return _mm256_mulhrs_epi16(sum, _mm256_set1_epi16(257)); // 2^15 / 127.5
 }
 
-// In each half of a register, the bytes of a pixel's place for its four channels: those of two pixels.
+// Copies the bytes of two pixels' places to their four channels, in each half of a register.
 SHOAL_AVX2
 __m256i forChannels(__m256i places, int low, int high, int next) {
     const auto four = [](int at, int above) { return (at | above << 8) * 0x0001000100010001ll; };
@@ -37,7 +37,7 @@ __m256i forChannels(__m256i places, int low, int high, int next) {
         places, _mm256_broadcastsi128_si256(_mm_set_epi64x(four(low + next, high + next), four(low, high))));
 }
 
-// Four pixels whose texels lie in pairs, of one row and of the next.
+// Mixes four pixels whose texels lie in pairs, of one row and of the next.
 SHOAL_AVX2
 __m256i mixed(__m256i above, __m256i below, __m128i u, __m128i v) {
     const __m256i pairUp =
@@ -49,7 +49,7 @@ __m256i mixed(__m256i above, __m256i below, __m128i u, __m128i v) {
                      forChannels(_mm256_cvtepu32_epi64(v), 0, 1, 8));
 }
 
-// Eight whose left and right texels, with 128 taken off, lie apart.
+// Mixes eight pixels whose left and right texels, less 128, lie apart.
 SHOAL_AVX2
 __m256i mixed(__m256i aboveLeft, __m256i aboveRight, __m256i belowLeft, __m256i belowRight, __m256i u,
               __m256i v) {
@@ -62,8 +62,8 @@ __m256i mixed(__m256i aboveLeft, __m256i aboveRight, __m256i belowLeft, __m256i 
     return _mm256_packs_epi16(first, second);
 }
 
-// s, t: of the first pixel, in fixed texels from the frame's first; ds, dt: from pixel to pixel. In one
-// piece, as both ways of loading share a dozen registers that a call would spill.
+// Samples a row of pixels. s, t: of the first pixel, in fixed-point texels from the frame's first; ds, dt:
+// steps. One function, as both ways of loading share a dozen registers that a call would spill.
 SHOAL_AVX2
 void sampleRow(const DisplayFrame& frame, int s, int t, int ds, int dt, int count, uint32_t* out) {
     const __m256i steps = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), one = _mm256_set1_epi32(1);
@@ -76,7 +76,7 @@ void sampleRow(const DisplayFrame& frame, int s, int t, int ds, int dt, int coun
     __m256i v = _mm256_add_epi32(_mm256_set1_epi32(t), _mm256_mullo_epi32(steps, _mm256_set1_epi32(dt)));
     const __m256i du = _mm256_set1_epi32(8 * ds), dv = _mm256_set1_epi32(8 * dt);
     const auto* pixels = reinterpret_cast<const long long*>(frame.pixels);
-    // The eight's extent about their first.
+    // The extent of the eight pixels about their first.
     const int leftmost = std::min(0, 7 * ds), rightmost = std::max(0, 7 * ds);
     const int topmost = std::min(0, 7 * dt), lowest = std::max(0, 7 * dt);
     for (int x = 0; x < count; x += 8, s += 8 * ds, t += 8 * dt) {
@@ -85,8 +85,8 @@ void sampleRow(const DisplayFrame& frame, int s, int t, int ds, int dt, int coun
         const int top = (t + topmost) >> 16, bottom = (t + lowest) >> 16;
         const int first = top * frame.rowPixels + left;
         __m256i eight;
-        // Where the picture is larger than its map, eight pixels want few texels: those of two rows or three
-        // are loaded whole. Else each pixel fetches its own.
+        // If the picture is larger than its map, eight pixels need few texels: those of two or three rows are
+        // loaded whole. Otherwise each pixel fetches its own.
         if (right - left <= 6 && bottom - top <= 1 && first >= 0 &&
             first + (bottom - top) * frame.rowPixels + 6 <= lastTexel) {
             const __m256i from = _mm256_sub_epi32(column, _mm256_set1_epi32(left));
@@ -146,7 +146,7 @@ bool canSampleFrames() {
 }
 
 bool isWithin(const DisplayFrame& frame, const SampledCell& cell) {
-    constexpr float kRounding = 1 / 64.0f; // of fixed steps, added up over a cell
+    constexpr float kRounding = 1 / 64.0f; // of fixed-point steps, summed over a cell
     const glm::vec2 last = glm::vec2(cell.high - cell.low - 1);
     for (const glm::vec2 corner : {glm::vec2(0), glm::vec2(last.x, 0), glm::vec2(0, last.y), last}) {
         const glm::vec2 at = cell.first + corner.x * cell.right + corner.y * cell.up;

@@ -11,8 +11,8 @@
 
 namespace shoal::render {
 
-// Of a picture, low to high - 1 in pixels. In texels, 0 at the middle of the frame's first: what the middle
-// of pixel low shows, and how far that is from one pixel to the next.
+// A cell of a picture, pixels low to high - 1. In texels, 0 at the middle of the frame's first texel: what
+// the middle of pixel `low` shows, and the steps from one pixel to the next.
 struct SampledCell {
     glm::ivec2 low{0}, high{0};
     glm::vec2 first{0}, right{0}, up{0};
@@ -20,11 +20,11 @@ struct SampledCell {
 
 bool canSampleFrames(); // on this processor
 
-// Whether all that the cell shows, with the texels beside it, is within the frame.
+// Returns whether all texels that the cell needs lie within the frame.
 bool isWithin(const DisplayFrame& frame, const SampledCell& cell);
 
-// Bilinear, within 1 / 255 of exact. picture: the pixel at (0, 0), channels as the frame's; stride: in
-// pixels, from row y to y + 1. The cell is within the frame.
+// Samples a cell that is within the frame, bilinearly, within 1 / 255 of exact. picture: the pixel at (0, 0),
+// channels as the frame's; stride: from row y to y + 1, in pixels.
 void sampleCell(const DisplayFrame& frame, const SampledCell& cell, uint32_t* picture, ptrdiff_t stride);
 
 } // namespace shoal::render

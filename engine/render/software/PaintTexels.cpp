@@ -15,7 +15,7 @@ namespace shoal::render {
 
 namespace {
 
-// Bilinear over a tile of texels: value at its first texel's corner, and change to the others.
+// A bilinear function over a tile: its value at the first texel's corner, and differences to the others.
 template <class V> struct Patch {
     V first, right, down, both;
 
@@ -54,7 +54,7 @@ SHOAL_AVX2 __m256 channel(__m256i pixels, int shift) {
 }
 SHOAL_AVX2 __m256 luma(__m256 b, __m256 g, __m256 r) { return 0.2126f * r + (0.7152f * g + 0.0722f * b); }
 
-// What the layer shows along eight rays, from `ray` on; 0 to 255. False: nothing at all.
+// Samples the layer along eight rays, from `ray` on; 0 to 255. Returns false if all of it is empty.
 SHOAL_AVX2 bool seen(const TexelPaint& paint, const glm::vec3& ray, const glm::vec3& step, Colours& out) {
     const __m256 k = _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7);
     const auto along = [&](int axis) SHOAL_AVX2 { return ray[axis] + k * step[axis]; };
@@ -96,13 +96,13 @@ SHOAL_AVX2 bool seen(const TexelPaint& paint, const glm::vec3& ray, const glm::v
 
 SHOAL_AVX2 __m256 besideOf(__m256 c) { return _mm256_permute_ps(c, _MM_SHUFFLE(2, 3, 0, 1)); }
 
-// The mean over the texels that share a colour, of two rows.
+// Returns the mean over the texels that share a colour, of two rows.
 SHOAL_AVX2 __m256 sharedBy(const glm::vec2& shares, __m256 row, __m256 otherRow) {
     const __m256 down = mix(row, otherRow, all(0.5f * shares.y));
     return mix(down, besideOf(down), all(0.5f * shares.x));
 }
 
-// 0 to 255, rounded.
+// Rounds to 0 to 255 and shifts into place.
 SHOAL_AVX2 __m256i byte(__m256 c, int shift) {
     const __m256 bounded = _mm256_min_ps(_mm256_max_ps(c, all(0)), all(255));
     return _mm256_slli_epi32(_mm256_cvtps_epi32(bounded), shift);
@@ -113,21 +113,21 @@ SHOAL_AVX2 __m256i packed(__m256 b, __m256 g, __m256 r) {
                            _mm256_or_si256(byte(r, 16), _mm256_set1_epi32(static_cast<int>(0xff000000u))));
 }
 
-// Noise's deviation by luma, between the bands of a table of eight.
+// Interpolates noise's deviation by luma in a table of eight bands.
 SHOAL_AVX2 __m256 between(const std::array<float, 8>& table, __m256i below, __m256 share) {
     const __m256 values = _mm256_loadu_ps(table.data());
     return mix(_mm256_permutevar8x32_ps(values, below),
                _mm256_permutevar8x32_ps(values, _mm256_add_epi32(below, _mm256_set1_epi32(1))), share);
 }
 
-// The sum of both grains at eight texels from this one on.
+// Returns the sum of both grains at eight texels from this one on.
 SHOAL_AVX2 __m256 grainAt(const TexelPaint& paint, int x, int y, __m256 light) {
     const CameraUniforms& n = *paint.filmed;
     const uint8_t* row = paint.grain + size_t{2} * kGrainSize * ((y + n.grainShift.y) & (kGrainSize - 1));
     const __m256i columns = _mm256_and_si256(
         _mm256_add_epi32(_mm256_set1_epi32(x + n.grainShift.x), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)),
         _mm256_set1_epi32(kGrainSize - 1));
-    // Two at a time: what is asked for and the one before or behind it.
+    // Each load has two grains: the one asked for and its neighbour.
     const __m256i pairs =
         _mm256_i32gather_epi32(reinterpret_cast<const int*>(row), _mm256_srli_epi32(columns, 1), 4);
     const __m256i grains =
@@ -142,7 +142,7 @@ SHOAL_AVX2 __m256 grainAt(const TexelPaint& paint, int x, int y, __m256 light) {
            signedOf(8) * between(n.coarseNoise, below, share);
 }
 
-// Eight texels from (x, y) on: c of the layer, c2 of the row that it shares colours with.
+// Films eight texels from (x, y) on. c: of the layer, c2: of the row that it shares colours with.
 SHOAL_AVX2 __m256i filmed(const TexelPaint& paint, const Colours& c, const Colours& c2, __m256i behind, int x,
                           int y, const glm::vec3& glow, const glm::vec3& glowStep) {
     const CameraUniforms& n = *paint.filmed;

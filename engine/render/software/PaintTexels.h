@@ -1,4 +1,4 @@
-// Objects in a frame's texels, on the processor. Twin of shaders/render/EquirectComposite.
+// Paints objects into a frame's texels, on the processor. Twin of shaders/render/EquirectComposite.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -13,22 +13,22 @@
 
 namespace shoal::render {
 
-// What is painted, and how.
+// The layer that is painted, and the camera's response.
 struct TexelPaint {
     // The layer: display values, premultiplied, blue first; rows from the bottom, without gaps.
     const uint32_t* layer = nullptr;
     glm::ivec2 layerSize{0}; // at least 2 x 2
     glm::mat3 eyeFromEnv{1};
     glm::vec2 rayScale{1}, rayShift{0}; // half the layer's image plane's extent at distance 1; its centre
-    // Null: the layer as it is, without those that follow.
+    // Null: the layer is painted unchanged, and what follows is not used.
     const CameraUniforms* filmed = nullptr;
     const uint8_t* grain = nullptr;       // makeGrain()
     const ImageRgbF* scattered = nullptr; // squares of display values, lat-long
 };
 
-// Needs canSampleFrames(). Texels low to high - 1 of the frame, with what is before them, into `out`,
-// where a row begins outStride texels after the last. They are so few that rays are as good as linear among
-// them: a tile of FrameTiles.
+// Writes texels low to high - 1 of the frame, with the layer over them, into `out`, whose rows are outStride
+// texels apart. They are so few that rays are nearly linear among them: a tile of FrameTiles. Needs
+// canSampleFrames().
 void paintTexels(const DisplayFrame& frame, const TexelPaint& paint, const glm::ivec2& low,
                  const glm::ivec2& high, uint32_t* out, ptrdiff_t outStride);
 

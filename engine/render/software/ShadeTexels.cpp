@@ -10,17 +10,17 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kOne = 64;        // of weights between two texels
+constexpr int kOne = 64;        // sum of the weights of two texels
 constexpr int kMaxTexels = 128; // across a tile
 
 struct Between {
     int first, second, weight; // of the second, in kOne
 };
 
-// Of `fine` among fineCount texels, the two of coarseCount between whose middles its own lies.
+// Returns the two of coarseCount texels between whose middles the middle of texel `fine` of fineCount lies.
 Between between(int fine, int fineCount, int coarseCount) {
-    const int twice =
-        (2 * fine + 1) * coarseCount - fineCount; // by 2 fineCount: texels from the first's middle
+    const int twice = (2 * fine + 1) * coarseCount -
+                      fineCount; // distance from the first's middle, in 1 / (2 fineCount) texels
     const int first = twice < 0 ? -1 : twice / (2 * fineCount);
     const int weight = ((twice - first * 2 * fineCount) * kOne + fineCount) / (2 * fineCount);
     return {first, first + 1, weight};
@@ -28,7 +28,7 @@ Between between(int fine, int fineCount, int coarseCount) {
 
 using Row = std::array<uint8_t, 4 * kMaxTexels>;
 
-// Between two rows of the map, with its columns as far apart as they are there.
+// Interpolates between two rows of the map, which have been widened to the frame's columns.
 SHOAL_VECTORISE void blendRows(const uint8_t* above, const uint8_t* below, int weight, size_t count,
                                uint8_t* out) {
     for (size_t i = 0; i < count; ++i)
@@ -49,14 +49,13 @@ void shadeTexels(const DisplayFrame& frame, const Image<uint8_t, 4>& left, const
                  const glm::ivec2& high, uint32_t* out, ptrdiff_t outStride) {
     const int width = high.x - low.x;
     assert(width <= kMaxTexels);
-    std::array<Between, kMaxTexels>
-        columns; // of the map, in bytes; those beyond an edge are on the other side
+    std::array<Between, kMaxTexels> columns; // of the map, in bytes; they wrap around at the edges
     for (int x = 0; x < width; ++x) {
         const Between place = between(low.x + x, frame.width, left.width);
         columns[static_cast<size_t>(x)] = {4 * ((place.first + left.width) % left.width),
                                            4 * (place.second % left.width), place.weight};
     }
-    // Of a row of the map as wide as the frame's.
+    // Widens a row of the map to the frame's columns.
     const auto widen = [&](int y, Row& row) {
         const uint8_t* from = left.at(0, std::clamp(y, 0, left.height - 1));
         for (size_t x = 0; x < static_cast<size_t>(width); ++x)
@@ -67,7 +66,7 @@ void shadeTexels(const DisplayFrame& frame, const Image<uint8_t, 4>& left, const
                     kOne);
     };
     Row above, below, factors;
-    int widened = -2; // the map's row that is above
+    int widened = -2; // the map's row that is in `above`
     const auto bytes = 4 * static_cast<size_t>(width);
     for (int y = low.y; y < high.y; ++y) {
         const Between rows = between(y, frame.height, left.height);

@@ -11,15 +11,15 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kStep = 64;     // of alpha, of 255: less is no outline
-constexpr int kFurthest = 24; // pixels that an end of a step is looked for
+constexpr int kStep = 64;     // least step of alpha, of 255, at an outline
+constexpr int kFurthest = 24; // pixels within which a step's end is looked for
 
 int alphaOf(uint32_t pixel) { return static_cast<int>(pixel >> 24); }
 bool differ(uint32_t a, uint32_t b) { return std::abs(alphaOf(a) - alphaOf(b)) >= kStep; }
 
 // An end of a step between two lines of pixels.
 struct End {
-    int away = 0;         // pixels from the one looked at that the step goes on
+    int away = 0;         // pixels from the one looked at to that end
     bool bendsIn = false; // to that pixel's side
 };
 
@@ -34,7 +34,7 @@ std::optional<End> endOf(const uint32_t* pixel, ptrdiff_t ahead, ptrdiff_t acros
     return {};
 }
 
-// Of a pixel, the share that lies beyond the line that begins half a pixel within it at one end of a step of
+// Returns the share of a pixel beyond the line that begins half a pixel within it at one end of a step of
 // `length` pixels and leaves it in the step's middle. before: pixels between that end and this one.
 float shareBeyond(int before, int length) {
     const auto from = static_cast<float>(before), whole = static_cast<float>(length);
@@ -42,7 +42,7 @@ float shareBeyond(int before, int length) {
     return to > from ? (to - from) * (0.5f - 0.5f * (from + to) / whole) : 0;
 }
 
-// How much of the pixel its neighbour across covers. back, on: how many pixels there are along the step.
+// Returns how much of the pixel its neighbour across covers. back, on: pixels that there are along the step.
 float shareOf(const uint32_t* pixel, ptrdiff_t along, ptrdiff_t across, int back, int on) {
     const auto first = endOf(pixel, -along, across, std::min(back, kFurthest)),
                last = endOf(pixel, along, across, std::min(on, kFurthest));
@@ -69,12 +69,12 @@ uint32_t mixed(uint32_t own, const std::array<uint32_t, 4>& others, const std::a
 
 constexpr int kBlock = Coverage::kBlock; // pixels of a row that are compared together
 
-// In its highest byte: where the alpha of a pixel is not that of those beside it.
+// Returns a nonzero highest byte where the alpha of a pixel differs from those beside it.
 uint32_t differenceBeside(const uint32_t* pixel, ptrdiff_t row) {
     return (pixel[-1] ^ *pixel) | (pixel[1] ^ *pixel) | (pixel[-row] ^ *pixel) | (pixel[row] ^ *pixel);
 }
 
-// Whether a block of pixels and those beside them all have one alpha.
+// Returns whether a block of pixels and those beside them all have one alpha.
 bool isEven(const uint32_t* block, ptrdiff_t row) {
     uint32_t difference = 0;
     for (int x = 0; x < kBlock; ++x) difference |= differenceBeside(block + x, row);

@@ -21,16 +21,16 @@ bool canSample(const EyePicture& picture) {
            picture.canvas.samples() == 1;
 }
 
-// Whether the layer shows anything in a tile of the frame's texels, or a little beside it.
+// Returns whether the layer shows anything in a tile of the frame's texels, or a little beside it.
 bool showsAnything(LayerPass& layer, const TexelPaint& paint, const FrameTiles& tiles,
                    const glm::ivec2& tile) {
-    constexpr float kMargin = 3; // pixels: of the filter, of smoothed outlines, of texels that share colours
+    constexpr float kMargin = 3; // pixels: the filter, smoothed outlines and shared colours reach so far
     glm::vec2 low(INFINITY), high(-INFINITY);
     for (int k = 0; k < 4; ++k) {
         const glm::ivec2 corner = tiles.lowOf(tile + glm::ivec2(k & 1, k >> 1));
         const glm::vec3 ray =
             paint.eyeFromEnv * directionFromLatLong(glm::vec2(corner) / glm::vec2(tiles.frameSize()));
-        if (ray.z > -0.05f) return true; // beside the eye, where a tile is no quadrangle in the picture
+        if (ray.z > -0.05f) return true; // too far aside to be a quadrangle in the picture
         const glm::vec2 place = (glm::vec2(ray) / -ray.z - paint.rayShift) / paint.rayScale;
         const glm::vec2 pixel = (0.5f * place + 0.5f) * glm::vec2(paint.layerSize);
         low = glm::min(low, pixel), high = glm::max(high, pixel);
@@ -77,7 +77,7 @@ void SoftwareBackground::classify(const EyePicture& picture) {
 
 void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* tiles) {
     if (!canSample(picture)) return;
-    if (started_) threadPool_.finish(); // of a picture that nobody wanted
+    if (started_) threadPool_.finish(); // stops the sampling of a picture that was never drawn
     const Shown shown{picture.environment.displayFrame(),
                       picture.environment.frameNumber(),
                       picture.view.halfExtent(),
@@ -140,7 +140,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     return drawCells(picture, layer);
 }
 
-// Spheres around objects hold more of the film than the objects hide.
+// Chooses tiles by the layer's pixels: spheres around objects hold more of the film than the objects hide.
 void SoftwareBackground::findCovered(const TexelLayer& layer, const TexelPaint& paint) {
     covered_.clear(layer.tiles.frameSize());
     layer.tiles.eachChosen([&](const glm::ivec2& tile) {
@@ -169,7 +169,7 @@ TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLay
     return paint;
 }
 
-// Into the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
+// Paints the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
 void SoftwareBackground::paintFrame(const FrameTiles* objects, const TexelPaint& paint,
                                     const FilmShadows* shadows) {
     const DisplayFrame& frame = shown_.frame;

@@ -1,7 +1,6 @@
-// Samples the background, and paints objects into the frame's texels, on the processor: what llvmpipe takes 6
-// ns a pixel for takes 1 ns here. OpenGL draws the cells that this leaves (at the poles and the frame's
-// edges), and whole pictures that it cannot sample: HDR frames, other exposures or tone curves, multisampled
-// canvases.
+// Samples the background, and paints objects into the frame's texels, on the processor: 1 ns a pixel where
+// llvmpipe takes 6. OpenGL draws the cells that this leaves (at the poles and the frame's edges), and whole
+// pictures that it cannot sample: HDR frames, other exposures or tone curves, multisampled canvases.
 #pragma once
 
 #include "engine/core/ThreadPool.h"
@@ -21,8 +20,8 @@ class SoftwareBackground final : public BackgroundPass {
     SoftwareBackground();
 
     // Begins to sample the cells without objects, on helper threads, while OpenGL still draws the objects.
-    // Cells without objects are kept from an earlier picture of the same frame and view: a second eye's
-    // picture, and those until the film goes on, differ by objects only.
+    // Cells without objects are kept from an earlier picture of the same frame and view: the second eye's
+    // picture, and pictures until the film's next frame, differ by objects only.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
     Status draw(const EyePicture& picture, const TexelLayer* layer) override;
 
@@ -33,24 +32,24 @@ class SoftwareBackground final : public BackgroundPass {
         glm::vec2 halfExtent{0}, shift{0}; // of the view
         glm::mat3 envFromRay{1};
         glm::ivec2 size{0};     // of the picture
-        glm::vec3 eyeInFilm{0}; // 0 where the film has no distances, too
+        glm::vec3 eyeInFilm{0}; // 0 also where the film has no distances
         bool operator==(const Shown&) const = default;
     };
     enum class Content { Unknown, Frame, Shaded, Objects };
     struct State { // of a cell
         SampledCell sampled;
-        bool here = false;                // else OpenGL draws it
-        Content shown = Content::Unknown; // in the picture; Shaded: by shadows_
-        bool shaded = false;              // there are shadows
-        bool painted = false;             // before the layer is known: there may be shadows or objects
-        bool due = false;                 // is sampled next
+        bool here = false;                // whether it is sampled here; otherwise OpenGL draws it
+        Content shown = Content::Unknown; // content of the picture; Shaded: by shadows_
+        bool shaded = false;              // whether there are shadows in it
+        bool painted = false; // whether there may be shadows or objects; set before the layer is known
+        bool due = false;     // whether it is sampled next
     };
-    struct SampleRow { // the due ones of a row of cells
+    struct SampleRow { // samples the due cells of a row
         SoftwareBackground* pass;
         DisplayFrame frame, painted;
         void operator()(int row) const;
     };
-    struct Run {             // of tiles, as FrameTiles counts them
+    struct Run {             // a run of tiles, as FrameTiles counts them
         int row, first, end; // of columns
     };
 
@@ -66,16 +65,16 @@ class SoftwareBackground final : public BackgroundPass {
     BackgroundCells grid_;
     std::vector<State> states_;     // of the grid's cells
     std::vector<uint32_t> picture_; // rows from the bottom
-    std::vector<uint8_t> grain_;    // once something is filmed
-    CameraUniforms uniforms_;       // of the frame, then
+    std::vector<uint8_t> grain_;    // made once something is filmed
+    CameraUniforms uniforms_;       // of the frame, if it is filmed
     // A copy of the frame with shadows and objects in its texels, of which only the wanted tiles are written.
     // Not a vector, which would touch all of its memory: objects are in few places.
     std::unique_ptr<uint32_t[]> texels_;
     glm::ivec2 texelsSize_{0};
     std::vector<Run> runs_; // of wanted tiles
-    FrameTiles covered_;    // those of the layer's in which there is something
+    FrameTiles covered_;    // the layer's tiles that show something
     SampleRow sampleRow_{};
-    ThreadPool threadPool_; // last, so that it ends before what it reads
+    ThreadPool threadPool_; // last, so that its threads end before their data
 };
 
 } // namespace shoal::render

@@ -19,7 +19,7 @@ class Bvh {
 
     struct Touch {
         float distance = 0;
-        uint32_t triangle = 0; // of indices
+        uint32_t triangle = 0; // index of the triangle in `indices`
         float u = 0, v = 0;    // weights of its second and third corner
     };
     // Returns the first triangle hit between the two distances, from either side; any: the one found first.
@@ -33,8 +33,8 @@ class Bvh {
   private:
     struct Node {
         glm::vec3 low, high;
-        uint32_t first = 0; // triangle, or the first of two nodes
-        uint32_t count = 0; // triangles; 0: it has two nodes
+        uint32_t first = 0; // index of a triangle, or of the first of two nodes
+        uint32_t count = 0; // number of triangles; 0: the node has two nodes
     };
     struct Triangle {
         glm::vec3 corner, edge1, edge2;

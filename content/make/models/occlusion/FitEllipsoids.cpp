@@ -13,10 +13,10 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr int kLines = 80;         // of samples, across the body's longest side
-constexpr int kSweeps = 12;        // of assigning samples to parts
-constexpr float kThinnest = 0.25f; // of a sample's size: sheets block light though they have no volume
-constexpr float kFlattest = 0.02f; // shortest semi-axis, of the longest
+constexpr int kLines = 80;         // lines of samples across the body's longest side
+constexpr int kSweeps = 12;        // rounds of assigning samples to parts
+constexpr float kThinnest = 0.25f; // by a sample's size: sheets block light though they have no volume
+constexpr float kFlattest = 0.02f; // shortest semi-axis by the longest
 constexpr float kMinShare = 0.004f;
 
 constexpr size_t kMaxCrossings = 64;
@@ -24,7 +24,7 @@ constexpr size_t kMaxCrossings = 64;
 struct Crossing {
     float distance = 0;
     uint16_t joint = 0;
-    int around = 0; // how many surfaces enclose what follows
+    int around = 0; // number of surfaces that enclose the line from here on
 };
 
 struct Sample {
@@ -33,13 +33,13 @@ struct Sample {
     uint16_t joint = 0;
 };
 
-// Where a line through the body meets its surface, until so many times.
+// Returns where a line through the body meets its surface, at most kMaxCrossings times.
 std::vector<Crossing> crossingsAlong(const RestBody& body, const Bvh& bvh, const glm::vec3& origin,
                                      int axis) {
     glm::vec3 direction(0);
     direction[axis] = 1;
     std::vector<Crossing> crossings;
-    int around = 0; // surfaces: bodies overlap their fins
+    int around = 0; // surfaces around the line: a body and its fins overlap
     for (float at = 0; crossings.size() < kMaxCrossings;) {
         const auto touch = bvh.first(origin, direction, at, INFINITY);
         if (!touch) break;
@@ -55,8 +55,8 @@ std::vector<Crossing> crossingsAlong(const RestBody& body, const Bvh& bvh, const
     return crossings;
 }
 
-// Points inside of the body, and on what is too thin to have an inside, along lines in the direction that
-// most of its surface faces.
+// Returns points inside the body, and on parts that are too thin to have an inside, along lines in the
+// direction that most of its surface faces.
 std::vector<Sample> fill(const RestBody& body) {
     glm::vec3 low(INFINITY), high(-INFINITY), facing(0);
     for (size_t i = 0; i + 2 < body.indices.size(); i += 3) {
@@ -92,7 +92,7 @@ std::vector<Sample> fill(const RestBody& body) {
             origin[right] = low[right] + (static_cast<float>(u) + 0.5f) * step;
             origin[up] = low[up] + (static_cast<float>(v) + 0.5f) * step;
             const std::vector<Crossing> crossings = crossingsAlong(body, bvh, origin, axis);
-            const bool open = !crossings.empty() && crossings.back().around != 0; // somewhere: sheets
+            const bool open = !crossings.empty() && crossings.back().around != 0; // open somewhere: sheets
             size_t entered = 0;
             for (size_t k = 0; k < crossings.size(); ++k) {
                 if (open)
@@ -126,7 +126,7 @@ Moments momentsOf(std::span<const Sample> samples, std::span<const size_t> partO
     return m;
 }
 
-// Jacobi's rotations: columns of `axes` become eigenvectors, the result their eigenvalues.
+// Diagonalises by Jacobi's rotations: columns of `axes` become eigenvectors; returns their eigenvalues.
 glm::dvec3 eigen(glm::dmat3 a, glm::dmat3& axes) {
     axes = glm::dmat3(1);
     for (int sweep = 0; sweep < 12; ++sweep)
@@ -142,7 +142,7 @@ glm::dvec3 eigen(glm::dmat3 a, glm::dmat3& axes) {
     return {a[0][0], a[1][1], a[2][2]};
 }
 
-// A solid ellipsoid's variance along a semi-axis is a fifth of its square.
+// Returns the solid ellipsoid with these moments: its variance along a semi-axis is a fifth of that squared.
 Ellipsoid solidOf(const Moments& m) {
     glm::dmat3 axes;
     const glm::dvec3 variance = eigen(m.spread, axes);
@@ -152,7 +152,7 @@ Ellipsoid solidOf(const Moments& m) {
     return {glm::vec3(m.mean), glm::mat3(axes), glm::vec3(semi)};
 }
 
-// A sample's distance to each part in units of the part's own spread, and the part's likelihood besides.
+// Assigns samples by the distance to each part in units of its spread, and by the part's likelihood.
 void assign(std::span<const Sample> samples, size_t count, float minimum, std::vector<size_t>& partOf) {
     struct Part {
         glm::dvec3 mean;
@@ -179,7 +179,7 @@ void assign(std::span<const Sample> samples, size_t count, float minimum, std::v
     }
 }
 
-// Starts from samples that lie as far from each other as they can.
+// Assigns samples to parts that start from samples as far apart from each other as possible.
 std::vector<size_t> byShape(std::span<const Sample> samples, size_t maximum) {
     std::vector<size_t> partOf(samples.size(), 0);
     std::vector<float> far(samples.size(), INFINITY);
@@ -212,7 +212,7 @@ std::vector<size_t> byJoint(std::span<const Sample> samples, size_t maximum) {
     for (size_t i = 0; i < samples.size(); ++i)
         for (size_t k = 0; k < sorted.size(); ++k)
             if (sorted[k].second == samples[i].joint) partOf[i] = k;
-    return partOf; // those of too little volume belong to no part
+    return partOf; // samples of joints with too little volume belong to no part
 }
 
 uint16_t maxOften(std::span<const Sample> samples, std::span<const size_t> partOf, size_t part) {

@@ -21,18 +21,18 @@ using occlusion::Ellipsoid;
 using occlusion::kAxisCount;
 
 constexpr size_t kEnds = 2 * kAxisCount;
-constexpr int kRays = 6;          // towards an axis' end, spread over as much of the sphere as it stands for
-constexpr float kEnclosed = 0.8f; // hidden of the sphere: nobody sees light there
-constexpr int kSweeps = 4, kSweepsAlike = 2;  // more fit these poses alone, and points pop more often
-constexpr float kStep = 0.06f, kFiner = 0.7f; // of a semi-axis; radians
-constexpr float kAlong = 0.5f;                // of a semi-axis that a centre moves by a step of one
+constexpr int kRays = 6;          // towards an axis' end, spread over that end's share of the sphere
+constexpr float kEnclosed = 0.8f; // hidden share of the sphere above which a place is never seen
+constexpr int kSweeps = 4, kSweepsAlike = 2;  // more sweeps fit these poses alone, and points pop more often
+constexpr float kStep = 0.06f, kFiner = 0.7f; // share of a semi-axis; radians
+constexpr float kAlong = 0.5f;                // share of a semi-axis by which a step of one moves a centre
 
 Ellipsoid moved(const Ellipsoid& rest, const glm::mat4& rigid) {
     return {glm::vec3(rigid * glm::vec4(rest.centre, 1)), glm::mat3(rigid) * rest.worldFromAxes,
             rest.semiAxes};
 }
 
-// Along each of its axes, longer or shorter there, or turned around it: nine ways.
+// Moves a shape along one of its axes, scales it along that, or turns it around that: nine ways.
 Ellipsoid stepped(Ellipsoid shape, int way, float step) {
     const int axis = way % 3;
     if (way < 3)
@@ -47,7 +47,7 @@ Ellipsoid stepped(Ellipsoid shape, int way, float step) {
     return shape;
 }
 
-// By place and end: those above a plane, then those below.
+// Hidden share by place and end: ends above a plane, then those below.
 using Hides = std::vector<float>;
 
 void hides(const Ellipsoid& shape, const Around& pose, Hides& out) {
@@ -65,7 +65,7 @@ glm::vec3 endOf(size_t end) {
     return (axis.y < 0) == (end < kAxisCount) ? -axis : axis;
 }
 
-// Several poses at once.
+// Searches over several poses at once.
 class Search {
   public:
     Search(std::vector<occlusion::BodyPart>& parts, const std::vector<Around>& poses)
@@ -115,7 +115,7 @@ class Search {
         if (!poses_.empty()) work(0);
     }
 
-    // What all but this one leave open.
+    // Computes the shares that all parts but this one leave open.
     void leaveOut(size_t part) {
         each([&](size_t pose) {
             open_[pose].assign(poses_[pose].places.size() * kEnds, 1);

@@ -1,4 +1,4 @@
-// Ellipsoids on joints, moved and shaped until they hide what a skin hides, seen from around it.
+// Moves and shapes ellipsoids on joints until they hide what a skin hides, seen from points around it.
 #pragma once
 
 #include "content/make/models/occlusion/FitEllipsoids.h"
@@ -10,27 +10,27 @@
 
 namespace shoal::make {
 
-// One pose of the skin.
+// What is hidden from points around one pose of the skin.
 struct Around {
     std::vector<glm::mat4> posedFromRest; // by joint; rigid
     std::vector<glm::vec3> places;
     std::vector<std::array<float, 2 * occlusion::kAxisCount>> hidden; // by place: of the axes' ends, 0 to 1
 };
 
-// How far from the skin places lie, metres. Nobody looks at the skin's inside.
+// Distances from the skin at which places lie, metres. The skin's inside is never seen.
 struct Shell {
     float nearest = 0.002f, farthest = 0.03f;
 };
 
-// At most `count` places in the open before the skin, by its area. The same for the same seed.
+// Returns at most `count` unhidden places in front of the skin, spread by area; the same for the same seed.
 Around lookAround(const scene::Surface& posed, std::vector<glm::mat4> posedFromRest, const Shell& shell,
                   int count, uint64_t seed);
 
-// Of what is hidden at the places, by the ellipsoids against by the skin: mean square.
+// Returns the mean square difference at the places between what the ellipsoids and what the skin hides.
 double missed(const std::vector<occlusion::BodyPart>& parts, const std::vector<Around>& poses);
 
-// One at a time takes each step that makes missed() less: Hooke and Jeeves 1961, "Direct Search Solution of
-// Numerical and Statistical Problems".
+// Takes, one at a time, each step that makes missed() smaller: Hooke and Jeeves 1961, "Direct Search Solution
+// of Numerical and Statistical Problems".
 void fitToHidden(std::vector<occlusion::BodyPart>& parts, const std::vector<Around>& poses);
 
 } // namespace shoal::make

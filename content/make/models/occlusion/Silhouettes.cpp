@@ -10,7 +10,7 @@ namespace shoal::occlusion {
 
 namespace {
 
-// Sine of the angle in which a cap has an end's share of the sphere.
+// Sine of the half angle of a cap with an end's share of the sphere.
 const float kCellSine = std::sqrt(1 - (1 - 1.0f / kAxisCount) * (1 - 1.0f / kAxisCount));
 
 } // namespace
@@ -22,13 +22,13 @@ EllipsoidSilhouette::EllipsoidSilhouette(const Ellipsoid& shape, const glm::vec3
     const glm::vec3 m = p - shape.centre;
     slope_ = matrix_ * m;
     const float square = std::max(glm::dot(m, slope_), 1e-6f), far2 = std::max(glm::dot(m, m), 1e-12f),
-                outside = std::max(square, 1.0f); // a point within counts as on the skin
+                outside = std::max(square, 1.0f); // a point inside counts as on the skin
     edge_ = std::sqrt(outside - 1);
     const glm::vec3& a = shape.semiAxes;
     const float disc2 = a.x * a.y * a.z * std::sqrt(square / far2);
     width_ =
         std::sqrt(1 / (outside * std::max(glm::dot(slope_, slope_), 1e-12f)) + (1 - 1 / outside) * disc2);
-    const float near2 = 1 / (outside * outside); // from near it is no disc
+    const float near2 = 1 / (outside * outside); // near the surface its shadow is no disc
     cap_ = 0.5f - 0.5f * std::sqrt(1 - std::min(std::max(disc2 / far2, near2 * near2), 1.0f));
 }
 
@@ -60,7 +60,7 @@ void completeOwn(const SelfOccludingMesh& mesh, std::span<const Occluder> own,
     for (size_t v = 0; v < selfOcclusion.size(); ++v) {
         if (!used[v]) continue;
         const glm::vec3& normal = mesh.normals[v];
-        // Few rays may ask for what nothing hides; what is there to be completed must not add to it.
+        // Few rays may yield values that nothing can hide; these must not add to what is to be completed.
         const glm::vec4 moments = occlusionMoments(withSelfOcclusion({}, normal, selfOcclusion[v]), normal);
         selfOcclusion[v] = fitSelfOcclusion(axisOcclusion(mesh.positions[v], normal, own), normal, moments);
     }
