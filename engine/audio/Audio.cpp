@@ -143,7 +143,7 @@ struct Audio::State {
         pausedAt_s = pausedFor_s = 0; // a new device, a new clock
         standing = false;
         device.makeCurrent();
-        voices.setUp(options.doppler);
+        voices.setUp();
         streamed.setUp();
         for (const Clip& clip : clips) addBuffer(clip);
         setVolume();

@@ -30,15 +30,10 @@ constexpr int kMaxClip_s = 60;
 // 192 kHz. The file's header is checked before memory is allocated.
 Result<Clip> readClip(const Path& file);
 
-// Exaggeration of the Doppler effect. At the speed of sound in water (1500 m/s) a shark at 3 m/s shifts
-// by 3.5 cents, which is inaudible; as in air (343 m/s) it shifts by 15 cents, which is just noticed.
-constexpr float kDopplerAsInAir = 1500.0f / 343;
-
 struct AudioOptions {
-    bool headphones = false;         // HRTF
-    bool loopback = false;           // renders to memory: render() below; no device is touched
-    float volume = 1;                // 0 to 1
-    float doppler = kDopplerAsInAir; // factor of water's own effect; 0: none
+    bool headphones = false; // HRTF
+    bool loopback = false;   // renders to memory: render() below; no device is touched
+    float volume = 1;        // 0 to 1
 };
 
 struct Listener {

@@ -23,6 +23,9 @@ constexpr float kAmbientLoudness = 10; // sounds without a position are never re
 // The water, chosen by ear: over the distances of this game real sea water would be inaudible.
 constexpr float kReference_m = 0.7f; // within this a sound keeps its level; beyond, it falls as 1 / distance
 constexpr float kSpeed_mps = 1500;   // speed of sound in water, 4.4 times that in air
+// Exaggeration of the Doppler effect. At the speed of sound in water a shark at 3 m/s shifts by 3.5 cents,
+// which is inaudible; as in air (343 m/s) it shifts by 15 cents, which is just noticed.
+constexpr float kDopplerAsInAir = kSpeed_mps / 343;
 constexpr float kReverbOpen = 0.12f, kReverbTunnel = 0.8f; // reverberation gain
 constexpr float kHighNear = 0.6f;                          // gain above 5 kHz at distance 0
 constexpr float kHighFade_m = 4;                           // distance over which that falls to 1/e
@@ -41,10 +44,10 @@ bool plays(ALuint source) {
 
 } // namespace
 
-void VoicePool::setUpEffects(float doppler) {
+void VoicePool::setUpEffects() {
     alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
     alSpeedOfSound(kSpeed_mps);
-    alDopplerFactor(std::max(doppler, 0.0f));
+    alDopplerFactor(kDopplerAsInAir);
     alGenEffects(1, &reverb_);
     alEffecti(reverb_, AL_EFFECT_TYPE, AL_EFFECT_REVERB);
     alEffectf(reverb_, AL_REVERB_DECAY_TIME, 2.2f);
@@ -84,8 +87,8 @@ void VoicePool::applyWater(const Voice& voice, float distance_m) const {
     alSource3i(voice.source, AL_AUXILIARY_SEND_FILTER, static_cast<ALint>(send), 0, AL_FILTER_NULL);
 }
 
-void VoicePool::setUp(float doppler) {
-    setUpEffects(doppler);
+void VoicePool::setUp() {
+    setUpEffects();
     for (Voice& voice : voices_) {
         alGetError();
         alGenSources(1, &voice.source);

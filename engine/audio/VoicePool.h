@@ -13,8 +13,8 @@ namespace shoal::audio {
 
 class VoicePool {
   public:
-    // Makes kSources voices, fewer if the device has fewer. doppler: factor of water's own effect.
-    void setUp(float doppler);
+    // Makes kSources voices, fewer if the device has fewer.
+    void setUp();
     void tearDown();
 
     // One frame of updates. now_s: the device's clock, minus the time spent paused.
@@ -49,7 +49,7 @@ class VoicePool {
     Voice* voiceFor(float loudness);
     static float loudnessOf(const Sound& shot, const glm::vec3& listener);
 
-    void setUpEffects(float doppler);
+    void setUpEffects();
     void applyReverbGain() const;
     void applyWater(const Voice& voice, float distance_m) const;
 

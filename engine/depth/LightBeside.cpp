@@ -13,17 +13,6 @@
 
 namespace shoal::depth {
 
-int LightBeside::cellOf(const glm::vec3& dir) {
-    const glm::vec2 place = (math::octahedralFromDirection(dir) + 1.0f) * (0.5f * kFine);
-    const int x = std::clamp(static_cast<int>(place.x), 0, kFine - 1);
-    return std::clamp(static_cast<int>(place.y), 0, kFine - 1) * kFine + x;
-}
-
-glm::vec3 LightBeside::directionOf(int cell, int side) {
-    return math::directionFromOctahedral(
-        (glm::vec2(cell % side, cell / side) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f);
-}
-
 // An octahedron's cell has a solid angle proportional to the inverse cube of its distance from the middle.
 const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>& LightBeside::rays() {
     static const auto made = [] {
@@ -31,7 +20,7 @@ const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>&
         std::array<double, kCoarse * kCoarse> shares;
         double all = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
-            rays[i].dir = directionOf(static_cast<int>(i), kCoarse);
+            rays[i].dir = math::octahedralDirection(static_cast<int>(i), kCoarse);
             const auto sum = static_cast<double>(std::abs(rays[i].dir.x) + std::abs(rays[i].dir.y) +
                                                  std::abs(rays[i].dir.z));
             all += shares[i] = sum * sum * sum;
@@ -49,7 +38,8 @@ const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>&
 const std::vector<glm::vec3>& LightBeside::fineDirections() {
     static const auto made = [] {
         std::vector<glm::vec3> directions;
-        for (int cell = 0; cell < kFine * kFine; ++cell) directions.push_back(directionOf(cell, kFine));
+        for (int cell = 0; cell < kFine * kFine; ++cell)
+            directions.push_back(math::octahedralDirection(cell, kFine));
         return directions;
     }();
     return made;
@@ -74,7 +64,7 @@ int LightBeside::firstMet(const glm::vec3& place, const glm::vec3& dir) const {
         const glm::vec3 there = place + dir * t;
         const float square = glm::dot(there, there);
         if (square == 0) return false; // at the camera
-        cell = cellOf(there);
+        cell = math::octahedralCell(there, kFine);
         const float inverse = inverse_perM_[static_cast<size_t>(cell)];
         return square * inverse * inverse >= 1 && near_[static_cast<size_t>(cell)] > 0;
     };

@@ -35,8 +35,6 @@ class LightBeside {
   private:
     // Directions lie on an octahedron unfolded to a square (math/Octahedron.h).
     static constexpr int kCoarse = 12, kFine = 48, kAcross = kFine / kCoarse; // rays; distances
-    static int cellOf(const glm::vec3& dir);                                  // in the fine grid; dir: not 0
-    static glm::vec3 directionOf(int cell, int side); // of the cell's middle, unit length
     static const std::vector<glm::vec3>& fineDirections();
     static int coarseOf(int fine) { return fine / kFine / kAcross * kCoarse + fine % kFine / kAcross; }
     int firstMet(const glm::vec3& place, const glm::vec3& dir) const; // index of a fine cell; -1: none

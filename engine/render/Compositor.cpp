@@ -10,10 +10,9 @@ namespace {
 // beyond its edge.
 constexpr float kLayerWidth = 1.02f;
 
-// Four samples cost as much as two frames if the driver renders on the processor: it smooths outlines.
-int defaultSamples(const CompositorSetup& setup, Composition composition) {
+int samplesOfLayers(const CompositorSetup& setup, Composition composition) {
     const bool filtered = setup.frameIsCoded && composition != Composition::MatchedResolution;
-    return gl::rendersInSoftware() && filtered ? 1 : 4;
+    return filtered ? gl::defaultSamples() : 4;
 }
 
 // Returns the composition that is possible: an HDR frame has no coded texels and no camera.
@@ -29,8 +28,8 @@ Composition possible(const CompositorSetup& setup) {
 Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     Compositor made;
     made.composition_ = possible(setup);
-    made.samples_ = setup.layerSamples > 0 ? setup.layerSamples : defaultSamples(setup, made.composition_);
-    made.smoothsLayers_ = setup.layerSamples == 0 && made.samples_ == 1;
+    made.samples_ = samplesOfLayers(setup, made.composition_);
+    made.smoothsLayers_ = made.samples_ == 1;
     if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
     // Objects in a frame's texels are filtered with them, but an eye beside the film's camera sees none.

@@ -32,8 +32,7 @@ class CompositorScene {
 struct CompositorSetup {
     Composition composition = Composition::Plain;
     Backend backend = Backend::Auto;
-    int layerSamples = 0;     // samples a pixel in layers; 0: by driver and composition
-    bool frameIsCoded = true; // false: HDR; nothing can be put into its texels, and no camera filmed it
+    bool frameIsCoded = true; // else HDR: nothing can be put into its texels, and no camera filmed it
 };
 
 class Compositor {

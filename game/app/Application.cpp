@@ -145,7 +145,6 @@ Status Application::frame(bool measured) {
     const Result<bool> drawn = draw();
     if (!drawn) return drawn.error();
     if (*drawn) {
-        play_->clock.waste(static_cast<double>(options_.load_ms));
         adjustQuality();
         display_->present();
     }
@@ -339,8 +338,7 @@ void Application::simulate() {
 
 Result<bool> Application::draw() {
     const game::Snapshot& shown = photo_ ? photo_->shown() : play_->session.shown;
-    const bool wantsQuality =
-        options_.quality == QualityControl::Auto && ((window_ && !options_.timedemo) || options_.load_ms > 0);
+    const bool wantsQuality = options_.quality == QualityControl::Auto && window_ && !options_.timedemo;
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
     const Quality quality = quality_ ? quality_->quality() : Quality();
     const render::Exposure exposure =
@@ -350,8 +348,7 @@ Result<bool> Application::draw() {
     const Result<bool> drawn = display_->draw(
         Painter::of(*sceneRenderer_,
                     [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
-                        if (options_.backdropOnly || options_.look.skip == render::SkippedPass::Overlay)
-                            return;
+                        if (options_.look.skip == render::SkippedPass::Overlay) return;
                         if (photo_ && !photo_->notice()) return;
                         const gl::PassTimers::Scope scope(sceneRenderer_->timers(), "overlay");
                         drawHud(part, audience, view, size);
@@ -384,7 +381,6 @@ TextOptions Application::textOptions() const {
     return {.language = languageIn(text),
             .scale = text.scale,
             .captionScale = kCaptionScales[static_cast<size_t>(text.captionSize)],
-            .captionPanels = text.captionPanels,
             .highContrast = text.highContrast};
 }
 

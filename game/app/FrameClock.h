@@ -48,11 +48,6 @@ class FrameClock {
         const Seconds due(static_cast<double>(frame_ + 1) / fps_);
         std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(due));
     }
-    // Waits until this frame has lasted load_ms.
-    void waste(double load_ms) const {
-        while (sinceBegin_ms() < load_ms) {
-        }
-    }
 
   private:
     using Clock = std::chrono::steady_clock;

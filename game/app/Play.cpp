@@ -26,7 +26,8 @@ namespace shoal::app {
 namespace {
 
 render::Composition compositionIn(const PlayOptions& options) {
-    return options.backdropOnly ? render::Composition::BackgroundOnly : options.compose;
+    return options.look.skip == render::SkippedPass::Objects ? render::Composition::BackgroundOnly
+                                                             : options.compose;
 }
 
 // Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
@@ -106,8 +107,8 @@ Status Application::openContext() {
 }
 
 Status Application::openDisplay() {
-    const int samples = options_.look.samples > 0 ? options_.look.samples : software_ ? 1 : 4;
-    quality_.reset(); // another display may have another rate
+    const int samples = gl::defaultSamples();
+    quality_.reset(); // another display, another rate
     const bool vsync = options_.vsync && !options_.timedemo;
     if (!options_.xr) {
         if (window_) window_->setVsync(vsync);
@@ -189,7 +190,6 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
                 .skip = options_.look.skip,
                 .compositor = {.composition = composition,
                                .backend = options_.look.backend,
-                               .layerSamples = options_.look.samples,
                                .frameIsCoded = environment_->gpu(0).frameIsCoded()}})
         .moveTo(sceneRenderer_);
 }

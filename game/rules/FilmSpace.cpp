@@ -1,7 +1,6 @@
 #include "game/rules/FilmSpace.h"
 
 #include "engine/core/Hash.h"
-#include "engine/math/Octahedron.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -138,19 +137,6 @@ void FilmSpace::makeRoom(Room of) {
     made.resize(room.size());
     std::transform(room.begin(), room.end(), made.begin(),
                    [](float mm) { return static_cast<uint16_t>(mm); });
-}
-
-int FilmSpace::cellOf(glm::vec3 dir) {
-    const glm::vec2 place = unfolded(dir);
-    const int column = std::clamp(static_cast<int>(place.x), 0, kSide - 1);
-    return std::clamp(static_cast<int>(place.y), 0, kSide - 1) * kSide + column;
-}
-
-glm::vec3 FilmSpace::directionOf(int cell) {
-    constexpr float kHalf = 0.5f * kSide;
-    const float x = (static_cast<float>(cell % kSide) + 0.5f) / kHalf - 1;
-    const float z = (static_cast<float>(cell / kSide) + 0.5f) / kHalf - 1;
-    return math::directionFromOctahedral({x, z});
 }
 
 uint64_t FilmSpace::hash() const {

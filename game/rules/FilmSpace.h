@@ -5,6 +5,7 @@
 // is the same on every machine.
 #pragma once
 
+#include "engine/math/Octahedron.h"
 #include "engine/physics/Capsule.h"
 
 #include <glm/vec3.hpp>
@@ -31,9 +32,8 @@ class FilmSpace {
     // nearest that the film shows within a cell. At most kMaxSteps steps.
     FilmSpace(double length_s, std::vector<uint16_t> surface_mm);
 
-    // dir must not be zero.
-    static int cellOf(glm::vec3 dir);
-    static glm::vec3 directionOf(int cell); // through the cell's middle, unit length
+    static int cellOf(const glm::vec3& dir) { return math::octahedralCell(dir, kSide); }
+    static glm::vec3 directionOf(int cell) { return math::octahedralDirection(cell, kSide); }
 
     // Returns the hash of length and distances: equal hashes, equal dives.
     uint64_t hash() const;

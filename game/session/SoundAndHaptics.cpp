@@ -17,8 +17,7 @@ SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const Path& video, 
 }
 
 Status SoundAndHaptics::openSound(const PlayOptions& options) {
-    auto opened = audio::Audio::open(
-        {.headphones = options.headphones, .volume = options.volume, .doppler = options.doppler});
+    auto opened = audio::Audio::open({.headphones = options.headphones, .volume = options.volume});
     if (!opened) return opened.error();
     for (const game::SoundRow& row : game::kSounds) {
         auto clip = audio::readClip(dataRoot() / "content" / "sounds" / (std::string(row.file) + ".flac"));

@@ -1,7 +1,6 @@
 // Options of `shoal play` with their table: what a player can set, and what tests and measurements need.
 #pragma once
 
-#include "engine/audio/Audio.h"
 #include "game/settings/SharedOptions.h"
 
 #include <optional>
@@ -59,7 +58,7 @@ struct TextSettings {
     LanguageChoice language = LanguageChoice::Auto;
     float scale = 1;
     bool highContrast = false;
-    bool captions = true, captionPanels = true;
+    bool captions = true;
     CaptionSize captionSize = CaptionSize::Medium;
 
     void addTo(SettingsTable& table) {
@@ -74,8 +73,6 @@ struct TextSettings {
         table.addKept("!--no-captions", &captions, "Do not name sounds on the screen")
             .shownAs(Text, "Captions");
         table.addKept("--caption-size", choice(captionSize), "Of captions").shownAs(Text, "Size of captions");
-        table.addKept("!--no-caption-background", &captionPanels, "Captions stand on no dark panel")
-            .shownAs(Text, "Background of captions");
     }
 };
 
@@ -106,14 +103,12 @@ struct PlayOptions {
     bool fullscreen = false;
     bool vsync = true;
     QualityControl quality = QualityControl::Auto;
-    float load_ms = 0; // artificial, for each frame
     bool headless = false;
     float fps = 60; // headless: frames a second of dive time
     std::string screenshot;
     std::optional<float> at_s;
     std::string stats;
     bool timedemo = false;
-    bool backdropOnly = false;
     game::Assist assist = game::Assist::Normal;
     bool freeSwim = false;
     render::Composition compose = render::Composition::CameraResponse;
@@ -123,7 +118,6 @@ struct PlayOptions {
     float volume = 0.8f;
     float effects = 1;       // volume of all sounds but the video's, 0 to 1
     float videoSound = 0.8f; // of the video's own sound, 0 to 1
-    float doppler = audio::kDopplerAsInAir;
     float hapticStrength = 1;
     WaterChoice water = WaterChoice::Auto;
     bool snow = true; // specks that drift in the water
@@ -223,9 +217,9 @@ struct PlayOptions {
             .shownAs(Picture, "Quality");
         table
             .addKept(
-                "--compose", choice(compose, {Plain, MatchedResolution, VideoTexels, CameraResponse}),
+                "--compose", choice(compose, {Plain, MatchedResolution, CameraResponse}),
                 "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
-                "finely as the video is, and scaled up with it; texels, into the video's own frame; camera, "
+                "finely as the video is, and scaled up with it; camera, into the video's own frame, "
                 "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated)")
             .shownAs(Picture, "Compositing");
         table.addKept(
@@ -264,12 +258,6 @@ struct PlayOptions {
             .shownAs(Sound, "Volume of the film");
         table.addKept("--headphones", &headphones, "Sound for headphones (HRTF)")
             .shownAs(Sound, "Headphones");
-        table
-            .addKept(
-                "--doppler", &doppler,
-                "How much what swims past changes its pitch, in times of water's own effect: 0 not at all, "
-                "1 as in water, where it is hardly heard; 4.4 as ears know it from air")
-            .between(0, 20);
     }
 
     void addTestsTo(SettingsTable& table) {
@@ -288,13 +276,6 @@ struct PlayOptions {
             .takes("FILE.json");
         table.add("--timedemo", &timedemo,
                   "Draws as fast as it can, first five seconds to warm up; the video keeps its own rate");
-        table
-            .add("--load", &load_ms,
-                 "Keeps the processor busy for that many milliseconds a frame, to see what --quality auto "
-                 "does about it; also with --headless --timedemo, for 60 frames a second")
-            .between(0, 1000);
-        table.add("--backdrop-only", &backdropOnly,
-                  "Draws the environment alone, to compare frame times with");
     }
 };
 

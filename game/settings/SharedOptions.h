@@ -51,7 +51,6 @@ struct LookOptions {
     Tone tone = Tone::Auto;
     render::Glossy glossy = render::Glossy::Prefiltered;
     Occlusion occlusion = Occlusion::Ellipsoids;
-    int samples = 0; // for anti-aliasing; 0: 4, or 1 and smoothed outlines on a software renderer
     render::Backend backend = render::Backend::Auto;
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
@@ -78,11 +77,6 @@ struct LookOptions {
         table.add("--glossy", choice(glossy),
                   "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples");
         table.addKept("--occlusion", choice(occlusion, occlusions), occlusionHelp);
-        table
-            .addKept("--samples", &samples,
-                     "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or without a graphics card 1 and "
-                     "smoothed outlines")
-            .between(0, 16);
         table.add("--backend", choice(backend),
                   "What samples the background and puts objects into it: opengl; software, on the processor, "
                   "with the same pictures but for rounding (OpenGL draws the objects in either case); auto: "
@@ -92,8 +86,8 @@ struct LookOptions {
                   "share of diffuse light that is left; depth: 1 / (1 + metres)");
         table.add(
             "--skip", choice(skip),
-            "Leaves a pass out, to see what it draws; composed into the video's texels, objects go with "
-            "the background");
+            "Leaves a pass out, to see what it draws; without the background, objects that are composed into "
+            "it go too; objects: their shadows and the particles as well");
     }
 };
 

@@ -18,6 +18,7 @@ struct ViewOptions {
     std::optional<glm::vec3> orbit;  // theta and phi in degrees, radius in metres; empty: fits the model
     std::optional<glm::vec3> target; // metres; empty: the model's middle
     float fov_deg = 45;              // vertical
+    int samples = 4;                 // for anti-aliasing
     Background background = Background::Environment;
     std::string animation; // NAME@SECONDS
     std::string variant;   // of the model's materials; empty: as it is
@@ -42,6 +43,7 @@ struct ViewOptions {
                  "What the camera looks at, metres; the model's middle if not given")
             .takes("X,Y,Z");
         table.add("--fov", &fov_deg, "Vertical field of view, degrees").between(1, 150);
+        table.add("--samples", &samples, "Anti-aliasing samples a pixel").between(1, 16);
         table.add("--background", choice(background), "env, or none: transparent");
         table.add("--animation", &animation, "Poses the model at that second of an animation")
             .takes("NAME@SECONDS");

@@ -269,7 +269,7 @@ Status Viewer::writePicture() {
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &maximum);
     if (size.x > maximum || size.y > maximum)
         return Error{"--size", "is more than the graphics driver can draw"};
-    const gl::Target target(size.x, size.y, options_.look.samples > 0 ? options_.look.samples : 4);
+    const gl::Target target(size.x, size.y, options_.samples);
     if (Status drawn = draw(target); !drawn) return drawn;
     return media::writePng(options_.out, reduced(target.read()));
 }
@@ -325,8 +325,7 @@ Status Viewer::showWindow() {
         const glm::ivec2 size = window_->framebufferSize();
         if (size.x > 0 && size.y > 0) {
             const bool resized = target.width() != size.x || target.height() != size.y;
-            if (resized)
-                target = gl::Target(size.x, size.y, options_.look.samples > 0 ? options_.look.samples : 4);
+            if (resized) target = gl::Target(size.x, size.y, options_.samples);
             const bool turns = input.leftButton || input.rightButton || input.wheel != 0;
             // Rays take a software renderer seconds a picture: it draws them once the camera rests.
             withLayers_ = !(turns && gl::rendersInSoftware());

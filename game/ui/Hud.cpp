@@ -103,10 +103,7 @@ void drawCaptions(const Pen& pen, const HudInfo& info) {
         const float seen = std::atan(info.view->halfExtent().x);
         const std::string line = fmt::format("{}{}{}", bearing < -seen ? "\u2190 " : "", pen.in(caption.text),
                                              bearing > seen ? " \u2192" : "");
-        if (info.text.captionPanels)
-            pen.label(pen.size.x / 2, y, 0.5f, size, kWhite, line);
-        else
-            pen.text(pen.size.x / 2, y, 0.5f, size, kWhite, line);
+        pen.label(pen.size.x / 2, y, 0.5f, size, kWhite, line);
         y -= step;
     }
 }

@@ -27,9 +27,8 @@ namespace shoal::app {
 // How text is written; as the player has set it.
 struct TextOptions {
     game::Language language = game::Language::English;
-    float scale = 1;           // of all text
-    float captionScale = 1;    // of captions besides
-    bool captionPanels = true; // captions stand on panels
+    float scale = 1;        // of all text
+    float captionScale = 1; // of captions besides
     bool highContrast = false;
 };
 

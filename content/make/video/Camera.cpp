@@ -1,6 +1,7 @@
 #include "content/make/video/Camera.h"
 
 #include "content/make/video/Noise.h"
+#include "content/make/video/Tone.h"
 
 #include <algorithm>
 #include <array>
@@ -59,16 +60,7 @@ ImageRgbF glow(const ImageRgbF& image) {
     return small;
 }
 
-// A shoulder that rolls highlights off into the clip, a short toe, then the display's coding.
-float toned(float x) {
-    x = std::max(x, 0.0f);
-    const float toe = x * x / (x + 0.004f);
-    const float shoulder = toe < 0.55f ? toe : 0.55f + (toe - 0.55f) / (1 + (toe - 0.55f) * 0.62f);
-    const float y = std::min(shoulder, 1.0f);
-    return y <= 0.0031308f ? 12.92f * y : 1.055f * std::pow(y, 1 / 2.4f) - 0.055f;
-}
-
-// The same by table: finer where it is dark, as the eye is.
+// toned() by table: finer where it is dark, as the eye is.
 class ToneTable {
   public:
     ToneTable() {

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace shoal {
 namespace {
@@ -26,23 +25,6 @@ struct Animal {
 using tests::kGround_m;
 
 constexpr float kAbove_m = 0.6f; // of the animal above the ground
-
-// The share of the light's solid angle from which no ray gets through.
-float hiddenByRays(const occlusion::Bvh& body, const render::CastingLight& light, const glm::vec3& place) {
-    constexpr int kRays = 600;
-    const glm::vec3 side = glm::normalize(glm::cross(light.towards, glm::vec3(0.1f, 0.2f, 0.9f)));
-    const glm::vec3 up = glm::cross(side, light.towards);
-    const float cosine = 1 / std::sqrt(1 + light.tangent * light.tangent);
-    int hits = 0;
-    for (int i = 0; i < kRays; ++i) {
-        const float z = 1 - (1 - cosine) * (static_cast<float>(i) + 0.5f) / kRays;
-        const float turn = static_cast<float>(i) * std::numbers::pi_v<float> * (3 - std::sqrt(5.0f));
-        const float ring = std::sqrt(1 - z * z);
-        hits += body.blocked(place, z * light.towards + ring * (std::cos(turn) * side + std::sin(turn) * up),
-                             0, INFINITY);
-    }
-    return static_cast<float>(hits) / kRays;
-}
 
 struct Compared {
     double error2 = 0, truth2 = 0, light = 0, truth = 0; // sums over the ground
@@ -90,7 +72,9 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
             const glm::vec2 xz = low + step * glm::vec2(x, y);
             const glm::vec3 place(xz.x, kGround_m, xz.y);
             const double form = static_cast<double>(render::covered(flat, light, place)),
-                         rays = static_cast<double>(hiddenByRays(bvh, light, place));
+                         rays = static_cast<double>(tests::hiddenByRays(light, 600, [&](const glm::vec3&to) {
+                             return bvh.blocked(place, to, 0, INFINITY);
+                         }));
             sums.error2 += (form - rays) * (form - rays);
             sums.truth2 += rays * rays;
             sums.light += form;

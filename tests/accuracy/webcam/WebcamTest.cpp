@@ -144,7 +144,7 @@ std::string playClip(const Path& folder, const Path& clip, const std::string& op
     const Path log = folder / "err.txt";
     const std::string command =
         "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME='" + folder.string() + "' timeout 1000 '" +
-        tests::program() + "' play --headless --size 64x36 --backdrop-only --hands webcam:" + clip.string() +
+        tests::program() + "' play --headless --size 64x36 --skip objects --hands webcam:" + clip.string() +
         " " + options + " 2>" + log.string();
     if (std::system(command.c_str()) != 0) return {};
     return readText(log).value();

@@ -1,5 +1,6 @@
 #include "tests/bench/compose/Filmed.h"
 
+#include "content/make/video/Tone.h"
 #include "engine/core/Random.h"
 #include "engine/math/LatLong.h"
 
@@ -16,13 +17,7 @@ constexpr float kNoise = 0.004f;
 constexpr float kGlowShare = 0.06f;
 constexpr float kSharpening = 1.4f;
 
-float toned(float x) {
-    x = std::max(x, 0.0f);
-    const float toe = x * x / (x + 0.004f);
-    const float shoulder = toe < 0.55f ? toe : 0.55f + (toe - 0.55f) / (1 + (toe - 0.55f) * 0.62f);
-    const float y = std::min(shoulder, 1.0f);
-    return y <= 0.0031308f ? 12.92f * y : 1.055f * std::pow(y, 1 / 2.4f) - 0.055f;
-}
+using reef::toned;
 
 // The signal that the camera shows as this value.
 std::array<float, 256> signals() {

@@ -30,7 +30,6 @@ int main(int argc, char** argv) {
     const auto chart = bench::measureOcclusion(*scenes, shared ? shared : "", quick);
     const auto layers = bench::measureLayers(*scenes, quick);
     for (const Status& written :
-         {bench::writeOcclusionMarkdown(chart, layers, folder), bench::writeOcclusionCsv(chart, folder),
-          bench::writeOcclusionPicture(chart, folder)})
+         {bench::writeOcclusionMarkdown(chart, layers, folder), bench::writeOcclusionPicture(chart, folder)})
         if (!written) return complain(written.error());
 }

@@ -18,7 +18,7 @@ SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, s
     const auto& want = truth.diffuse[environment];
     double off[2] = {0, 0}, whole[2] = {0, 0};
     for (size_t i = 0; i < got.size(); ++i) {
-        if (got[i].x <= kUnknown.x || truth.open[i] < kEnclosed) continue;
+        if (truth.open[i] < kEnclosed) continue;
         const glm::dvec3 miss = glm::dvec3(got[i]) - want[i];
         const auto sum = [](const glm::dvec3& c) { return c.x + c.y + c.z; };
         const bool shaded = sum(want[i]) < 0.9 * sum(glm::dvec3(unshaded[i]));
@@ -60,7 +60,6 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
         std::fprintf(stderr, ", methods\n");
         std::vector<glm::vec3> out(receivers.size());
         for (size_t m = 0; m < methods.size(); ++m) {
-            if (methods[m].load) methods[m].load(scene);
             const double begin = now_us();
             methods[m].build(scene, rays);
             chart.methods[m].body_us.push_back((now_us() - begin) / static_cast<double>(scene.bodies.size()));

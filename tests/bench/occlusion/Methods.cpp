@@ -17,14 +17,9 @@ std::vector<OcclusionMethod> occlusionMethods() {
     for (const int directions : {64, 256}) {
         all.push_back(thesisLayers(directions));
         all.push_back(curedLayers(directions));
-        all.push_back(skinnedLayers(directions));
-        all.push_back(rebuiltLayers(directions));
     }
     for (const Casting casting : {Casting::Others, Casting::OthersAndFolds, Casting::All})
         all.push_back(ellipsoids(casting));
-    all.push_back(spheres());
-    all.push_back(boneDistances(32, 12));
-    all.push_back(screenSpace(16));
     for (const int directions : {16, 64, 256}) all.push_back(exactRays(directions));
     return all;
 }

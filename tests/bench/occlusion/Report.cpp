@@ -38,8 +38,6 @@ const char* movesOf(const OcclusionMeasured& method) {
         return "free";
     case Moves::Rigid:
         return "bodies";
-    case Moves::Bending:
-        return "bending";
     case Moves::Rebuilt:
         return "rebuilt";
     }
@@ -147,10 +145,8 @@ Error of diffuse light: relative root mean square over points spread by area ove
 two kinds where there are two), against rays through every cell of the environment; environments weigh the same however bright
 they are. "Shaded points": only those of whose light a tenth or more is taken, environments without point suns. Time: one core,
 warm, the shortest of many runs, a receiver's unoccluded light included. "Moves": free, the method follows bending bodies
-as they are; bodies, it follows bodies but not their bending; bending, it follows that too, a body being built again
-whenever it bends or has bent so far (with the error of the moment before, the scene's bodies having come from their rest
-pose); rebuilt, it holds for the scene as it was built. "Exact": rays against the triangles, so that what is left is the
-error of so few directions. "Colours": bodies send back their share of the light, in truth over four matte bounces; of the
+as they are; bodies, it follows bodies but not their bending; rebuilt, it holds for the scene as it was built. "Exact": rays
+against the triangles, so that what is left is the error of so few directions. "Colours": bodies send back their share of the light, in truth over four matte bounces; of the
 methods only ellipsoids do, over one; elsewhere bodies are black.
 
 )";
@@ -170,19 +166,6 @@ methods only ellipsoids do, over one; elsewhere bodies are black.
     }
     md += glossyTable(chart) + layerTable(layers);
     return writeFileWhole(folder / "occlusion.md", md);
-}
-
-Status writeOcclusionCsv(const OcclusionChart& chart, const Path& folder) {
-    std::string out =
-        "scene,surround,point_sun,method,rms,rms_shaded,truth_noise,receiver_ns,bytes,body_us\n";
-    for (size_t k = 0; k < chart.scenes.size(); ++k)
-        for (size_t s = 0; s < chart.environments.size(); ++s)
-            for (const OcclusionMeasured& each : chart.methods)
-                out += text("\"%s\",\"%s\",%d,\"%s\",%.6g,%.6g,%.3g,%.1f,%zu,%.1f\n", chart.scenes[k].c_str(),
-                            chart.environments[s].c_str(), static_cast<int>(chart.pointSun[s]),
-                            each.label.name.c_str(), each.errors[k][s].all, each.errors[k][s].shaded,
-                            chart.noise[k][s], each.receiver_ns[k], each.bytes[k], each.body_us[k]);
-    return writeFileWhole(folder / "occlusion.csv", out);
 }
 
 Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {

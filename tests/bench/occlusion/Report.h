@@ -9,7 +9,6 @@ namespace shoal::bench {
 
 Status writeOcclusionMarkdown(const OcclusionChart& chart, const std::vector<LayerQuality>& layers,
                               const Path& folder);                             // occlusion.md
-Status writeOcclusionCsv(const OcclusionChart& chart, const Path& folder);     // occlusion.csv: everything
 Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder); // occlusion.data.gp
 
 // Root mean square over the environments, each weighing the same.

@@ -105,7 +105,6 @@ class GamepadProgram : public testing::Test {
         o.vsync = false;
         o.quality = QualityControl::Fixed;
         o.look.size = {160, 90};
-        o.look.samples = 1;
         o.fps = 60;
         return o;
     }

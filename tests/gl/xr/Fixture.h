@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/platform/Window.h"
 #include "tests/gl/xr/VirtualDisplay.h"
 #include "tests/gl/xr/runtime/FakeRuntime.h"
 
@@ -17,6 +18,7 @@ class WithFakeRuntime : public testing::Test {
   protected:
     FakeRuntime& fake = shoalFakeRuntime();
     std::optional<VirtualDisplay> display_;
+    std::optional<platform::Window> window_; // where openWindow() has been called
     bool validated_ = false;
     const Path validation_ =
         Path(testing::TempDir()) / ("shoal_xr_validation_" + std::to_string(getpid()) + ".txt");
@@ -50,8 +52,14 @@ class WithFakeRuntime : public testing::Test {
         display_ = VirtualDisplay::open();
         if (!display_) GTEST_SKIP() << "needs Xvfb";
     }
+    void openWindow() {
+        auto window = platform::Window::open({"test", 64, 64, false, false});
+        ASSERT_TRUE(window) << window.error().message();
+        window_ = std::move(*window);
+    }
     // All that was made is gone, and nothing was called that must not be.
     void TearDown() override {
+        window_.reset();
         EXPECT_EQ(fake.complaints, std::vector<std::string>());
         EXPECT_EQ(validationReport(), "");
         std::filesystem::remove(validation_);

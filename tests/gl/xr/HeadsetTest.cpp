@@ -1,7 +1,6 @@
 // A headset through the real loader, down to a runtime that only tests have.
 #include "engine/xr/Headset.h"
 #include "engine/core/Log.h"
-#include "engine/platform/Window.h"
 #include "engine/xr/Tracked.h"
 #include "tests/gl/xr/Fixture.h"
 
@@ -17,18 +16,9 @@ namespace {
 
 class HeadsetGL : public test::WithFakeRuntime {
   protected:
-    std::optional<platform::Window> window_;
-
     void SetUp() override {
         WithFakeRuntime::SetUp();
-        if (IsSkipped()) return;
-        auto window = platform::Window::open({"test", 64, 64, false, false});
-        ASSERT_TRUE(window) << window.error().message();
-        window_ = std::move(*window);
-    }
-    void TearDown() override {
-        window_.reset();
-        WithFakeRuntime::TearDown();
+        if (!IsSkipped()) openWindow();
     }
 
     static Headset open() {

@@ -44,7 +44,6 @@ class XrProgram : public test::WithFakeRuntime {
         o.mute = true;
         o.quality = QualityControl::Fixed;
         o.look.size = {160, 90};
-        o.look.samples = 1;
         o.environment.photo = ""; // the dive's own video
         return o;
     }

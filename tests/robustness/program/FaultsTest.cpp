@@ -61,7 +61,7 @@ class Faults : public testing::Test {
     }
     std::string said() const { return readText(folder_ / "err.txt").value(); }
     std::vector<std::string> play(std::vector<std::string> more) const {
-        std::vector<std::string> words = {"play", "--headless", "--backdrop-only", "--size", "32x18"};
+        std::vector<std::string> words = {"play", "--headless", "--skip", "objects", "--size", "32x18"};
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
@@ -238,7 +238,7 @@ TEST_F(Faults, SharedMemoryIsNotNeeded) {
     if (std::system("unshare -rm umount /dev/shm 2>/dev/null") != 0)
         GTEST_SKIP() << "this user may not unmount";
     const std::string command = tests::program() +
-                                " play --headless --backdrop-only --size 32x18 --at 0.5 --screenshot " +
+                                " play --headless --skip objects --size 32x18 --at 0.5 --screenshot " +
                                 file("s.png");
     EXPECT_EQ(std::system(("unshare -rm sh -c 'umount /dev/shm && " + command + "'").c_str()), 0);
 }

@@ -42,9 +42,9 @@ TEST_F(Numbers, OfOptions) {
     constexpr std::array kNone = {"nan", "-inf", "1e999", "0x1p3"};
     for (const auto& [command, options] : std::map<std::string, std::vector<std::string>>{
              {"play --headless",
-              {"env-yaw", "text-size", "fps", "at", "exposure", "fov", "speed", "samples", "seed", "volume",
-               "effects-volume", "video-sound", "doppler", "haptics", "hand-size", "sensitivity",
-               "reach-help", "eye-distance", "load"}},
+              {"env-yaw", "text-size", "fps", "at", "exposure", "fov", "speed", "seed", "volume",
+               "effects-volume", "video-sound", "haptics", "hand-size", "sensitivity", "reach-help",
+               "eye-distance"}},
              {"view m.glb --out a.png", {"fov", "at", "exposure", "env-yaw", "samples"}},
              {"light a.hdr -o out", {"at"}},
              {"panorama a.jpg -o a.png", {"fov"}}})
@@ -88,16 +88,17 @@ TEST_F(Numbers, OfOptionsThatHoldSeveral) {
 
 // As they were written before: a plus, a fraction alone, an exponent; zeros before a number change nothing.
 TEST_F(Numbers, OfAllUsualFormsAreRead) {
-    for (const char* words :
-         {"--fov=+65", "--exposure=-.5", "--fov=6.5e1", "--text-size=1.6", "--samples=08"})
+    for (const char* words : {"--fov=+65", "--exposure=-.5", "--fov=6.5e1", "--text-size=1.6", "--seed=08"})
         EXPECT_EQ(run("play --headless --at=0 --size=64x36 " + std::string(words)).status, 0) << words;
 }
 
 TEST_F(Numbers, OfSettings) {
     std::filesystem::create_directories(folder_ / "shoal");
-    const std::vector<Place> places = {{R"({"fov": #})", ""},          {R"({"text-size": #})", ""},
-                                       {R"({"samples": #})", ""},      {R"({"exposure": #})", ""},
-                                       {R"({"leap": "local:#"})", ""}, {R"({"volume": "#"})", ""}};
+    const std::vector<Place> places = {{R"({"fov": #})", ""},
+                                       {R"({"text-size": #})", ""},
+                                       {R"({"exposure": #})", ""},
+                                       {R"({"leap": "local:#"})", ""},
+                                       {R"({"volume": "#"})", ""}};
     constexpr std::array kNone = {"nan", "-nan", "inf", "1e999", "1e300", "0x10"};
     for (const Place& place : places)
         fill(place, kNone, [&](const std::string& text) {

@@ -121,7 +121,7 @@ class TrackedHands : public testing::Test {
     std::string play(const Server& server, double seconds, uint64_t seed) const {
         char at[32];
         std::snprintf(at, sizeof at, "%.2f", seconds);
-        return "play --headless --size 64x36 --backdrop-only --no-depth --dive ring --hands leap --leap "
+        return "play --headless --size 64x36 --skip objects --no-depth --dive ring --hands leap --leap "
                "127.0.0.1:" +
                std::to_string(server.port()) + " --seed " + std::to_string(seed) + " --at " + at +
                " --record " + replayFile().string();
@@ -228,7 +228,7 @@ TEST_F(TrackedHands, WithoutAServiceTheMouseHasTheHands) {
     putFishAt({{0, -0.1f, -0.7f}, 0, 0});
     int port = 0;
     { port = Server().port(); } // nobody listens there now
-    ASSERT_EQ(run("play --headless --size 64x36 --backdrop-only --no-depth --dive ring --hands auto --leap "
+    ASSERT_EQ(run("play --headless --size 64x36 --skip objects --no-depth --dive ring --hands auto --leap "
                   "127.0.0.1:" +
                   std::to_string(port) + " --at 1.5 --record " + replayFile().string()),
               0)

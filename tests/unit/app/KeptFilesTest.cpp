@@ -42,7 +42,7 @@ TEST_F(KeptFiles, SettingsComeBack) {
                     .passthrough = true,
                     .eyeDistance_mm = 61,
                     .vsync = false,
-                    .compose = render::Composition::VideoTexels,
+                    .compose = render::Composition::MatchedResolution,
                     .headphones = true,
                     .volume = 0.25f,
                     .hapticStrength = 0.5f,
@@ -62,7 +62,7 @@ TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_EQ(settings.skin, Skin::Glove);
     EXPECT_EQ(settings.stereo, StereoOutput::SideBySide);
     EXPECT_TRUE(settings.passthrough);
-    EXPECT_EQ(settings.compose, render::Composition::VideoTexels);
+    EXPECT_EQ(settings.compose, render::Composition::MatchedResolution);
     EXPECT_EQ(settings.eyeDistance_mm, 61);
     EXPECT_EQ(settings.hands.leap.host, "tracker");
     EXPECT_EQ(settings.hands.leap.port, 7000);
@@ -89,12 +89,11 @@ TEST_F(KeptFiles, OneSettingIsWrittenAndAllElseInTheFileStays) {
 TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json",
                                R"({"volume": 17, "captions": "yes", "haptics": null, "skin": "scales",
-                                   "leap": "nowhere", "samples": 1e300, "fov": [65]})"));
+                                   "leap": "nowhere", "fov": [65]})"));
     EXPECT_EQ(load().volume, PlayOptions().volume);
     EXPECT_TRUE(load().text.captions);
     EXPECT_EQ(load().skin, PlayOptions().skin);
     EXPECT_EQ(load().hands.leap.host, PlayOptions().hands.leap.host);
-    EXPECT_EQ(load().look.samples, 0);
     EXPECT_EQ(load().fov_deg, PlayOptions().fov_deg);
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json", "{\"volume\": "));
     EXPECT_EQ(load().volume, PlayOptions().volume);

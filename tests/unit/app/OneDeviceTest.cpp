@@ -120,6 +120,9 @@ TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
             }
         back();
         ASSERT_EQ(screens_.top(), Screen::Title) << label;
+        if (GetParam() == Device::Keys) {
+            EXPECT_EQ(page().items[screens_.menu().focus()].label, label) << "where one came from";
+        }
     }
     EXPECT_EQ(seen,
               (std::set{Screen::Dives, Screen::Swims, Screen::Films, Screen::Settings, Screen::SettingsGroup,

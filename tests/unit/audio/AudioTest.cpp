@@ -235,19 +235,17 @@ TEST(Audio, AStereoBedComesOutAsItIs) {
 
 TEST(Audio, WhatComesNearerSoundsHigher) {
     // Cycles counted by zero crossings. Doppler: f' = f c / (c - k v), c = 1500 m/s, v = 20 m/s towards the
-    // head: as in air (k = 4.37) 1.062, as in water 1.0135. Half a second counts 500 half cycles at 500 Hz:
-    // one is 0.2 %.
-    const auto crossings = [](float velocity_mps, float doppler = kDopplerAsInAir) {
-        const auto samples = render(tone(500, 1), {.position = {0, 0, -20}, .velocity = {0, 0, velocity_mps}},
-                                    {}, {.doppler = doppler});
+    // head: as in air (k = 4.37) 1.062. Half a second counts 500 half cycles at 500 Hz: one is
+    // 0.2 %.
+    const auto crossings = [](float velocity_mps) {
+        const auto samples =
+            render(tone(500, 1), {.position = {0, 0, -20}, .velocity = {0, 0, velocity_mps}}, {}, {});
         int count = 0;
         for (size_t i = 9600; i + 2 < samples.size(); i += 2)
             count += (samples[i] < 0) != (samples[i + 2] < 0);
         return static_cast<double>(count);
     };
     EXPECT_NEAR(crossings(20) / crossings(0), 343.0 / (343 - 20), 0.008);
-    EXPECT_NEAR(crossings(20, 1) / crossings(0), 1500.0 / (1500 - 20), 0.005);
-    EXPECT_EQ(crossings(20, 0), crossings(0));
     EXPECT_LT(crossings(-20), crossings(0));
 }
 

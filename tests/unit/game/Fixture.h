@@ -106,6 +106,12 @@ struct OneFish {
             if (events[i].kind == K) return eventTicks[i];
         return 0;
     }
+    // Opens the right hand around the resting fish and closes it there.
+    void closeOn(float closed = 1) {
+        moveGrip(kPlace, 0, 0);
+        rest();
+        moveGrip(kPlace, 0, closed);
+    }
     // Closes (or opens) the right hand over 0.12 s at a place.
     void moveGrip(glm::vec3 at, float from, float to) {
         for (int i = 1; i <= 15; ++i) {

@@ -58,9 +58,7 @@ TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
     test::OneFish one(false, {}, [](DiveFile& file) {
         file.goals = {{GoalKind::Score, -1, 1000}, {GoalKind::Catch, -1, 1}, {GoalKind::NoLoss, -1, 1}};
     });
-    one.moveGrip(kPlace, 0, 0);
-    one.rest();
-    one.moveGrip(kPlace, 0, 1);
+    one.closeOn();
     one.step(130);
     const Event* caught = first<EventKind::Catch>(one.events);
     ASSERT_NE(caught, nullptr);

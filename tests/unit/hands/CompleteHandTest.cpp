@@ -152,25 +152,22 @@ TEST(Mount, OnTheDeskUpIsUpAndTowardsTheScreenIsAhead) {
     EXPECT_LT(glm::length(kDeskMount.centreViewer_m), kReachMax_m);
 }
 
+glm::vec3 placedBy(const Mount& mount, glm::vec3 device) {
+    HandPose hand;
+    for (Joint& joint : hand.joints) joint.position = device;
+    mount.apply(hand);
+    return hand.joints[0].position;
+}
+
 TEST(Mount, OnTheHeadTheDevicesUpIsAheadAndHandsAreWhereTheyAre) {
-    const auto placed = [](glm::vec3 device) {
-        HandPose hand;
-        for (Joint& joint : hand.joints) joint.position = device;
-        kHeadMount.apply(hand);
-        return hand.joints[0].position;
-    };
+    const auto placed = [](glm::vec3 device) { return placedBy(kHeadMount, device); };
     EXPECT_NEAR(glm::distance(placed({0, 0.4f, 0}), glm::vec3(0, 0, -0.48f)), 0, 1e-6f);
     EXPECT_NEAR(glm::distance(placed({0.1f, 0.4f, 0}), glm::vec3(-0.1f, 0, -0.48f)), 0, 1e-6f);
     EXPECT_NEAR(glm::distance(placed({0, 0.4f, 0.1f}), glm::vec3(0, -0.1f, -0.48f)), 0, 1e-6f);
 }
 
 TEST(Mount, TheCameraMirrors) {
-    const auto placed = [](glm::vec3 device) {
-        HandPose hand;
-        for (Joint& joint : hand.joints) joint.position = device;
-        kCameraMount.apply(hand);
-        return hand.joints[0].position;
-    };
+    const auto placed = [](glm::vec3 device) { return placedBy(kCameraMount, device); };
     const glm::vec3 middle = placed(kCameraMount.centreDevice_m);
     EXPECT_LT(placed(kCameraMount.centreDevice_m + glm::vec3(0.1f, 0, 0)).x, middle.x);
     EXPECT_GT(placed(kCameraMount.centreDevice_m + glm::vec3(0, 0.1f, 0)).y, middle.y);

@@ -261,20 +261,16 @@ Gesture after(std::initializer_list<std::pair<float, float>> gripsAndPinches, Ha
     return gesture;
 }
 
-TEST(Tuning, GripHasHysteresis) {
-    const float between = (kGripOpens + kGripCloses) / 2;
-    EXPECT_EQ(after({{between, 0}}), Gesture::Open);
-    EXPECT_EQ(after({{kGripCloses + 0.01f, 0}, {between, 0}, {kGripOpens + 0.01f, 0}}), Gesture::Fist);
-    EXPECT_EQ(after({{1, 0}, {kGripOpens - 0.01f, 0}, {between, 0}}), Gesture::Open);
+TEST(Tuning, GripAndPinchHaveHysteresis) {
+    const float grip = (kGripOpens + kGripCloses) / 2, pinch = (kPinchOpens + kPinchCloses) / 2;
+    EXPECT_EQ(after({{grip, 0}}), Gesture::Open);
+    EXPECT_EQ(after({{kGripCloses + 0.01f, 0}, {grip, 0}, {kGripOpens + 0.01f, 0}}), Gesture::Fist);
+    EXPECT_EQ(after({{1, 0}, {kGripOpens - 0.01f, 0}, {grip, 0}}), Gesture::Open);
     EXPECT_LE(kOpenMax, kGripOpens);
     EXPECT_GE(kClosedMin, kGripCloses);
-}
-
-TEST(Tuning, PinchHasHysteresis) {
-    const float between = (kPinchOpens + kPinchCloses) / 2;
-    EXPECT_EQ(after({{0, between}}), Gesture::Open);
-    EXPECT_EQ(after({{0, kPinchCloses + 0.01f}, {0, between}}), Gesture::Pinch);
-    EXPECT_EQ(after({{0, 1}, {0, kPinchOpens - 0.01f}, {0, between}}), Gesture::Open);
+    EXPECT_EQ(after({{0, pinch}}), Gesture::Open);
+    EXPECT_EQ(after({{0, kPinchCloses + 0.01f}, {0, pinch}}), Gesture::Pinch);
+    EXPECT_EQ(after({{0, 1}, {0, kPinchOpens - 0.01f}, {0, pinch}}), Gesture::Open);
 }
 
 TEST(Tuning, APinchIsNotAlsoAFist) {

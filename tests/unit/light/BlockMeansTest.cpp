@@ -59,19 +59,30 @@ TEST_P(BlockMeans, OfOneColourAreItsRadiance) {
     EXPECT_LT(worst, kOff);
 }
 
-// Noise in a rectangle of a larger frame, of a width that fills no loop evenly; both orders of bytes.
-TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
-    const int width = 4 * (8 * 3 + 7), height = 16, stride = 3 * width + 11;
-    std::vector<uint8_t> bytes(static_cast<size_t>(stride * (height - 1) + 3 * width)); // ends with the last
-    uint32_t seed = 3;
-    for (uint8_t& value : bytes) {
-        seed = seed * 1664525u + 1013904223u;
-        value = static_cast<uint8_t>(seed >> 24);
+// Noise in a rectangle of a larger frame, of a width that fills no loop evenly; it ends with the last texel.
+struct NoisyFrame {
+    static constexpr int kWidth = 4 * (8 * 3 + 7), kHeight = 16, kStride = 3 * kWidth + 11;
+    std::vector<uint8_t> bytes = std::vector<uint8_t>(kStride * (kHeight - 1) + 3 * kWidth);
+
+    explicit NoisyFrame(bool halfNearWhite) {
+        uint32_t seed = 3;
+        for (uint8_t& value : bytes) {
+            seed = seed * 1664525u + 1013904223u;
+            value = static_cast<uint8_t>(halfNearWhite && seed & 0x400000 ? 240 + (seed >> 28) : seed >> 24);
+        }
     }
+    FrameView view(bool bgr) const { return {bytes.data(), kWidth, kHeight, kStride, bgr}; }
+    const uint8_t* at(int x, int y) const { return &bytes[static_cast<size_t>(y * kStride + 3 * x)]; }
+};
+
+// In both orders of bytes.
+TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
+    const NoisyFrame frame(false);
+    constexpr int width = NoisyFrame::kWidth, height = NoisyFrame::kHeight;
     const std::vector<float> weights = weightsFor(height);
     for (const bool bgr : {true, false}) {
         ImageRgbF out(width / 4, height / 4), plain(width / 4, height / 4);
-        const FrameView view{bytes.data(), width, height, stride, bgr};
+        const FrameView view = frame.view(bgr);
         makeBlockMeans(view, weights, out, GetParam());
         makeBlockMeans(view, weights, plain, BlockLoop::Plain);
         EXPECT_EQ(out.pixels, plain.pixels);
@@ -80,7 +91,7 @@ TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
                 glm::dvec3 want(0);
                 for (int i = 0; i < 16; ++i) {
                     const int row = 4 * y + i / 4;
-                    const uint8_t* p = &bytes[static_cast<size_t>(row * stride + 3 * (4 * x + i % 4))];
+                    const uint8_t* p = frame.at(4 * x + i % 4, row);
                     want += 0.25 * static_cast<double>(weights[static_cast<size_t>(row)]) *
                             radianceOf(p[bgr ? 2 : 0], p[1], p[bgr ? 0 : 2]);
                 }
@@ -117,13 +128,8 @@ TEST_P(BlockMeans, OfOneColourAreDecodedSrgb) {
 
 // As of the thesis' radiance; half of the values are near white.
 TEST_P(BlockMeans, OfNoiseAreDecodedAndClippedMeansAndTheSameForEveryLoop) {
-    const int width = 4 * (8 * 3 + 7), height = 16, stride = 3 * width + 11;
-    std::vector<uint8_t> bytes(static_cast<size_t>(stride * (height - 1) + 3 * width));
-    uint32_t seed = 3;
-    for (uint8_t& value : bytes) {
-        seed = seed * 1664525u + 1013904223u;
-        value = static_cast<uint8_t>(seed & 0x400000 ? 240 + (seed >> 28) : seed >> 24);
-    }
+    const NoisyFrame frame(true);
+    constexpr int width = NoisyFrame::kWidth, height = NoisyFrame::kHeight;
     const std::vector<float> weights = weightsFor(height);
     std::vector<float> shares(static_cast<size_t>(height), 1.0f);
     for (size_t y = 4; y < 8; ++y) shares[y] = static_cast<float>(8 - y) / 8;
@@ -131,7 +137,7 @@ TEST_P(BlockMeans, OfNoiseAreDecodedAndClippedMeansAndTheSameForEveryLoop) {
     for (const bool bgr : {true, false}) {
         ImageRgbF out(width / 4, height / 4), plain(width / 4, height / 4);
         ImageF clipped(width / 4, height / 4), plainClipped(width / 4, height / 4);
-        const FrameView view{bytes.data(), width, height, stride, bgr};
+        const FrameView view = frame.view(bgr);
         makeLinearBlockMeans(view, weights, shares, out, clipped, GetParam());
         makeLinearBlockMeans(view, weights, shares, plain, plainClipped, BlockLoop::Plain);
         EXPECT_EQ(out.pixels, plain.pixels);
@@ -144,8 +150,7 @@ TEST_P(BlockMeans, OfNoiseAreDecodedAndClippedMeansAndTheSameForEveryLoop) {
                 double steps = 0;
                 for (int i = 0; i < 16; ++i) {
                     const auto row = static_cast<size_t>(4 * y + i / 4);
-                    const uint8_t* p =
-                        &bytes[row * static_cast<size_t>(stride) + 3 * static_cast<size_t>(4 * x + i % 4)];
+                    const uint8_t* p = frame.at(4 * x + i % 4, 4 * y + i / 4);
                     const double weight = 0.25 * static_cast<double>(weights[row]);
                     for (int c = 0; c < 3; ++c) {
                         const int coded = p[bgr ? 2 - c : c];

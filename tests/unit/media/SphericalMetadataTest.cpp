@@ -71,79 +71,6 @@ SphericalMetadata parsed(const std::string& bytes) {
     return sphericalMetadata(*input, *input->streams[0], file);
 }
 
-TEST(SphericalMetadata, V2InTheSampleEntry) {
-    const auto m = parsed(movie(fullBox("st3d", be(2, 1)) + sv3d(kEquirect)));
-    EXPECT_TRUE(m.present);
-    EXPECT_EQ(m.projection, Projection::Equirect);
-    EXPECT_EQ(m.layout, Layout::LeftRight);
-}
-
-TEST(SphericalMetadata, V2WithoutTheMandatoryHeaderIsStillUnderstood) {
-    EXPECT_EQ(parsed(movie(sv3d(kEquirect, false))).projection, Projection::Equirect);
-    EXPECT_EQ(parsed(movie(sv3d(fullBox("cbmp", be(0, 8)), false))).projection, Projection::Cubemap);
-}
-
-TEST(SphericalMetadata, V1WithoutWhoStitchedIsStillUnderstood) {
-    const auto m = parsed(movie("", v1("<GSpherical:Spherical>true</GSpherical:Spherical>"
-                                       "<GSpherical:StereoMode>left-right</GSpherical:StereoMode>")));
-    EXPECT_EQ(m.projection, Projection::Equirect);
-    EXPECT_EQ(m.layout, Layout::LeftRight);
-    EXPECT_FALSE(parsed(movie("", v1("<GSpherical:Spherical>false</GSpherical:Spherical>"))).present);
-}
-
-TEST(SphericalMetadata, V2OtherProjections) {
-    EXPECT_EQ(parsed(movie(sv3d(fullBox("cbmp", be(0, 8))))).projection, Projection::Cubemap);
-    EXPECT_EQ(parsed(movie(sv3d(fullBox("mshp", be(0, 8))))).projection, Projection::Mesh);
-}
-
-TEST(SphericalMetadata, AMeshIsFoundWhereverTheMovieBoxLies) {
-    const std::string mesh = movie(sv3d(fullBox("mshp", be(0, 8))));
-    const std::string media = box("mdat", std::string(100000, 'x'));
-    EXPECT_EQ(parsed(mesh.substr(0, 16) + media + mesh.substr(16)).projection, Projection::Mesh);
-}
-
-TEST(SphericalMetadata, V2BoundsOfAHalfEnvironment) {
-    EXPECT_TRUE(
-        parsed(movie(sv3d(fullBox("equi", be(0, 8) + be(0x40000000, 4) + be(0x40000000, 4))))).partial);
-    EXPECT_FALSE(parsed(movie(sv3d(kEquirect))).partial);
-}
-
-TEST(SphericalMetadata, V1InTheTrack) {
-    const auto m = parsed(movie("", v1(kV1TopBottom)));
-    EXPECT_TRUE(m.present);
-    EXPECT_EQ(m.projection, Projection::Equirect);
-    EXPECT_EQ(m.layout, Layout::TopBottom);
-}
-
-TEST(SphericalMetadata, V1ThatSaysFalseIsNone) {
-    EXPECT_FALSE(parsed(movie("", v1("<GSpherical:Spherical>false</GSpherical:Spherical>"))).present);
-}
-
-TEST(SphericalMetadata, V2WinsOverV1) {
-    const auto m =
-        parsed(movie(fullBox("st3d", be(0, 1)) + sv3d(fullBox("cbmp", be(0, 8))), v1(kV1TopBottom)));
-    EXPECT_EQ(m.projection, Projection::Cubemap);
-    EXPECT_EQ(m.layout, Layout::Mono);
-}
-
-TEST(SphericalMetadata, StereoBoxAloneAddsToV1) {
-    const auto m = parsed(movie(fullBox("st3d", be(2, 1)), v1(kV1)));
-    EXPECT_EQ(m.layout, Layout::LeftRight);
-}
-
-TEST(SphericalMetadata, NoneIsNotPresent) {
-    const auto m = parsed(movie(""));
-    EXPECT_FALSE(m.present);
-    EXPECT_EQ(m.projection, Projection::Unknown);
-    EXPECT_EQ(m.layout, Layout::Auto);
-}
-
-TEST(SphericalMetadata, AudioTracksAreIgnored) {
-    std::string audio = movie(sv3d(kEquirect));
-    audio.replace(audio.find("vide"), 4, "soun");
-    EXPECT_FALSE(parsed(audio).present);
-}
-
 // --- Matroska: libavformat reads it, as VideoSource does.
 
 std::string element(const std::string& id, const std::string& payload) {
@@ -166,32 +93,66 @@ const auto projection = [](uint64_t type) {
                                    element("\x76\x73", be(std::bit_cast<uint32_t>(45.0f), 4)));
 };
 
-TEST(SphericalMetadata, MatroskaProjection) {
-    const auto m = matroska(element("\x53\xb8", be(3, 1)) + projection(1));
-    EXPECT_TRUE(m.present);
-    EXPECT_EQ(m.projection, Projection::Equirect);
-    EXPECT_EQ(m.layout, Layout::TopBottom);
-}
+const std::string kCube = fullBox("cbmp", be(0, 8)), kMesh = fullBox("mshp", be(0, 8));
 
-TEST(SphericalMetadata, MatroskaStereoModes) {
+std::string stereoBox(uint64_t mode) { return fullBox("st3d", be(mode, 1)); }
+std::string stereoMode(uint64_t mode) { return element("\x53\xb8", be(mode, 1)); }
+
+TEST(SphericalMetadata, IsUnderstoodAsItIsWritten) {
+    using enum Projection;
+    using enum Layout;
+    const std::string mesh = movie(sv3d(kMesh)), media = box("mdat", std::string(100000, 'x'));
     const struct {
-        uint64_t mode;
+        const char* what;
+        SphericalMetadata read;
+        Projection projection;
         Layout layout;
-    } kModes[] = {{0, Layout::Mono},
-                  {1, Layout::LeftRight},
-                  {2, Layout::TopBottom},
-                  {3, Layout::TopBottom},
-                  {11, Layout::LeftRight}};
-    for (const auto& [mode, layout] : kModes)
-        EXPECT_EQ(matroska(element("\x53\xb8", be(mode, 1)) + projection(1)).layout, layout) << mode;
-    EXPECT_EQ(matroska(projection(1)).layout, Layout::Auto);
-    EXPECT_EQ(matroska(element("\x53\xb8", be(3, 1))).layout, Layout::Auto) << "a flat stereo video";
+    } kRows[] = {
+        {"V2", parsed(movie(stereoBox(2) + sv3d(kEquirect))), Equirect, LeftRight},
+        {"V2 without its header", parsed(movie(sv3d(kEquirect, false))), Equirect, Auto},
+        {"a cube without a header", parsed(movie(sv3d(kCube, false))), Cubemap, Auto},
+        {"a cube", parsed(movie(sv3d(kCube))), Cubemap, Auto},
+        {"a mesh", parsed(mesh), Mesh, Auto},
+        {"a mesh behind the pictures", parsed(mesh.substr(0, 16) + media + mesh.substr(16)), Mesh, Auto},
+        {"V1", parsed(movie("", v1(kV1TopBottom))), Equirect, TopBottom},
+        {"V1 without who stitched",
+         parsed(movie("", v1("<GSpherical:Spherical>true</GSpherical:Spherical>"
+                             "<GSpherical:StereoMode>left-right</GSpherical:StereoMode>"))),
+         Equirect, LeftRight},
+        {"V2 wins over V1", parsed(movie(stereoBox(0) + sv3d(kCube), v1(kV1TopBottom))), Cubemap, Mono},
+        {"a stereo box beside V1", parsed(movie(stereoBox(2), v1(kV1))), Equirect, LeftRight},
+        {"Matroska", matroska(projection(1)), Equirect, Auto},
+        {"Matroska, mono", matroska(stereoMode(0) + projection(1)), Equirect, Mono},
+        {"Matroska, left eye first", matroska(stereoMode(1) + projection(1)), Equirect, LeftRight},
+        {"Matroska, right eye below", matroska(stereoMode(2) + projection(1)), Equirect, TopBottom},
+        {"Matroska, left eye above", matroska(stereoMode(3) + projection(1)), Equirect, TopBottom},
+        {"Matroska, right eye first", matroska(stereoMode(11) + projection(1)), Equirect, LeftRight},
+        {"Matroska, a mesh", matroska(projection(3)), Mesh, Auto},
+    };
+    for (const auto& row : kRows) {
+        EXPECT_TRUE(row.read.present) << row.what;
+        EXPECT_EQ(row.read.projection, row.projection) << row.what;
+        EXPECT_EQ(row.read.layout, row.layout) << row.what;
+    }
 }
 
-TEST(SphericalMetadata, MatroskaMeshAndNone) {
-    EXPECT_EQ(matroska(projection(3)).projection, Projection::Mesh);
-    EXPECT_FALSE(matroska(projection(0)).present);
-    EXPECT_FALSE(matroska("").present);
+TEST(SphericalMetadata, NoneIsNotPresent) {
+    std::string audio = movie(sv3d(kEquirect));
+    audio.replace(audio.find("vide"), 4, "soun");
+    const std::string isFalse = v1("<GSpherical:Spherical>false</GSpherical:Spherical>");
+    for (const SphericalMetadata& read : {parsed(movie("")), parsed(movie("", isFalse)), parsed(audio),
+                                          matroska(""), matroska(projection(0))}) {
+        EXPECT_FALSE(read.present);
+        EXPECT_EQ(read.projection, Projection::Unknown);
+        EXPECT_EQ(read.layout, Layout::Auto);
+    }
+    EXPECT_EQ(matroska(stereoMode(3)).layout, Layout::Auto) << "a flat stereo video";
+}
+
+TEST(SphericalMetadata, V2BoundsOfAHalfEnvironment) {
+    EXPECT_TRUE(
+        parsed(movie(sv3d(fullBox("equi", be(0, 8) + be(0x40000000, 4) + be(0x40000000, 4))))).partial);
+    EXPECT_FALSE(parsed(movie(sv3d(kEquirect))).partial);
 }
 
 } // namespace

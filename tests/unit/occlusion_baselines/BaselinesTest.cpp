@@ -1,12 +1,8 @@
 // Baseline methods against answers known without them: spheres over planes, even environments, nothing in the
 // way.
 #include "tests/baselines/occlusion/AmbientOcclusion.h"
-#include "tests/baselines/occlusion/BallOcclusion.h"
-#include "tests/baselines/occlusion/BoneBalls.h"
-#include "tests/baselines/occlusion/BoneDistance.h"
 #include "tests/baselines/occlusion/CoherentShadowMaps.h"
 #include "tests/baselines/occlusion/LayeredDepth.h"
-#include "tests/baselines/occlusion/ScreenSpace.h"
 #include "tests/baselines/occlusion/Transfer.h"
 
 #include <gtest/gtest.h>
@@ -68,30 +64,6 @@ ImageRgbF white() {
     return image;
 }
 
-TEST(SphereOcclusion, OverheadIsTheSineSquared) {
-    for (const float distance : {1.1f, 2.0f, 5.0f, 40.0f})
-        EXPECT_NEAR(sphereOcclusion(kUp, {0, distance, 0}, 1), 1 / (distance * distance), 1e-6f);
-}
-
-TEST(SphereOcclusion, TouchingTakesHalfSeenEdgeOnAndAllSeenFrom) {
-    EXPECT_NEAR(sphereOcclusion(kUp, {1, 0, 0}, 0.99999f), 0.5f, 5e-3f);
-    EXPECT_NEAR(sphereOcclusion(kUp, {0, 1, 0}, 0.99999f), 1.0f, 1e-4f);
-    EXPECT_EQ(sphereOcclusion(kUp, {0, -2, 0}, 1), 0);
-}
-
-// Also where the horizon cuts the sphere: the mean over cosine-weighted rays. 4096 of them on Vogel's spiral:
-// the discrepancy of an edge is below 1 / 64 of its length.
-TEST(SphereOcclusion, IsTheShareOfRaysThatMeetIt) {
-    const auto rays = cosineDirections(4096);
-    const glm::mat3 frame = frameAround(kUp);
-    for (const vec3 centre :
-         {vec3(0.5f, 1.5f, 0), vec3(1.5f, 0.5f, 0.3f), vec3(1.4f, -0.4f, 0), vec3(0, 0.2f, 3)}) {
-        int met = 0;
-        for (const vec3& ray : rays) met += meetsSphere(vec3(0), frame * ray, centre, 1);
-        EXPECT_NEAR(sphereOcclusion(kUp, centre, 1), met / 4096.0, 0.003) << centre.x << ' ' << centre.y;
-    }
-}
-
 TEST(AmbientOcclusion, IsOneInTheOpen) {
     for (const float free : bakeAmbientOcclusion(kFloorMesh, kOpen, 64, 0)) EXPECT_EQ(free, 1);
 }
@@ -100,7 +72,8 @@ TEST(AmbientOcclusion, UnderASphereLacksItsFormFactor) {
     const vec3 centre(0.7f, 1.6f, 0);
     const auto baked = bakeAmbientOcclusion(
         kFloorMesh, [&](const vec3& o, const vec3& d) { return meetsSphere(o, d, centre, 1); }, 4096, 0);
-    EXPECT_NEAR(baked[0], 1 - sphereOcclusion(kUp, centre, 1), 0.003f);
+    // All of it stands above the horizon: the cosine times (radius / distance)^2.
+    EXPECT_NEAR(baked[0], 1 - centre.y / std::pow(glm::length(centre), 3.0f), 0.003f);
 }
 
 // Half of the floor lies under a slab: its buried corners must not darken what can be seen of its triangles.
@@ -172,36 +145,6 @@ TEST(CoherentShadowMaps, MeetASphereAndAreSmallerThanThePlainMaps) {
     const CoherentShadowMaps maps(kBoth, directions, 128);
     seesASphere([&](const vec3& from, const vec3&, size_t k) { return maps.occluded(from, k); });
     EXPECT_LT(maps.bytes(), maps.plainBytes() / 4);
-}
-
-TEST(BoneSpheres, ASphereIsFittedAsItself) {
-    const SphereMesh sphere({0.1f, 0.2f, 0.3f}, 0.5f);
-    const std::vector<int> bones(sphere.positions.size(), 0);
-    const auto fitted = fitEllipsoids(sphere.view(), bones, 1);
-    ASSERT_EQ(fitted.size(), 1u);
-    const SeenSphere seen = seenFrom({0.1f, -1.8f, 0.3f}, fitted[0]);
-    EXPECT_NEAR(seen.to.y, 2, 1e-3f);
-    EXPECT_NEAR(seen.radius, 0.5f, 0.01f); // of flat triangles
-}
-
-TEST(BoneDistance, GridHasASpheresDistance) {
-    const SphereMesh sphere(vec3(0), 1);
-    const std::vector<int> bones(sphere.positions.size(), 0);
-    const auto grids = distanceGrids(sphere.view(), bones, 1, 12);
-    ASSERT_EQ(grids.size(), 1u);
-    for (const vec3 p : {vec3(0.9f, 0.2f, 0), vec3(0, 1.1f, 0.1f), vec3(0, 0.5f, 0.5f)})
-        EXPECT_NEAR(grids[0].at(p), glm::length(p) - 1, 0.03f); // a fifth of a cell
-    const PlacedGrid placed{&grids[0], glm::mat4(1), vec3(0), 2};
-    const std::span<const PlacedGrid> all(&placed, 1);
-    EXPECT_EQ(coneFree(all, {0, 3, 0}, {0, 1, 0}, 0.3f, 0.05f, 10), 1);
-    EXPECT_EQ(coneFree(all, {0, 3, 0}, {0, -1, 0}, 0.3f, 0.05f, 10), 0);
-}
-
-TEST(ScreenSpace, AFlatWallIsFree) {
-    DepthPicture wall{glm::mat4(1), 0.5f, 64, 64, std::vector<float>(64 * 64, 2.0f)};
-    EXPECT_TRUE(wall.shows({0, 0, -2}, 0.01f));
-    EXPECT_FALSE(wall.shows({0, 0, -3}, 0.01f));
-    EXPECT_EQ(screenSpaceOcclusion(wall, {0, 0, -2}, {0, 0, 1}, 0.3f, 16), 1);
 }
 
 } // namespace

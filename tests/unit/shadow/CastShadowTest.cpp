@@ -31,21 +31,6 @@ bool meets(const Ellipsoid& body, const glm::vec3& from, const glm::vec3& dir) {
     return b < 0 && b * b > a * c;
 }
 
-// The share of the cap's solid angle from which no ray gets through.
-float hiddenByRays(const Ellipsoid& body, const CastingLight& light, const glm::vec3& place) {
-    constexpr int kRays = 4000;
-    const glm::vec3 side = glm::normalize(glm::cross(light.towards, glm::vec3(0.1f, 0.2f, 0.9f)));
-    const glm::vec3 up = glm::cross(side, light.towards);
-    const float cosine = 1 / std::sqrt(1 + light.tangent * light.tangent);
-    int hits = 0;
-    for (int i = 0; i < kRays; ++i) {
-        const float z = 1 - (1 - cosine) * (static_cast<float>(i) + 0.5f) / kRays;
-        const float turn = static_cast<float>(i) * kPi * (3 - std::sqrt(5.0f)), ring = std::sqrt(1 - z * z);
-        hits += meets(body, place, z * light.towards + ring * (std::cos(turn) * side + std::sin(turn) * up));
-    }
-    return static_cast<float>(hits) / kRays;
-}
-
 std::vector<FlatPiece> flat(const Ellipsoid& body, const CastingLight& light) {
     const occlusion::Ellipsoid shape{
         body.centre, glm::mat3(body.aside, glm::cross(body.along, body.aside), body.along), body.half};
@@ -88,7 +73,9 @@ Difference compare(const Ellipsoid& body, const CastingLight& light) {
     for (int y = 0; y <= kSteps; ++y)
         for (int x = 0; x <= kSteps; ++x) {
             const glm::vec3 place = patch.at(static_cast<float>(x) / kSteps, static_cast<float>(y) / kSteps);
-            const float form = covered(seen, light, place), rays = hiddenByRays(body, light, place);
+            const float form = covered(seen, light, place),
+                        rays = tests::hiddenByRays(
+                            light, 4000, [&](const glm::vec3&to) { return meets(body, place, to); });
             all.maximum = std::max(all.maximum, std::abs(form - rays));
             all.light += form * step.x * step.y;
             all.rays += rays * step.x * step.y;

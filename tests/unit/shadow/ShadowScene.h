@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace shoal::tests {
 
@@ -33,6 +34,22 @@ inline render::CastingLight lightAt(float elevation_deg, float radius_deg) {
     return {.towards = {0.3f * std::cos(e), std::sin(e), std::sqrt(0.91f) * std::cos(e)},
             .tangent = std::tan(glm::radians(radius_deg)),
             .share = glm::vec3(0.4f, 0.35f, 0.3f)};
+}
+
+// The share of the light's solid angle from which no ray gets through; blocked: (unit direction) -> bool.
+template <class Blocked>
+float hiddenByRays(const render::CastingLight& light, int rays, const Blocked& blocked) {
+    const glm::vec3 side = glm::normalize(glm::cross(light.towards, glm::vec3(0.1f, 0.2f, 0.9f)));
+    const glm::vec3 up = glm::cross(side, light.towards);
+    const float cosine = 1 / std::sqrt(1 + light.tangent * light.tangent);
+    int hits = 0;
+    for (int i = 0; i < rays; ++i) {
+        const float z = 1 - (1 - cosine) * (static_cast<float>(i) + 0.5f) / static_cast<float>(rays);
+        const float turn = static_cast<float>(i) * std::numbers::pi_v<float> * (3 - std::sqrt(5.0f));
+        const float ring = std::sqrt(1 - z * z);
+        hits += blocked(z * light.towards + ring * (std::cos(turn) * side + std::sin(turn) * up));
+    }
+    return static_cast<float>(hits) / static_cast<float>(rays);
 }
 
 } // namespace shoal::tests
