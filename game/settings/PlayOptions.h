@@ -64,15 +64,18 @@ struct TextSettings {
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
         table.category = Category::Picture;
-        table.addKept("--language", choice(language), "Of the screen; auto: the system's (LC_MESSAGES)")
+        table
+            .addKept("--language", choice(language),
+                     "Language of the screen; auto: the system's (LC_MESSAGES)")
             .shownAs(Text, "Language");
-        table.addKept("--text-size", &scale, "Of all text, in times of the default")
+        table.addKept("--text-size", &scale, "Size of all text; 1 is the default")
             .between(0.8, 1.6)
             .shownAs(Text, "Text size");
         table.addKept("--high-contrast", &highContrast, "White text on black").shownAs(Text, "High contrast");
         table.addKept("!--no-captions", &captions, "Do not name sounds on the screen")
             .shownAs(Text, "Captions");
-        table.addKept("--caption-size", choice(captionSize), "Of captions").shownAs(Text, "Size of captions");
+        table.addKept("--caption-size", choice(captionSize), "Size of captions")
+            .shownAs(Text, "Size of captions");
     }
 };
 
@@ -130,18 +133,18 @@ struct PlayOptions {
         table.add("--dive", &dive, "Name of a dive in content/dives; reef if not given").ofAPerson();
         table.add(
             "--start", choice(start),
-            "What the game begins with: title or dive; auto: title, where a person plays in a window and "
+            "First screen of the game: title or dive; auto: title, where a person plays in a window and "
             "has named no dive; in a headset the dive begins at once");
         table
             .addKept("!--no-first-steps", &firstSteps,
                      "A player's first dive begins at once, without the steps that teach how to catch")
             .shownAs(Comfort, "Show the first steps");
-        table.addKept("--speed", &speed, "Of the game, in times of the clock's")
+        table.addKept("--speed", &speed, "Speed of the game; 1 is that of a clock")
             .between(0.5, 1)
             .shownAs(Comfort, "Game speed");
         table
             .addKept("--posture", choice(posture),
-                     "In a headset, seated brings fish to where you reach them without a step; auto: as you "
+                     "Seated in a headset brings fish to where you reach them without a step; auto: as you "
                      "are when a dive begins, where the headset knows the floor, else standing")
             .shownAs(Comfort, "Posture")
             .ofAPerson();
@@ -193,13 +196,13 @@ struct PlayOptions {
             .shownAs(Picture, "Stereo");
         table
             .add("--xr", &xr,
-                 "In a headset, by the OpenXR runtime that is active; the window shows its left eye")
+                 "Plays in a headset, by the OpenXR runtime that is active; the window shows its left eye")
             .without({"--stereo", "--headless"});
         table
-            .addKept(
-                "--passthrough", &passthrough,
-                "In a headset: your own room around the animals in place of the film, which goes on lighting "
-                "them (F2 in the game)")
+            .addKept("--passthrough", &passthrough,
+                     "Shows your own room in a headset, around the animals in place of the film, which goes "
+                     "on lighting "
+                     "them (F2 in the game)")
             .shownAs(Picture, "Your own room");
         table.addKept("--fov", &fov_deg, "Vertical field of view, degrees")
             .between(20, 130)
@@ -235,7 +238,7 @@ struct PlayOptions {
             .shownAs(Picture, "Version of the film");
         table.addKept(
             "--shadows", choice(shadows),
-            "Of what swims and of your hands, on what the film shows, where it has a track of distances; "
+            "Shadows of animals and of your hands on what the film shows, where it has a track of distances; "
             "of what swims, on the floor of your own room, where the headset knows it");
         table
             .addKept("--frame-times", &frameTimes,

@@ -33,9 +33,9 @@ struct EnvironmentOptions {
             .without({"--env"});
         table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm").takes("FILE");
         table.add("--layout", choice(layout),
-                  "Where a stereo picture keeps its eyes; auto reads the file's metadata");
+                  "Layout of a stereo picture's two eyes; auto reads the file's metadata");
         table.add("--light", choice(light),
-                  "What a video's or photo's values stand for. auto: decoded sRGB, and how bright the light "
+                  "Meaning of a video's or photo's values. auto: decoded sRGB, and how bright the light "
                   "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB; "
                   "thesis: its inverse tone mapping, with colours of objects taken as they are coded");
         table.add("!--no-depth", &depth,
@@ -78,7 +78,8 @@ struct LookOptions {
                   "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples");
         table.addKept("--occlusion", choice(occlusion, occlusions), occlusionHelp);
         table.add("--backend", choice(backend),
-                  "What samples the background and puts objects into it: opengl; software, on the processor, "
+                  "Backend that samples the background and puts objects into it: opengl; software, on the "
+                  "processor, "
                   "with the same pictures but for rounding (OpenGL draws the objects in either case); auto: "
                   "software where the OpenGL driver itself renders on the processor");
         table.add("--show", choice(shown),
@@ -109,13 +110,13 @@ struct HandOptions {
                      "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
                      "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
                      "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. "
-                     "Where a device sees no hands, the mouse has them")
+                     "The mouse moves the hands where a device sees none")
             .takes("SOURCE")
             .offers({"auto", "mouse", "leap", "webcam"})
             .shownAs(SettingsPage::Hands, "Hand source");
         table
             .addKept("--hand-size", &size,
-                     "Of your hands before a webcam, which cannot tell, in times of one that is 19 cm long")
+                     "Size of your hands before a webcam, which cannot tell; 1 is a hand 19 cm long")
             .between(hands::kHandSizeMin, hands::kHandSizeMax)
             .shownAs(SettingsPage::Hands, "Hand size (webcam)");
         addLeapTo(table);
@@ -126,7 +127,7 @@ struct HandOptions {
     void addLeapTo(SettingsTable& table) { // where a tracking service listens, for `shoal devices` too
         table
             .addKept("--leap", addressSetting(leap.host, leap.port),
-                     "Where the Leap / Ultraleap tracking service listens; 127.0.0.1:6437 if not given")
+                     "Address of the Leap / Ultraleap tracking service; 127.0.0.1:6437 if not given")
             .takes("HOST:PORT");
     }
 };

@@ -40,7 +40,7 @@ struct ViewOptions {
             .takes("THETA,PHI,RADIUS");
         table
             .add("--target", vectorSetting(target),
-                 "What the camera looks at, metres; the model's middle if not given")
+                 "Point that the camera looks at, metres; the model's middle if not given")
             .takes("X,Y,Z");
         table.add("--fov", &fov_deg, "Vertical field of view, degrees").between(1, 150);
         table.add("--samples", &samples, "Anti-aliasing samples a pixel").between(1, 16);
@@ -70,12 +70,11 @@ struct LightOptions {
             "--method", choice(method),
             "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy light "
             "by 36 samples of a Phong lobe");
-        table.add("--format", choice(format), "Of the pictures: 32-bit pfm, exr, or Radiance hdr");
-        table.add(
-            "--light", choice(frames),
-            "What a photo's or video's values stand for. auto: decoded sRGB, and what the camera clipped "
-            "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
-            "sRGB; thesis: its inverse tone mapping");
+        table.add("--format", choice(format), "Format of the pictures: 32-bit pfm, exr, or Radiance hdr");
+        table.add("--light", choice(frames),
+                  "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
+                  "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
+                  "sRGB; thesis: its inverse tone mapping");
         table.add("--at", &at_s, "Second of the video").between(0, 36000);
     }
 };
