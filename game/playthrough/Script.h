@@ -59,7 +59,7 @@ struct ScriptExpect {
     enum class Water { Any, Open, Film };
     Water water = Water::Any; // expected only in open water, or only in the room of a film
     std::optional<int> caught, scoreAtLeast, lost, comboAtLeast; // values at the script's end
-    std::optional<float> fishAbove_m; // no fish has been lower, relative to the eyes
+    std::optional<float> fishAbove_m; // least height of all fish, relative to the eyes
     std::optional<EventKind> event;   // an event that occurs at least `count` times in the given time
     std::optional<EventKind> never;   // an event that does not occur at all
     std::optional<Phase> phase;       // phase at the end

@@ -89,7 +89,7 @@ class Environment {
     const render::EnvironmentGpu& gpu(int eye) const {
         return gpu_[twoPictures_ ? static_cast<size_t>(eye) : 0];
     }
-    bool eyesSeeTheSame() const { return !twoPictures_; } // no separate pictures
+    bool eyesSeeTheSame() const { return !twoPictures_; } // both eyes see one picture
     glm::mat3 envFromWorld() const;
     render::Exposure exposure(Tone chosen, float exposure_ev) const;
 

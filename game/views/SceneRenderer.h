@@ -23,7 +23,7 @@ struct SceneRendererSetup {
     bool particles = true;     // particles drift in the water, where there is water
     bool shadows = true;       // on the film's surfaces, if it has distances and its environment finds lights
     bool floorShadows = false; // on the floor of the player's room
-    bool occlusion = true;     // between bodies
+    bool occlusion = true;     // ambient occlusion between bodies
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
     render::CompositorSetup compositor;
