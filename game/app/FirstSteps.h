@@ -57,7 +57,7 @@ class Hints {
 
     static constexpr int kTimes = 3;                     // how often each hint is shown at most
     static constexpr int kUnderstood = 3;                // catches after which only the shark's hint is shown
-    static constexpr float kStay_s = 5, kWithout_s = 14; // of a hint; without a catch before
+    static constexpr float kStay_s = 5, kWithout_s = 14; // time of a hint; time without a catch before one
 
   private:
     enum Kind { FastHand, Wait, Shark };

@@ -25,9 +25,7 @@ class FrameClock {
         frameStart_ = now;
     }
     uint64_t frame() const { return frame_; } // 0: the first frame
-    double sinceBegin_ms() const {
-        return 1e3 * Seconds(Clock::now() - frameStart_).count();
-    } // since beginFrame()
+    double sinceBegin_ms() const { return 1e3 * Seconds(Clock::now() - frameStart_).count(); }
 
     // Returns the dive's time since the last frame. display: time between two pictures by the display.
     double elapsed_s(std::optional<double> display) const {

@@ -31,8 +31,7 @@ class PhotoMode {
     const game::Notice* notice() const { return notice_ ? &*notice_ : nullptr; }
     void clearNotice() { notice_.reset(); }
 
-    static constexpr float kReach_m =
-        0.5f; // farthest from the player: beyond, the film lacks what its camera did not see
+    static constexpr float kReach_m = 0.5f; // farthest from the player: beyond, the film has holes
 
   private:
     void move(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);

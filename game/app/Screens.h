@@ -71,7 +71,7 @@ struct ScreenFacts {
     bool headsetLost = false;     // the headset was lost in mid-dive, and the dive is in the window since
     bool ownFilm = true;          // the dive's own film is shown
     uint64_t seed = 0;            // of the present dive
-    DiveScores scores;            // of this dive, before the last one
+    DiveScores scores;            // scores of this dive, before the last one
     std::vector<std::string> met; // names of the species that the player has touched
     game::Snapshot results;       // at the end of the last dive
     bool freeSwim = false, firstSteps = false;

@@ -14,7 +14,7 @@ void noteStopSignals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // as nohup sets it
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup has them ignored
     }
 }
 

@@ -1,5 +1,5 @@
-// The table of sounds, and the one of events: what each is called in playthroughs, and how it is heard,
-// captioned and felt. An event of game/rules/Events.h that has no row here does not compile.
+// The tables of sounds and of events: each event's name in playthroughs, sound, caption and haptic pulse. An
+// event of game/rules/Events.h that has no row here does not compile.
 #pragma once
 
 #include "game/rules/Events.h"
@@ -11,7 +11,7 @@
 
 namespace shoal::game {
 
-// The sounds of the game: which file each one is, and how loud. Their order is that of the audio's clips.
+// The sounds of the game, in the order of the audio's clips.
 enum class Sound {
     BedOpen, // the sea's background in open water, and in a tunnel
     BedTunnel,
@@ -38,7 +38,7 @@ enum class Sound {
     DiveOver,
 };
 
-// Whether a table has one row for each value of an enumeration, in its order.
+// Returns whether a table has one row for each value of an enumeration, in its order.
 template <class Rows, class Row, class E> constexpr bool oneRowEach(const Rows& rows, E Row::*key, E last) {
     for (size_t i = 0; i < rows.size(); ++i)
         if (rows[i].*key != static_cast<E>(i)) return false;
@@ -79,24 +79,24 @@ static_assert(oneRowEach(kSounds, &SoundRow::sound, Sound::DiveOver));
 
 constexpr const SoundRow& rowOf(Sound sound) { return kSounds[static_cast<size_t>(sound)]; }
 
-// A pulse that fades. With an event that has a closing speed, amplitude and frequency grow from the first
-// value to the second at kFullSpeed_mps; with others the second counts.
+// A haptic pulse that fades. For an event with a closing speed, amplitude and frequency grow from the first
+// value to the second at kFullSpeed_mps; for others the second counts.
 struct HapticPulse {
     enum class Where { Nowhere, Part, Hand, Body, HandAndBody };
     Where where = Where::Nowhere;
     float amplitudeLow = 0, amplitude = 0; // 0 to 1
     float frequencyLow_Hz = 0, frequency_Hz = 0;
-    float decay_s = 1; // to 1/e
+    float decay_s = 1; // time constant: falls to 1/e
 };
 constexpr float kFullSpeed_mps = 1.5f;
 
 struct EventRow {
     EventKind kind;
-    const char* name;            // in playthrough files and the log
+    const char* name;            // name in playthrough files and the log
     std::optional<Text> caption; // empty: none, it would only distract
-    Sound sound;                 // where the event is; everywhere if it has no position
-    float gain = 1;              // at rest
-    float gainPerMps = 0;        // and what each m/s of closing speed adds; together at most 1
+    Sound sound;                 // played at the event's place; everywhere if it has none
+    float gain = 1;              // gain at rest
+    float gainPerMps = 0;        // added gain for each m/s of closing speed; together at most 1
     HapticPulse pulse = {};
 };
 

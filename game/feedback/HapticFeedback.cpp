@@ -10,16 +10,16 @@ namespace shoal::game {
 
 namespace {
 
-// What lasts as long as a touch; pulses of events are in EventTable.h.
+// Actuation while a touch lasts; the pulses of events are in EventTable.h.
 constexpr float kPress = 0.25f, kPressFull_m = 0.02f; // steady pressing, and the depth at which it is full
 constexpr float kPress_Hz = 45;
 constexpr float kStroke = 0.5f, kStrokeFull_mps = 0.8f; // stroking along, and the speed at which it is full
-constexpr float kScale_m = 0.004f;                      // from scale to scale: so many pass a second
+constexpr float kScale_m = 0.004f; // distance of a fish's scales: stroking vibrates at their rate
 constexpr float kStrokeLow_Hz = 40, kStrokeHigh_Hz = 240;
 constexpr float kHeld = 0.15f, kStruggle = 0.6f; // a fish in the hand at rest, and its struggle on top
 constexpr float kHeld_Hz = 48, kStruggle_Hz = 30;
 
-// For as long as it touches: what lies under a finger.
+// Returns the actuation of a finger while it touches.
 haptics::Actuation underFinger(const TouchView& touch, bool held) {
     if (!touch.touches) return {};
     const float press = std::clamp(touch.depth_m / kPressFull_m, 0.0f, 1.0f);

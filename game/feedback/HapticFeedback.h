@@ -1,6 +1,5 @@
-// Actuation of every haptic actuator: a fading pulse for each event, and pressing, stroking and the struggle
-// of a held fish for as long as a finger touches it. Time comes in as an argument; the pulses are the only
-// state.
+// Actuation of every haptic actuator: a fading pulse for each event; and pressing, stroking and the struggle
+// of a held fish while a finger touches it. Time is an argument; the pulses are the only state.
 #pragma once
 
 #include "game/rules/Events.h"
@@ -13,15 +12,16 @@ namespace shoal::game {
 
 class HapticFeedback {
   public:
-    // events: since the last call; dt_s: time since then. strength: the player's setting, 0 to 1.
+    // Returns the actuation of a frame. events: since the last call; dt_s: time since then; strength: the
+    // player's setting, 0 to 1.
     haptics::HapticFrame frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
                                float strength);
 
   private:
     struct Pulse {
-        float amplitude = 0; // now
+        float amplitude = 0; // present amplitude
         float frequency_Hz = 0;
-        float decay_s = 1; // to 1/e
+        float decay_s = 1; // time constant: falls to 1/e
     };
     void startPulse(const Event&);
 

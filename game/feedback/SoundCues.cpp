@@ -11,11 +11,11 @@ namespace shoal::game {
 
 namespace {
 
-constexpr float kPass_m = 1;       // from the head: what comes nearer is heard; of large ones twice that
-constexpr float kPass_mps = 0.45f; // slower ones are not
-constexpr float kPassQuiet_s = 4;  // between two passes of the same creature
-constexpr float kLarge_m = 1;      // of body: what passes sounds large
-// From the start of the clip to its loudest: it starts that much before the creature is nearest.
+constexpr float kPass_m = 1; // distance from the head within which a pass is heard; twice that for large ones
+constexpr float kPass_mps = 0.45f; // slower passes are silent
+constexpr float kPassQuiet_s = 4;  // time between two passes of the same creature
+constexpr float kLarge_m = 1;      // body length from which a pass sounds large
+// Time from a clip's start to its loudest: it starts that much before the creature is nearest.
 constexpr float kPassPeakSmall_s = 0.3f, kPassPeakLarge_s = 0.75f;
 constexpr size_t kCaptions = 3;
 constexpr Text kStruggleCaption = "it struggles", kPassCaption = "something large passes",
@@ -23,9 +23,9 @@ constexpr Text kStruggleCaption = "it struggles", kPassCaption = "something larg
 constexpr float kTouchQuiet_s = 0.12f; // one sound for all bones of a touch
 constexpr int kCountdown_s = 5;
 constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
-constexpr float kCross_s = 2;          // from one bed to the other
-constexpr uint32_t kBedId = 1u << 30;  // apart from the creatures' ids
-constexpr size_t kEventsReserved = 64; // a frame never has more sounds in ordinary play
+constexpr float kCross_s = 2;          // cross-fade between beds
+constexpr uint32_t kBedId = 1u << 30;  // distinct from the creatures' ids
+constexpr size_t kEventsReserved = 64; // more than a frame's sounds in ordinary play
 
 } // namespace
 
@@ -35,7 +35,7 @@ SoundCues::SoundCues() : breath_s_(kBreathShortest_s) {
 }
 
 void SoundCues::caption(Text text, const glm::vec3& position) {
-    // The same caption again only becomes new.
+    // A repeated caption only moves to the front.
     std::erase_if(captions_, [&](const Caption& shown) { return shown.text == text; });
     captions_.insert(captions_.begin(), Caption{text, position, 0});
     if (captions_.size() > kCaptions) captions_.pop_back();
@@ -56,7 +56,7 @@ void SoundCues::beds(const Snapshot& shown, float dt_s) {
     enclosure_ += std::clamp(wanted - enclosure_, -dt_s / kCross_s, dt_s / kCross_s);
     const auto bed = [&](Sound sound, float share) {
         if (share <= 0) return;
-        // Root: the powers of two unrelated sounds add to the same.
+        // Square root: the powers of two unrelated sounds add up to a constant.
         const float gain = rowOf(sound).gain * std::sqrt(share);
         emitters_.push_back({.id = kBedId + static_cast<uint32_t>(sound),
                              .clip = static_cast<int>(sound),
@@ -74,7 +74,7 @@ void SoundCues::struggling(const CreatureView& creature) {
                          .gain = rowOf(Sound::Struggle).gain,
                          .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f), // large ones beat slower
                          .velocity = creature.velocity});
-    // It goes on, so its caption stays where it is among the others.
+    // A struggle goes on, so its caption keeps its place among the others.
     for (Caption& shown : captions_)
         if (shown.text == kStruggleCaption) {
             shown = {shown.text, creature.position, 0};
@@ -109,13 +109,13 @@ void SoundCues::happened(const Event& event) {
         if (again) return;
     }
     const float gain = std::clamp(row.gain + row.gainPerMps * event.closing_mps, 0.0f, 1.0f);
-    // Music keeps its pitch; nothing else in the sea sounds twice the same.
+    // Music keeps its pitch; all other sounds vary.
     const bool music = !event.position || row.sound == Sound::Catch;
     const float pitch = music ? 1.0f : random_.between(0.94f, 1.06f);
     const glm::vec3 position = event.position.value_or(glm::vec3(0));
     play(row.sound, position, gain, !event.position, pitch);
-    if (event.kind == EventKind::DiveStart) captions_.clear(); // of the last one
-    // That a hand opens after its fish was counted is no news.
+    if (event.kind == EventKind::DiveStart) captions_.clear(); // captions of the last dive
+    // Letting go after the fish was counted needs no caption.
     if (event.kind == EventKind::Grab) counted_ = false;
     if (event.kind == EventKind::Catch) counted_ = true;
     if (event.kind == EventKind::Release && counted_) return;
@@ -134,7 +134,7 @@ void SoundCues::breathe(const Snapshot& shown, float dt_s) {
 void SoundCues::countDown(const Snapshot& shown) {
     const int left = static_cast<int>(std::ceil(shown.timeLeft_s));
     if (shown.phase == Phase::Diving && left >= 1 && left <= kCountdown_s && left != countedDown_) {
-        play(Sound::Countdown, {}, 1, true, left == 1 ? 1.335f : 1.0f); // the last a fourth higher
+        play(Sound::Countdown, {}, 1, true, left == 1 ? 1.335f : 1.0f); // the last one is a fourth higher
         caption(kCountdownCaption, glm::vec3(0));
     }
     countedDown_ = left;

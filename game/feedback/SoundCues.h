@@ -1,5 +1,5 @@
-// Chooses sounds and captions for what happens in a dive: for events by their table, and for breath, fish
-// that pass, the background and the countdown. Main thread; takes no memory once the creatures are known.
+// Chooses sounds and captions of a dive: for events by their table, and for breath, passing fish, the
+// background and the countdown. Main thread; allocates nothing once the creatures are known.
 #pragma once
 
 #include "engine/audio/Audio.h"
@@ -17,7 +17,7 @@ constexpr float kCaptionStay_s = 2.2f;
 
 struct Caption {
     Text text;
-    glm::vec3 position{0}; // world frame; the origin: nowhere in particular
+    glm::vec3 position{0}; // world frame; the origin: no place
     float age_s = 0;
 };
 
@@ -25,11 +25,11 @@ class SoundCues {
   public:
     SoundCues();
 
-    // events: since the last call, dt_s: time since then. Clip indices are Sound's. Afterwards emitters(),
-    // shots() and captions() say what to play and show.
+    // Chooses the sounds and captions of a frame: emitters(), shots() and captions(). events: since the last
+    // call; dt_s: time since then. Clip indices are Sound's.
     void listen(const Snapshot& shown, std::span<const Event> events, float dt_s);
 
-    // How enclosed the beds sound, 0 to 1: follows the snapshot's enclosure within seconds.
+    // Returns how enclosed the beds sound, 0 to 1: follows the snapshot's enclosure within seconds.
     float enclosure() const { return enclosure_; }
 
     std::span<const audio::Sound> emitters() const { return emitters_; }
@@ -50,13 +50,13 @@ class SoundCues {
     std::vector<audio::Sound> emitters_;
     std::vector<audio::Sound> shots_;
     std::vector<Caption> captions_;
-    std::vector<float> quiet_s_; // per creature: until it may be heard passing again
+    std::vector<float> quiet_s_; // seconds before each creature may be heard passing again
     float touchQuiet_s_ = 0;
-    bool counted_ = false; // what was held last
-    float breath_s_;       // until the next
-    float enclosure_ = 0;  // of what is shown, but never in a step
-    int countedDown_ = 0;  // the last second that was counted
-    Random random_;        // of pitches and breaths; the simulation's is not touched
+    bool counted_ = false; // the last grab has become a catch
+    float breath_s_;       // seconds until the next breath
+    float enclosure_ = 0;  // follows the snapshot's enclosure without steps
+    int countedDown_ = 0;  // last second counted
+    Random random_;        // random pitches and breaths, apart from the simulation's
 };
 
 } // namespace shoal::game

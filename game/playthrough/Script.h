@@ -25,7 +25,7 @@ struct ScriptStep {
                  // hand
         Wave,    // swing a hand 0.5 m to both sides of where it is at `speed` m/s for `seconds`
         Hover,   // bring a hand in the shark's way, for `seconds`
-        Offer,   // bring what the hand holds as near to the shark as it reaches, for `seconds`
+        Offer,   // bring the held fish as near to the shark as the hand reaches, for `seconds`
         Rest,    // take a hand back to the side
         Restart, // a new dive
         Pause,   // for `seconds`
@@ -36,13 +36,13 @@ struct ScriptStep {
                // occurred
     };
     Do what = Do::Wait;
-    int line = 0; // in the file
+    int line = 0; // line in the file
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
-    bool atShark = false;           // what to look at, instead of yaw and pitch
-    bool atFish = false;            // what to point at, instead of x and y
+    bool atShark = false;           // look at the shark, instead of yaw and pitch
+    bool atFish = false;            // point at a fish, instead of x and y
     glm::vec3 offset{0}, to{0};     // viewer's frame, metres
-    glm::vec2 pointer_px{640, 360}; // in a window of 1280x720: +x right, +y down
+    glm::vec2 pointer_px{640, 360}; // place in a window of 1280x720: +x right, +y down
     float near_m = 0;
     float seconds = 0;
     float speed = 1.5f;
@@ -57,62 +57,62 @@ struct ScriptStep {
 struct ScriptExpect {
     int line = 0;
     enum class Water { Any, Open, Film };
-    Water water = Water::Any;                                    // the only water in which this is expected
-    std::optional<int> caught, scoreAtLeast, lost, comboAtLeast; // at the script's end
-    std::optional<float> fishAbove_m;                            // no fish has been lower, against the eyes
-    std::optional<EventKind> event; // occurs at least `count` times in the given time
-    std::optional<EventKind> never; // does not occur at all
-    std::optional<Phase> phase;     // at the end
+    Water water = Water::Any; // expected only in open water, or only in the room of a film
+    std::optional<int> caught, scoreAtLeast, lost, comboAtLeast; // values at the script's end
+    std::optional<float> fishAbove_m; // least height of all fish, relative to the eyes
+    std::optional<EventKind> event;   // an event that occurs at least `count` times in the given time
+    std::optional<EventKind> never;   // an event that does not occur at all
+    std::optional<Phase> phase;       // phase at the end
     int count = 1;
-    float after_s = 0, before_s = 1e9f; // since the script began
-    std::vector<EventKind> order;       // occur in this order, others between
+    float after_s = 0, before_s = 1e9f; // limits on the time of `event` since the script began
+    std::vector<EventKind> order;       // events that occur in this order, others may lie between
 };
 
 struct Script {
-    std::string file; // its stem
+    std::string file; // stem of the file's name
     std::string name;
-    std::string dive = "reef"; // for loadDiveFiles()
-    std::string film;          // of the dive of that name, in place of the dive's own; empty: its own
+    std::string dive = "reef"; // name or file, for loadDiveFiles()
+    std::string film;          // the film of another dive, by that dive's name; empty: the dive's own
     uint64_t seed = 1;
-    DiveRules rules; // a player's, but for what the file says
+    DiveRules rules; // a player's defaults, changed by the file
     float timeout_s = 120;
-    bool points = false; // with the mouse, in place of hands
+    bool points = false; // moves the mouse in place of hands
     std::vector<ScriptStep> steps;
     std::vector<ScriptExpect> expects;
 };
 
 Result<Script> loadScript(const Path& file);
 
-// The files of its dive, with the film that it names.
+// Loads the script's dive, with the film that it names.
 Result<DiveFiles> loadDiveFiles(const Script&);
 
-// Plays a script: one TickInput a tick from what the last tick showed. Motions keep below 1.5 m/s (but for
-// Wave), as a person's do. Depends on snapshots and events alone, never on the display.
+// Plays a script: makes each tick's TickInput from the snapshot after the last tick. Motions keep below 1.5
+// m/s (but for Wave), as a person's do. Depends on snapshots and events alone, never on the display.
 class ScriptRun {
   public:
-    // inFilm: the dive is in the room of its film, of which some expectations are.
+    // inFilm: the dive has a FilmSpace; some expectations hold only with one, or only without.
     ScriptRun(Script, hands::HandRig, SpeciesTable, bool inFilm);
 
-    // Input of the next tick, from the snapshot after the last one.
+    // Makes the input of the next tick, from the snapshot after the last one.
     void next(const Snapshot&, TickInput& out);
     // Takes the events of the tick just stepped, the state's hash, and the snapshot after it.
     void observe(const Events&, uint64_t stateHash, const Snapshot&);
 
     bool finished() const { return finished_; }
-    // After the end: success, or the first step that timed out or expectation unmet, as a sentence.
+    // Returns success, or the first step that timed out or expectation that failed, once finished().
     Status verdict() const;
     uint64_t ticks() const { return tick_; }
     const std::string& name() const { return script_.file; }
-    uint64_t hash() const { return hash_.value(); } // of all ticks' states
+    uint64_t hash() const { return hash_.value(); } // hash of all ticks' states
 
   private:
     struct ScriptHand {
         glm::vec3 graspWorld{0};
         glm::vec3 anchor{0}; // middle of a wave
-        glm::vec3 offset{0}; // from the creature followed, viewer's frame
+        glm::vec3 offset{0}; // from the followed creature, viewer's frame
         float closed = 0;
         float closedGoal = 0;
-        int target = -1; // creature followed
+        int target = -1; // id of the followed creature, -1 none
     };
     struct Occurred {
         EventKind kind;
@@ -140,7 +140,7 @@ class ScriptRun {
     SpeciesTable species_;
     bool inFilm_;
     std::array<ScriptHand, 2> hands_{};
-    hands::MouseHands mouse_; // of a script that points
+    hands::MouseHands mouse_; // for a script that moves the mouse
     hands::MouseInput mouseInput_;
     ReachHelp reach_;
     float yaw_ = 0, pitch_ = 0;

@@ -1,4 +1,4 @@
-// How a script's player moves.
+// Motions and verdict of a script's player.
 #include "game/playthrough/Script.h"
 
 #include "engine/math/Trigonometry.h"
@@ -16,16 +16,16 @@ namespace {
 constexpr float kHandSpeed_mps = 1.5f;
 constexpr float kHeadSpeed_radps = 2.2f;
 constexpr float kCloseTime_s = 0.12f;
-constexpr float kReach_m = 1.2f; // of a person's arm; the rig reaches farther
+constexpr float kReach_m = 1.2f; // reach of a person's arm; the rig reaches farther
 constexpr float kNear_m = 0.3f;
-constexpr float kThere_m = 0.045f; // grasp centre this near to a fish's middle: close now
+constexpr float kThere_m = 0.045f; // distance of grasp centre and fish's middle at which the hand closes
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// The window that a script's mouse points into, with the game's own field of view.
+// The window that a script's mouse points into, with the game's field of view.
 constexpr glm::vec2 kHalfWindow_px(640, 360);
 constexpr float kWindowFov = 65 * kPi / 180;
 constexpr float kSeenReach_m = 1.4f;
-constexpr float kMouseThere_m = 0.07f; // as near as eyes tell that the mouse's hand is at a fish
+constexpr float kMouseThere_m = 0.07f; // distance at which the mouse's hand is seen to be at a fish
 
 glm::vec3 withinReach(glm::vec3 p) {
     const float distance = glm::length(p);
@@ -61,13 +61,13 @@ bool isNear(const Snapshot& now, glm::vec3 place, float near_m, const SpeciesTab
     });
 }
 
-// Pixels of the window, of a place in the viewer's frame before the viewer.
+// Returns the window's pixel of a place in front of the viewer, viewer's frame.
 glm::vec2 pixelOf(glm::vec3 view) {
     const float half = 0.5f * kWindowFov, focal_px = kHalfWindow_px.y * math::cosine(half) / math::sine(half);
     return kHalfWindow_px + glm::vec2(view.x, -view.y) * (focal_px / std::max(-view.z, 0.05f));
 }
 
-// The nearest fish within reach and well inside the window; -1: none.
+// Returns the nearest fish within reach and well inside the window; -1: none.
 int chooseSeen(const ScriptStep& step, const Snapshot& now, const SpeciesTable& species) {
     int best = -1;
     float nearest = kSeenReach_m;
@@ -125,7 +125,7 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
     return best;
 }
 
-// True when the hand is where it could close on its fish, or at its offset from it.
+// Moves the hand along with its fish. Returns whether it could close on it, or is at its offset from it.
 bool ScriptRun::follow(int h, const Snapshot& now) {
     ScriptHand& hand = hands_[h];
     if (hand.target < 0 || hand.target >= static_cast<int>(now.creatures.size())) return false;
@@ -134,7 +134,7 @@ bool ScriptRun::follow(int h, const Snapshot& now) {
     const glm::vec3 place = fish.position + now.worldFromView * hand.offset,
                     goal = place + fish.velocity * (2 * kDt);
     const float distance = glm::distance(goal, hand.graspWorld);
-    // Quickly from afar, softly at the end, always keeping up with it.
+    // The hand comes fast from afar and slowly at the end, always keeping up with the fish.
     const float speed =
         std::min(kHandSpeed_mps, std::clamp(1.8f * distance, 0.2f, 1.2f) + glm::length(fish.velocity));
     lookTowards(fish.position);
@@ -142,7 +142,7 @@ bool ScriptRun::follow(int h, const Snapshot& now) {
     return glm::distance(place, hand.graspWorld) < kThere_m;
 }
 
-// Another fish when this one fled or is out of reach, or two seconds brought nothing.
+// Brings the hand to a fish; chooses another when this one fled, is out of reach, or took two seconds.
 bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
     ScriptHand& hand = hands_[step.hand];
     const uint64_t spent = tick_ - stepBegan_;
@@ -177,14 +177,14 @@ bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s)
     return false;
 }
 
-// At the pace of a person's: at most two halves of the window a second, slower as it comes near.
+// Moves the pointer as a person does: at most two half windows a second, slower near the goal.
 void ScriptRun::movePointer(glm::vec2 goal_px) {
     const glm::vec2 way = goal_px / kHalfWindow_px * glm::vec2(1, -1) + glm::vec2(-1, 1) - mouseInput_.cursor;
     const float length = glm::length(way), step = std::min(2.0f, 4 * length + 0.05f) * kDt;
     mouseInput_.cursor += length > step ? way * (step / length) : way;
 }
 
-// True when the pointer is there, or the hand at the fish that it follows. Another fish after three seconds.
+// Points at a place, or at a fish, another after three seconds. Returns whether pointer or hand is there.
 bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
     if (!step.atFish) {
         movePointer(step.pointer_px);
@@ -202,7 +202,7 @@ bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
     return glm::distance(hands::graspCentre(now.hands[1].joints), fish.position) < kMouseThere_m;
 }
 
-// To and fro over 1 m about where the hand was; a triangle, so the speed is the same throughout.
+// Swings the hand over 1 m about its place; a triangle wave, so the speed is constant.
 void ScriptRun::wave(const ScriptStep& step, const Snapshot& now, float spent_s) {
     ScriptHand& hand = hands_[step.hand];
     if (tick_ == stepBegan_) hand.anchor = hand.graspWorld;
@@ -219,7 +219,7 @@ void ScriptRun::meetShark(const ScriptStep& step, const Snapshot& now) {
     moveHand(step.hand, aim, kHandSpeed_mps);
 }
 
-// True when the step is done.
+// Performs a step for one tick. Returns whether it is done.
 bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& out) {
     using Do = ScriptStep::Do;
     const float spent_s = static_cast<float>(tick_ - stepBegan_) * kDt;
@@ -270,7 +270,7 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
         mouseInput_.close = step.what == Do::Press;
         return true;
     case Do::Again:
-        return true; // next() decides
+        return true; // performStep() handles it
     }
     return true;
 }
@@ -283,13 +283,13 @@ void ScriptRun::advance(size_t to) {
         finished_ = true;
         return;
     }
-    // A step that brings a hand to a fish chooses anew.
+    // A step that brings a hand to a fish chooses a new one.
     const ScriptStep& step = script_.steps[step_];
     if (step.what == ScriptStep::Do::Reach || step.what == ScriptStep::Do::Point)
         hands_[step.hand].target = -1;
 }
 
-// The step under way; one that ends lets the next begin on the next tick, so every step sees its own result.
+// Performs the present step. The next begins on the next tick, so that every step sees its own result.
 void ScriptRun::performStep(const Snapshot& now, TickInput& out) {
     const ScriptStep& step = script_.steps[step_];
     const float spent_s = static_cast<float>(tick_ - stepBegan_) * kDt;
@@ -337,7 +337,7 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     ++tick_;
 }
 
-// As the program does: help with depth, then the hand.
+// Moves the mouse's hand as the program does: help with depth, then the hand.
 void ScriptRun::feedMouse(const Snapshot& now, TickInput& out) {
     const glm::vec3 ray = rayThroughCursor(mouseInput_);
     mouseInput_.reach_m = reach_.update(now, species_, ray, mouse_.distance_m());

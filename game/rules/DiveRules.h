@@ -8,8 +8,8 @@
 
 namespace shoal::game {
 
-// How much a hand that reaches for a fish is helped (game/rules/Intent.h). None: it takes hold only of a fish
-// that its fingers really close around.
+// Help for a hand that reaches for a fish (game/rules/Intent.h). None: it takes hold only of a fish that its
+// fingers really close around.
 enum class Assist { None, Normal, Strong };
 
 struct DiveRules {

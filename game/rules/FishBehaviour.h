@@ -45,8 +45,7 @@ struct Surroundings {
     const FilmMoment& film;
 };
 
-// Advances all fish by a tick: those that are free swim, those in a hand struggle.
-// neighbours: scratch, one for each fish.
+// Advances all fish by a tick: free fish swim, held ones struggle.
 void swimFish(std::span<Fish>, const Surroundings&, std::span<Neighbours> neighbours, Random&);
 
 // Makes the fish flee from a place and away from the player, with one Startle event per fright. A fish in a

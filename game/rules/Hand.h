@@ -46,15 +46,15 @@ struct Intent {
 // Fingers that rest on the fish they close around instead of entering it.
 struct FingerWrap {
     Joints shown{}; // the hand's joints, with fingers resting on that fish
-    // How far the fish lifts each joint from where the device sees it, palm's frame; eased, so that no finger
-    // jumps when a fist loses what it held.
+    // Offset of each joint on the fish from where the device sees it, palm's frame; eased, so that no finger
+    // jumps when the fist opens.
     struct Lift {
         glm::vec3 move{0};
         glm::quat turn{1, 0, 0, 0};
         auto fields() const { return std::tie(move, turn); }
     };
     std::array<Lift, hands::kJointCount> lifts{};
-    // How the fingers press on that fish in this tick; the first pressCount count.
+    // Forces of the fingers on that fish in this tick; the first pressCount count.
     std::array<physics::Press, hands::kJointCount> presses{};
     int pressCount = 0;
 
@@ -68,12 +68,12 @@ struct Hand {
     int untrackedTicks = 0;
     bool solid = false; // touches and pushes fish
     Joints joints{}, before{};
-    std::array<glm::vec3, hands::kJointCount> velocities{}; // of the joints, smoothed over about 25 ms
+    std::array<glm::vec3, hands::kJointCount> velocities{}; // joints', smoothed over about 25 ms
     glm::vec3 graspCentre{0};
-    glm::vec3 velocity{0};         // of the palm, over the last tick
+    glm::vec3 velocity{0};         // velocity of the palm, over the last tick
     glm::vec3 calmVelocity{0};     // the same, smoothed over about 50 ms
     glm::vec3 ownVelocity{0};      // the same relative to the head, without the help's part
-    glm::vec3 calmAcceleration{0}; // of the calm velocity, m/s2
+    glm::vec3 calmAcceleration{0}; // derivative of calmVelocity, smoothed, m/s2
     float grip = 0;                // 0 open to 1 fist
     std::array<TouchView, hands::kHandParts> touching{}; // what each finger and the palm feel
     Grasp grasp;

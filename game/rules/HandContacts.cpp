@@ -11,9 +11,9 @@ namespace shoal::game {
 
 namespace {
 
-constexpr uint32_t kTouchKept = 12; // ticks a touch is remembered
-constexpr float kGentle_mps = 0.6f; // a palm slower than this does not frighten by touching...
-constexpr float kPatience_s = 1.5f; // ...for so long
+constexpr uint32_t kTouchKept = 12; // ticks for which a touch is remembered
+constexpr float kGentle_mps = 0.6f; // speed of a palm below which its touch does not frighten...
+constexpr float kPatience_s = 1.5f; // ...for this time
 
 } // namespace
 

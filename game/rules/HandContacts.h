@@ -1,4 +1,4 @@
-// Contacts of the player's hands with fish and shark, and what a contact does to a fish that nobody holds.
+// Contacts of the player's hands with fish and shark, and their effect on a fish that no hand holds.
 #pragma once
 
 #include "engine/physics/ContactWorld.h"
@@ -40,7 +40,7 @@ template <class Visit> void forEachCreature(std::span<const physics::Contact> co
 // Updates what the touching finger or palm feels of the fish.
 void feel(const physics::Contact&, const Fish&, Hands&);
 
-// Pushes a fish that nobody holds, by all contacts with it, and startles it when they are too rough.
+// Pushes a fish that no hand holds, by all contacts with it, and startles it when they are too rough.
 void pushFish(Fish&, int id, const Species&, std::span<const physics::Contact>, const Hands&, uint32_t tick,
               Random&, Events&);
 

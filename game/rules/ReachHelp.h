@@ -8,8 +8,8 @@
 
 namespace shoal::game {
 
-// One for each hand of a player; no part of the simulation's state. The target stays until the pointer is
-// clearly nearer to another fish.
+// One for each pointer; no part of the simulation's state. The target stays until the pointer is clearly
+// nearer to another fish.
 class ReachHelp {
   public:
     // Returns how far from the eye a hand on the ray should be, metres, a little ahead of a fish that comes

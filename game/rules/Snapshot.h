@@ -23,7 +23,7 @@ enum class Phase { Diving, Results };
 enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
 constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
 
-// How a body is bent beyond its clip: what is left of the wave is the clip's own form.
+// A body's bend on top of its clip, whose tail wave is scaled to the amplitude.
 struct BodyShape {
     float beats = 0;     // tail beats, left and right, since the dive began
     float amplitude = 0; // half the tail's sweep, in body lengths

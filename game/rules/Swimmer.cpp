@@ -43,8 +43,8 @@ float eased(float value, float goal, float rate) {
 
 namespace {
 
-// Curvature is the desired rate of turning over speed. At least so many lengths a second are assumed, or one
-// that hovers would curl up.
+// The curvature is the desired turning rate over the speed, for which at least this many lengths a second are
+// taken: a hovering body would curl up.
 constexpr float kMinSpeed_lps = 1.5f;
 
 float bendFor(float rate_radps, float speed_mps, float length_m, float maximum) {

@@ -61,7 +61,7 @@ class TomlTable {
             if (!has(key)) complain(key, "is missing");
     }
     void complain(std::string_view key, std::string reason);
-    // Complains about keys that nobody has read.
+    // Complains about keys that no call has read.
     void finish();
 
   private:

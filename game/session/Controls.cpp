@@ -123,11 +123,11 @@ template <class Names> std::optional<int> numberOf(const Names& names, std::stri
 
 std::optional<int> keyNamed(std::string_view name) {
     if (name.size() == 1 && kLetters.find(name[0]) != std::string_view::npos)
-        return name[0]; // as GLFW numbers them
+        return name[0]; // GLFW's numbers are the ASCII codes
     return numberOf(kKeyNames, name);
 }
 
-// Up to the separator, which is taken too.
+// Takes the word up to the separator off the text, with the separator.
 std::string_view takeWord(std::string_view& text, char separator) {
     const size_t end = std::min(text.find(separator), text.size());
     const std::string_view word = text.substr(0, end);
@@ -199,7 +199,7 @@ std::string Bindings::toText() const {
     std::string text;
     for (const ActionRow& row : kActionRows) {
         const Keys& keys = of(row.action);
-        if (keys.keys == row.keys && keys.button == row.button) continue; // a default, which may change
+        if (keys.keys == row.keys && keys.button == row.button) continue; // defaults may change
         text += std::string(text.empty() ? "" : "; ") + row.name + "=" + std::string(keyName(keys.keys[0])) +
                 "," + std::string(keyName(keys.keys[1])) + " " + std::string(buttonName(keys.button));
     }
@@ -223,7 +223,7 @@ Controls readControls(const platform::Window& window, const platform::WindowInpu
             controls.pressed[i] || std::ranges::find(pad.pressed, bound.button) != pad.pressed.end();
         controls.down[i] = controls.down[i] || pad.down[static_cast<size_t>(bound.button)];
     }
-    // Who has no keyboard at hand must come out of a dive too.
+    // The middle button pauses too, for players without a keyboard at hand.
     constexpr auto kPause = static_cast<size_t>(Action::Pause);
     controls.pressed[kPause] = controls.pressed[kPause] || input.middlePressed;
     controls.cursor = input.cursor;

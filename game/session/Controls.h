@@ -1,4 +1,4 @@
-// What mouse, keys and gamepad ask for, once the player's bindings have been looked up. Main thread.
+// Input of mouse, keys and gamepad as actions, by the player's bindings. Main thread.
 #pragma once
 
 #include "engine/platform/Window.h"
@@ -51,12 +51,12 @@ class Bindings {
     };
     const Keys& of(Action action) const { return bound_[static_cast<size_t>(action)]; }
 
-    // Binds a key, or a button, in place of the action's first. Whoever had it loses it and is returned.
+    // Binds a key, or a button, in place of the action's first. Returns the action that loses it.
     std::optional<Action> bindKey(Action action, int key);
     std::optional<Action> bindButton(Action action, int button);
 
-    // "close=Space,- A; pause=Escape,P Start": of the settings file. Actions that are not named keep what
-    // they have. False, and nothing changed: malformed.
+    // Reads bindings as in the settings file: "close=Space,- A; pause=Escape,P Start". Other actions keep
+    // theirs. Returns false, and changes nothing, if the text is malformed.
     bool parse(std::string_view text);
     std::string toText() const;
 
@@ -64,24 +64,24 @@ class Bindings {
     std::array<Keys, kActions> bound_;
 };
 
-std::string_view keyName(int key);       // "-" for none
-std::string_view buttonName(int button); // the same
+std::string_view keyName(int key);       // "-": none
+std::string_view buttonName(int button); // "-": none
 
-// Of one frame.
+// The input of one frame.
 struct Controls {
     std::bitset<kActions> down, pressed;
     glm::dvec2 cursor{0.5};      // 0 to 1 from the window's upper left
-    glm::dvec2 dragged{0};       // by the mouse with its right button down, pixels
+    glm::dvec2 dragged{0};       // mouse movement with its right button down, pixels
     double wheel = 0;            // notches, away from the player positive
     bool mouseCloses = false;    // the left button
     bool turns = false;          // the right button
-    glm::vec2 look{0}, reach{0}; // of the sticks: -1 to 1, +x right, +y up
-    float trigger = 0;           // 0 to 1: closes the hand by degrees
+    glm::vec2 look{0}, reach{0}; // gamepad's sticks: -1 to 1, +x right, +y up
+    float trigger = 0;           // gamepad's trigger, 0 to 1: closes the hand by degrees
     bool mouseMoved = false;
 
     bool is(Action action) const { return down[static_cast<size_t>(action)]; }
     bool was(Action action) const { return pressed[static_cast<size_t>(action)]; }
-    // 1: the first is held down, -1: the second, 0: neither or both.
+    // Returns 1 if only the first is held down, -1 if only the second is, else 0.
     float between(Action plus, Action minus) const {
         return static_cast<float>(is(plus)) - static_cast<float>(is(minus));
     }

@@ -12,7 +12,7 @@ namespace shoal::app {
 
 namespace {
 
-// "KIND" or "KIND:ARGUMENT".
+// Parses "KIND" or "KIND:ARGUMENT".
 Result<HandSourceChoice> parseHandSource(const std::string& text) {
     const size_t colon = text.find(':');
     const bool hasArgument = colon != std::string::npos;

@@ -14,26 +14,26 @@
 
 namespace shoal::app {
 
-// Dive, seed and source of input.
+// Dive, seed and source of input of a session.
 struct SessionConfig {
     game::SpeciesTable species;
     game::DiveFile dive;
     game::DiveRules rules;
-    // How the inputs were made, for a recording's header; a replay does not need it.
+    // Settings that shaped the inputs, for a recording's header; a replay does not need them.
     std::map<std::string, std::string> inputSettings;
     hands::HandRig rig;
     uint64_t seed = 1;
     HandSourceChoice handSource;
-    HandOptions hands; // of the tracking devices
-    bool live = true;  // in real time, for somebody who looks on
+    HandOptions hands; // options of the tracking devices
+    bool live = true;  // real time, with an onlooker
     std::optional<game::Script> script;
     std::optional<sim::RecordingReader> replay;
 };
 
-// For a dive in a window: six digits, so that it can be read out and typed.
+// Returns a random seed of six digits, so that it can be read out and typed.
 uint64_t drawnSeed();
 
-// What the options ask for, with the defaults that depend on other options.
+// Returns the options' hand source, with the defaults that depend on other options.
 Result<HandSourceChoice> handSourceFor(const PlayOptions& options);
 
 // Reads the files that the options name. A script or replay brings its own dive and seed.
@@ -41,39 +41,38 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options);
 
 struct GameSession {
     explicit GameSession(const SessionConfig& config);
-    // From now on by this device, if a person plays with the mouse beside it.
+    // Sets the tracking device, if a person plays with the mouse.
     void track(const SessionConfig& config);
 
-    // From now on, every tick is written to that file, until endRecording().
+    // Writes every tick to that file, from now on until endRecording().
     Status record(const Path& file);
-    // What kept the recording from being written whole, if anything did.
+    // Ends the recording; the error is the first that kept it from being written whole.
     Status endRecording();
 
-    // Steps the ticks that fall into this much time.
+    // Runs the ticks of this much time.
     void advance(double elapsed_s);
 
     HandSource source;
-    std::optional<TrackedHands> tracked; // beside the mouse
+    std::optional<TrackedHands> tracked; // hands tracked beside the mouse
     game::Dive dive;
     sim::FixedStep clock;
     game::Snapshot before, after, shown;
     game::Events events; // of this frame's ticks
     uint64_t ticks = 0;
-    std::optional<xr::Pose> head; // of a headset; empty: the source has the head's pose
+    std::optional<xr::Pose> head; // the headset's head pose; empty: the source has the head's pose
     bool paused = false, restart = false;
     bool ended = false; // the source has no more input
     Status verdict = Done{};
     std::string summary; // of a script that has ended: its file's name, and the hash of all states
 
   private:
-    // share: the tick's time between the frame before (0) and this one (1). ago_s: how long before this
-    // frame's time it lies.
+    // Runs one tick. share: its time between the frame before (0) and this one (1); ago_s: before this frame.
     void tick(float share, float ago_s);
     void addToRecording(const game::TickInput& input, uint64_t hash);
     std::map<std::string, std::string> inputSettings_; // for the recording's header
     std::optional<sim::RecordingWriter> recording_;
-    Status recorded_ = Done{};           // an error: the recording ended there, the game goes on
-    std::optional<xr::Pose> headBefore_; // in the last frame
+    Status recorded_ = Done{};           // error at which the recording ended while the game goes on
+    std::optional<xr::Pose> headBefore_; // of the last frame
     game::Events tickEvents_;
 };
 

@@ -14,27 +14,27 @@ namespace {
 
 constexpr float kKeyTurn_radps = 1.6f;
 constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
-constexpr float kStickReach_ps = 1.1f;   // half pictures a second that a full stick moves the hand
-constexpr float kKeyNotches_ps = 12;     // of a key, as the wheel's
+constexpr float kStickReach_ps = 1.1f;   // speed of the hand with a full stick, half pictures a second
+constexpr float kKeyNotches_ps = 12;     // speed with a key, wheel notches a second
 constexpr float kTriggerStarts = 0.06f;  // a trigger at rest is not always at 0
 
 constexpr double kCaption_s = 4;
-constexpr double kFindDevices_s = 1; // before the mouse is said to be all there is
+constexpr double kFindDevices_s = 1; // time before the mouse is announced as the only source
 
-// No text: the first camera.
+// Returns the options for a camera's number, a clip's file or, without text, the first camera.
 hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
     const auto index = which.empty() ? std::optional(0) : parseNumber(which, 0, 99);
     return {.file = index ? "" : which, .index = index.value_or(0), .live = live, .handSize = handSize};
 }
 
-// By how much the view turns in this frame: +x right, +y up, radians. snapped: kept from frame to frame.
+// Returns the turn of the view in this frame: +x right, +y up, radians. snapped: state kept between frames.
 glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
     const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
                          c.between(Action::LookUp, Action::LookDown));
     const float up = options.invertLook ? -1.0f : 1.0f;
     glm::vec2 turn = (keys + c.look * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
     if (options.turning == Turning::Snap) {
-        constexpr float kOn = 0.6f, kOff = 0.3f; // of the stick's way
+        constexpr float kOn = 0.6f, kOff = 0.3f; // of the stick's range
         const float step =
             static_cast<float>(c.was(Action::LookRight)) - static_cast<float>(c.was(Action::LookLeft));
         const bool pushed = std::abs(c.look.x) > kOn && !snapped;
@@ -60,7 +60,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         const float rate = dt_s > 0 ? glm::length(turn) / dt_s : 0;
         turning_radps_ += (rate - turning_radps_) * std::min(1.0f, 8 * dt_s);
         if (c.was(Action::Recentre)) recentre();
-        // The mouse points at a place, a stick moves from where the hand is.
+        // The mouse points at a place; a stick moves the hand from its place.
         if (c.mouseMoved && !c.turns)
             pointer_ = {static_cast<float>(c.cursor.x) * 2 - 1, 1 - static_cast<float>(c.cursor.y) * 2};
         pointer_ = glm::clamp(pointer_ + c.reach * (kStickReach_ps * dt_s), -1.0f, 1.0f);
@@ -116,7 +116,7 @@ void TrackedHands::announce() {
     if (state_.present) {
         announcement_ = game::Notice{"Hands: {}", name};
         log::info("Hands: {}, {}", name, state_.description);
-    } else if (asked_) { // why not this one
+    } else if (asked_) { // why not the chosen one
         announcement_ = needs();
         if (!announcement_) announcement_ = game::Notice{"{} is not there; the mouse has the hands", name};
         log::info("Hands: mouse; {}: {}", name, state_.description);

@@ -1,5 +1,5 @@
-// Sources of a session's input: mouse and keys, with or without a tracking device beside, a headset, a
-// playthrough script, or a replay. Main thread.
+// Sources of a session's input: mouse and keys, with or without a tracking device; a headset; a playthrough
+// script; a replay. Main thread.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -21,22 +21,22 @@
 
 namespace shoal::app {
 
-// Mouse and keys. Poses change once a frame and are the same for all its ticks.
+// Input by mouse, keys and gamepad. Poses change once a frame and are the same for all its ticks.
 class MouseSource {
   public:
     MouseSource(hands::HandRig rig, game::SpeciesTable species)
         : hands_(std::move(rig)), species_(std::move(species)) {}
 
-    // controls: null when headless, where the hands rest and the head looks ahead.
+    // Reads a frame's input. controls: null when headless, where the hands rest and the head looks ahead.
     void frame(const Controls* controls, const ControlOptions& options, const game::Snapshot& shown,
                float dt_s, float verticalFov, float aspect);
-    // Nobody plays: no hands are seen, and the head turns by itself. yaw: radians a second, to the right.
+    // Hides the hands and turns the head by itself, while nobody plays. yaw: radians a second, to the right.
     void idle(float dt_s, float yaw_radps);
-    // The player is in a menu: hands and view stay, and the press that ends the menu closes no hand.
+    // Keeps hands and view while the player is in a menu; the press that ends the menu closes no hand.
     void release() { awaitsOpen_ = true; }
     void next(game::TickInput& out) const;
     void recentre() { look_ = {}; }
-    // The view turns by the player's will, radians a second; smoothed, for the dark edges that help comfort.
+    // Speed at which the player turns the view, radians a second, smoothed: for the comfort setting vignette.
     float turning_radps() const { return turning_radps_; }
 
   private:
@@ -46,80 +46,80 @@ class MouseSource {
     std::array<hands::HandPose, 2> poses_{};
     LookAngles look_;
     float turning_radps_ = 0;
-    glm::vec2 pointer_{0}; // what the hand reaches for: -1 to 1 across the window, +x right, +y up
-    Handedness hand_ = Handedness::Right; // as the player has chosen
+    glm::vec2 pointer_{0}; // place the hand reaches for: -1 to 1 across the window, +x right, +y up
+    Handedness hand_ = Handedness::Right; // the player's chosen hand
     bool wasDown_ = false;
-    bool toggled_ = false;   // closed, where each press closes or opens
-    bool awaitsOpen_ = true; // the press that ended a menu closes no hand
-    bool snapped_ = false;   // the stick has turned the view by a step, and has not come back yet
+    bool toggled_ = false;   // hand closed, if each press closes or opens it
+    bool awaitsOpen_ = true; // until the press that ended a menu is released
+    bool snapped_ = false;   // the stick has turned the view by a step and has not come back yet
 };
 
-// The inputs of a recording, whose states it compares with those that follow from them now.
+// The inputs of a recording; compares its states with those that the inputs lead to now.
 struct ReplaySource {
     explicit ReplaySource(sim::RecordingReader from) : recording(std::move(from)) {}
 
-    // False: there is no further input.
+    // Reads the next input; false: there is none.
     bool next(game::TickInput& input);
-    void compare(uint64_t stateHash); // of the state after that input
+    void compare(uint64_t stateHash); // compares the state after that input
     bool atEnd() const { return !verdict || recording.atEnd(); }
 
     sim::RecordingReader recording;
-    uint64_t hash = 0;       // recorded, of the state after the last input
-    Status verdict = Done{}; // so far
+    uint64_t hash = 0;       // recorded hash of the state after the last input
+    Status verdict = Done{}; // error: a state differed, or the file is damaged
 };
 
-// The hand tracking device of a session, which has threads of its own; where it sees no hands, the mouse has
-// them.
+// The hand tracking device of a session, which has threads of its own. While it sees no hands, the mouse
+// moves them.
 class TrackedHands {
   public:
-    // live: time is the clock's; else frames count by their time stamps. source: Leap, Webcam, or Auto, which
-    // never means a camera: that looks at people and is opened only when it is asked for.
+    // live: real time; else frames count by their time stamps. source: Leap, Webcam, or Auto, which never
+    // opens a webcam: a camera looks at people and must be asked for.
     TrackedHands(const HandSourceChoice& source, const HandOptions& options, const hands::HandRig& rig,
                  bool live);
 
-    // Once a frame of the display.
+    // Takes the device's new frames, once a frame of the display.
     void frame(double elapsed_s);
 
-    // Once a tick, which lies so long before the frame's time: replaces the mouse's hands in `input` by those
-    // of the device, if one sees hands.
+    // Replaces the mouse's hands in `input` by those of the device, if it sees hands; once a tick, which lies
+    // ago_s before the frame's time.
     void tick(game::TickInput& input, float ago_s);
 
-    // Arms follow the elbows that the device sees. Not recorded: the picture alone has them.
+    // Sets the elbow directions that the device sees, for arms in the picture; they are not recorded.
     void showElbows(game::Snapshot& shown) const;
 
-    // Of the hands that the device sees now, viewer's frame; the others are not tracked.
+    // Returns the hands that the device sees now, viewer's frame; the others are not tracked.
     std::array<hands::HandPose, 2> seen() const;
 
-    // What its camera sees: true where there is a picture newer than `out`, which it replaces. Is to be
-    // called once a frame while the picture is shown.
+    // Replaces `out` if the device's camera has a newer picture, and returns whether it has. To be called
+    // once a frame while the picture is shown.
     bool look(ImageRgba8& out);
     bool hasCamera() const { return tracker_->preview() != nullptr; }
 
-    // Of the only hand that is seen, if that is open: from the camera to its palm, if it were of the rig's
-    // size, metres.
+    // Returns the distance from the camera to the palm of the only hand seen, if it is open, taken for one of
+    // the rig's size, metres.
     std::optional<float> openHand_m() const;
     void setHandSize(float size) { tracker_->setHandSize(size); }
 
-    // The player's next step, without which the device finds no hands; empty: there is none.
+    // Returns what the player has to do so that the device finds hands; empty: nothing.
     std::optional<game::Notice> needs() const;
-    // To be shown now: which device is used, or why not. Null: nothing.
+    // Returns the message to show now: the device in use, or why it is not. Null: none.
     const game::Notice* notice() const;
 
   private:
     void announce();
 
-    bool asked_; // for this device, not for whichever is there
+    bool asked_; // the player has chosen this device, not Auto
     std::unique_ptr<hands::HandTracker> tracker_;
     hands::DeviceHands hands_;
     hands::DeviceState state_;
-    hands::HandSourceSelector choice_;        // between its hands and the mouse's
-    std::optional<bool> announced_;           // that it is there, or that it is not
+    hands::HandSourceSelector choice_;        // chooses between its hands and the mouse's
+    std::optional<bool> announced_;           // last announcement: the device is there, or not
     std::array<glm::vec3, 2> towardsElbow_{}; // viewer's frame, eased to and from 0
     std::optional<game::Notice> announcement_;
     double played_s_ = 0, announcedAt_s_ = 0;
 };
 
-// Fails where the source is a clip that is not there.
+// Fails if the source is a clip that does not exist.
 Status checkHandSource(const HandSourceChoice& source);
 
 // Hands that a headset tracks, predicted for the display time of its next frame; see HeadsetDisplay.
@@ -135,7 +135,7 @@ class OpenXrSource {
 
 using HandSource = std::variant<MouseSource, game::ScriptRun, ReplaySource, OpenXrSource>;
 
-// A person plays, who may pause, start again and have a score.
+// Returns whether a person plays, who may pause, start again and have a score.
 inline bool playedByAPerson(const HandSource& source) {
     return std::holds_alternative<MouseSource>(source) || std::holds_alternative<OpenXrSource>(source);
 }

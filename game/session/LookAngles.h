@@ -1,4 +1,4 @@
-// Where a player looks who turns the view by hand: about the world's up, then up or down.
+// Direction of a view that the player turns by hand: yaw about the world's up, then pitch.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -11,7 +11,7 @@
 
 namespace shoal::app {
 
-constexpr float kDragTurn_rad = 0.0032f; // of the view, for a pixel that the mouse is dragged
+constexpr float kDragTurn_rad = 0.0032f; // turn of the view for a pixel that the mouse is dragged
 
 struct LookAngles {
     static constexpr float kPitchMax_rad = 1.45f;

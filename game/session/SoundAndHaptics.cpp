@@ -55,7 +55,7 @@ std::span<const audio::Sound> SoundAndHaptics::atVolume(std::span<const audio::S
 
 void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& events, float dt_s,
                             bool attended, double videoPosition_s) {
-    // Haptics first: a touch has the shortest latency that is noticed.
+    // Haptics come first: a touch has the shortest latency that is noticed.
     hapticFrame_ = hapticFeedback_.frame(shown, events, dt_s, attended ? hapticStrength_ : 0);
     if (haptics_) haptics_->submit(hapticFrame_);
     sounds_.listen(shown, events, dt_s);

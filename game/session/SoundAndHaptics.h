@@ -16,14 +16,14 @@ namespace shoal::app {
 
 class SoundAndHaptics {
   public:
-    // Without a sound device it is silent, which is logged.
-    // video: whose sound is played in step with it; empty: none.
+    // Opens sound and haptics. Without a sound device it is silent, which is logged. video: the file whose
+    // sound plays in step with the picture; empty: none.
     SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s);
-    SoundAndHaptics(const SoundAndHaptics&) = delete; // the audio knows where the track is
+    SoundAndHaptics(const SoundAndHaptics&) = delete; // the audio holds the track's address
     SoundAndHaptics& operator=(const SoundAndHaptics&) = delete;
 
-    // attended: false while another window has the focus, which stops all haptics.
-    // videoPosition_s: of the frame that is shown, since the video's first.
+    // Outputs a frame. attended: false while another window has the focus, which stops all haptics.
+    // videoPosition_s: time of the frame shown since the video's first.
     void frame(const game::Snapshot& shown, const game::Events& events, float dt_s, bool attended,
                double videoPosition_s);
     void setVolume(float volume) { // 0 to 1
@@ -47,7 +47,7 @@ class SoundAndHaptics {
     game::HapticFeedback hapticFeedback_;
     float hapticStrength_, effects_, videoSound_;
     std::vector<audio::Sound> emitters_, shots_; // scratch: the cues at their volume
-    std::optional<media::SoundTrack> track_;     // before the audio, which reads it
+    std::optional<media::SoundTrack> track_;     // declared before the audio, which reads it
     std::optional<audio::Audio> audio_;
     std::optional<haptics::HapticOutput> haptics_;
     haptics::HapticFrame hapticFrame_;

@@ -12,14 +12,14 @@
 
 namespace shoal::app {
 
-// Values in the order they came.
+// Values in the order of their arrival.
 class Series {
   public:
     Series() { values_.reserve(16384); }
     void add(double value) { values_.push_back(static_cast<float>(value)); }
     size_t count() const { return values_.size(); }
     std::span<const float> last(size_t n) const { return std::span(values_).last(std::min(n, count())); }
-    double quantile(double q) const; // 0 to 1; nearest rank; 0 when empty
+    double quantile(double q) const; // q: 0 to 1; nearest rank; 0 when empty
 
   private:
     std::vector<float> values_;
@@ -29,18 +29,18 @@ struct Statistics {
     std::string renderer;
     Series frame_ms;                       // without the first frame
     Series light_ms, decode_ms, upload_ms; // per frame of the video
-    // Of a live video: from the arrival of a frame's last byte until the picture that first shows it is
-    // drawn; and see LivePlayer::displayFrames().
+    // Latency of a live video, from the arrival of a frame's last byte until the picture that first shows it
+    // is drawn; and LivePlayer::displayFrames().
     Series liveLatency_ms, liveDisplayFrames;
     media::LiveCounts live;
-    float sim_ms = 0; // of the last frame, as these
+    float sim_ms = 0; // of the last frame, as draws and triangles
     int draws = 0, triangles = 0;
-    float minScale = 1; // of the picture's size that it was drawn at, see DynamicQuality.h
+    float minScale = 1; // least Quality::scale, see DynamicQuality.h
     int caught = 0, score = 0;
     uint64_t stateHash = 0, ticks = 0;
 };
 
-// For a person to read; one line, or two where there was a live video.
+// Prints the times for a person to read: one line, or two with a live video.
 void printTimes(const Statistics& statistics, bool live);
 
 Status writeStatistics(const Path& file, const Statistics& statistics);

@@ -14,12 +14,12 @@ namespace shoal::app {
 
 enum class Tone { Auto, Aces, Linear };
 
-// How bodies take light from each other and from themselves.
+// How bodies occlude each other and themselves.
 enum class Occlusion {
     Off,
     Ellipsoids,
-    Ollfb,       // of one body at rest: rays through its layered fragment buffers (engine/occlusion/Ollfb.h)
-    OllfbThesis, // as the thesis has them
+    Ollfb,       // one body at rest: rays through its layered fragment buffers (engine/occlusion/Ollfb.h)
+    OllfbThesis, // the same as the thesis does it
 };
 
 enum class StereoOutput { None, SideBySide };
@@ -30,7 +30,7 @@ enum class FilmChoice { Auto, Best, Small };
 enum class Skin { Light, Medium, Dark, Glove };
 enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
 enum class Handedness { Right, Left };
-enum class Closing { Hold, Toggle }; // of the hand, by a button
+enum class Closing { Hold, Toggle }; // how a button closes the hand
 enum class Turning { Smooth, Snap };
 enum class Posture { Auto, Seated, Standing }; // Auto: as the headset finds the player
 enum class CaptionSize { Small, Medium, Large };

@@ -8,12 +8,12 @@ namespace shoal::app {
 
 namespace {
 
-// Ranges up to this are shares or factors, which are shown as percent.
+// Numbers in ranges up to this are shares or factors, shown as percent.
 constexpr double kPercentRange = 3;
 
 double stepOf(const Setting::Range& range) { return range.high - range.low <= kPercentRange ? 0.05 : 5; }
 
-// Numbers lie on multiples of their step, or at an end.
+// Rounds a number to a multiple of its step, or to an end of its range.
 double rounded(double value, const Setting::Range& range) {
     const double step = stepOf(range);
     return std::clamp(std::round(value / step) * step, range.low, range.high);

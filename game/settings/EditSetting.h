@@ -1,17 +1,17 @@
-// Changing a setting in the game: what it shows, and what a step or a slider does to it.
+// Editing of a setting in the menus: its shown value, and the effect of a step or a slider.
 #pragma once
 
 #include "game/settings/Setting.h"
 
 namespace shoal::app {
 
-// In the language of the screen; numbers as percent where that says more.
+// Returns the value in the language of the screen; numbers as percent where that says more.
 std::string shownValue(const Setting& setting, game::Language language);
 
-// Of a number in its range, 0 to 1; empty: it is a choice.
+// Returns a number's place in its range, 0 to 1; empty: the setting is a choice.
 std::optional<float> sliderOf(const Setting& setting);
 
-// To the next value, or steps beyond; choices begin again at their end.
+// Moves to the next value, or by several steps; choices wrap around.
 void adjust(const Setting& setting, int steps);
 void slide(const Setting& setting, float fraction);
 

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::array kEndings = {".mp4",  ".mkv", ".webm", ".mov", ".jpg",
                                  ".jpeg", ".png", ".hdr",  ".exr", ".pfm"};
-constexpr size_t kMaxLooked = 5000; // entries of a folder
+constexpr size_t kMaxLooked = 5000; // entries read of each folder
 
 bool endsAsFilm(const Path& file) {
-    const bool depth = file.stem().extension() == ".depth"; // of the film that lies beside it
+    const bool depth = file.stem().extension() == ".depth"; // a depth track belongs to the film beside it
     return !depth && std::ranges::find(kEndings, extensionOf(file)) != kEndings.end();
 }
 

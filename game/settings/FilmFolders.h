@@ -9,8 +9,8 @@ namespace shoal::app {
 
 constexpr size_t kMaxFilms = 60;
 
-// Files in the folders for videos, pictures and downloads whose names end as those of films and photos that
-// can be opened, the newest first; folders in them are not searched. At most kMaxFilms.
+// Returns the files in the folders for videos, pictures and downloads whose names end as those of films and
+// photos that can be opened, newest first, at most kMaxFilms; subfolders are not searched.
 std::vector<Path> filmsAndPhotos();
 
 } // namespace shoal::app

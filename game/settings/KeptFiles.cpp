@@ -16,16 +16,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Path settingsFile() { return configFolder() / "settings.json"; }
-// An object of dive name to its scores, as {"top": [...], "last": ...}.
+// A JSON object of each dive's name to its scores, {"top": [...], "last": ...}.
 Path scoreFile() { return scoreFolder() / "scores.json"; }
 Path guideFile() { return scoreFolder() / "guide.json"; }
 
-// The object in a file; empty where there is no file.
+// Returns the JSON object in a file; an empty one if there is no file.
 Result<Json> readObject(const Path& file) {
     std::error_code code;
     if (!std::filesystem::exists(file, code)) return Json::object();
     const auto text = readText(file, 1u << 20);
-    // Deep nesting overflows the stack where it is written again.
+    // Deep nesting would overflow the stack when the file is written again.
     const bool bounded =
         text && exceededBound(*text, {.depth = 16, .values = 100'000, .objects = 10'000}).empty();
     auto json = bounded ? Json::parse(*text, nullptr, false) : Json();
@@ -33,13 +33,13 @@ Result<Json> readObject(const Path& file) {
     return json;
 }
 
-// Nothing where the entry is no score that a dive can have.
+// Returns the entry's score; empty if it is none that a dive can have.
 std::optional<int> scoreIn(const Json& entry) {
     constexpr int kMaxScore = 1'000'000;
     return entry.is_number() ? parseNumber(entry.dump(), -kMaxScore, kMaxScore) : std::nullopt;
 }
 
-// Of one dive.
+// Returns the scores of one dive.
 DiveScores scoresIn(const Json& entry) {
     DiveScores scores;
     const auto add = [&](const Json& score) {
@@ -56,7 +56,7 @@ DiveScores scoresIn(const Json& entry) {
     return scores;
 }
 
-// Sets one setting from its entry in the file. False: that does not fit.
+// Sets one setting from its entry in the file; returns false if it does not fit.
 struct ReadEntry {
     const Json& entry;
     const Setting& row;

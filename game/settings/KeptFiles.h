@@ -1,4 +1,4 @@
-// What a player keeps between games: settings, in $XDG_CONFIG_HOME/shoal/settings.json, which the command
+// Files that are kept between games: settings, in $XDG_CONFIG_HOME/shoal/settings.json, which the command
 // line overrides, and scores, in $XDG_DATA_HOME/shoal/scores.json. A file that cannot be used is left alone.
 #pragma once
 
@@ -11,25 +11,25 @@
 
 namespace shoal::app {
 
-// Sets what the file holds of the table's kept settings. Values of the wrong type or out of range, and names
-// that are no settings, are left in the file and named in one warning.
+// Sets the table's kept settings from the file. Values of the wrong type or out of range, and unknown names,
+// are left in the file and named in one warning.
 void loadSettings(const SettingsTable& table);
 
-// Writes one setting; all else that the file holds stays. The file is replaced as a whole or not at all.
+// Writes one setting; all else in the file stays. The file is replaced as a whole or not at all.
 Status saveSetting(const Setting& setting);
 
 struct DiveScores {
     static constexpr size_t kKept = 5;
     std::vector<int> top; // the best first, at most kKept
-    int last = 0;         // of the dive before; 0: none
+    int last = 0;         // score of the dive before; 0: none
 };
 
-// By the dive's name. Empty where there are none yet, or the file cannot be used (which is logged, and the
-// file left as it is).
+// Return the scores by the dive's name; empty if there are none yet or the file cannot be used (which is
+// logged, and the file left as it is).
 std::map<std::string, DiveScores> readAllScores();
 DiveScores readScores(const std::string& dive);
 
-// Written whole or not at all. Keeps the other dives' scores.
+// Adds a score; the file is replaced as a whole or not at all, and keeps the other dives' scores.
 Status addScore(const std::string& dive, int score);
 
 // Names of the species that the player has touched, in $XDG_DATA_HOME/shoal/guide.json.

@@ -8,7 +8,7 @@
 
 namespace shoal::app {
 
-// How mouse, keys and gamepad move the player.
+// Settings of mouse, keys and gamepad.
 struct ControlOptions {
     Handedness hand = Handedness::Right;
     float sensitivity = 1;
@@ -16,7 +16,7 @@ struct ControlOptions {
     Closing closing = Closing::Hold;
     float reachHelp = 1; // 0 to 1
     Turning turning = Turning::Smooth;
-    std::string bindings; // of keys and buttons, as Bindings::parse() reads them; empty: the defaults
+    std::string bindings; // keys and buttons as Bindings::parse() reads them; empty: the defaults
 
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
@@ -53,7 +53,7 @@ struct ControlOptions {
     }
 };
 
-// How text is written on the screen.
+// Settings of text on the screen.
 struct TextSettings {
     LanguageChoice language = LanguageChoice::Auto;
     float scale = 1;
@@ -83,24 +83,24 @@ inline constexpr const char* kFirstDive = "reef";
 
 struct PlayOptions {
     std::string dive;             // empty: kFirstDive
-    std::optional<uint64_t> seed; // empty: drawn for a dive in a window, else 1
-    std::string file;             // of the environment, whatever it holds
+    std::optional<uint64_t> seed; // empty: random for a dive in a window, else 1
+    std::string file;             // file of the environment, of any kind
     EnvironmentOptions environment;
     LookOptions look;
     HandOptions hands;
     Skin skin = Skin::Light;
     Start start = Start::Auto;
     ControlOptions controls;
-    bool firstSteps = true;          // before the next dive, which begins when they are over
-    float speed = 1;                 // of the game against the clock
+    bool firstSteps = true;          // first steps come before the next dive, which begins when they are over
+    float speed = 1;                 // game time over clock time
     Posture posture = Posture::Auto; // in a headset
-    bool reducedMotion = false;      // nothing moves but what the player and the animals move
+    bool reducedMotion = false;      // only the player and the animals move
     bool vignette = false;           // dark edges while the view turns
     TextSettings text;
     std::string record;
     StereoOutput stereo = StereoOutput::None;
     bool xr = false;          // in an OpenXR headset
-    bool passthrough = false; // in it: the player's own room in place of the film
+    bool passthrough = false; // in a headset: the player's own room in place of the film
     float fov_deg = 65;       // vertical
     float eyeDistance_mm = 64;
     bool fullscreen = false;
@@ -120,12 +120,12 @@ struct PlayOptions {
     bool headphones = false;
     float volume = 0.8f;
     float effects = 1;       // volume of all sounds but the video's, 0 to 1
-    float videoSound = 0.8f; // of the video's own sound, 0 to 1
+    float videoSound = 0.8f; // volume of the video's own sound, 0 to 1
     float hapticStrength = 1;
     WaterChoice water = WaterChoice::Auto;
     bool snow = true; // specks that drift in the water
     FilmChoice film = FilmChoice::Auto;
-    ShadowChoice shadows = ShadowChoice::On; // on what a film with distances shows
+    ShadowChoice shadows = ShadowChoice::On; // shadows on the surfaces of a film with distances
 
     void addTo(SettingsTable& table) {
         using enum SettingsPage;

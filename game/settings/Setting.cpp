@@ -4,7 +4,7 @@ namespace shoal::app {
 
 namespace {
 
-// Sets a vector of so many numbers with a character between them, or nothing.
+// Sets a vector from kCount numbers with a character between them, or changes nothing and returns false.
 template <int kCount, class Vector, class T>
 bool setVector(Vector& value, std::string_view text, char between, T low, T high) {
     glm::vec<kCount, T> read(0);

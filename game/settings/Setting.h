@@ -24,18 +24,18 @@ namespace shoal::app {
 
 enum class Category { General, Dive, Environment, Picture, Hands, Sound, Measuring };
 
-// Where a setting stands in the game's own settings.
+// The menu page that shows a setting.
 enum class SettingsPage { None, Hands, Comfort, Picture, Sound, Text };
 
-// A setting that is text: one of a few names, or of a notation of its own.
+// A setting that is text: one of a few names, or in a notation of its own.
 struct TextSetting {
-    std::function<bool(const std::string& text)> set; // false, and nothing changed: the text is malformed
-    std::string wants;                                // says what is well formed: "wants ..."
-    std::function<std::string()> get;                 // of a setting that is kept
-    std::vector<std::string> names{};                 // that may be set, if it is one of a few
+    std::function<bool(const std::string& text)> set; // false, and no change, if the text is malformed
+    std::string wants;                                // says what is accepted: "wants ..."
+    std::function<std::string()> get;                 // returns the value, for a kept setting
+    std::vector<std::string> names{};                 // all names, if it is one of a few
 };
 
-// values: those that may be set, empty: all of the enumeration.
+// Makes the setting of an enumeration. values: those allowed, empty: all.
 template <class E> TextSetting choice(E& value, const std::vector<E>& values = {}) {
     const auto& all = EnumNames<E>::kNames;
     std::vector<std::string> names;
@@ -64,16 +64,16 @@ struct Setting {
     Value value;
     std::string help; // with the unit, if there is one
     Category category = Category::General;
-    std::optional<Range> range{}; // of numbers
-    std::string placeholder{};    // in --help, for what follows the option
-    bool kept = false;            // in the settings file
+    std::optional<Range> range{}; // range of a number
+    std::string placeholder{};    // name of the option's value in --help
+    bool kept = false;            // kept in the settings file
     bool required = false;
-    bool personal = false; // of a person who plays: has no effect on a script or replay
+    bool personal = false;                        // applies to a person's dive, not to a script or replay
     std::vector<std::string> excludes{}, needs{}; // other options
-    // In the game's own settings; numbers are sliders there, so they need a range.
+    // On a menu page; numbers are sliders there, so they need a range.
     SettingsPage page = SettingsPage::None;
     std::optional<game::Text> label{};
-    std::vector<std::string> suggestions{}; // values that are offered there for a text of any other form
+    std::vector<std::string> suggestions{}; // values offered there for any other text
 
     Setting& between(double low, double high) { return range = {low, high}, *this; }
     Setting& takes(std::string what) { return placeholder = std::move(what), *this; }
@@ -85,10 +85,10 @@ struct Setting {
     Setting& offers(std::vector<std::string> some) { return suggestions = std::move(some), *this; }
     Setting& shownAs(SettingsPage where, game::Text words) { return page = where, label = words, *this; }
 
-    std::string key() const; // its name in the settings file: the option's, without dashes and "no"
+    std::string key() const; // name in the settings file: the option's, without dashes and "no"
 };
 
-// A number, or one that may be left out, within the row's range or what its type can hold.
+// Makes the setting of a number, or of an optional one, within the row's range or that of its type.
 template <class Value> TextSetting numberSetting(Value& value, const Setting& row) {
     using T = typename decltype(std::optional(value))::value_type;
     const T low = row.range ? static_cast<T>(row.range->low) : std::numeric_limits<T>::lowest();
@@ -103,12 +103,12 @@ template <class Value> TextSetting numberSetting(Value& value, const Setting& ro
 
 struct SettingsTable {
     std::vector<Setting> rows;
-    Category category = Category::General; // of the rows to come
+    Category category = Category::General; // category of the rows added next
 
     Setting& add(std::string option, Setting::Value value, std::string help) {
         return rows.emplace_back(Setting{std::move(option), std::move(value), std::move(help), category});
     }
-    // One that belongs in the settings file.
+    // Adds a setting that belongs in the settings file.
     Setting& addKept(std::string option, Setting::Value value, std::string help) {
         Setting& row = add(std::move(option), std::move(value), std::move(help));
         row.kept = true;
@@ -116,7 +116,7 @@ struct SettingsTable {
     }
 };
 
-// The table of a struct of options.
+// Returns the table of a struct of options.
 template <class Options> SettingsTable settingsOf(Options& options) {
     SettingsTable table;
     options.addTo(table);

@@ -15,10 +15,10 @@ struct EnvironmentOptions {
     std::string video, photo, env; // at most one; empty: the dive's own video
     media::Layout layout = media::Layout::Auto;
     light::FrameRadiance light = light::FrameRadiance::Auto;
-    bool depth = true;    // where a track of distances lies beside the video
+    bool depth = true;    // use the depth track beside the video, if there is one
     float envYaw_deg = 0; // column u of the environment appears (u - 0.5) * 360 + this to the right of -Z
 
-    bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); } // the dive's
+    bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); } // the dive's video
 
     void addTo(SettingsTable& table) {
         table.category = Category::Environment;
@@ -92,7 +92,7 @@ struct LookOptions {
     }
 };
 
-// Which source of hands a session listens to.
+// A session's source of hands.
 struct HandSourceChoice {
     HandSourceKind kind = HandSourceKind::Mouse;
     std::string argument; // a webcam's number or clip, a script's or a replay's file; may be empty
@@ -101,7 +101,7 @@ struct HandSourceChoice {
 struct HandOptions {
     std::string source; // "KIND" or "KIND:ARGUMENT"; empty: auto in a window, else mouse
     hands::LeapOptions leap;
-    float size = 1; // of the player's hands, in times of the rig's
+    float size = 1; // size of the player's hands relative to the rig's
 
     void addTo(SettingsTable& table) {
         table.category = Category::Hands;
@@ -124,7 +124,7 @@ struct HandOptions {
             "--leap-mount", choice(leap.mount),
             "desk: the device lies on the desk and looks up; head: it is on a headset and looks ahead");
     }
-    void addLeapTo(SettingsTable& table) { // where a tracking service listens, for `shoal devices` too
+    void addLeapTo(SettingsTable& table) { // address of the tracking service, for `shoal devices` too
         table
             .addKept("--leap", addressSetting(leap.host, leap.port),
                      "Address of the Leap / Ultraleap tracking service; 127.0.0.1:6437 if not given")

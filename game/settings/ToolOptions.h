@@ -21,8 +21,8 @@ struct ViewOptions {
     int samples = 4;                 // for anti-aliasing
     Background background = Background::Environment;
     std::string animation; // NAME@SECONDS
-    std::string variant;   // of the model's materials; empty: as it is
-    float at_s = 0;        // of the video
+    std::string variant;   // material variant of the model; empty: the default
+    float at_s = 0;        // time of the video
     std::string out;
     bool headless = false;
 

@@ -1,4 +1,4 @@
-// What animals are called on the screen, by their names in content/species.toml.
+// The animals' names on the screen, by their names in content/species.toml.
 #pragma once
 
 #include "game/texts/Texts.h"
@@ -32,7 +32,7 @@ inline constexpr auto kAnimals = std::to_array<AnimalRow>({
     {"whale", {"whale", "Wal", "baleine"}, {"whales", "Wale", "baleines"}},
 });
 
-// Species without a row are called as they are.
+// Returns the animal's name; a species without a row keeps its own.
 inline std::string animalName(std::string_view species, int count, Language language) {
     const auto row = std::ranges::find(kAnimals, species, &AnimalRow::species);
     if (row == kAnimals.end()) return std::string(species);

@@ -1,4 +1,4 @@
-// Everything that the game writes on the screen, in each of its languages. The English text is the key, as in
+// All texts that the game writes on the screen, in each of its languages. The English text is the key, as in
 // gettext; a key that has no row here does not compile. Command line, log and error messages stay English.
 #pragma once
 
@@ -15,7 +15,7 @@ struct TextRow {
     const char *english, *german, *french;
 };
 
-// "{}" is a number or a name that is put in there.
+// "{}" stands for a number or a name.
 inline constexpr auto kTexts = std::to_array<TextRow>({
     // Screens
     {"Dive", "Tauchen", "Plonger"},
@@ -436,7 +436,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"The wreck", "Das Wrack", "L’épave"},
 });
 
-// Row of a text; kTexts.size(): it has none.
+// Returns the row of a text; kTexts.size(): it has none.
 constexpr size_t findText(std::string_view english) {
     size_t row = 0;
     while (row < kTexts.size() && english != kTexts[row].english) ++row;
@@ -449,7 +449,7 @@ constexpr const char* textIn(const TextRow& row, Language language) {
                                           : row.english;
 }
 
-// A text that has a row, by its English words.
+// A text with a row, by its English words.
 class Text {
   public:
     consteval Text(const char* english) : row_(findText(english)) { (void)kTexts.at(row_); }
@@ -460,7 +460,7 @@ class Text {
     size_t row_;
 };
 
-// One sentence to the player: a text, and what is put into it. There is no other way to write one.
+// One sentence to the player: a text, and the value put into it. There is no other way to write one.
 struct Notice {
     Text text;
     std::string value{}; // a name, a number or a file, in place of "{}"
@@ -473,13 +473,13 @@ struct Notice {
     bool operator==(const Notice&) const = default;
 };
 
-// For names that come from files and tables; those without a row stay as they are.
+// Translates a name from a file or table; one without a row stays as it is.
 inline std::string_view translated(std::string_view english, Language language) {
     const size_t row = findText(english);
     return row < kTexts.size() ? textIn(kTexts[row], language) : english;
 }
 
-// locale: as in LC_ALL, LC_MESSAGES and LANG: "de_AT.UTF-8". English for languages that are not spoken here.
+// Returns the language of a locale such as "de_AT.UTF-8" in LC_ALL; English for all but the game's.
 constexpr Language languageOf(std::string_view locale) {
     if (locale.starts_with("de")) return Language::German;
     if (locale.starts_with("fr")) return Language::French;

@@ -17,13 +17,13 @@ namespace shoal::app {
 
 namespace {
 
-using Verdict = Result<std::string>; // what it is, or why it is not usable
+using Verdict = Result<std::string>; // the kind of file, or why it is not usable
 
 std::string counted(size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-// Nothing of it would be seen, whatever its textures hold.
+// Returns whether the material is invisible whatever its textures hold.
 bool isTransparent(const scene::Material& material) {
     return (material.alphaMode == scene::AlphaMode::Blend && material.baseColourLin.a <= 0) ||
            (material.alphaMode == scene::AlphaMode::Mask && material.baseColourLin.a < material.alphaCutoff);
@@ -45,7 +45,7 @@ Verdict checkModel(const Path& file) {
            (seen || triangles == 0 ? "" : "; all of it is wholly transparent: nothing will be seen");
 }
 
-// Dives, playthroughs and the species table are all TOML; their tables tell which is meant.
+// Checks a TOML file: its tables tell a dive, a playthrough or the species table.
 Verdict checkToml(const Path& file) {
     auto text = readText(file);
     if (!text) return text.error();

@@ -1,4 +1,4 @@
-// shoal devices: what hands, haptic devices and sound outputs there are; --test makes them pulse and sound.
+// shoal devices: lists hands, haptic devices and sound outputs; --test makes them pulse and sound.
 #include "game/tools/Commands.h"
 
 #include "engine/audio/Audio.h"
@@ -26,7 +26,7 @@ double secondsSince(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
-// Lets the haptic devices feel a frame for a while, at its own pace.
+// Sends the haptic devices a frame for a while, at their own pace.
 void feel(haptics::HapticDevices& hapticDevices, const haptics::HapticFrame& frame, Clock::time_point began,
           double for_s) {
     const Clock::time_point start = Clock::now();
@@ -35,7 +35,7 @@ void feel(haptics::HapticDevices& hapticDevices, const haptics::HapticFrame& fra
             std::chrono::duration<double>(std::min(left_s, hapticDevices.step(frame, secondsSince(began)))));
 }
 
-// Each actuator in turn, by its name, first low and then high; then the body.
+// Pulses each actuator in turn, by its name, first low and then high; then the body.
 void pulseEach(haptics::HapticDevices& hapticDevices, Clock::time_point began) {
     constexpr double kPulse_s = 0.2, kPause_s = 0.15;
     for (size_t i = 0; i <= haptics::kActuatorCount; ++i) {
@@ -64,7 +64,7 @@ void haptic(bool test) {
     if (test && hapticDevices.ready() > 0) pulseEach(hapticDevices, began);
 }
 
-// Their names only: to open one would turn it on.
+// Lists the cameras by name only: opening one would turn it on.
 void listCameras(const char* prefix, const char* none) {
     const auto cameras = media::listCameras();
     for (const media::CameraListed& camera : cameras)
@@ -101,7 +101,7 @@ void listHandSources(const HandOptions& options) {
     if (!rig) return;
     const auto leap = hands::makeLeapTracker(options.leap, *rig);
     hands::HandFrame frame;
-    leap->stream().take(frame, std::chrono::milliseconds(500)); // a service that is there answers at once
+    leap->stream().take(frame, std::chrono::milliseconds(500)); // a running service answers at once
     const hands::DeviceState state = leap->stream().state();
     std::printf("  leap: %s%s\n", state.present ? "ready, " : "", state.description.c_str());
     listCameras("webcam", "webcam: none plugged in");

@@ -1,4 +1,4 @@
-// shoal light: writes what lights the objects in an environment, for other engines and for measuring.
+// shoal light: writes the light of an environment, for other engines and for measuring.
 #include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-// A photo's pixels, or the video's frame at that time.
+// Reads a photo's pixels, or the video's frame at that time.
 Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
     auto picture = media::readPicture(file);
     bgr = false;
@@ -65,8 +65,8 @@ template <class F> void fill(ImageRgbF& map, F&& radianceIn) {
         }
 }
 
-// Replaces what the thesis has methods of its own for. Levels narrower than a texel of the pyramid stay the
-// pyramid's own.
+// Replaces the maps for which the thesis has methods of its own. Levels narrower than a texel of the pyramid
+// stay the pyramid's.
 void makeAsTheThesis(light::EnvironmentLight& made) {
     light::BruteForceDiffuse().make(made.radiance, made.diffuse);
     for (light::GlossyLevel& level : made.glossy)
@@ -87,7 +87,7 @@ std::string harmonics(const light::EnvironmentLight& made) {
     return json.dump(2) + "\n";
 }
 
-// By its roughness, with two digits, or as many as tell it from its smoother neighbour.
+// Returns a level's name: its roughness with two digits, or as many as tell it from the level before.
 std::string glossyName(const std::vector<light::GlossyLevel>& levels, size_t k) {
     const auto name = [&](size_t level, int digits) {
         return fmt::format("glossy_{:.{}f}", levels[level].roughness, digits);
@@ -106,7 +106,7 @@ Status writeAll(const LightOptions& options, const light::EnvironmentLight& made
         files.push_back({name, std::move(*bytes)});
         return Done{};
     };
-    ImageRgbF small(64, 32); // as the thesis has it: what engines take
+    ImageRgbF small(64, 32); // size of the thesis' map, which engines take
     fill(small, [&](const glm::dvec3& direction) { return light::lookUp(made.diffuse, direction); });
     if (Status s = put("diffuse", small); !s) return s;
     for (size_t k = 0; k < made.glossy.size(); ++k)

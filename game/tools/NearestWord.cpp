@@ -7,7 +7,7 @@ namespace shoal::app {
 
 int editDistance(std::string_view a, std::string_view b) {
     const size_t columns = b.size() + 1;
-    std::vector<int> distances((a.size() + 1) * columns); // of each beginning of a to each beginning of b
+    std::vector<int> distances((a.size() + 1) * columns); // distance of each prefix of a to each prefix of b
     const auto at = [&](size_t i, size_t j) -> int& { return distances[i * columns + j]; };
     for (size_t i = 0; i <= a.size(); ++i) at(i, 0) = static_cast<int>(i);
     for (size_t j = 0; j <= b.size(); ++j) at(0, j) = static_cast<int>(j);
@@ -22,7 +22,7 @@ int editDistance(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearestWord(std::string_view given, std::span<const std::string> known) {
-    constexpr size_t kLongest = 64; // of what may be a mistyped word
+    constexpr size_t kLongest = 64; // longest word that may be mistyped
     constexpr int kMaxDistance = 2;
     if (given.size() > kLongest) return {};
     std::string_view nearest;

@@ -7,15 +7,15 @@
 
 namespace shoal::app {
 
-// Insertions, deletions, substitutions and swaps of neighbouring letters that lead from one word to the
-// other, no letter edited twice: the restricted Damerau-Levenshtein distance.
+// Returns the restricted Damerau-Levenshtein distance: the insertions, deletions, substitutions and swaps of
+// neighbouring letters from one word to the other, no letter edited twice.
 int editDistance(std::string_view a, std::string_view b);
 
-// The known word at the smallest distance: at most 2, and less than half of the given word's letters, so that
-// not every short word is near. Empty: there is none.
+// Returns the known word at the smallest distance: at most 2, and less than half of the given word's letters,
+// so that not every short word is near. Empty: there is none.
 std::string_view nearestWord(std::string_view given, std::span<const std::string> known);
 
-// "; did you mean NAME?", or nothing.
+// Returns "; did you mean NAME?", or nothing.
 std::string didYouMean(std::string_view given, std::span<const std::string> known);
 
 } // namespace shoal::app

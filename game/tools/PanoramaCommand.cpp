@@ -24,7 +24,7 @@ Result<std::string> convert(const PanoramaOptions& options, Result<Picture> phot
 }
 
 Result<std::string> makePanorama(const PanoramaOptions& options) {
-    // Before the work, which takes seconds.
+    // Outputs are checked before the work, which takes seconds.
     if (media::writtenAs(options.out) == media::WrittenAs::Nothing)
         return Error{options.out, "is of no kind that can be written; use .png or .jpg, or .hdr, .exr or "
                                   ".pfm for a high dynamic range photo"};

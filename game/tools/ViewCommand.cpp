@@ -1,4 +1,4 @@
-// shoal view: any glTF model in any surroundings, as a picture or in a window to turn it in.
+// shoal view: shows any glTF model in any environment, as a picture or in a window with a turning camera.
 #include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
@@ -27,14 +27,14 @@ namespace shoal::app {
 
 namespace {
 
-constexpr int kSupersampling = 2; // each way, for pictures written to a file, on top of multisampling
+constexpr int kSupersampling = 2; // each way, on top of multisampling, for pictures written to a file
 
 struct Clip {
     int animation = -1;
     float time_s = 0;
 };
 
-// "NAME@SECONDS"; the name alone means its start.
+// Parses "NAME@SECONDS"; the name alone means its start.
 Result<Clip> findClip(const scene::Model& model, const std::string& text, const std::string& file) {
     if (text.empty()) return Clip{};
     const size_t at = text.rfind('@');
@@ -57,13 +57,13 @@ Result<Clip> findClip(const scene::Model& model, const std::string& text, const 
 
 struct Orbit {
     glm::vec3 target{0};
-    float theta = 0, phi = 1.5708f; // radians; around from +Z towards +X, and from straight up
+    float theta = 0, phi = 1.5708f; // radians; theta from +Z towards +X, phi from straight up
     float radius = 1;               // metres
-    float modelRadius = 1;          // of a sphere around the target that holds the model
+    float modelRadius = 1;          // radius of a sphere around the target that holds the model
 
     render::View view(float verticalFov, float aspect) const {
         const glm::vec3 back(std::sin(phi) * std::sin(theta), std::cos(phi), std::sin(phi) * std::cos(theta));
-        const glm::vec3 right(std::cos(theta), 0, -std::sin(theta)); // level, also straight above the target
+        const glm::vec3 right(std::cos(theta), 0, -std::sin(theta)); // level, even straight above the target
         render::View view;
         view.eyeWorld = target + radius * back;
         view.worldFromEye = glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
@@ -96,17 +96,17 @@ class Viewer {
     }
 
     const ViewOptions& options_;
-    std::optional<platform::Headless> headless_; // the context first: it dies last
+    std::optional<platform::Headless> headless_; // before all that uses its context, and so destroyed last
     std::optional<platform::Window> window_;
     scene::Model model_;
     scene::Pose pose_;
     Clip clip_;
     render::ModelGpu gpu_;
-    render::BodyOccluders body_; // without parts: alone in the world
+    render::BodyOccluders body_; // no parts: alone in the world
     std::unique_ptr<Environment> environment_;
     std::unique_ptr<render::BackgroundPass> background_;
     std::optional<render::ObjectPass> objects_;
-    std::optional<occlusion::LayersGpu> layers_; // of the pose, if it is still
+    std::optional<occlusion::LayersGpu> layers_; // layers of the pose while it is still
     bool withLayers_ = true;
     Orbit orbit_;
 };
@@ -126,7 +126,7 @@ void Viewer::uploadMorphed() {
     }
 }
 
-// Layered fragment buffers of the posed model.
+// Makes the layered fragment buffers of the posed model.
 Status Viewer::seeLayers() {
     const scene::Surface surface = scene::posedSurface(model_, pose_);
     const std::vector<uint32_t>& corners = surface.opaque;
@@ -142,7 +142,7 @@ Status Viewer::seeLayers() {
     return Done{};
 }
 
-// Puts the camera where the options ask for, or so that the model fits into the picture.
+// Puts the camera where the options say, or so that the model fits into the picture.
 void Viewer::aim() {
     const scene::Bounds bounds = scene::posedBounds(model_, pose_);
     const glm::vec3 middle = (bounds.low + bounds.high) * 0.5f;
@@ -153,7 +153,7 @@ void Viewer::aim() {
     orbit_.theta = glm::radians(orbit.x);
     orbit_.phi = glm::radians(orbit.y);
     const float fits = orbit_.modelRadius / std::sin(glm::radians(options_.fov_deg) / 2) * 1.05f;
-    // Radius 0, when asked for, puts the camera onto the target, as far as a direction can still be told.
+    // Radius 0 puts the camera onto the target, as near as a direction can still be told.
     orbit_.radius = options_.orbit ? std::max(orbit.z, 1e-5f) : fits;
 }
 
@@ -235,7 +235,7 @@ Status Viewer::draw(const gl::Target& target) {
     return objects_->draw(picture, {}, options_.look.glossy);
 }
 
-// Half the size each way, by a filter two pixels wide that falls off towards its ends, as path tracers' pixel
+// Halves width and height by a filter two pixels wide that falls off towards its ends, as path tracers' pixel
 // filters do: less jagged than a box. Alpha is made straight again.
 ImageRgba8 reduced(const ImageRgba8& large) {
     static_assert(kSupersampling == 2);
@@ -274,7 +274,7 @@ Status Viewer::writePicture() {
     return media::writePng(options_.out, reduced(target.read()));
 }
 
-// Layers take up to a second to build, so a body that moves is shown without them.
+// Rebuilds the layers for a still pose. They take up to a second, so a moving body is shown without.
 Status Viewer::followPose(bool moving) {
     if (!wantsLayers() || (!moving && layers_)) return Done{};
     const std::string title = "Shoal: " + options_.model;
@@ -291,13 +291,13 @@ Status Viewer::followPose(bool moving) {
 
 Status Viewer::showWindow() {
     gl::Target target;
-    bool turned = true; // since the picture was drawn
+    bool turned = true; // the camera has turned since the last picture
     double clipStart = glfwGetTime();
     bool moving = !options_.animation.empty() || !model_.animations.empty();
     if (clip_.animation < 0 && !model_.animations.empty()) clip_.animation = 0;
     for (;;) {
         const platform::WindowInput& input = window_->poll();
-        // Not whether it is down now: it may have been pressed and released since the last frame.
+        // Presses and not held keys count: a key may be pressed and released between two frames.
         if (input.closing || std::ranges::count(input.keysPressed, GLFW_KEY_ESCAPE)) return Done{};
         for (const int key : input.keysPressed) {
             if (key == GLFW_KEY_SPACE) moving = !moving;
@@ -327,7 +327,7 @@ Status Viewer::showWindow() {
             const bool resized = target.width() != size.x || target.height() != size.y;
             if (resized) target = gl::Target(size.x, size.y, options_.samples);
             const bool turns = input.leftButton || input.rightButton || input.wheel != 0;
-            // Rays take a software renderer seconds a picture: it draws them once the camera rests.
+            // A software renderer takes seconds for a picture's rays: it draws them once the camera rests.
             withLayers_ = !(turns && gl::rendersInSoftware());
             if (turns || turned || moving || relit || resized || !input.keysPressed.empty())
                 if (Status drawn = draw(target); !drawn) return drawn;
@@ -341,7 +341,7 @@ Status Viewer::showWindow() {
 } // namespace
 
 Status view(const ViewOptions& options) {
-    if (!options.out.empty()) { // before the work
+    if (!options.out.empty()) { // outputs are checked before the work
         if (media::writtenAs(options.out) != media::WrittenAs::Png)
             return Error{options.out, "pictures are PNG files; let the name end in .png"};
         if (Status possible = checkOutputs(std::array{NamedFile{"--out", options.out}}); !possible)

@@ -18,9 +18,9 @@ namespace {
 // Western European letters, punctuation, and the arrows of captions and menus.
 constexpr ImWchar kRanges[] = {0x20,   0x17F,  0x2010, 0x203A, 0x20AC, 0x20AC, 0x2190, 0x2193,
                                0x25A0, 0x25CF, 0x2605, 0x2606, 0x2713, 0x2713, 0};
-constexpr float kMinPixels = 11; // below, letters run into one another
+constexpr float kMinPixels = 11; // letters smaller than this run into one another
 
-// The file that fontconfig has for DejaVu Sans, or what it has instead; empty: none.
+// Returns the file of DejaVu Sans, or of fontconfig's substitute; empty: none.
 std::string findFont() {
     std::string file;
     FcPattern* wanted = FcNameParse(reinterpret_cast<const FcChar8*>("DejaVu Sans:style=Book:scalable=true"));
@@ -45,7 +45,7 @@ void Fonts::fit(float line_px) {
         pixels[i] = std::max(std::round(line_px * kTextScale[i]), kMinPixels);
     if (pixels == pixels_ && fonts_[0]) return;
     pixels_ = pixels;
-    static const std::string kFile = findFont(); // of the machine; does not change
+    static const std::string kFile = findFont(); // the machine's; does not change
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     for (size_t i = 0; i < pixels.size(); ++i) {
@@ -60,7 +60,7 @@ void Fonts::fit(float line_px) {
     if (kFile.empty()) log::warn("no font is installed; text is drawn with a small built-in one");
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
-    atlas.ClearTexData(); // on the graphics side from now on
+    atlas.ClearTexData(); // the GPU has a copy
 }
 
 } // namespace shoal::app

@@ -1,4 +1,4 @@
-// Fonts of the user interface: each text size is rasterised at just the pixels it is shown with.
+// Fonts of the user interface: each text size is rasterised at exactly the pixels it is shown with.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@ namespace shoal::app {
 
 enum class TextSize { Small, Body, Heading, Display };
 
-// Heights in lines: of the text size Body.
+// Text heights, in multiples of Body.
 inline constexpr std::array kTextScale = {0.82f, 1.0f, 1.5f, 2.6f};
 
 class Fonts {
   public:
-    // Needs the ImGui context that it belongs to, with its OpenGL backend. Rasterises anew only if the line's
-    // height has changed, in whole pixels.
+    // Rasterises the fonts for a line height, if it has changed in whole pixels. Needs the owning ImGui
+    // context with its OpenGL backend.
     void fit(float line_px);
 
     bool ready() const { return fonts_[0] != nullptr; }

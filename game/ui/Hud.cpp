@@ -20,7 +20,7 @@ using namespace colour;
 
 void drawScore(const Pen& pen, const HudInfo& info) {
     const game::Snapshot& s = *info.snapshot;
-    if (s.freeSwim) return; // nobody counts
+    if (s.freeSwim) return; // no score in free swim
     const float margin = pen.line;
     const Rectangle score =
         pen.label(margin, margin * 0.7f, 0, TextSize::Heading, kWhite, std::to_string(s.score));
@@ -37,7 +37,7 @@ void drawScore(const Pen& pen, const HudInfo& info) {
               fmt::format("{}:{:02}", left / 60, left % 60));
 }
 
-// The place on the screen, pixels; false behind the viewer.
+// Projects a place in the world to pixels; false behind the viewer.
 bool project(const Pen& pen, const render::View& view, const glm::vec3& world, ImVec2& out) {
     const glm::vec4 clip = view.clipFromWorld() * glm::vec4(world, 1);
     if (clip.w <= 0.01f) return false;
@@ -60,9 +60,9 @@ void drawHold(const Pen& pen, const HudInfo& info) {
     }
 }
 
-// Darkness from the edges inwards, as strong as the view turns.
+// Darkens the edges, the more the faster the view turns.
 void drawVignette(const Pen& pen, float turning_radps) {
-    constexpr float kFull_radps = 1.2f, kWidth = 0.3f; // of the picture's size
+    constexpr float kFull_radps = 1.2f, kWidth = 0.3f; // share of the picture's size
     const float strength = std::min(turning_radps / kFull_radps, 1.0f);
     if (strength < 0.02f) return;
     const uint32_t dark = IM_COL32(0, 6, 10, static_cast<int>(235 * strength)), none = IM_COL32(0, 6, 10, 0);
@@ -88,9 +88,9 @@ void drawPopups(const Pen& pen, const HudInfo& info) {
     }
 }
 
-// What sounds, and from where: an arrow leads to what the eye does not see.
+// Draws captions of sounds; an arrow points to a sound that is out of view.
 void drawCaptions(const Pen& pen, const HudInfo& info) {
-    // Captions have sizes of their own among those that are rasterised.
+    // Captions use the size nearest to theirs among those rasterised.
     const TextSize size = info.text.captionScale > 1.2f   ? TextSize::Heading
                           : info.text.captionScale < 0.9f ? TextSize::Small
                                                           : TextSize::Body;
@@ -111,7 +111,7 @@ void drawCaptions(const Pen& pen, const HudInfo& info) {
 constexpr ImGuiWindowFlags kPanelFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs;
 
-// What a hand tracker's camera sees, at the lower left.
+// Draws a hand tracker's camera image at the lower left.
 void drawCamera(const Pen& pen, const Pictures::Picture& camera) {
     const float scale = std::min(1.0f, pen.size.y / 3 / camera.size.y);
     ImGui::SetNextWindowPos(ImVec2(12, pen.size.y - 12), ImGuiCond_Always, ImVec2(0, 1));
@@ -126,7 +126,7 @@ void drawCamera(const Pen& pen, const Pictures::Picture& camera) {
 void drawTimes(const Pen& pen, const HudInfo& info) {
     const Statistics& statistics = *info.statistics;
     const Environment& environment = *info.environment;
-    // At the right, where no menu stands.
+    // At the right, beside the menus.
     const ImVec2 corner(ImGui::GetIO().DisplaySize.x - 12, 110);
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 0));
     ImGui::SetNextWindowBgAlpha(0.85f);
@@ -194,12 +194,12 @@ Pen Hud::beginFrame(Audience audience, bool hasText, const TextOptions& text, gl
     ImGui::SetCurrentContext(context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(size.x), static_cast<float>(size.y));
-    io.DeltaTime = 1.0f / 60; // nothing here moves by itself
-    // Lines of text that would fill the picture; a headset shows fewer pixels.
+    io.DeltaTime = 1.0f / 60; // ImGui animates nothing here
+    // Lines of text that fill the picture; a headset shows fewer pixels.
     const float lines = audience == Audience::HeadsetPlayer ? 22 : 30;
     const float height = static_cast<float>(std::min(size.y, size.x * 9 / 16)) / lines * text.scale;
     float line = std::round(std::clamp(height, 11.0f, 90.0f));
-    // In a headset's session the window shows the panel's fonts: two sizes would be rasterised in turns.
+    // The onlookers' window uses the panel's fonts: two sizes would be rasterised in turns.
     if (audience == Audience::Onlooker && fonts_.ready())
         line = fonts_.pixels(TextSize::Body);
     else if (hasText || !fonts_.ready())

@@ -1,5 +1,5 @@
-// Head-up display: score, time, progress of a hold, captions and the developer's panel (F1), with the overlay
-// of the program's state among them. The thread of the OpenGL context only.
+// Head-up display: score, time, progress of a hold, captions, the menu pages and the developer's panel (F1).
+// Only on the thread of the OpenGL context.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -24,7 +24,7 @@ struct ImGuiContext;
 
 namespace shoal::app {
 
-// How text is written; as the player has set it.
+// The player's settings of text.
 struct TextOptions {
     game::Language language = game::Language::English;
     float scale = 1;        // of all text
@@ -32,28 +32,28 @@ struct TextOptions {
     bool highContrast = false;
 };
 
-// In a headset text hangs on a panel of its own, and what marks a thing in the world is drawn where that is.
+// Part to draw. In a headset the text is on a panel, and marks are at their things in the world.
 enum class HudPart { All, Panel, Marks };
 
 struct HudInfo {
     HudPart part = HudPart::All;
     Audience audience = Audience::WindowPlayer;
     const game::Snapshot* snapshot = nullptr;
-    const render::View* view = nullptr; // for what stands at a place in the world
+    const render::View* view = nullptr; // for marks at places in the world
     std::span<const game::Caption> captions;
     std::span<const Popup> popups;
-    std::span<const std::string> goals;      // of the dive; empty while they are not shown
-    bool inDive = true;                      // score, time and captions are shown
-    std::function<void(const Pen&)> overlay; // of the program's state; may be empty
+    std::span<const std::string> goals;      // lines on the dive's goals; empty while they are not shown
+    bool inDive = true;                      // shows score, time and captions
+    std::function<void(const Pen&)> overlay; // draws the menu pages or the tutorial; may be empty
     TextOptions text;
-    float vignette = 0;              // of comfort: how fast the view turns, radians a second; 0: none
-    std::optional<glm::vec2> finger; // that points at a menu, pixels
+    float vignette = 0; // turning speed of the view for the dark edges, radians a second; 0: none
+    std::optional<glm::vec2> finger; // place where a finger points at a menu, pixels
     bool showTimes = false;
     const Statistics* statistics = nullptr;
     Quality quality;
-    std::span<const gl::PassTimers::Time> passes; // what the graphics side took for each
+    std::span<const gl::PassTimers::Time> passes; // GPU time of each pass
     const Environment* environment = nullptr;
-    const Pictures::Picture* camera = nullptr; // of a hand tracker, to be shown; null: not
+    const Pictures::Picture* camera = nullptr; // image of a hand tracker's camera to show; null: none
     const game::Notice* notice = nullptr;      // null: none
     float volume = 0;
     bool showVolume = false;
@@ -64,11 +64,11 @@ class Hud {
     // Needs a current GL context.
     static Result<Hud> make();
 
-    // Over the bound framebuffer, which is `size` pixels large.
+    // Draws over the bound framebuffer of `size` pixels.
     void draw(const HudInfo& info, glm::ivec2 size);
-    // One line and nothing else.
+    // Draws one line and nothing else.
     void drawNotice(const game::Notice& notice, const TextOptions& text, glm::ivec2 size);
-    // While things are loaded; progress: 0 to 1.
+    // Draws the loading screen; progress: 0 to 1.
     void drawLoading(float progress, const TextOptions& text, glm::ivec2 size);
 
   private:

@@ -8,14 +8,14 @@ namespace shoal::app {
 
 namespace {
 
-// All in lines of text.
+// Sizes in lines of text.
 constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 0.5f;
 constexpr float kWidth = 28, kSideWidth = 15, kPicture = 11;
 constexpr float kTextStep = 2;
 constexpr float kTrackWidth = 6, kValueWidth = 10;
-constexpr int kMinRows = 3; // in sight beside a long text
+constexpr int kMinRows = 3; // rows in sight beside a long text
 
-// At the right edge of `room`, which shows a part of something `height` high.
+// Draws a scroll bar at the right edge of `room`, which shows a part of content `height` high.
 void drawScrollBar(const Pen& pen, const Rectangle& room, float height, float scroll) {
     const float shown = room.high.y - room.low.y;
     if (height <= shown + 1) return;
@@ -34,7 +34,7 @@ void Menu::show(MenuPage page, size_t focus) {
     areas_.clear();
     focus_ = focus;
     if (focus_ >= page_.items.size() || !page_.items[focus_].enabled) {
-        focus_ = page_.items.size() - 1; // the step that follows leads to the first
+        focus_ = page_.items.size() - 1; // the next step leads to the first
         moveFocus(1);
     }
 }
@@ -54,7 +54,7 @@ void Menu::moveFocus(int steps) {
         }
 }
 
-// The focus goes along, because what has it is kept in sight.
+// Moves the focus too, as its item is kept in sight.
 void Menu::scrollBy(float pixels) {
     scroll_ = std::clamp(scroll_ + pixels, 0.0f, maxScroll());
     for (size_t tries = 0; tries < areas_.size() && !areaOf(focus_); ++tries) moveFocus(pixels > 0 ? 1 : -1);
@@ -100,7 +100,7 @@ std::optional<MenuEvent> Menu::point(const MenuInput& input) {
             sliding_ = i;
             return point({.pointer = pointer_, .held = true});
         }
-        // A click on a choice takes the next one; on the arrow to its left, the one before.
+        // A click on a choice takes the next value, or the one before if it hits the arrow to the left.
         const bool before = pointer_.x >= track.low.x - line_ && pointer_.x < track.low.x + 2 * line_;
         return MenuEvent{MenuEvent::Kind::Adjust, i, before ? -1 : 1};
     }
@@ -149,7 +149,7 @@ void Menu::place(const Pen& pen) {
     if (focus_ < page_.items.size() && !page_.items[focus_].picture.empty())
         picture_ = page_.items[focus_].picture;
     const float margin = kMargin * line_;
-    // A headset's panel is narrow, and stands free in the view.
+    // A headset's panel is narrow and free-standing, so its pages are centred.
     const bool side = page_.layout == PageLayout::Side && pen.audience != Audience::HeadsetPlayer;
     const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
     const float inner = width - 2 * margin;
@@ -183,7 +183,7 @@ void Menu::place(const Pen& pen) {
         const float y = list_.low.y + kRow * line_ * static_cast<float>(i);
         areas_[i] = {{left + 0.4f * margin, y}, {left + width - 0.4f * margin, y + kRow * line_}};
     }
-    // The focused item is in sight.
+    // Keeps the focused item in sight.
     if (!areas_.empty() && rows > list_.high.y - list_.low.y) {
         const Rectangle& focused = areas_[focus_];
         scroll_ = std::max(scroll_, focused.high.y - list_.high.y);
@@ -222,7 +222,7 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
         pen.text(track.low.x, y, 0, TextSize::Body, colour::kGold, "\u2039");
         pen.text(track.high.x, y, 1, TextSize::Body, colour::kGold, "\u203a");
     }
-    // In the middle of its place; what is longer grows to the left.
+    // The value is centred in its place; a longer one grows to the left.
     const float half = pen.extent(item.value, TextSize::Body).x / 2;
     pen.text(std::min((track.low.x + track.high.x) / 2, area->high.x - 0.5f * line_ - half), y, 0.5f,
              TextSize::Body, ink, item.value);

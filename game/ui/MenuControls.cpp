@@ -10,7 +10,7 @@ namespace shoal::app {
 namespace {
 
 constexpr float kRepeatFirst_s = 0.4f, kRepeat_s = 0.09f;
-constexpr float kStick = 0.6f; // of its way: a step
+constexpr float kStick = 0.6f; // share of the stick's range that counts as a step
 
 struct DirectionKey {
     int key, button;
@@ -47,8 +47,7 @@ void FingerPoke::step(const Pointing& finger, float dt_s) {
     if (!pointing_) mean_m_ = finger.forward_m;
     pointing_ = true;
     const float forward_m = finger.forward_m - mean_m_;
-    // A press is where the finger pointed before it moved, and goes on there: one that pokes does not go
-    // straight.
+    // A press counts where the finger pointed before it moved, as a poking finger does not move straight.
     if (forward_m < kRelease_m || finger.pulls) steady_ = finger.at;
     if (!held_) at_ = finger.at;
     if (!held_ && (forward_m > kPress_m || (finger.pulls && !pulled_))) {
@@ -76,7 +75,7 @@ MenuInput MenuControls::step(const platform::WindowInput* input, const platform:
         held = glm::clamp(held, -1, 1);
         if (held != held_) {
             repeat_s_ = kRepeatFirst_s;
-            if (steps == glm::ivec2(0) && held_ == glm::ivec2(0)) steps = held; // by the stick
+            if (steps == glm::ivec2(0) && held_ == glm::ivec2(0)) steps = held; // the stick's first step
         } else if (held != glm::ivec2(0) && (repeat_s_ -= dt_s) <= 0) {
             repeat_s_ = kRepeat_s;
             steps += held;

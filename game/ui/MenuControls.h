@@ -1,4 +1,4 @@
-// Turns what the player does with mouse, keys, gamepad or a fingertip into input for a menu. Main thread.
+// Makes menu input of mouse, keys, gamepad or a fingertip. Main thread.
 #pragma once
 
 #include "engine/platform/Window.h"
@@ -12,22 +12,22 @@ namespace shoal::app {
 // The picture that menus are drawn on.
 struct MenuSurface {
     glm::vec2 size{1}; // pixels
-    int eyes = 1;      // how many such pictures stand side by side in the window
-    bool mouse = true; // the window's pointer points at it
+    int eyes = 1;      // number of such pictures side by side in the window
+    bool mouse = true; // the mouse's pointer acts on it
 };
 
-// Where a hand's fingertip is before that picture.
+// A hand's fingertip in front of that picture.
 struct Pointing {
     bool points = false;
     glm::vec2 at{0.5f};  // 0 to 1 from the picture's upper left
-    float forward_m = 0; // towards the picture, from anywhere that stays
-    bool pulls = false;  // a controller's trigger, which presses too
+    float forward_m = 0; // distance towards the picture from any fixed place
+    bool pulls = false;  // a controller's trigger is pulled, which presses too
 };
-// Of a picture that fills the view. tanHalf: tangents of half its angles.
+// Returns the pointing for a picture that fills the view. tanHalf: tangents of half its angles.
 Pointing pointingInView(const hands::HandPose& hand, glm::vec2 tanHalf);
 
-// A fingertip that moves forward by a few centimetres presses what it points at. A slow mean of its distance
-// is what "forward" is measured from, so that it works wherever the hand is held.
+// Detects presses: a fingertip that moves forward by a few centimetres presses at its place. "Forward" is
+// relative to a slow mean of its distance, so that it works wherever the hand is held.
 class FingerPoke {
   public:
     void step(const Pointing& finger, float dt_s);
@@ -43,26 +43,26 @@ class FingerPoke {
   private:
     bool pointing_ = false, pressed_ = false, held_ = false, pulled_ = false;
     float mean_m_ = 0;
-    glm::vec2 at_{0}, steady_{0}; // steady: before it moved forward
+    glm::vec2 at_{0}, steady_{0}; // steady: place before it moved forward
 };
 
 class MenuControls {
   public:
-    // input: null without a window. fingers: of the left and the right hand.
+    // Returns a frame's menu input. input: null without a window. fingers: of the left and the right hand.
     MenuInput step(const platform::WindowInput* input, const platform::Window* window,
                    const std::array<Pointing, 2>& fingers, const MenuSurface& surface, float dt_s);
 
-    // Where a finger points, to be shown; empty: no hand points.
+    // Returns the place of the finger's mark; empty: no hand points.
     std::optional<glm::vec2> finger() const { return finger_; }
 
-    // After keys, gamepad or mouse fingers rest for so long: a tracker may see the hand that uses these.
+    // Time for which fingers are ignored after other input: a tracker may see the hand that gives it.
     static constexpr float kFingersRest_s = 2;
 
   private:
-    glm::ivec2 held_{0}; // direction that keys or stick hold: +x right, +y down
-    float repeat_s_ = 0; // until it counts again
+    glm::ivec2 held_{0}; // direction held by keys or stick: +x right, +y down
+    float repeat_s_ = 0; // seconds until it counts again
     std::array<FingerPoke, 2> pokes_;
-    float fingersRest_s_ = 0; // left
+    float fingersRest_s_ = 0; // seconds left
     std::optional<glm::vec2> finger_;
 };
 

@@ -23,7 +23,7 @@ glm::vec2 Pen::extent(std::string_view text, TextSize textSize, float width) con
 void Pen::text(float x, float y, float anchor, TextSize textSize, uint32_t colour,
                std::string_view text) const {
     x -= extent(text, textSize).x * anchor;
-    // On whole pixels, where the font's texels are shown as they were rasterised.
+    // Text lies on whole pixels, where the font's texels are shown as rasterised.
     list->AddText(fonts->at(textSize), fonts->pixels(textSize), ImVec2(std::round(x), std::round(y)), colour,
                   text.data(), text.data() + text.size());
 }
@@ -38,7 +38,7 @@ float Pen::paragraph(float x, float y, float width, TextSize textSize, uint32_t 
 Rectangle Pen::label(float x, float y, float anchor, TextSize textSize, uint32_t colour,
                      std::string_view content) const {
     const glm::vec2 margin(line * 0.5f, line * 0.18f);
-    // Stays on the picture.
+    // The label stays within the picture.
     const float widest = size.x - 2 * margin.x;
     glm::vec2 extents = extent(content, textSize);
     const bool isWide = extents.x > widest;

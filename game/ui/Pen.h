@@ -14,16 +14,16 @@ struct ImDrawList;
 
 namespace shoal::app {
 
-// Who reads what is drawn.
+// Reader of what is drawn.
 enum class Audience {
-    WindowPlayer,  // has mouse and keys
-    GamepadPlayer, // the same, and has used the gamepad last
-    HeadsetPlayer, // has hands only
-    Onlooker       // looks at the window while somebody plays in a headset, and may use its keys
+    WindowPlayer,  // uses mouse and keys
+    GamepadPlayer, // the same, but used the gamepad last
+    HeadsetPlayer, // uses hands only
+    Onlooker       // watches the window of a headset's player, and may use its keys
 };
 
 // Display colours, 0xAABBGGRR. Gold and orange are of Okabe and Ito's palette, which the colour-blind tell
-// apart. White and grey text on a panel over a white sky keep a contrast of 4.5 to 1 and more (MenuTest).
+// apart. White and grey text on a panel over a white sky has a contrast of at least 4.5 to 1 (MenuTest).
 namespace colour {
 inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFC8C4BC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
                           kPanel = 0xD82A1A06, kSolid = 0xFF000000, kFocus = 0xFF6B4A1C, kTrack = 0xFF4F3A22;
@@ -39,31 +39,31 @@ struct Rectangle { // pixels from the upper left
 struct Pen {
     ImDrawList* list;
     const Fonts* fonts;
-    glm::vec2 size; // of the picture, pixels
+    glm::vec2 size; // picture's size, pixels
     float line;     // height of a line of text of size Body, pixels
     Audience audience = Audience::WindowPlayer;
     game::Language language = game::Language::English;
-    bool highContrast = false; // panels are black and let nothing through
+    bool highContrast = false; // panels are opaque black
     Pictures* pictures = nullptr;
-    const Pictures::Picture* camera = nullptr; // what a hand tracker's camera sees; null: nothing to show
+    const Pictures::Picture* camera = nullptr; // image of a hand tracker's camera; null: none
 
     const char* in(game::Text text) const { return text.in(language); }
 
-    // width: where lines are broken, pixels; 0: they are not.
+    // Returns the size of a text, pixels. width: where lines are broken; 0: nowhere.
     glm::vec2 extent(std::string_view text, TextSize size, float width = 0) const; // pixels
-    // anchor: which part of the text is at x: 0 left, 0.5 centre, 1 right. Text that stands on no panel has a
-    // shadow, which alone does not make it readable.
+    // Draws one line. anchor: the part of the text at x: 0 left, 0.5 centre, 1 right. Text without a panel
+    // has a shadow, which alone does not make it readable.
     void text(float x, float y, float anchor, TextSize size, uint32_t colour, std::string_view text) const;
-    // Lines broken at width; returns the height, pixels.
+    // Draws lines broken at width; returns their height, pixels.
     float paragraph(float x, float y, float width, TextSize size, uint32_t colour,
                     std::string_view text) const;
-    // Text on a small panel of its own, in lines where the picture is too narrow for one; y: of the text's
-    // upper edge. Returns the panel.
+    // Draws text on a small panel, in several lines if the picture is too narrow for one; y: the text's upper
+    // edge. Returns the panel.
     Rectangle label(float x, float y, float anchor, TextSize size, uint32_t colour,
                     std::string_view text) const;
     void panel(const Rectangle& area) const;
     void fill(const Rectangle& area, uint32_t colour, float rounding_px = 0) const;
-    // As large as fits, in the middle.
+    // Draws the picture as large as fits, in the middle of the area.
     void picture(const Rectangle& area, const Pictures::Picture& shown) const;
 };
 

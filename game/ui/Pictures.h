@@ -1,4 +1,4 @@
-// Pictures that pages show, as textures: animals of the field guide, dives.
+// Pictures of menu pages as textures: animals of the field guide, dives.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -13,8 +13,8 @@
 
 namespace shoal::app {
 
-// A PNG with its alpha, not premultiplied, or a JPEG; of the program's own. By stb_image: readPicture() would
-// load OpenCV's codecs (engine/media/Codecs.h), and drops alpha.
+// Reads a PNG, with its alpha not premultiplied, or a JPEG of the program's own. By stb_image: readPicture()
+// would load OpenCV's codecs (engine/media/Codecs.h), and drops alpha.
 Result<ImageRgba8> readSmallPicture(const Path& file);
 
 class Pictures {
@@ -23,9 +23,9 @@ class Pictures {
         gl::Texture texture; // empty: there is no such picture
         glm::vec2 size{0};   // pixels
 
-        void show(const ImageRgba8& image); // instead of what it was
+        void show(const ImageRgba8& image); // replaces the texture's image
     };
-    // file: in content; read when it is first asked for. Needs the OpenGL context.
+    // Returns a picture, read when it is first asked for. file: below content/. Needs the OpenGL context.
     const Picture& get(const std::string& file);
 
   private:

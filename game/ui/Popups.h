@@ -1,4 +1,4 @@
-// Points that rise where a fish was counted: "+25 snapper".
+// Points that rise where a fish was caught: "+25 snapper".
 #pragma once
 
 #include "game/rules/DiveFile.h"
@@ -23,7 +23,7 @@ class Popups {
     static constexpr float kStay_s = 1.6f;
 
     Popups() { shown_.reserve(8); }
-    // event: a Catch. species: outlives the popup.
+    // Adds a Catch. species: must outlive the popup.
     void add(const game::Event& event, const game::SpeciesTable& species) {
         if (event.species < 0 || !event.position || shown_.size() == shown_.capacity()) return;
         shown_.push_back({event.points, event.combo, species[static_cast<size_t>(event.species)].name,

@@ -9,9 +9,9 @@
 namespace shoal::app {
 
 namespace {
-constexpr size_t kEachTime = 4; // animals: 35 have their turn every ninth picture
+constexpr size_t kEachTime = 4; // animals looked up each time: 35 take nine pictures
 constexpr float kFollow_s = 0.25f;
-constexpr float kJump_m = 0.5f; // from picture to picture: it is another animal, or another dive
+constexpr float kJump_m = 0.5f; // movement between two pictures that means another animal or dive
 } // namespace
 
 void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightBeside* light,

@@ -1,5 +1,5 @@
-// What light the animals have beyond that of the camera's place, from the rock near them: followed for each
-// animal over time. The rendering thread.
+// Light that rock near the animals adds to the light at the camera's place, followed for each animal over
+// time. Only on the rendering thread.
 #pragma once
 
 #include "engine/depth/LightBeside.h"
@@ -13,13 +13,13 @@ namespace shoal::app {
 
 class AnimalLight {
   public:
-    // Once for each picture; null: a film whose distances are not known. A few animals are looked at anew
-    // each time, by turns, and all follow what was found with a time constant of 0.25 s. Allocates nothing
-    // once it has grown.
+    // Updates the light of all animals, once for each picture. Each call looks up a few animals in turn, and
+    // all follow their last look-up with a time constant of 0.25 s. light: null for a film without distances.
+    // Allocates nothing once it has grown.
     void follow(const game::Snapshot& snapshot, const depth::LightBeside* light,
                 const glm::mat3& envFromWorld);
 
-    // By place in Snapshot::creatures. Null: the camera's light alone.
+    // Returns the light by index in Snapshot::creatures; null: only the camera's light.
     const depth::LightHarmonics* of(size_t creature) const {
         return creature < animals_.size() ? &animals_[creature].now : nullptr;
     }
@@ -30,7 +30,7 @@ class AnimalLight {
         depth::LightHarmonics found{}, now{};
     };
     std::vector<Animal> animals_;
-    size_t next_ = 0; // whose turn it is
+    size_t next_ = 0; // index of the next animal to look up
     double time_s_ = 0;
 };
 

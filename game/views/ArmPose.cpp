@@ -11,37 +11,37 @@ namespace shoal::app {
 
 namespace {
 
-// Of the right shoulder from the eyes, yawed frame (+x right, +y up, +z behind), metres: of a person of 1.75
-// m.
+// Position of the right shoulder from the eyes, yawed frame (+x right, +y up, +z behind), metres: for a
+// person of 1.75 m.
 constexpr glm::vec3 kShoulder{0.21f, -0.29f, 0.06f};
-// So far behind the plane through the eyes, and aside of where they look, the shoulder stays at least.
+// The shoulder's least distances behind the plane through the eyes, and from the line of sight.
 constexpr float kBehindEyes_m = 0.03f, kAside_m = 0.33f;
-// Where an elbow that hangs loosely points, the right one, same frame: down, outwards and back.
+// Direction in which a loosely hanging right elbow points, same frame: down, outwards and back.
 constexpr glm::vec3 kElbowHint{0.60f, -0.72f, 0.35f};
-// The same in the arm's own frame, of the model at rest: arms.py's POINT.
+// The same direction in the model's arm at rest: arms.py's POINT.
 constexpr glm::vec3 kElbowAtRest{0.6f, -0.8f, 0};
 
 glm::vec3 ofSide(hands::Side side, const glm::vec3& right) {
     return side == hands::Side::Left ? glm::vec3(-right.x, right.y, right.z) : right;
 }
 
-// About the world's up; ahead stays ahead as it is seen from above, even for a head that looks up or down.
+// Returns the yaw about the world's up; ahead stays ahead as seen from above, however the head tilts.
 glm::quat yawOf(const glm::quat& worldFromView) {
     const glm::vec3 ahead = worldFromView * glm::vec3(0, 0, -1), up = worldFromView * glm::vec3(0, 1, 0);
     const glm::vec3 level = ahead - up * ahead.y; // the up of a head that looks down is ahead of it
     return glm::angleAxis(std::atan2(-level.x, -level.z), glm::vec3(0, 1, 0));
 }
 
-// The direction of v's part at right angles to the axis, which may be none (0); of `otherwise` where that is
-// as good as nothing.
+// Returns the direction of v's part at right angles to the axis, which may be 0; of otherwise's part if v has
+// none.
 glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& otherwise) {
     glm::vec3 part = v - axis * glm::dot(v, axis);
     if (glm::dot(part, part) < 1e-6f) part = otherwise - axis * glm::dot(otherwise, axis);
     return glm::normalize(part);
 }
 
-// Of the elbow off the unit vector `back`, unit. One that is given counts unless it is as good as on that
-// line, where its direction is noise.
+// Returns the direction of the elbow off the unit vector `back`, unit. A given direction counts unless it
+// lies close to that line, where it is noise.
 glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::vec3& back,
                      const glm::vec3& aside) {
     constexpr float kNone = 0.05f, kFull = 0.2f; // sines: 3 and 12 degrees
@@ -51,7 +51,7 @@ glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::v
     return trust > 0 ? across(glm::mix(loose, across(given, back, loose), trust), back, loose) : loose;
 }
 
-// Z along `axis`, and what points along kElbowAtRest of this side points along `point`, at right angles to
+// Returns the rotation that takes +Z to `axis` and kElbowAtRest of this side to `point`, at right angles to
 // it.
 glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& point) {
     const glm::vec3 rest = ofSide(side, kElbowAtRest);
@@ -60,7 +60,7 @@ glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& poin
     return glm::normalize(glm::quat_cast(to * glm::transpose(from)));
 }
 
-// The shortest turn from one unit vector to another (Lengyel 2011, "Mathematics for 3D Game Programming").
+// Returns the shortest turn between unit vectors (Lengyel 2011, "Mathematics for 3D Game Programming").
 glm::quat swing(const glm::vec3& from, const glm::vec3& to) {
     const float cosine = glm::dot(from, to);
     if (cosine < -0.9999f) return glm::angleAxis(glm::pi<float>(), across({0, 1, 0}, from, {1, 0, 0}));
@@ -84,8 +84,7 @@ ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& he
     const glm::quat yaw = yawOf(head.worldFromView);
     const glm::vec3 hint = yaw * ofSide(side, kElbowHint), aside = yaw * ofSide(side, {1, 0, 0});
     const glm::vec3 apart = shoulder - wrist;
-    // A wrist at the shoulder or nearer to it than the bones differ: the elbow is put where it would just
-    // reach.
+    // For a wrist nearer to the shoulder than the bones differ, the elbow goes where it would just reach.
     const float distance = std::max(glm::length(apart), kUpperArm_m - kForearm_m + 1e-3f);
     const glm::vec3 back = across(apart, glm::vec3(0), yaw * glm::vec3(0, 0, 1));
     const glm::vec3 point = elbowPoint(hint, towardsElbow, back, aside);
@@ -97,10 +96,10 @@ ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& he
     const glm::vec3 elbow = wrist + along * back + std::sqrt(fore * fore - along * along) * point;
 
     const glm::vec3 foreAxis = (elbow - wrist) / fore, upperAxis = (wrist + distance * back - elbow) / upper;
-    const glm::vec3 hinge = glm::cross(back, point); // of the elbow, at right angles to both bones
+    const glm::vec3 hinge = glm::cross(back, point); // the elbow's axis, at right angles to both bones
     const glm::quat forearm = frameOf(side, foreAxis, glm::cross(hinge, foreAxis));
     const glm::quat upperArm = frameOf(side, upperAxis, glm::cross(hinge, upperAxis));
-    // The hand's own turn, with the bend of the wrist taken out; half of its twist is the forearm's middle's.
+    // The hand's rotation without the bend of the wrist; the middle of the forearm takes half of its twist.
     const glm::quat hand = wristWorld.orientation;
     const glm::quat end = swing(hand * glm::vec3(0, 0, 1), foreAxis) * hand;
     const auto at = [](const glm::vec3& place, const glm::quat& turn) {

@@ -16,12 +16,12 @@ namespace {
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
 constexpr std::array kHandModels = {"models/hand_left.glb", "models/hand_right.glb"};
 constexpr std::array kArmModels = {"models/arm_left.glb", "models/arm_right.glb"};
-constexpr float kArmMargin = 1.3f; // of an arm's bounding spheres, whose flesh a bend or stretch moves
+constexpr float kArmMargin = 1.3f; // factor on an arm's bounding spheres: a bend moves its flesh
 constexpr float kMinSwing =
-    0.01f; // of the tail in an animation, body lengths: below, there is no wave to scale
+    0.01f; // swing of the tail in a clip, body lengths: below, there is no wave to scale
 constexpr float kMaxScale = 2.5f; // of the wave: more would fold the body
 
-// The clip's time for this phase: clips loop.
+// Returns the clip's time at this phase: clips loop.
 float clipTime(const scene::Animation& clip, float phase_s) {
     if (clip.duration_s <= 0) return 0;
     const float wrapped = std::fmod(phase_s, clip.duration_s);
@@ -81,7 +81,7 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
 }
 
 void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail) {
-    // Where detail is lean, materials are drawn at their means.
+    // Lean detail draws materials at their means.
     const scene::Gloss gloss = scene::minGloss(instance.model);
     minRoughness_ =
         std::min(minRoughness_, detail == render::Detail::Lean ? gloss.meanRoughness : gloss.minRoughness);
@@ -89,7 +89,7 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
     const bool shared = std::ranges::equal(instance.model.images, lastImages_, same);
     instance.gpu = render::uploadModel(instance.model, reflectance, detail, shared ? lastTextures_ : nullptr);
-    lastImages_ = std::move(instance.model.images); // in OpenGL's memory from now on
+    lastImages_ = std::move(instance.model.images); // OpenGL has a copy
     lastTextures_ = instance.gpu.textures;
     instance.model.images.clear();
     for (scene::Mesh& mesh : instance.model.meshes) mesh.primitives.clear();
@@ -113,7 +113,7 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
             {content / kHandModels[side], &models.hands_[side], handVariant, hands::kJointNames, true});
     for (size_t side = 0; side < 2; ++side)
         requests.push_back({content / kArmModels[side], &models.arms_[side], {}, kArmJointNames, false});
-    // Each is read while the one before it is uploaded; not all at once, to save memory.
+    // Each model is read while the one before it is uploaded; not all at once, to save memory.
     const auto read = [&](size_t i) {
         return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });
     };
@@ -131,8 +131,8 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
     return models;
 }
 
-// The animation moves fins and jaws in its own time. The spine's wave is the animation's too, but in the time
-// of the tail beat and with the snapshot's amplitude; the bend is added.
+// Poses a creature. The animation moves fins and jaws in its own time. The spine's wave is the animation's
+// too, but at the tail beat's time and with the snapshot's amplitude; then the bend is added.
 void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& instance) {
     const game::BodyShape& shape = creature.shape;
     scene::restPose(instance.model, instance.pose);
@@ -178,7 +178,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                                                         glm::mat4_cast(creature.worldFromBody),
                                                     glm::vec3(creature.length / instance.length_m));
         scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
-        // No fin extends farther from the middle than this, however the body bends.
+        // No fin reaches farther from the middle than this, however the body bends.
         pass.add({.model = instance.model,
                   .gpu = instance.gpu,
                   .pose = instance.pose,

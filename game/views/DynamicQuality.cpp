@@ -7,10 +7,10 @@ namespace shoal::app {
 
 namespace {
 
-constexpr double kStep = 0.94;   // of the width, for each step: an eighth of the pixels
+constexpr double kStep = 0.94;   // factor on the width for each step: an eighth of the pixels
 constexpr int kScaleSteps = 11;  // 0.94^11 = 0.506
-constexpr double kFull = 0.95;   // of the budget: above, a step down
-constexpr double kRoom = 0.78;   // below: a step up, which costs at most an eighth, would still fit
+constexpr double kFull = 0.95;   // share of the budget above which quality takes a step down
+constexpr double kRoom = 0.78;   // share below which a step up, which costs at most an eighth, would fit
 constexpr int kMaxPatience = 64; // windows: a quarter of a minute at 60 frames a second
 
 } // namespace
@@ -28,13 +28,13 @@ void DynamicQuality::frame(double work_ms) {
     constexpr int kSteps = kScaleSteps + kMaxLightEvery - 1;
     calm_ = room ? calm_ + 1 : 0;
     if (slow && step_ < kSteps) {
-        if (roseLast_) patience_ = std::min(2 * patience_, kMaxPatience); // that was too early
-        // Far over, several steps at once: nobody wants to wait for a second of stutter to end.
+        if (roseLast_) patience_ = std::min(2 * patience_, kMaxPatience); // the step up was too early
+        // Far over the budget it takes several steps at once, to end the stutter soon.
         const int steps = mean > 2 * budget_ms_ ? 4 : mean > 1.3 * budget_ms_ ? 2 : 1;
         step_ = std::min(step_ + steps, kSteps);
         roseLast_ = false;
     } else if (step_ > 0 && calm_ >= patience_) {
-        if (roseLast_) patience_ = std::max(patience_ / 2, 8); // the last one held
+        if (roseLast_) patience_ = std::max(patience_ / 2, 8); // the last step up held
         --step_;
         roseLast_ = true;
         calm_ = 0;

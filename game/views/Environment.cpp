@@ -15,7 +15,7 @@ namespace shoal::app {
 
 namespace {
 
-// All that is drawn is lit by the left eye's picture: the eyes' light differs by less than its own error.
+// Returns the left eye's picture, which lights all: the eyes' light differs by less than its own error.
 light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bgr) {
     const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
@@ -98,7 +98,7 @@ Status Environment::openVideo(const std::string& name) {
     return Done{};
 }
 
-// Read, and grown where it is no environment yet, on a thread of its own while the screen says how far it is.
+// Reads a photo, and grows it unless it is an environment, on a thread beside the loading screen.
 Result<ImageRgb8> Environment::readPhoto(const Path& file, bool grow) const {
     std::atomic<float> share = 0;
     auto reading = std::async(std::launch::async, [&]() -> Result<ImageRgb8> {
@@ -116,7 +116,7 @@ Result<ImageRgb8> Environment::readPhoto(const Path& file, bool grow) const {
 
 Status Environment::openPhoto(const Path& file) {
     media::Layout layout = setup_.options.layout;
-    const bool grow = layout == media::Layout::Auto; // with a layout, somebody says that it is an environment
+    const bool grow = layout == media::Layout::Auto; // a given layout says that it is an environment
     auto picture = readPhoto(file, grow);
     if (!picture) return picture.error();
     if (layout == media::Layout::Auto) layout = media::layoutOf(*picture);
@@ -158,7 +158,7 @@ void Environment::prepareFor(light::LightQuality quality, size_t slots) {
     depths_.resize(slots);
 }
 
-// Of a film without a track, or with one that is of no use, no depth is known.
+// Opens the film's depth track; without one, or with a broken one, no depth is known.
 void Environment::openDepth(const Path& film) {
     const Path file = media::depthTrackOf(film);
     std::error_code missing;
@@ -167,7 +167,7 @@ void Environment::openDepth(const Path& film) {
         log::warn("{}; the film is shown without depth", s.error().message());
 }
 
-// On the decode thread.
+// Refines the depth of a frame; on the decode thread.
 void Environment::prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye) {
     const int number = depthTrack_->frameAt(frame.time_s);
     if (number != trackFrameNumber_ && depthTrack_->read(number, trackFrame_)) trackFrameNumber_ = number;
@@ -179,7 +179,7 @@ void Environment::prepareDepth(const media::VideoFrame& frame, const light::Fram
     depth.light.make(found_[frame.slot].radianceLin, depth.map);
 }
 
-// On the decode thread.
+// Analyses a frame; on the decode thread.
 void Environment::prepare(const media::VideoFrame& frame) {
     const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
     analysis_->analyse(leftEye, found_[frame.slot]);
@@ -210,7 +210,7 @@ bool Environment::updateLive(double time_s) {
     return show(frame, time_s);
 }
 
-// False: the frame is shown already.
+// Returns false if the frame is shown already.
 bool Environment::show(const media::VideoFrame& frame, double time_s) {
     follow(found_[frame.slot], time_s);
     if (frame.index == shownFrame_) return false;
@@ -229,7 +229,7 @@ void Environment::setLayout(media::Layout layout) {
     twoPictures_ = setup_.bothEyes && layout != media::Layout::Mono;
 }
 
-// With every picture and not only with new frames: smoother than the video.
+// Runs for every picture and not only new frames: smoother than the video.
 void Environment::follow(const FrameFindings& now, double time_s) {
     const AnalysisOptions& wanted = setup_.analysis;
     const auto dt_s = static_cast<float>(time_s - lastUpdate_s_);
@@ -264,7 +264,7 @@ void Environment::uploadLight(const FrameFindings& now) {
 }
 
 glm::mat3 Environment::envFromWorld() const {
-    // About +Y, positive angles turn towards the left: what lies yaw to the right comes ahead.
+    // Positive angles about +Y turn to the left: a direction yaw to the right comes ahead.
     return glm::mat3_cast(glm::angleAxis(yaw_, glm::vec3(0, 1, 0)));
 }
 

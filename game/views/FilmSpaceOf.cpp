@@ -16,12 +16,12 @@ namespace {
 using game::FilmSpace;
 
 constexpr double kSteps_Hz = 4;
-constexpr int kBelieved = media::kMaxDepthCode / 2; // confidence; below, nothing is known to be there
+constexpr int kBelieved = media::kMaxDepthCode / 2; // confidence below which a distance is ignored
 
-// Which cell each texel of the track lies in. Without the C library's trigonometry: the rules hash the grid.
+// Returns the cell of each texel of the track. Without the C library's trigonometry: the rules hash the grid.
 std::vector<int> cellsOf(int width, int height, float yaw) {
     constexpr float kPi = std::numbers::pi_v<float>;
-    std::vector<glm::vec2> ahead; // of each column: towards +X and -Z
+    std::vector<glm::vec2> ahead; // direction of each column: towards +X and -Z
     for (int x = 0; x < width; ++x) {
         const float right = kPi * (static_cast<float>(2 * x + 1) / static_cast<float>(width) - 1) + yaw;
         ahead.emplace_back(math::sine(right), math::cosine(right));
@@ -55,7 +55,7 @@ std::shared_ptr<const FilmSpace> filmSpaceOf(const Path& film, float yaw) {
     std::error_code missing;
     if (!std::filesystem::exists(file, missing)) return nullptr;
     auto track = media::DepthTrack::open(file, film);
-    if (!track) return nullptr; // who shows the film says so
+    if (!track) return nullptr; // the film's player says why
     const media::DepthTrackInfo& info = track->info();
     const int steps =
         std::clamp(static_cast<int>(std::ceil(info.duration_s * kSteps_Hz)), 1, FilmSpace::kMaxSteps);

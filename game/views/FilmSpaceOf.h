@@ -1,4 +1,4 @@
-// The grid of distances that the rules read, made from the depth track beside a film.
+// Makes the rules' grid of distances from the depth track beside a film.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -8,9 +8,9 @@
 
 namespace shoal::app {
 
-// yaw: of the environment about the player, radians to the right. Null where there is no track, or none that
-// can be read (a warning says why). Opens the track for itself: who shows the film reads it on another thread,
-// at another time. A few hundred frames are decoded: half a second.
+// Returns the grid; null without a track, or with one that cannot be read (a warning says why). yaw: of the
+// environment about the player, radians to the right. Opens the track for itself, as the film's player reads
+// it on another thread at another time. Decodes a few hundred frames, in half a second.
 std::shared_ptr<const game::FilmSpace> filmSpaceOf(const Path& film, float yaw);
 
 } // namespace shoal::app

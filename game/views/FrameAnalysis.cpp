@@ -11,9 +11,9 @@ namespace {
 constexpr int kVideoLightWidth = 512;
 constexpr int kStillLightWidth = 4096;
 
-constexpr int kBesideWidth = 64;         // maximum, of the map that light beside the camera is made from
-constexpr int kSmoothWidth = 32;         // maximum, of the map that the light for occlusion is made from
-constexpr int kCameraResponseEvery = 24; // frames: a camera hardly changes
+constexpr int kBesideWidth = 64;         // greatest width of the map for light beside the camera
+constexpr int kSmoothWidth = 32;         // greatest width of the map for light in occlusion
+constexpr int kCameraResponseEvery = 24; // frames between estimates: a camera hardly changes
 
 } // namespace
 
@@ -29,7 +29,7 @@ FrameAnalysis::FrameAnalysis(const AnalysisOptions& options)
     if (options.cameraResponse) cameraResponse_.emplace();
 }
 
-// What made_ holds. The map of roughness 1 is the diffuse map too.
+// Packs made_ into out. The map of roughness 1 is the diffuse map too.
 void FrameAnalysis::pack(light::TooBright tooBright, FrameFindings& out) {
     if (thesisDiffuse_) {
         thesisDiffuse_->make(made_.radiance, made_.diffuse);

@@ -1,5 +1,5 @@
 // Analysis of the environment's frames: light maps, water, light sources and camera response. Runs on the
-// thread that decodes them.
+// decode thread.
 #pragma once
 
 #include "engine/camera/EstimateCameraResponse.h"
@@ -20,7 +20,7 @@ namespace shoal::app {
 struct FrameFindings {
     light::PackedLight light;
     occlusion::SmoothLight smooth; // for occlusion between bodies
-    ImageRgbF radianceLin;         // of few texels, for the light of places beside the camera
+    ImageRgbF radianceLin;         // small map, for the light at places beside the camera
     // Empty unless AnalysisOptions asks for it:
     water::WaterEstimate water;
     light::FoundLights lights;
@@ -30,8 +30,8 @@ struct FrameFindings {
 
 struct AnalysisOptions {
     bool pyramid = false;   // keep the radiance pyramid too, for the thesis' glossy lookup
-    float minRoughness = 0; // of all that will be drawn: no light is made for smoother things
-    light::LightQuality quality = light::LightQuality::Video; // stills have their own
+    float minRoughness = 0; // least roughness drawn: no light is made for smoother surfaces
+    light::LightQuality quality = light::LightQuality::Video; // Still for stills
     light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
     light::FrameRadiance frames = light::FrameRadiance::Auto;
     bool water = false;
@@ -43,13 +43,13 @@ class FrameAnalysis {
   public:
     explicit FrameAnalysis(const AnalysisOptions& options);
 
-    // Frames in the order of the video. Allocates nothing once the findings have grown.
+    // Analyses the frames in the order of the video. Allocates nothing once the findings have grown.
     void analyse(const light::FrameView& frame, FrameFindings& out);
 
-    // The light alone.
+    // Makes the light alone, for an HDR picture.
     void analyse(const ImageRgbF& radianceLin, FrameFindings& out);
 
-    // Light for every frame (1), every second ...; the frames between keep the last. From any thread.
+    // Makes light for every frame (1), every second ...; the frames between keep the last. Any thread.
     void setLightEvery(int frames) { lightEvery_.store(frames, std::memory_order_relaxed); }
 
   private:
@@ -63,8 +63,8 @@ class FrameAnalysis {
     std::optional<light::LightFinder> lights_;
     std::optional<camera::CameraResponseEstimator> cameraResponse_;
     camera::GlareFilter glare_;
-    light::EnvironmentLight made_; // before it is packed
-    FrameFindings newest_;         // while light is not made for every frame
+    light::EnvironmentLight made_; // light before packing
+    FrameFindings newest_;         // last findings, while light is not made for every frame
     camera::CameraResponseEstimate lastCameraResponse_;
     int sinceLight_ = 0, sinceCameraResponse_ = 0;
     std::atomic<int> lightEvery_ = 1;

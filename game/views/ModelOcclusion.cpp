@@ -21,7 +21,7 @@ std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& mod
 bool run(std::array<std::string, 3> words) {
     const std::array arguments = {words[0].data(), words[1].data(), words[2].data(),
                                   static_cast<char*>(nullptr)};
-    const log::QuietStandardError quiet; // the caller says it in one sentence
+    const log::QuietStandardError quiet; // the caller reports the failure in one sentence
     pid_t child = 0;
     int status = 0;
     return ::posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) == 0 &&

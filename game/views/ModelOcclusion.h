@@ -1,5 +1,5 @@
-// Occlusion of a model: stored beside it or, for a model that comes without, made once by shoal-occlusion and
-// kept in the player's cache folder.
+// Occlusion of a model: stored beside it or, for a model without, made once by shoal-occlusion and kept in
+// the player's cache folder.
 #pragma once
 
 #include "engine/render/BakedOcclusion.h"

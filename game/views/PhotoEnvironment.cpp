@@ -13,7 +13,7 @@ namespace shoal::app {
 
 namespace {
 
-// One line that is written over on a terminal, or one that stays where nobody watches.
+// A progress line that is overwritten on a terminal; one log line where none is attached.
 class ProgressLine {
   public:
     explicit ProgressLine(const Path& file) : watched_(isatty(STDERR_FILENO) == 1) {
@@ -38,8 +38,8 @@ class ProgressLine {
     int shown_ = -1;
 };
 
-// Whether the picture is lat-long, for one eye or two. Squares and strips of four to one are two eyes' by
-// shape, but as often ordinary pictures; two eyes see almost the same.
+// Returns whether the picture is lat-long, for one eye or two. Squares and strips of four to one have the
+// shape of two eyes' pictures, but are as often ordinary; so their content must look like two eyes'.
 bool isLatLong(const ImageRgb8& picture) {
     const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
     if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
@@ -50,8 +50,8 @@ bool isLatLong(const ImageRgbF& picture) {
     return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
 }
 
-// Whether the place where the ends of a grown environment meet can be seen. A step of one level of 8 bits
-// cannot, nor can one that is usual in the picture itself.
+// Returns a clause on whether the seam where a grown environment's ends meet can be seen. A step of one level
+// of 8 bits cannot, nor can one that is usual in the picture itself.
 template <class Picture> std::string seamClause(const panorama::Panorama<Picture>& grown) {
     const bool hidden = grown.wrapStep <= std::max(grown.usualStep, 1 / 255.0);
     return fmt::format(

@@ -59,9 +59,9 @@ bool SceneRenderer::castsShadows() const {
     return passes_.compositor.drawsObjects() && setup_.skip != render::SkippedPass::Shadows;
 }
 
-// None where no light stands out.
+// Returns the light that casts shadows; none if no light stands out.
 std::optional<render::CastingLight> SceneRenderer::castingLight() const {
-    constexpr float kWidest = 0.75f; // radians: beyond, a cap is no disc
+    constexpr float kWidest = 0.75f; // radians; a wider cap is no disc
     const light::ShadowLight& found = environment_->shadowLight();
     render::CastingLight light;
     light.towards = glm::transpose(environment_->envFromWorld()) * found.light.direction;
@@ -73,7 +73,7 @@ std::optional<render::CastingLight> SceneRenderer::castingLight() const {
     return light;
 }
 
-// Of a film whose distances are not known, nothing is: shadows would hang in the water.
+// Casts shadows on the film, but not on one without distances, where they would hang in the water.
 void SceneRenderer::castShadows() {
     const depth::DepthMap* map = environment_->depth();
     if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room || !castsShadows())
@@ -87,7 +87,7 @@ void SceneRenderer::castShadows() {
     for (size_t eye = 0; eye < pictures_.size(); ++eye)
         pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
     const uint64_t frame = pictures_[0].environment.frameNumber();
-    // Shadows are a part of what was filmed: where the view rests, they are as old as the film's picture.
+    // Shadows belong to the film's picture: while the view rests they are made only for a new frame.
     if (shadowsOn_.map == map && shadowsOn_.frame == frame && shadowsOn_.from == filmed_) return;
     shadowsOn_.map = map, shadowsOn_.frame = frame, shadowsOn_.from = filmed_;
     const render::NearBodies& bodies = passes_.objects.bodies();
@@ -101,9 +101,9 @@ void SceneRenderer::castShadows() {
     }
 }
 
-// The player's hands cast theirs themselves.
+// Casts the creatures' shadows on the room's floor; the player's hands cast their own.
 void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
-    if (std::exchange(floorIsShaded_, true)) return; // a headset's eyes are drawn one after the other
+    if (std::exchange(floorIsShaded_, true)) return; // a headset's eyes are drawn one by one
     if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m || !castsShadows()) return;
     const auto light = castingLight();
     if (!light) return;
@@ -113,8 +113,8 @@ void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
             passes_.floorShadows->add(bodies.ellipsoids(body), *light, *floor_m, exposure_.frames);
 }
 
-// A film with distances is drawn as if filmed from the world's origin; one without as if endlessly far. An
-// eye that goes further from there than depth is good for takes the film along.
+// Returns the eye's place in a film, which is drawn as filmed from the world's origin, or without distances
+// as endlessly far. An eye beyond the reach of depth takes the film along.
 glm::vec3 SceneRenderer::eyeInFilm(const render::View& view) const {
     constexpr float kNearest_m = 0.001f, kFurthest_m = 0.3f;
     const float away = glm::length(view.eyeWorld);
@@ -144,7 +144,7 @@ Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::
     Status drawn = passes_.compositor.draw(pictures_, *this, afterEye);
     if (drawn || !beforeReload_) return drawn;
     log::warn("{}", drawn.error().message());
-    passes_ = std::move(*beforeReload_); // they draw from the next frame on
+    passes_ = std::move(*beforeReload_); // drawn with from the next frame on
     beforeReload_.reset();
     return Done{};
 }
@@ -156,7 +156,7 @@ Status SceneRenderer::drawObjectsAlone(const Eye& eye) {
     return drawObjects(pictureOf(eye));
 }
 
-// There is none in the player's room.
+// Returns the water around the eye: none in the player's room.
 water::Water SceneRenderer::waterAround(const render::EyePicture& picture) const {
     return picture.surroundings == render::Surroundings::Room ? water::Water() : environment_->water();
 }
@@ -182,8 +182,8 @@ Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::E
     return passes_.particles->draw(on, picture, water, time_s_);
 }
 
-// As the background is drawn: from where the eye is in the film; where each eye has a picture of its own,
-// from beside its camera.
+// Returns the view as the background is drawn: from the eye's place in the film or, with a picture for each
+// eye, from beside its camera.
 render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const {
     render::View view = picture.view;
     view.eyeWorld = picture.sharesFrame ? glm::transpose(picture.envFromWorld) * picture.eyeInFilm
@@ -195,7 +195,7 @@ std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View&
     spheres_.clear();
     passes_.objects.bounds().addVisible(view, spheres_);
     if (passes_.floorShadows) {
-        const auto shadows = passes_.floorShadows->spheres(); // none where nothing is shaded
+        const auto shadows = passes_.floorShadows->spheres(); // empty if nothing is shaded
         spheres_.insert(spheres_.end(), shadows.begin(), shadows.end());
     }
     return spheres_;

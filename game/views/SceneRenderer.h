@@ -20,11 +20,10 @@ namespace shoal::app {
 
 struct SceneRendererSetup {
     render::Detail detail = render::Detail::Full;
-    bool particles = true; // particles drift in the water, where there is water
-    bool shadows =
-        true; // on what the film shows, where its distances are known and the environment finds lights
+    bool particles = true;     // particles drift in the water, where there is water
+    bool shadows = true;       // on the film's surfaces, if it has distances and its environment finds lights
     bool floorShadows = false; // on the floor of the player's room
-    bool occlusion = true;     // between bodies
+    bool occlusion = true;     // ambient occlusion between bodies
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
     render::CompositorSetup compositor;
@@ -34,14 +33,14 @@ class SceneRenderer final : private render::CompositorScene {
   public:
     static Result<SceneRenderer> make(CreatureModels creatureModels, const SceneRendererSetup& setup);
 
-    // To give them to another renderer; this one draws no more.
+    // Moves the models out, for another renderer; this one draws no more.
     CreatureModels takeModels() { return std::move(creatureModels_); }
 
-    // Compiles all shaders anew from their files, between two frames. Where one is broken the error says so
-    // and the last good ones stay, even if that shows only when an object first needs it.
+    // Compiles all shaders again from their files, between two frames. If one is broken the error says so and
+    // the last good ones stay, even if that shows only when an object first needs it.
     Status reloadShaders();
 
-    // Once a frame, before draw(), after timers().beginFrame(); the environment must live until then.
+    // Sets a frame's content, after timers().beginFrame(); the environment must live until draw().
     void set(const game::Snapshot& snapshot, const Environment& environment, const render::Exposure& exposure,
              render::Glossy glossy = render::Glossy::Prefiltered);
 
@@ -50,18 +49,18 @@ class SceneRenderer final : private render::CompositorScene {
         render::View view;
         const gl::Target& canvas;
         render::Surroundings surroundings = render::Surroundings::Film;
-        std::optional<float> floor_m{}; // height of the room's floor, world; empty: it is not known
+        std::optional<float> floor_m{}; // height of the room's floor, world frame; empty: unknown
     };
-    // Into each eye's canvas. afterEye is called when an eye's picture is complete, with its canvas bound.
+    // Draws into each eye's canvas; calls afterEye when a picture is complete, with its canvas bound.
     Status draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye = {});
 
-    // The depth of what was just drawn for this eye, into a framebuffer with depth: objects and film; where
-    // that of the film is not known, the far plane's.
+    // Draws the depth of the last picture of this eye, objects and film, into a framebuffer with depth; the
+    // far plane's if the film's is unknown.
     Status drawDepth(const Eye& eye, uint32_t into) {
         return passes_.compositor.drawDepth(pictureOf(eye), into);
     }
 
-    // Over what is in the canvas, which has depth: no background, no shadows.
+    // Draws the objects over the canvas, which has depth: no background, no shadows.
     Status drawObjectsAlone(const Eye& eye);
 
     gl::PassTimers& timers() override { return timers_; }
@@ -69,7 +68,7 @@ class SceneRenderer final : private render::CompositorScene {
     int triangleCount() const { return passes_.objects.triangleCount(); }
 
   private:
-    struct Passes { // what has shaders
+    struct Passes { // all passes with shaders
         render::ObjectPass objects;
         std::optional<render::ParticlePass> particles;
         std::optional<render::FloorShadowPass> floorShadows;
@@ -96,14 +95,14 @@ class SceneRenderer final : private render::CompositorScene {
     Passes passes_;
     std::optional<Passes> beforeReload_;
     gl::PassTimers timers_;
-    const Environment* environment_ = nullptr; // of the frame
+    const Environment* environment_ = nullptr; // of the present frame
     render::Exposure exposure_;
     render::Glossy glossy_ = render::Glossy::Prefiltered;
     std::vector<render::EyePicture> pictures_; // scratch
-    std::vector<render::View> filmed_;         // scratch: where each is filmed from
-    // Of the film, or of each eye's.
+    std::vector<render::View> filmed_;         // scratch: views in the film
+    // Shadows on the film, or on each eye's film.
     std::array<render::FilmShadows, 2> shadows_;
-    struct Filmed { // what they were cast on
+    struct Filmed { // the surfaces that shadows_ were cast on
         const depth::DepthMap* map = nullptr;
         uint64_t frame = 0;
         std::vector<render::View> from;
