@@ -9,7 +9,7 @@
 
 namespace shoal::light {
 
-// How radiance is computed from a frame's coded values.
+// Method of computing radiance from a frame's coded values.
 enum class FrameRadiance {
     Auto,   // decoded sRGB, with what was clipped estimated: ClippedLight.h
     Thesis, // radianceFromDisplay()

@@ -66,7 +66,7 @@ template <class Picture> Picture pictureFromCoded(const cv::Mat& coded) {
 // --- Growing a photo
 
 constexpr double kDefaultFov_deg = 65;
-constexpr double kBand_deg = 45; // from the horizon up and down
+constexpr double kBand_deg = 45; // extent of the ring from the horizon up and down
 constexpr int kMaxPhotoWidth = 6144, kMaxPhotoHeight = 3072;
 
 double fovOf(double width, double height, const PanoramaOptions& options) {
@@ -136,7 +136,7 @@ std::vector<double> scaledUp(const std::vector<float>& map, int size, int patchS
     return shares;
 }
 
-// For each pixel of the ring at its full size, the photo's column and row.
+// Computes for each pixel of the ring at its full size the photo's column and row.
 void photoFromRing(const RingMap& map, const Lens& lens, const cv::Size& patch, cv::Mat& column,
                    cv::Mat& row) {
     const std::vector<double> across = scaledUp(map.column, column.cols, patch.width);

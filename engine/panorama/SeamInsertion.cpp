@@ -27,7 +27,7 @@ cv::Mat columnNumbers(const cv::Size& size) {
     return numbers;
 }
 
-// Not 0 for the pixels of the `count` seams that are successively the cheapest to remove.
+// Marks the pixels of the `count` seams that are successively the cheapest to remove.
 cv::Mat seamsToDouble(const Widened& now, int count, const std::function<void()>& found) {
     cv::Mat colours = now.colours.clone(), weight = now.weight.clone();
     cv::Mat column = columnNumbers(colours.size()), chosen(colours.size(), CV_8U, cv::Scalar(0));

@@ -21,7 +21,7 @@ cv::Mat endOf(const cv::Mat& ring, bool left) {
     return mean;
 }
 
-// By how many rows the left end's content lies lower than the right's, for each row half way between.
+// Returns by how many rows the left end's content lies lower than the right's, for each row half way between.
 std::vector<float> offsets(const cv::Mat& ring) {
     const int maximum = ring.cols * 8 / 360;
     cv::Mat left = endOf(ring, true), right = endOf(ring, false);
