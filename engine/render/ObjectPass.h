@@ -57,7 +57,7 @@ class ObjectPass {
 
     const ObjectBounds& bounds() const { return bounds_; } // bounds of the objects since begin()
 
-    // The bodies of what was added since begin(), as ellipsoids.
+    // The bodies of the objects since begin(), as ellipsoids.
     const NearBodies& bodies() const { return near_; }
     bool isInRoom(size_t body) const { return inRoom_[body]; } // Object::isInRoom
 

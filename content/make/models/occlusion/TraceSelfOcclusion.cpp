@@ -25,10 +25,9 @@ constexpr float kSeen = 0.1f;    // share of the hemisphere that must be free fo
 constexpr float kBuried = 0.03f; // its weight where nothing is free: such places are never seen
 constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
 
-// Occlusion by something near varies over about its distance. Corners that are further apart cannot carry it:
-// between them it would be a gradient that no light makes. So nothing counts that is nearer than a triangle
-// is long, minus this share of the body's extent: below that it is fine detail of a model that has its
-// vertices where they are wanted.
+// Occlusion by a near surface varies over about its distance. Corners that are further apart cannot represent
+// it: interpolation would show a gradient that no light makes. So surfaces nearer than a triangle's length,
+// minus this share of the body's extent, do not count: smaller triangles are fine detail of the model.
 constexpr float kFine = 0.05f;
 
 struct Sample {
