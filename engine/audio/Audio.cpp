@@ -38,8 +38,7 @@ class Device {
 
     explicit operator bool() const { return context_ != nullptr; }
 
-    // Makes OpenAL's context, global to the process, current; every method of Audio calls it. False: no
-    // device.
+    // Makes the context current, for the whole process; all methods of Audio call it. False: no device.
     bool makeCurrent() const {
         if (context_ && alcGetCurrentContext() != context_.get()) alcMakeContextCurrent(context_.get());
         return context_ != nullptr;
@@ -105,7 +104,7 @@ struct Audio::State {
     std::vector<Clip> clips;
     // While pausing all first glides to silence, and then stands still.
     bool paused = false, standing = false;
-    double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which goes on during a pause
+    double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which runs on in a pause
     Clock::time_point retry;
 
     Device device;

@@ -93,7 +93,7 @@ void StreamedTrack::prime(const TrackSource& sound, double position_s) {
     const double length_s = static_cast<double>(sound.length) / kRate_Hz;
     const double ahead_s = wrapped(static_cast<double>(next_) / kRate_Hz - position_s, length_s);
     if (std::abs(ahead_s) > 1) return begin(sound, position_s); // the picture has jumped meanwhile
-    if (ahead_s > kMaxSilence_s) return;                        // not yet
+    if (ahead_s > kMaxSilence_s) return;                        // too early to start
     for (int64_t late = framesOf(-ahead_s); late > 0;) {        // skips what should have been heard already
         const auto maximum = static_cast<size_t>(std::min<int64_t>(late, kPieceFrames));
         const auto frames = static_cast<int64_t>(sound.read(std::span(piece_).first(2 * maximum)));

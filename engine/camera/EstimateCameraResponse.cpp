@@ -17,10 +17,10 @@ constexpr int kStripes = 5, kStripeRows = 16; // the rows of a block
 constexpr int kBlock = 16;
 
 // --- Edges: steps between two flat sides along a row, with a gradient along the row.
-constexpr float kMinPeak = 3.0f;  // of 255 a texel
-constexpr float kMinStep = 20.0f; // of 255
+constexpr float kMinPeak = 3.0f;  // gradient, of 255 a texel
+constexpr float kMinStep = 20.0f; // height, of 255
 constexpr int kMaxReach = 12;     // texels to either side
-constexpr float kTail = 0.06f;    // of the peak gradient: where the edge ends
+constexpr float kTail = 0.06f;    // share of the peak gradient at which the edge ends
 constexpr float kInsideTails =
     0.89f;                     // of a Gaussian's variance is left when its tails are cut at 6 % of the peak
 constexpr float kSlant = 0.5f; // tangent of the maximum angle between gradient and row

@@ -25,12 +25,12 @@ constexpr float kSameColour = 16;
 
 constexpr size_t kLanes = 16;   // texels of the map that are processed at once
 constexpr float kReach = 1.3f;  // texels of the track
-constexpr float kSharpness = 3; // of the vote: it changes sides within 1 / this of the weights
+constexpr float kSharpness = 3; // slope of the vote: it changes sides within 1 / this of the weights
 
 // Confidence up to which nothing is believed, and from which on everything is.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
 
-// Of a search along a ray, as in shaders/render/FilmDepth.glsl: the greatest step on the map; the distance, a
+// Constants of searchAlong() and shaders/render/FilmDepth.glsl: the greatest step on the map; the distance, a
 // quarter of a texel, within which a point is found; and the ratio of distances from which on a point is far
 // behind a surface.
 constexpr auto kSearchStep_rad = static_cast<float>(FILM_STEP_RAD);
@@ -59,8 +59,8 @@ SHOAL_VECTORISE void widenRow(const uint8_t* above, const uint8_t* row, const ui
 
 // The nine texels of a track around an edge, which vote.
 struct Voters {
-    const uint8_t* colours; // of the map's texels in the middle texel: channels `stride` values apart
-    const float* nearness;  // of these to each of the nine: `stride` values apart
+    const uint8_t* colours; // colours of the map's texels in the middle texel: channels `stride` apart
+    const float* nearness;  // nearness of these to each of the nine: `stride` apart
     size_t stride;
     std::array<const float*, 9> means; // their colours
     std::array<float, 9> inverse;
@@ -88,7 +88,7 @@ SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
         for (size_t i = 0; i < kLanes; ++i) {
             const float d0 = c0[i] - m0, d1 = c1[i] - m1, d2 = c2[i] - m2;
             const float off = (d0 * d0 + d1 * d1 + d2 * d2) * (1 / (kSameColour * kSameColour));
-            const float weight = nearness[i] / (1 + off * off) + 1e-9f; // so that the sum is never 0
+            const float weight = nearness[i] / (1 + off * off) + 1e-9f; // the sum is never 0
             weights[i] += weight;
             sums[i] += weight * inverse;
         }
@@ -127,7 +127,7 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
 // back to it; one far behind it has passed an edge.
 Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
     struct Point {
-        float inverse; // of its distance from the eye
+        float inverse; // inverse distance from the eye
         Seen seen;
         float met; // inverse distance at which the ray meets that surface
     };

@@ -21,7 +21,7 @@ constexpr auto kNearest_m = static_cast<float>(FILM_NEAREST_M);
 constexpr int kMapWidth = 1024; // chosen by tests/bench/figures/depth.md
 
 struct DepthMap {
-    static constexpr float kSteps = 255; // of an inverse distance of 1 / kNearest_m
+    static constexpr float kSteps = 255; // code of an inverse distance of 1 / kNearest_m
 
     // Lat-long; inverse distance in steps: within 1.2 % at 3 m, 4 % at 10 m. 0: far away, or unknown.
     Image<uint8_t, 1> inverse;
@@ -81,7 +81,7 @@ class DepthRefiner {
     void split(const Edge& edge, int scale, DepthMap& out) const;
 
     int mapWidth_;
-    Image<uint8_t, 1> coarse_; // inverse distances in DepthMap's steps, 0 where the track is not trusted
+    Image<uint8_t, 1> coarse_; // inverse distances in DepthMap's steps, less where confidence is low
     // Scratch.
     std::vector<Edge> edges_;
     int placedScale_ = 0;          // the scale that nearness_ was made for

@@ -19,7 +19,7 @@ class BruteForceDiffuse {
     // Radiance leaving a white matte surface by its normal. Allocates nothing while out keeps its size.
     void make(const RadiancePyramid& pyramid, ImageRgbF& out);
 
-    // For all the map's texels: x, y and z of their directions; red, green and blue of their light.
+    // Components of the map's texels: x, y and z of their directions; red, green and blue of their light.
     using Planes = std::array<std::vector<float>, 3>;
 
   private:

@@ -28,7 +28,7 @@ void halveRow(const float* __restrict in, int width, float* __restrict out) {
     });
 }
 
-constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // of rows 2 y - 1 .. 2 y + 2
+constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // weights of rows 2 y - 1 .. 2 y + 2
 
 // Returns the row where `row` lies on the sphere, beyond the poles too.
 int rowOnSphere(int row, int height) {

@@ -67,7 +67,7 @@ void ClippedDensity::finish() {
         blurRow(sums, columns_, std::min(radius, (columns_ - 1) / 2), &across_[y * columns_]);
     }
     for (size_t y = 0; y < rows_; ++y) {
-        if (!anything_[y]) continue; // it has no values to multiply
+        if (!anything_[y]) continue; // the row has no values to multiply
         float* density = &density_[y * columns_];
         std::fill_n(density, columns_, 0.0f);
         for (const size_t from : {y ? y - 1 : 0, y, std::min(y + 1, rows_ - 1)})

@@ -23,12 +23,12 @@ constexpr int kLastBlack = 4, kFirstSeen = 12;
 
 constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
-constexpr float kMinTrust = 0.1f; // in the ground, for light from the horizon
+constexpr float kMinTrust = 0.1f; // trust in the ground for light from the horizon
 
 // Added to the irradiance of clipped pixels, so that the gain does not leap where few of these are left.
 constexpr double kFewClipped = 0.015;
 
-constexpr double kMaxOfMean = 1.75; // of the ground's luminance; brighter texels are cut
+constexpr double kMaxOfMean = 1.75; // times the ground's mean luminance; brighter texels are cut
 
 // Returns the sine of the elevation; row: counted from the zenith, whole numbers are upper edges of rows.
 double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
@@ -89,8 +89,8 @@ struct Bright {
 
 // Sums over a row's texels.
 struct RowColours {
-    std::array<float, 3> unclipped; // of texels that are not clipped in any channel
-    std::array<float, 3> bright;    // of bright texels that are not clipped in all
+    std::array<float, 3> unclipped; // texels that are not clipped in any channel
+    std::array<float, 3> bright;    // bright texels that are not clipped in all channels
 };
 
 SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& by) {

@@ -22,7 +22,7 @@ struct GlossyLevel {
     ImageRgbF radianceLin; // empty where the radiance pyramid's level of the same index serves
 };
 
-// How the diffuse map is made.
+// Method of making the diffuse map.
 enum class DiffuseMethod {
     Default, // exact lobes on the sphere: ZonalFilter.h
     Thesis,  // every texel gathers every texel: BruteForceDiffuse.h

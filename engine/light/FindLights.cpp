@@ -17,9 +17,9 @@ namespace {
 constexpr int kCoarse = 64, kFine = 256; // texels around
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kFirst = std::numbers::sqrt3_v<float>, kRamp = 0.4f; // standard deviations above the mean
-constexpr float kMinReach = 0.21f, kMaxReach = 1.4f;                 // of the window, radians
-constexpr float kNarrow = 0.6f, kWide = 0.7f; // of the same: a sun with its glow; half a scene
-constexpr float kFineSlack = 0.04f;           // of a window of the fine level: a texel and a half
+constexpr float kMinReach = 0.21f, kMaxReach = 1.4f;                 // radius of the window, radians
+constexpr float kNarrow = 0.6f, kWide = 0.7f; // radius around a sun with its glow; around half a scene
+constexpr float kFineSlack = 0.04f;           // slack of a window in the fine level: a texel and a half
 // The radius of (1 - r^2)^5 by that of 1 - r^2: sqrt(3 / 7).
 constexpr float kParaboloid = 0.65f;
 constexpr float kMinShare = 1e-4f;

@@ -28,7 +28,7 @@ namespace shoal::light {
 struct FoundLight {
     glm::vec3 direction{0, 1, 0}; // towards it, unit length, env frame
     float radius = 0;             // radians: of a cap of even radiance with the same spread
-    glm::vec3 irradiance{0};      // on a plane that faces it, beyond what the rest of the sphere would give
+    glm::vec3 irradiance{0};      // on a plane that faces it, beyond what the rest of the sphere gives
     float share = 0;              // share of the luminance of all light on that plane, 0 to 1
 };
 
@@ -38,7 +38,7 @@ constexpr size_t kThumbWidth = 32, kThumbHeight = 16;
 struct FoundLights {
     std::array<FoundLight, kMaxLights> lights; // the first `count`, the strongest first
     size_t count = 0;
-    glm::vec3 groundIrradiance{0};                         // on level ground, by all the sphere
+    glm::vec3 groundIrradiance{0};                         // on level ground, from the whole sphere
     std::array<float, kThumbWidth * kThumbHeight> thumb{}; // luminance, lat-long: for sceneDistance()
 };
 
@@ -64,9 +64,9 @@ class LightFinder {
     float asLight(float luminance) const; // 0 to 1
 
     const std::vector<glm::vec3> directions_, fineDirections_; // of texels, coarse and fine level
-    std::vector<float> luminance_;                             // of the coarse level
-    std::vector<Texel> bright_, near_; // of the coarse level; of the fine level, near a light
-    float mean_ = 0, deviation_ = 0;   // of luminance over the sphere
+    std::vector<float> luminance_;                             // by texel of the coarse level
+    std::vector<Texel> bright_, near_; // texels of the coarse level; of the fine level, near a light
+    float mean_ = 0, deviation_ = 0;   // mean and deviation of luminance over the sphere
 };
 
 } // namespace shoal::light

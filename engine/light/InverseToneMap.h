@@ -9,11 +9,11 @@
 
 namespace shoal::light {
 
-// How radiance is computed from a frame's coded values.
+// Method of computing radiance from a frame's coded values.
 enum class FrameRadiance {
-    Auto,   // decoded sRGB, with what was clipped estimated: ClippedLight.h
+    Auto,   // decoded sRGB, with an estimate of clipped light: ClippedLight.h
     Thesis, // radianceFromDisplay()
-    Linear, // decoded sRGB: what was clipped stays white
+    Linear, // decoded sRGB: clipped light stays white
 };
 
 // Eq. 4.3, for coded values: the curve was made for these. It is linear, so it serves for light too.

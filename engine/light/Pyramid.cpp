@@ -168,7 +168,7 @@ void halve(const ImageRgbF& in, ImageRgbF& out) {
 
 // Computes shares in whole numbers, so that no texel is left over or counted twice: edges of the source are
 // multiples of `target`, edges of the target multiples of `source`, in a map of their product. edge(row):
-// falls from one edge of the target to the next by the measure of what lies between.
+// decreases from one edge of the target to the next by the measure of the band between.
 template <class Edge>
 void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares) {
     shares.clear();

@@ -66,7 +66,7 @@ class PyramidMaker {
     std::vector<float> clippedShares_;      // by row of a frame: clippedShare()
     ImageRgbF blocks_;                      // result of makeBlockMeans(), unless that is the base itself
     ImageF clippedBlocks_;                  // the same for clipped pixels
-    ClippedDensity density_;                // of these
+    ClippedDensity density_;                // density of clippedBlocks_
     std::vector<float> red_, green_, blue_; // one source row, linear
     std::vector<float> narrow_;             // the same at the base's width, interleaved
     ClippedGain clippedGain_;

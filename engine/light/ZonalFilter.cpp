@@ -111,7 +111,7 @@ double columnGain(int m, int width, int octaves) {
     const double x = pi * m / width;
     double response = sinc(x) / sinc(x * std::pow(0.5, octaves));
     for (int i = 1; i <= octaves; ++i) response *= std::pow(std::cos(x * std::pow(0.5, i)), 3);
-    constexpr double kMin = 0.4; // below it noise is amplified more than light is restored
+    constexpr double kMin = 0.4; // where the response is lower aliasing outweighs light
     const double spline = sinc(x) * sinc(x) * 3 / (2 + std::cos(2 * x));
     return spline / std::max(response, kMin);
 }

@@ -77,7 +77,7 @@ bool DepthTrack::Impl::seek(int number) {
 bool DepthTrack::Impl::readPacket(int number) {
     constexpr int kReadOn = 32; // packets; a seek costs more
     if ((number < next || number > next + kReadOn) && !seek(number)) return false;
-    next = -1 - kReadOn; // until it is found
+    next = -1 - kReadOn; // unknown until the packet is found
     for (;;) {
         av_packet_unref(packet.get());
         if (av_read_frame(input.get(), packet.get()) < 0) return false;

@@ -15,7 +15,7 @@ namespace shoal::media {
 
 // Inverse metres and confidence are stored in ten bits.
 constexpr int kMaxDepthCode = 1023;
-constexpr float kMaxInverse_perM = 4; // of the highest code, 0.25 m; nearer distances are stored as this
+constexpr float kMaxInverse_perM = 4; // of the highest code: nearer than 0.25 m counts as 0.25 m
 
 // One frame, equirectangular as the film is, rows from the top. Distances are radial, from the film's camera.
 struct DepthFrame {
@@ -32,7 +32,7 @@ struct DepthFrame {
 struct DepthTrackInfo {
     int width = 0, height = 0;
     int frameCount = 0;
-    double duration_s = 0; // of the film; frame i belongs to the time i / frameCount of it
+    double duration_s = 0; // length of the film; frame i belongs to the time i / frameCount of it
 };
 
 // Returns FILM.depth.mkv for FILM.mp4 and for FILM.small.mp4, which show the same.

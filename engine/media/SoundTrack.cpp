@@ -182,7 +182,7 @@ struct SoundTrack::Impl {
     std::condition_variable changed;
     // Guarded by mutex:
     std::deque<int16_t> ready; // interleaved; at most kSoundAhead frames
-    int64_t wanted = 0;        // where the thread continues once the generation changes
+    int64_t wanted = 0;        // frame from which the thread continues when the generation changes
     int generation = 0;
     bool broken = false;
     bool stop = false;

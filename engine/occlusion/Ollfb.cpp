@@ -14,7 +14,7 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr int kTurns = 8; // in a quarter turn, tried to find the smallest frame
+constexpr int kTurns = 8; // rotations in a quarter turn, tried to find the smallest frame
 // Limit for one view before merging; some 600 MB.
 constexpr size_t kMaxFragments = 1u << 24;
 

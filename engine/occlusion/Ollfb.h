@@ -22,7 +22,7 @@ namespace shoal::occlusion {
 
 // One surface in one pixel.
 struct OllfbLayer {
-    uint16_t depth = 0;  // of its plane at the pixel's middle, 0 .. 65535 over the view's range
+    uint16_t depth = 0;  // depth of its plane at the pixel's middle, 0 .. 65535 over the view's range
     uint16_t normal = 0; // outwards, view frame, octahedral, 2 x 8 bits (Directions.h)
     uint16_t coverage =
         0; // bit 4 y + x: the sample at ((x + 1/2) / 4, (y + 1/2) / 4) of the pixel is covered

@@ -10,9 +10,9 @@ struct MainLight {
     double radius_px;  // of the disc of equal area
 };
 
-// The radiance (after the thesis' inverse tone mapping) is blurred over about a hundredth of the picture's
-// width. The light is the connected region around its maximum that is brighter than four fifths of it; its
-// position is the region's centroid, weighted by radiance. Wide photos are reduced first. photo: 3 coded
+// Finds the light: blurs the radiance (after the thesis' inverse tone mapping) over about a hundredth of the
+// picture's width, and takes the connected region around its maximum that is brighter than four fifths of it;
+// the position is the region's centroid, weighted by radiance. Wide photos are reduced first. photo: 3 coded
 // floats.
 MainLight findMainLight(const cv::Mat& photo);
 

@@ -15,7 +15,7 @@ namespace shoal::panorama {
 struct Lens {
     double width = 0, height = 0; // pixels
     double focal_px = 1;
-    double longitude = 0, latitude = 0; // of the right edge and of the middle of the top edge, radians
+    double longitude = 0, latitude = 0; // of the right edge; of the top edge's middle, radians
 
     // horizontalFov: radians, below pi.
     static Lens make(double width, double height, double horizontalFov) {
@@ -36,7 +36,7 @@ struct Lens {
     double latitudeOf(double lon, double row) const {
         const double up = 1 - row / (height / 2);
         const double narrow = std::cos(lon);
-        // rowOf solved for share, which has the sign of up
+        // Solves rowOf() for share, which has the sign of up.
         const double share = up * narrow / (1 - (1 - narrow) * std::abs(up));
         return std::atan(share * std::tan(latitude));
     }

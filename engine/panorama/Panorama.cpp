@@ -17,7 +17,7 @@ namespace shoal::panorama {
 
 namespace {
 
-// Colours coded by a power up to 1 and by a logarithm above
+// --- Pictures and the perceptually coded matrices that this folder computes on: 3 floats a pixel, red first
 
 cv::Mat viewOf(const ImageRgb8& picture) {
     return {picture.height, picture.width, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())};
@@ -26,8 +26,8 @@ cv::Mat viewOf(const ImageRgbF& picture) {
     return {picture.height, picture.width, CV_32FC3, const_cast<float*>(picture.pixels.data())};
 }
 
-// Radiance by a power up to 1 and by a logarithm above, which meet in value and slope: a sun 10^5 times as
-// bright as white does not drown what it is blended with.
+// Codes radiance by a power up to 1 and by a logarithm above, which meet in value and slope: a sun 10^5 times
+// as bright as white does not dominate the colours that it is blended with.
 float codedFromRadiance(float linear) {
     return linear <= 1 ? std::pow(std::max(linear, 0.0f), 1 / 2.2f) : 1 + std::log(linear) / 2.2f;
 }
@@ -35,7 +35,7 @@ float radianceFromCoded(float coded) {
     return coded <= 1 ? std::pow(std::max(coded, 0.0f), 2.2f) : std::exp((coded - 1) * 2.2f);
 }
 
-// 8 bits are coded already; floats are linear radiance.
+// Codes floats, which are linear radiance; 8-bit pictures are coded already.
 cv::Mat codedFrom(const cv::Mat& picture) {
     cv::Mat coded;
     if (picture.depth() == CV_8U) {
@@ -66,7 +66,7 @@ template <class Picture> Picture pictureFromCoded(const cv::Mat& coded) {
 // --- Growing a photo
 
 constexpr double kDefaultFov_deg = 65;
-constexpr double kBand_deg = 45; // from the horizon up and down
+constexpr double kBand_deg = 45; // extent of the ring from the horizon up and down
 constexpr int kMaxPhotoWidth = 6144, kMaxPhotoHeight = 3072;
 
 double fovOf(double width, double height, const PanoramaOptions& options) {
@@ -92,7 +92,7 @@ int widthFor(int photoWidth, double fov) {
     return std::clamp(detailed / 64 * 64, 512, 4096);
 }
 
-// Reduced where it has more pixels than any panorama could show.
+// Returns the photo, reduced if it has more pixels than any panorama could show.
 cv::Mat bounded(const cv::Mat& photo) {
     const double scale =
         std::min({1.0, static_cast<double>(kMaxPhotoWidth) / photo.cols, kMaxPhotoHeight * 1.0 / photo.rows});
@@ -105,7 +105,7 @@ cv::Mat bounded(const cv::Mat& photo) {
     return smaller;
 }
 
-// The photo, reduced and projected to latitude and longitude.
+// Returns the photo, reduced and projected to latitude and longitude.
 cv::Mat patchOf(const cv::Mat& photo, const Lens& lens) {
     const auto pixels = [](double radians) {
         return std::max(4, static_cast<int>(std::lround(radians / kRadiansPerDegree * kMapPixelsPerDegree)));
@@ -124,7 +124,7 @@ cv::Mat patchOf(const cv::Mat& photo, const Lens& lens) {
     return patch;
 }
 
-// A map of the ring's columns or rows, scaled to its full size; in the patch, -1 to 1.
+// Returns a map of the ring's columns or rows, scaled to its full size; positions in the patch, -1 to 1.
 std::vector<double> scaledUp(const std::vector<float>& map, int size, int patchSize) {
     cv::Mat large;
     cv::resize(cv::Mat(1, static_cast<int>(map.size()), CV_32F, const_cast<float*>(map.data())), large,
@@ -136,7 +136,7 @@ std::vector<double> scaledUp(const std::vector<float>& map, int size, int patchS
     return shares;
 }
 
-// For each pixel of the ring at its full size, the photo's column and row.
+// Computes for each pixel of the ring at its full size the photo's column and row.
 void photoFromRing(const RingMap& map, const Lens& lens, const cv::Size& patch, cv::Mat& column,
                    cv::Mat& row) {
     const std::vector<double> across = scaledUp(map.column, column.cols, patch.width);
@@ -158,7 +158,7 @@ void rotateColumns(cv::Mat& picture, int toRight) {
     picture = turned;
 }
 
-// The fractional column of the ring that shows this column of the patch.
+// Returns the fractional column of the ring that shows this column of the patch.
 double ringColumn(const std::vector<float>& map, double patchColumn) {
     const double wanted = patchColumn - 0.5;
     const auto after = std::upper_bound(map.begin() + 1, map.end() - 1, static_cast<float>(wanted));
@@ -167,7 +167,7 @@ double ringColumn(const std::vector<float>& map, double patchColumn) {
     return static_cast<double>(after - map.begin()) - 0.5 + std::clamp((wanted - before) / step, 0.0, 1.0);
 }
 
-// Fractional mip level of each pixel.
+// Returns the fractional mip level of each pixel.
 cv::Mat levelOf(const cv::Mat& column, int levels) {
     cv::Mat level(column.size(), CV_32F);
     for (int y = 0; y < column.rows; ++y) {
@@ -183,7 +183,7 @@ cv::Mat levelOf(const cv::Mat& column, int levels) {
     return level;
 }
 
-// Mip levels of the photo, each half as wide as the last and of the same height.
+// Returns mip levels of the photo, each half as wide as the last and of the same height.
 std::vector<cv::Mat> widthPyramid(const cv::Mat& photo) {
     std::vector<cv::Mat> levels{photo};
     while (levels.back().cols >= 8) {
@@ -194,9 +194,9 @@ std::vector<cv::Mat> widthPyramid(const cv::Mat& photo) {
     return levels;
 }
 
-// out(x, y) = photo at column(x, y), row(x, y), both in pixels of the photo with the middle of the first at
-// 0.5. Horizontally filtered between two levels by the distance of neighbouring columns; vertically rows are
-// taken to be about one apart. Beyond the edges the last pixel repeats. Within the photo's own range.
+// Samples the photo at column(x, y), row(x, y) for each pixel, both in pixels with the middle of the first at
+// 0.5. Filters horizontally between two levels by the distance of neighbouring columns; vertically rows are
+// assumed to be about one apart. Beyond the edges the last pixel repeats. Keeps the photo's range.
 cv::Mat resample(const cv::Mat& photo, const cv::Mat& column, const cv::Mat& row) {
     const std::vector<cv::Mat> levels = widthPyramid(photo);
     const cv::Mat level = levelOf(column, static_cast<int>(levels.size()));
@@ -217,20 +217,20 @@ cv::Mat resample(const cv::Mat& photo, const cv::Mat& column, const cv::Mat& row
             }
         }
     }
-    // A cubic kernel overshoots at edges; beside a sun that would be brighter than the sun.
+    // A cubic kernel overshoots at edges: beside a sun it would be brighter than the sun.
     double darkest = 0, brightest = 0;
     cv::minMaxLoc(levels[0].reshape(1), &darkest, &brightest);
     return cv::min(cv::max(out, darkest), brightest);
 }
 
-// The photo resampled to the ring, `width` columns.
+// Resamples the photo to the ring, `width` columns wide.
 cv::Mat ringOf(const cv::Mat& photo, const RingMap& map, const Lens& lens, const cv::Size& patch, int width) {
     const double perRadian = width / (2 * std::numbers::pi);
     const double ringHeight = static_cast<double>(map.row.size()) / kMapPixelsPerDegree * kRadiansPerDegree;
     cv::Mat column(static_cast<int>(std::lround(ringHeight * perRadian)), width, CV_32F),
         row(column.size(), CV_32F);
     photoFromRing(map, lens, patch, column, row);
-    // Reduced to the panorama's resolution vertically; horizontally resample() does.
+    // Reduces to the panorama's resolution vertically; horizontally resample() does.
     cv::Mat reduced = photo;
     const int rowsNeeded = static_cast<int>(std::lround(2 * lens.latitude * perRadian));
     if (rowsNeeded < photo.rows)
@@ -239,7 +239,7 @@ cv::Mat ringOf(const cv::Mat& photo, const RingMap& map, const Lens& lens, const
     return resample(reduced, column, row);
 }
 
-// topLatitude: of the ring, radians. lightColumn: of the ring; comes to the middle.
+// Puts the ring on the sphere, its lightColumn in the middle, and fills the poles. topLatitude: radians.
 cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) {
     const int width = ring.cols;
     cv::Mat sphere = cv::Mat::zeros(width / 2, width, CV_32FC3);
@@ -256,7 +256,7 @@ cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) 
     return sphere;
 }
 
-// photo: 3 coded floats, bounded; result likewise.
+// photo: 3 coded floats, bounded; the panorama is coded alike.
 Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width, const Progress& progress) {
     const auto done = [&](double fraction) {
         if (progress) progress(fraction);
@@ -289,7 +289,7 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
 
 // --- Completing a part
 
-// The column `steps` beyond the end of a picture that is repeated mirrored.
+// Returns the column `steps` beyond the end of a picture that repeats mirrored.
 int mirrored(int steps, int size) {
     const int at = steps % (2 * size);
     return at < size ? at : 2 * size - 1 - at;
@@ -298,7 +298,7 @@ int mirrored(int steps, int size) {
 // Fills the columns from right to left + width (exclusive), between two ends of the same picture.
 void fillGap(cv::Mat& rows, int left, int right) {
     const int gap = left + rows.cols - right;
-    // Mirrored only up to the light, so that it is not repeated.
+    // Mirrors only up to the light, so that it is not repeated.
     const double light = findMainLight(rows.colRange(left, right)).place.x;
     const auto depth = [&](double toLight) { return std::max(1, static_cast<int>(0.7 * toLight)); };
     const int depthLeft = depth(light), depthRight = depth(right - left - light);

@@ -16,7 +16,7 @@
 
 namespace shoal::panorama {
 
-// The panorama is as wide as the photo's resolution asks for, 512 to 4096.
+// The panorama is as wide as the photo's resolution allows, 512 to 4096.
 struct PanoramaOptions {
     // Horizontal field of view of the photo, degrees, kMinFov_deg to kMaxFov_deg; empty: 65 along the
     // longer side, as of a phone's main camera.
@@ -26,32 +26,32 @@ struct PanoramaOptions {
 };
 
 inline constexpr double kMinFov_deg = 10, kMaxFov_deg = 150;
-inline constexpr int kMinSide = 16;     // pixels of a photo's shorter side
+inline constexpr int kMinSide = 16;     // least length of a photo's shorter side, pixels
 inline constexpr double kMaxAspect = 8; // longer over shorter side
 
 template <class Picture> struct Panorama {
     Picture latLong;         // 2:1
     glm::dvec2 lightInPhoto; // pixels, the middle of the first is 0.5
     double lightLatitude_deg = 0;
-    double wrapStep = 0, usualStep = 0; // see WrapDiscontinuity, of coded values
+    double wrapStep = 0, usualStep = 0; // of coded values, see WrapDiscontinuity
 };
 
-// Coded pictures stay coded, linear radiance linear. Deterministic. Error without a path where the photo is
-// too small, too long, or the field of view out of range.
+// Makes the panorama: coded if the photo is, of linear radiance if the photo is. Deterministic. Fails,
+// without a path, if the photo is too small, too long, or the field of view out of range.
 template <class Picture> // ImageRgb8, or ImageRgbF of linear light
 Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const PanoramaOptions& options);
 
 // --- Completion of a partial panorama, whose place in the sphere is known
 
-// Fractions of the full lat-long picture: 0 to 1 from left to right and from top to bottom, left < right,
-// top < bottom.
+// Edges as shares of the full lat-long picture: 0 to 1 from left to right and from top to bottom, left <
+// right, top < bottom.
 struct PanoramaPart {
     double left = 0, top = 0, right = 1, bottom = 1;
 };
 
-// The part is copied to its place; sky and ground are extrapolated (PolarCaps.h); a gap at the sides is
-// filled by cross-fading mirror images of what lies between either end and the light. Error without a path
-// where less than a pixel would be left of it.
+// Copies the part to its place; extrapolates sky and ground (PolarCaps.h); fills a gap at the sides by
+// cross-fading mirror images of the columns between either end and the light. Fails, without a path, if less
+// than a pixel would be left of the part.
 template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part);
 
 } // namespace shoal::panorama

@@ -16,13 +16,13 @@ constexpr double kPi = std::numbers::pi;
 
 struct Extent {
     int width, height;
-    int edge, inner; // rows: where the known picture begins, and up to where it is blended
+    int edge, inner; // rows: first known row, and the row up to which it is blended
 
     int rows(double degrees) const { return std::max(1, static_cast<int>(degrees * height / 180)); }
     double colatitude(double row) const { return row / height * kPi; }
 };
 
-// Least-squares slope, upwards a row, of the logarithm of the mean colour of rows first to last - 1.
+// Returns the slope, by least squares, upwards a row, of the log mean colour of rows first to last - 1.
 cv::Scalar slopeUp(const cv::Mat& picture, int first, int last) {
     cv::Scalar sum;
     double weights = 0;
@@ -35,7 +35,7 @@ cv::Scalar slopeUp(const cv::Mat& picture, int first, int last) {
     return weights > 0 ? sum * (1 / weights) : cv::Scalar();
 }
 
-// Colours of rows 0 to inner, by circular harmonics.
+// Returns the colours of rows 0 to inner, by circular harmonics.
 cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
     const int below = std::min(cap.inner + cap.rows(1), cap.height);
     cv::Mat source;
@@ -45,9 +45,9 @@ cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
     for (cv::Mat& channel : harmonics) cv::dft(channel, channel, cv::DFT_COMPLEX_OUTPUT);
 
     const cv::Scalar slope = slopeUp(latLong, cap.inner, std::min(cap.inner + cap.rows(12), cap.height));
-    const double rest = cap.rows(15); // rows
+    const double rest = cap.rows(15); // rows within which the slope decays
     const double rim = std::tan(cap.colatitude((cap.inner + below) / 2.0) / 2);
-    constexpr double kMaxChange = 0.5, kMaxHue = 0.15; // of the logarithm
+    constexpr double kMaxChange = 0.5, kMaxHue = 0.15; // greatest changes of the logarithm
     const double common = (slope[0] + slope[1] + slope[2]) / 3;
     cv::Mat out(cap.inner, cap.width, CV_32FC3);
     for (int y = 0; y < cap.inner; ++y) {
@@ -57,7 +57,7 @@ cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
             for (int k = 0; k < cap.width; ++k)
                 fallen.at<cv::Vec2f>(k) *= static_cast<float>(std::pow(ratio, std::min(k, cap.width - k)));
             cv::dft(fallen, filled[c], cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
-            // Starts with the picture's own slope.
+            // Begins with the picture's own slope.
             const double start =
                 std::clamp(slope[static_cast<int>(c)], common - kMaxHue / rest, common + kMaxHue / rest);
             const double maximum = std::min(kMaxChange, std::abs(start) * rest) + 1e-12;
@@ -71,8 +71,8 @@ cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
     return out;
 }
 
-// The corners of the triangle that contains a point of the plane, in a lattice of triangles with sides of
-// length 1, and the point's barycentric coordinates.
+// The triangle that contains a point of the plane, in a lattice of triangles with sides of length 1: its
+// corners, and the point's barycentric coordinates.
 struct Triangle {
     std::array<cv::Point2i, 3> corners; // lattice coordinates
     std::array<double, 3> barycentric;
@@ -90,7 +90,7 @@ struct Triangle {
     }
 };
 
-// Hash of a corner: -1 to 1 in either direction.
+// Hashes a corner to an offset of -1 to 1 in both directions.
 cv::Point2d randomOffset(const cv::Point2i& corner) {
     uint32_t h =
         static_cast<uint32_t>(corner.x) * 0x9e3779b1u ^ static_cast<uint32_t>(corner.y) * 0x85ebca77u;
@@ -104,10 +104,10 @@ cv::Point2d randomOffset(const cv::Point2i& corner) {
     return {x, next()};
 }
 
-// Texture of rows 0 to inner, as a ratio to the blurred picture: each corner of a triangle lattice has a
-// random piece of the example square, and a pixel blends the pieces of its three corners so that the variance
-// is kept (Heitz and Neyret 2018, "High-Performance By-Example Noise using a Histogram-Preserving Blending
-// Operator").
+// Returns the texture of rows 0 to inner, as a ratio to the blurred picture: each corner of a triangle
+// lattice has a random piece of the example square, and a pixel blends the pieces of its three corners so
+// that the variance is kept (Heitz and Neyret 2018, "High-Performance By-Example Noise using a
+// Histogram-Preserving Blending Operator").
 cv::Mat texture(const cv::Mat& latLong, const Extent& cap) {
     constexpr double kMaxColatitude = 75 * kPi / 180; // beyond it the tangent plane recedes too fast
     constexpr float kMaxContrast = 1.3f;
@@ -132,7 +132,7 @@ cv::Mat texture(const cv::Mat& latLong, const Extent& cap) {
                 const Triangle triangle = Triangle::around(place / lattice);
                 const cv::Point2i corner = triangle.corners[layer];
                 const cv::Point2d in = place - Triangle::placeOf(corner) * lattice +
-                                       randomOffset(corner) * room; // about the square's middle
+                                       randomOffset(corner) * room; // from the square's middle
                 const double away = rim + side / 2 + in.y;
                 const double u = 0.5 + std::atan2(in.x, away) / (2 * kPi);
                 const double v = std::atan(std::hypot(in.x, away)) / kPi;

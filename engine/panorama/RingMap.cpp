@@ -10,23 +10,23 @@ namespace {
 
 constexpr double px(double degrees) { return degrees * kMapPixelsPerDegree; }
 
-// The light and a margin are not stretched; beside them stretching sets in over a fade.
+// The light and a margin are not stretched; outside of these stretching increases over kFade.
 constexpr double kLargestLight = px(10), kAroundLight = px(5), kFade = px(14);
-constexpr double kMaxSideways = 6, kMaxUpward = 4; // times
+constexpr double kMaxSideways = 6, kMaxUpward = 4; // greatest stretching
 constexpr double kSmoothAround = px(2), kSmoothUp = px(2);
-// Weights of seams.
+// Weights that keep seams away.
 constexpr double kProhibitive = 10; // more than any pixel can differ from its neighbour
 constexpr double kVertical = 4;     // times the edge's own step
 constexpr double kTexture = 0.25;   // times the local gradient
 
-// No seam may cross the columns from middle - half to middle + half; beyond them the weight falls over `fade`
+// Columns that no seam may cross, middle - half to middle + half; beyond them the weight falls over `fade`
 // columns.
 struct ProtectedColumns {
     double middle = 0, half = 0, fade = 0; // pixels
 };
 
-// Weights for seamInsertionMap(): prohibitive within the protected columns, high along vertical edges as long
-// as a quarter of the picture's height, and slightly raised by any texture.
+// Returns weights for seamInsertionMap(): prohibitive within the protected columns, high along vertical edges
+// as long as a quarter of the picture's height, and slightly raised by any texture.
 cv::Mat seamWeights(const cv::Mat& picture, const ProtectedColumns& columns) {
     cv::Mat grey, across, down, vertical;
     cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
@@ -90,7 +90,7 @@ std::vector<float> insertSideways(const cv::Mat& patch, const LightInPatch& ligh
     return map;
 }
 
-// The patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
+// Returns the patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
 // transposed.
 cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& column) {
     cv::Mat columns(patch.rows, kMapWidth / 4, CV_32F), rows(columns.size(), CV_32F), out, turned;
@@ -111,7 +111,7 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const LightInPatch& 
     RingMap ring;
     ring.column = insertSideways(patch, light, within(progress, 0, 0.8));
 
-    // Between the light and the horizon, and around both, heights stay as they are.
+    // Between the light and the horizon, and around both, heights are not stretched.
     const double horizon = patch.rows / 2.0;
     const double margin = std::min(light.radius, kLargestLight) + kAroundLight / 2;
     const auto row = [&](double y) { return static_cast<int>(std::clamp(y, 0.0, patch.rows * 1.0)); };

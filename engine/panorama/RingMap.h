@@ -18,16 +18,16 @@ struct LightInPatch {
     double column = 0, row = 0, radius = 0; // pixels
 };
 
-// Source column and row in the patch for each column and row of the ring, centres at whole numbers.
+// Column and row in the patch for each column and row of the ring, centres at whole numbers.
 struct RingMap {
     std::vector<float> column; // kMapWidth
     std::vector<float> row;
     double top = 0; // latitude of the ring's upper edge, radians; the ring's rows go down from it
 };
 
-// Either side of the light is widened to half the ring, or sixfold if that is less, and the other takes the
+// Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
 // rest. bandLatitude: how far up and down the ring should reach, radians. The parts above and below light and
-// horizon are stretched fourfold at most, so a photo with little there reaches less far.
+// horizon are stretched fourfold at most, so a photo with small such parts reaches less far.
 RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const LightInPatch& light, double bandLatitude,
                     const Progress& progress);
 

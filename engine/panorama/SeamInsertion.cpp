@@ -20,14 +20,14 @@ float difference(const float* a, const float* b) {
     return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 
-// The source columns of an unchanged picture.
+// Returns the source columns of an unchanged picture.
 cv::Mat columnNumbers(const cv::Size& size) {
     cv::Mat numbers(size, CV_32F);
     for (int x = 0; x < size.width; ++x) numbers.col(x).setTo(x);
     return numbers;
 }
 
-// Not 0 for the pixels of the `count` seams that are successively the cheapest to remove.
+// Marks the pixels of the `count` seams that are successively the cheapest to remove.
 cv::Mat seamsToDouble(const Widened& now, int count, const std::function<void()>& found) {
     cv::Mat colours = now.colours.clone(), weight = now.weight.clone();
     cv::Mat column = columnNumbers(colours.size()), chosen(colours.size(), CV_8U, cv::Scalar(0));
@@ -58,7 +58,7 @@ cv::Mat doubled(const cv::Mat& in, const cv::Mat& chosen, int count) {
     return out;
 }
 
-// Mean difference of a pixel from its right neighbour: the scale of the energies.
+// Returns the mean difference of a pixel from its right neighbour: the scale of the energies.
 double meanStep(const cv::Mat& colours) {
     if (colours.cols < 2) return 0;
     return cv::norm(colours.colRange(1, colours.cols), colours.colRange(0, colours.cols - 1), cv::NORM_L1) /

@@ -12,28 +12,28 @@ namespace shoal::panorama {
 // Called with the fraction that is done, 0 to 1, on the calling thread.
 using Progress = std::function<void(double)>;
 
-// The column of the minimum-cost seam in each row. The cost is the sum of the differences between pixels that
-// removing the seam would make neighbours: those left and right of it and, where it steps sideways, one of
-// those and the pixel above (forward energy: Rubinstein, Shamir, Avidan, "Improved Seam Carving for Video
-// Retargeting", SIGGRAPH 2008, section 5). Differences are summed over the three components; beyond the left
-// and right edge the picture repeats its last pixel. weight, of the same size, is added for each pixel of the
-// seam; it may be negative, and must be finite. Of equal costs the leftmost at the bottom row.
+// Returns the column of the minimum-cost seam in each row. The cost is the sum of the differences between
+// pixels that removing the seam would make neighbours: those left and right of it and, where it steps
+// sideways, one of those and the pixel above (forward energy: Rubinstein, Shamir, Avidan, "Improved Seam
+// Carving for Video Retargeting", SIGGRAPH 2008, section 5). Differences are summed over the three
+// components; beyond the left and right edge the last pixel repeats. weight, of the same size, is added for
+// each pixel of the seam; it may be negative, and must be finite. Equal costs: leftmost at the bottom.
 std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight);
 
 // Removes one pixel a row, in the matrix' own memory.
 void removeSeam(cv::Mat& image, const std::vector<int>& seam);
 
-// The source column of each pixel of the widened picture, columns wide, in pixels of `colours` with centres
-// at whole numbers. Never decreases along a row.
+// Returns the source column of each pixel of the picture widened to `columns`, in pixels of `colours` with
+// centres at whole numbers. Never decreases along a row.
 //
-// Passes of seams that are the cheapest to remove, each doubled (section 4.3 of Avidan and Shamir, "Seam
+// Each pass doubles the seams that are the cheapest to remove (section 4.3 of Avidan and Shamir, "Seam
 // Carving for Content-Aware Image Resizing", SIGGRAPH 2007). A pass inserts at most a tenth of the columns
-// and raises the weight of what it doubled, so that insertions spread. columns: at least colours.cols.
+// and raises the weight of doubled pixels, so that insertions spread. columns: at least colours.cols.
 cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
                          const Progress& progress = {});
 
-// One source column for each column: the mean of seamInsertionMap() over all rows, so that vertical lines
-// stay straight.
+// Returns a source column for each column: the mean of seamInsertionMap() over all rows, so that vertical
+// lines stay straight.
 std::vector<float> columnInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
                                       const Progress& progress = {});
 

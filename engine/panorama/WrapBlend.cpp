@@ -12,7 +12,7 @@ namespace shoal::panorama {
 
 namespace {
 
-// Mean of a few columns at one end.
+// Returns the mean of a few columns at one end.
 cv::Mat endOf(const cv::Mat& ring, bool left) {
     const int width = std::max(1, ring.cols / 256);
     cv::Mat mean;
@@ -21,7 +21,7 @@ cv::Mat endOf(const cv::Mat& ring, bool left) {
     return mean;
 }
 
-// By how many rows the left end's content lies lower than the right's, for each row half way between.
+// Returns by how many rows the left end's content lies lower than the right's, for each row half way between.
 std::vector<float> offsets(const cv::Mat& ring) {
     const int maximum = ring.cols * 8 / 360;
     cv::Mat left = endOf(ring, true), right = endOf(ring, false);
@@ -45,7 +45,7 @@ std::vector<float> offsets(const cv::Mat& ring) {
     return {found.begin<float>(), found.end<float>()};
 }
 
-// 1 at an end, 0 from `reach` on, with a continuous slope.
+// Returns 1 at an end, 0 from `reach` on, with a continuous slope.
 float fade(double distance, double reach) {
     return static_cast<float>(glm::smoothstep(0.0, 1.0, 1 - distance / reach));
 }

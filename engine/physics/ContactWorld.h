@@ -16,7 +16,7 @@ namespace shoal::physics {
 // A kinematic capsule that moves from one place to another during the tick.
 struct Mover {
     Capsule before, after;
-    glm::vec3 velocityA{0}, velocityB{0}; // of its ends, for pushing; steadier than the way over the tick
+    glm::vec3 velocityA{0}, velocityB{0}; // of its ends, for pushing; steadier than its path in the tick
     int group = 0;                        // index of the hand
     int tag = 0;                          // index of the bone
 };
@@ -31,14 +31,14 @@ struct Contact {
     uint32_t body = 0;
     int group = 0;
     int tag = 0;
-    bool fresh = false;         // began this tick
-    bool lasting = false;       // whether they touch at the tick's end
-    glm::vec3 point{0};         // on the body's surface
-    glm::vec3 normal{0};        // unit, from the mover towards the body: the direction of the push
-    float depth = 0;            // of the mover in the body along the normal at the tick's end, metres, >= 0
-    float closingSpeed = 0;     // of the mover relative to the body along the normal, m/s, >= 0
-    glm::vec3 moverVelocity{0}; // of the mover at the contact, m/s
-    float time = 0;             // of first touch, 0 to 1 within the tick; 0 for lasting contacts
+    bool fresh = false;     // began this tick
+    bool lasting = false;   // whether they touch at the tick's end
+    glm::vec3 point{0};     // on the body's surface
+    glm::vec3 normal{0};    // unit, from the mover towards the body: the direction of the push
+    float depth = 0;        // how deep the mover is in the body along the normal at the tick's end, metres
+    float closingSpeed = 0; // speed of the mover relative to the body along the normal, m/s, >= 0
+    glm::vec3 moverVelocity{0}; // velocity of the mover at the contact, m/s
+    float time = 0;             // time of first touch, 0 to 1 within the tick; 0 for lasting contacts
 };
 
 // Replaces out by the contacts of this tick, at most one for each (body, group, tag), sorted by these. last:

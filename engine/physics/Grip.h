@@ -30,7 +30,7 @@ Finger wrapped(const Finger& given, const Capsule& body);
 // A contact at which a hand presses on a body.
 struct Press {
     glm::vec3 normal{0}; // unit, into the body
-    float force_N = 0;   // it can push with 0 to this force along the normal, with friction across
+    float force_N = 0;   // greatest force along the normal: it pushes with 0 to this, with friction across
 };
 
 struct Hold {

@@ -65,7 +65,7 @@ class BackgroundPass {
     ShadowTexture shadowTexture_;
 };
 
-// Whether the frame is displayed exactly as it is coded: no curve, no exposure.
+// Returns whether the frame is displayed exactly as it is coded: no curve, no exposure.
 bool showsFrameAsCoded(const EnvironmentGpu& environment, const Exposure& exposure);
 
 } // namespace shoal::render

@@ -29,7 +29,7 @@ Path bakedOcclusionBeside(const Path& model);
 constexpr double kSelfOcclusionSteps = 250;  // steps of 1 in the file: a step is a tenth of the error of rays
 constexpr int kMaxSelfOcclusionSteps = 2000; // largest magnitude; total occlusion needs fewer
 
-// Both fail if a value is out of range or a list has not the length that its model's entry says.
+// Both fail if a value is out of range or a list is cut short.
 Result<BakedOcclusion> parseBakedOcclusion(std::string_view text);
 Result<BakedOcclusion> readBakedOcclusion(const Path& file);
 

@@ -76,7 +76,7 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
     const std::span own = ellipsoids(receiver);
     for (size_t b = 0; b < bodies_.size(); ++b) {
         const Body& body = bodies_[b];
-        // Farther away than this the whole body together takes less than kMinShare.
+        // Farther away than this even the whole body takes less than kMinShare.
         const float apart = glm::distance(body.bound.centre, self.bound.centre) - self.bound.radius;
         if (b == receiver || apart * apart * kMinShare > body.bound.radius * body.bound.radius) continue;
         for (size_t p = body.first; p < body.first + body.count; ++p) {

@@ -20,7 +20,7 @@ struct BodyOccluders {
     std::vector<Part> parts;
     glm::vec3 albedo{0};   // mean; linear
     bool onItself = false; // whether the parts occlude their own body where it is bent
-    float length = 0;      // of all of it at rest, from centre to centre
+    float length = 0;      // greatest distance of two centres at rest
 };
 
 // parts: model frame, at rest; joint: the node that carries it. The model's meshes and pictures must still be
@@ -86,8 +86,8 @@ class NearBodies {
         float share;
         size_t part, body;
     };
-    std::vector<occlusion::Ellipsoid> shapes_; // of all bodies
-    std::vector<Size> sizes_;                  // of each ellipsoid in shapes_
+    std::vector<occlusion::Ellipsoid> shapes_; // the parts of all bodies
+    std::vector<Size> sizes_;                  // one for each ellipsoid
     std::vector<Body> bodies_;
     std::vector<Found> found_;
     std::vector<PackedOccluder> packed_;

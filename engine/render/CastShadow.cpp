@@ -25,7 +25,7 @@ struct Chord {
 struct Silhouette {
     glm::vec3 centre{0};          // x and y on the plane, z towards the light
     float xx = 0, xy = 0, yy = 0; // symmetric matrix; its eigenvalues are the squared semi-axes
-    float xz = 0;                 // of the ellipsoid's matrix: how its middle rises along x
+    float xz = 0;                 // element of the ellipsoid's matrix: how its middle rises along x
 
     // Returns the part of a line of constant x that lies within the ellipse.
     std::optional<Chord> chordAt(float x) const {
@@ -223,7 +223,7 @@ float fallOf(const FilmSurface& film, const FlatPiece& piece, const CastingLight
 void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
                std::vector<Spot>& out) {
     out.clear();
-    float ground = -INFINITY; // where the last piece's shadow falls, along the light's direction
+    float ground = -INFINITY; // height at which the last piece's shadow falls, along the light's direction
     for (const FlatPiece& piece : body) {
         const float fall = fallOf(film, piece, light, ground);
         if (fall < 0) continue;
@@ -238,7 +238,7 @@ float darkest(std::span<const Spot> spots, const CastingLight& light) {
     float hidden = 0;
     for (const Spot& spot : spots) {
         const float disc = std::max(light.discTangent() * spot.fall_m, kMinDisc_m);
-        // Its area by the disc's; 1.27: density of the product of strips where it is densest.
+        // The spot's area by the disc's; 1.27: density of the product of strips where it is densest.
         const float flat = 4 * spot.piece.halfAlong_m * spot.piece.halfAside_m;
         hidden += spot.fade * std::min(1.0f, flat * 1.27f / (std::numbers::pi_v<float> * disc * disc));
     }

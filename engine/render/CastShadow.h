@@ -50,7 +50,7 @@ struct CastingLight {
 
 // The surfaces that a frame of a film shows, known by its distances.
 struct FilmSurface {
-    const depth::DepthMap* map = nullptr; // never null where it is used
+    const depth::DepthMap* map = nullptr; // not null
     glm::mat3 envFromWorld{1};            // a rotation
     glm::vec3 cameraWorld{0.0f};          // position of the film's camera
 };

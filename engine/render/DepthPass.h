@@ -1,5 +1,5 @@
-// Copies the depth of what was drawn into a target to a framebuffer of another size or format, and adds that
-// of a film. Pairs with shaders/render/Depth.
+// Copies a target's depth to a framebuffer of another size or format, and adds that of a film. Pairs with
+// shaders/render/Depth.
 #pragma once
 
 #include "engine/gl/Program.h"

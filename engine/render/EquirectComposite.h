@@ -44,7 +44,7 @@ std::vector<uint8_t> makeGrain();
 // The response of a frame's camera, which is applied to what is painted into the frame.
 struct FilmedFrame {
     camera::CameraResponse response;
-    int64_t index = 0; // of the frame, which selects its grain
+    int64_t index = 0; // number of the frame, which selects its grain
 };
 
 // The same response as uniforms of shaders/render/EquirectComposite.
@@ -73,7 +73,7 @@ class EquirectComposite {
     GLuint texture() const { return frame_.name(); } // undefined outside the tiles painted last
 
   private:
-    std::array<gl::Program, 4> programs_; // by features
+    std::array<gl::Program, 4> programs_; // indexed by features
     gl::Texture grain_;
     TriangleBatch drawn_;
     gl::Texture frame_;

@@ -23,11 +23,11 @@ struct EyePicture {
     const gl::Target& canvas;
     int eye = 0;             // 0 left, 1 right
     bool sharesFrame = true; // both eyes see the same frame of the video
-    FilmedFrame filmed;      // what the video's camera did to the frame
+    FilmedFrame filmed;      // the response of the video's camera in this frame
     // Position of the eye from the film's camera, env frame: the film is drawn at its distances, where they
     // are known. 0: the film is drawn infinitely far away, so that the eye sees what the camera saw.
     glm::vec3 eyeInFilm{0};
-    const FilmShadows* shadows = nullptr; // on the film, under the objects; null: none
+    const FilmShadows* shadows = nullptr; // shadows on the film, under the objects; null: none
     SkippedPass skip = SkippedPass::None;
     Surroundings surroundings = Surroundings::Film;
 

@@ -87,8 +87,8 @@ class FilmShadows {
     Image<uint8_t, 4> left_;
     std::vector<glm::vec2> columns_,
         rows_; // by the map's column and row: sine and cosine of longitude, of latitude
-    std::array<float, 256> distance_m_{};  // by the map's code
-    std::array<glm::vec3, 256> arrives_{}; // by code: share of light that comes through the water
+    std::array<float, 256> distance_m_{};  // indexed by the map's code
+    std::array<glm::vec3, 256> arrives_{}; // by code: share of light that the water lets through
     glm::mat3 lightFromEnv_{1};            // for the body being added: along, aside, up
     std::vector<FlatPiece> pieces_;        // scratch: of one body
     std::vector<Spot> spots_;

@@ -83,7 +83,7 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
             most = std::max(most, nodes_.back().taken);
         }
     if (most <= kMinShadow) return;
-    const float strength = glm::smoothstep(kMinShadow, 2 * kMinShadow, most); // so that none pops
+    const float strength = glm::smoothstep(kMinShadow, 2 * kMinShadow, most); // faint at first
     for (Node& node : nodes_) node.taken *= strength;
     const auto triangle = [&](int a, int b, int c) {
         const Node corners[] = {nodes_[static_cast<size_t>(a)], nodes_[static_cast<size_t>(b)],

@@ -24,8 +24,8 @@ class FloorShadowPass {
     void add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light, float floor_m,
              FrameCoding frames);
 
-    // Draws the shadows, after the objects: beneath the picture's premultiplied colours and behind what is
-    // nearer by its depth, which stays.
+    // Draws the shadows, after the objects: beneath the picture's premultiplied colours, and only where its
+    // depth is not nearer. Does not change depth.
     void draw(const View& view);
 
     // Spheres that hold the shadows, world frame.

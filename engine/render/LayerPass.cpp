@@ -10,7 +10,7 @@ namespace {
 
 // Cells of about 32 pixels each: laying over an empty one costs as much as any other.
 constexpr glm::ivec2 kCells(40, 24);
-// Of the picture's width: a larger layer saves less time than laying it over takes.
+// Greatest width, by the picture's, that pays: a larger layer saves less time than laying it over takes.
 constexpr float kWorthIt = 0.85f;
 
 // Finds where a sphere's tangents meet the line at distance 1; across, ahead: of its centre from the eye.

@@ -47,7 +47,7 @@ inline Reflectance reflectanceFor(const scene::Material& material, Reflectance o
     return material.unlit ? Reflectance::Linear : ofLit;
 }
 
-// By index into Model::textures; empty where a texture is not used in that way.
+// Textures by index into Model::textures; empty where a texture is not used in that way.
 struct TexturesGpu {
     std::vector<gl::Texture> colour; // sRGB, decoded by the sampler
     std::vector<gl::Texture> data;   // values as stored

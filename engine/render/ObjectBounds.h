@@ -9,7 +9,7 @@
 
 namespace shoal::render {
 
-// How much of an object lies behind nearer parts of the film.
+// The share of an object behind nearer parts of the film.
 enum class BehindFilm { Nothing, Perhaps, All };
 
 // Allocates nothing once the vectors have grown.

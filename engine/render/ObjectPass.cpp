@@ -62,7 +62,7 @@ unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy 
 float toleranceAt(float distance_m, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
     const float unseen_px = detail == Detail::Lean ? 1.6f : 0.5f;
-    constexpr float kNearest_m = 0.2f; // to what an eye within a sphere looks at, such as its own arm
+    constexpr float kNearest_m = 0.2f; // distance at which an eye within a sphere sees, say, its own arm
     return std::max(distance_m, std::max(view.near_m, kNearest_m)) * 2 * view.halfExtent().y /
            static_cast<float>(view.heightPixels) * unseen_px;
 }

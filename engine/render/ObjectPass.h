@@ -55,11 +55,11 @@ class ObjectPass {
     // that it hides what is behind it.
     Status draw(const EyePicture& picture, const water::Water& water, Glossy glossy);
 
-    const ObjectBounds& bounds() const { return bounds_; } // of what was added since begin()
+    const ObjectBounds& bounds() const { return bounds_; } // bounds of the objects since begin()
 
-    // The bodies of what was added since begin(), as ellipsoids.
+    // The bodies of the objects since begin(), as ellipsoids.
     const NearBodies& bodies() const { return near_; }
-    bool isInRoom(size_t body) const { return inRoom_[body]; } // from its Object
+    bool isInRoom(size_t body) const { return inRoom_[body]; } // Object::isInRoom
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
@@ -69,7 +69,7 @@ class ObjectPass {
     struct Item {
         const ModelGpu* gpu;
         const PrimitiveGpu* primitive;
-        size_t object;       // in the order of add()
+        size_t object;       // index, in the order of add()
         size_t matrixOffset; // bytes, in the buffer of matrices
         float scale;         // world metres per unit of the mesh
         bool mirrored;       // whether its transform turns triangles clockwise (glTF 2.0, 3.7.4)
@@ -95,7 +95,7 @@ class ObjectPass {
     };
 
     bool shaded(const Item& item) const;
-    size_t append(const void* block, size_t bytes); // to the matrices; returns the offset
+    size_t append(const void* block, size_t bytes); // appends to the matrices; returns the offset
     Result<const gl::Program*> programFor(unsigned features);
     void sortVisible(const EyePicture& picture);
     unsigned featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture, Glossy glossy) const;
@@ -119,7 +119,7 @@ class ObjectPass {
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
     ObjectBounds bounds_;
-    std::vector<depth::LightHarmonics> matteBeside_; // by object, as render/LightBeside.glsl has it
+    std::vector<depth::LightHarmonics> matteBeside_; // by object, for render/LightBeside.glsl
     std::vector<ObjectBounds::Seen> seen_;           // scratch: by object, in the view that is drawn
     int drawCount_ = 0, triangleCount_ = 0;
 };

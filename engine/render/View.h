@@ -22,7 +22,7 @@ struct View {
     // Centre of the image plane at distance 1, for frusta off axis (headsets); right and up positive.
     glm::vec2 shift{0};
 
-    int heightPixels = 0; // of the picture: finer details are left out; 0: none are
+    int heightPixels = 0; // height of the picture: finer details are left out; 0: none are
 
     bool operator==(const View&) const = default;
     glm::vec2 halfExtent() const {
@@ -41,20 +41,20 @@ struct View {
 // Returns whether the sphere reaches into the view's pyramid; may say yes beside the pyramid's edges.
 bool sees(const View& view, const Sphere& sphere);
 
-// How coded values of a video become radiance.
+// Decoding of a video's coded values to radiance.
 enum class FrameCoding {
     Srgb,
     Thesis, // light::radianceFromDisplay()
 };
 
-// How radiance becomes display values: shaders/render/Output.glsl.
+// Conversion of radiance to display values: shaders/render/Output.glsl.
 enum class ToneCurve {
     InverseOfVideo, // the inverse of the frames' coding
     Aces,
     Linear // clips, and codes as sRGB
 };
 
-// How glossy light is looked up.
+// Method of looking up glossy light.
 enum class Glossy {
     Prefiltered, // GGX, as glTF defines it
     PhongRings,  // the thesis' 36 samples of a Phong lobe
@@ -63,7 +63,7 @@ enum class Glossy {
 struct Exposure {
     ToneCurve curve = ToneCurve::InverseOfVideo;
     float exposure_ev = 0;                    // objects and background alike
-    FrameCoding frames = FrameCoding::Thesis; // as the light was made: light::FrameRadiance
+    FrameCoding frames = FrameCoding::Thesis; // coding that the light was made with: light::FrameRadiance
 
     float scale() const { return std::exp2(exposure_ev); }
     bool isLinear() const { // as the shaders' TONE_LINEAR
@@ -77,7 +77,7 @@ struct Exposure {
     }
 };
 
-// How virtual objects are combined with the filmed background.
+// Method of combining virtual objects with the filmed background.
 enum class Composition {
     BackgroundOnly,    // no objects
     Plain,             // objects at the resolution of the picture
@@ -94,10 +94,10 @@ enum class Backend {
     Software
 };
 
-// What is seen where there is no object.
+// The picture's content where there is no object.
 enum class Surroundings {
     Film,
-    Room // what a headset's cameras see of the player's room: the picture is clear there, alpha 0
+    Room // the player's room, from the headset's cameras: the picture is clear there, alpha 0
 };
 
 // A pass that can be left out, to find out what it draws and costs. Depth: nearer parts of the film do not

@@ -32,7 +32,7 @@ struct Frame {
 // What end() shows: pictures released since begin().
 struct Shown {
     bool eyes = false;
-    // Shows the player's room behind the eyes' pictures, where their alpha (colours are premultiplied) is
+    // The pictures that end() shows: those released since begin().
     // below 1.
     bool room = false;
     glm::ivec2 eyeSize{0};        // drawn part, from the lower left; at most eyeSize()

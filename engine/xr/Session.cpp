@@ -3,7 +3,7 @@
 #include "engine/core/Result.h"
 
 #include <epoxy/gl.h>
-// After the above, as it defines words that they use.
+// Included last, as it defines words that the headers above use.
 #include <epoxy/glx.h>
 
 #define XR_USE_PLATFORM_XLIB

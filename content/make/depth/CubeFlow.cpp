@@ -111,7 +111,7 @@ void CubeFlow::match(const CubeFaces& first, const CubeFaces& second, int width,
     back.assign(there.size(), {});
     for (size_t f = 0; f < kFaces.size(); ++f) {
         const cv::Mat1b a = asMat(first.grey[f]), b = asMat(second.grey[f]);
-        own.forward.release(), own.backward.release(); // what they hold would be where the flow begins
+        own.forward.release(), own.backward.release(); // else the flow would start from their values
         own.flow->calc(a, b, own.forward);
         own.flow->calc(b, a, own.backward);
         contrastOf(a, own.contrast[0]), contrastOf(b, own.contrast[1]);

@@ -13,7 +13,7 @@ extern "C" {
 
 namespace shoal::media {
 
-static constexpr uint16_t kUnusedCode = 512; // of plane Cr
+static constexpr uint16_t kUnusedCode = 512; // value of plane Cr
 
 uint16_t depthCode(float inverse_perM, int stepsPerOctave) {
     const float share = inverse_perM > 0 ? std::min(inverse_perM / kMaxInverse_perM, 1.0f) : 0;

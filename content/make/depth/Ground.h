@@ -18,9 +18,9 @@ struct Ground {
 // Number of track frames around a frame that its ground is found from together: two seconds of most films.
 constexpr int kGroundFrames = 25;
 
-// Finds the plane that what lies below the horizon is nearest to. Its trust rises with the share of the solid
-// angle there that is known, in some of the frames, and falls with the distance from the plane. The maps have
-// the size of FrameRecord.h.
+// Fits the plane to the points below the horizon. Its trust rises with the share of the solid angle there
+// that is known, in some of the frames, and falls with the points' distance from the plane. The maps have the
+// size of FrameRecord.h.
 Ground findGround(std::span<const DepthEstimate> frames);
 
 // Puts the ground's distance wherever less is known than of the ground, clearly below the horizon. A thing

@@ -68,7 +68,7 @@ struct LiveFeed {
 };
 
 struct FeedTimeouts {
-    double open_s = 10;   // until there is something to read
+    double open_s = 10;   // time limit until there is something to read
     double silence_s = 4; // between pictures, before the connection counts as lost
 };
 

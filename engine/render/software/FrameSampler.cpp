@@ -146,7 +146,7 @@ bool canSampleFrames() {
 }
 
 bool isWithin(const DisplayFrame& frame, const SampledCell& cell) {
-    constexpr float kRounding = 1 / 64.0f; // of fixed-point steps, summed over a cell
+    constexpr float kRounding = 1 / 64.0f; // error of fixed-point steps, summed over a cell
     const glm::vec2 last = glm::vec2(cell.high - cell.low - 1);
     for (const glm::vec2 corner : {glm::vec2(0), glm::vec2(last.x, 0), glm::vec2(0, last.y), last}) {
         const glm::vec2 at = cell.first + corner.x * cell.right + corner.y * cell.up;

@@ -14,7 +14,7 @@ constexpr int kOne = 64;        // sum of the weights of two texels
 constexpr int kMaxTexels = 128; // across a tile
 
 struct Between {
-    int first, second, weight; // of the second, in kOne
+    int first, second, weight; // two texels; the second's weight, 0 to kOne
 };
 
 // Returns the two of coarseCount texels between whose middles the middle of texel `fine` of fineCount lies.

@@ -20,7 +20,7 @@ bool differ(uint32_t a, uint32_t b) { return std::abs(alphaOf(a) - alphaOf(b)) >
 // An end of a step between two lines of pixels.
 struct End {
     int away = 0;         // pixels from the one looked at to that end
-    bool bendsIn = false; // to that pixel's side
+    bool bendsIn = false; // whether it bends to that pixel's side
 };
 
 // ahead: to the next pixel along the step; across: to the neighbour on its other side.

@@ -50,7 +50,7 @@ class SoftwareBackground final : public BackgroundPass {
         void operator()(int row) const;
     };
     struct Run {             // a run of tiles, as FrameTiles counts them
-        int row, first, end; // of columns
+        int row, first, end; // row, and range of columns
     };
 
     void classify(const EyePicture& picture);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLines = 80;         // lines of samples across the body's longest side
 constexpr int kSweeps = 12;        // rounds of assigning samples to parts
-constexpr float kThinnest = 0.25f; // by a sample's size: sheets block light though they have no volume
+constexpr float kThinnest = 0.25f; // least depth, by a sample's size: sheets without volume block light
 constexpr float kFlattest = 0.02f; // shortest semi-axis by the longest
 constexpr float kMinShare = 0.004f;
 

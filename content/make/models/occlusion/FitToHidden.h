@@ -14,7 +14,7 @@ namespace shoal::make {
 struct Around {
     std::vector<glm::mat4> posedFromRest; // by joint; rigid
     std::vector<glm::vec3> places;
-    std::vector<std::array<float, 2 * occlusion::kAxisCount>> hidden; // by place: of the axes' ends, 0 to 1
+    std::vector<std::array<float, 2 * occlusion::kAxisCount>> hidden; // by place: shares at the axes' ends
 };
 
 // Distances from the skin at which places lie, metres. The skin's inside is never seen.

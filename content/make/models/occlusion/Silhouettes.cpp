@@ -60,7 +60,7 @@ void completeOwn(const SelfOccludingMesh& mesh, std::span<const Occluder> own,
     for (size_t v = 0; v < selfOcclusion.size(); ++v) {
         if (!used[v]) continue;
         const glm::vec3& normal = mesh.normals[v];
-        // Few rays may yield values that nothing can hide; these must not add to what is to be completed.
+        // Few rays may give shares outside of 0 to 1, which withSelfOcclusion() clamps.
         const glm::vec4 moments = occlusionMoments(withSelfOcclusion({}, normal, selfOcclusion[v]), normal);
         selfOcclusion[v] = fitSelfOcclusion(axisOcclusion(mesh.positions[v], normal, own), normal, moments);
     }

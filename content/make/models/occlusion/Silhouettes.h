@@ -13,7 +13,7 @@ namespace shoal::occlusion {
 struct Occluder {
     Ellipsoid shape;
     float strength = 1;  // fades it in, 0 to 1
-    glm::vec3 albedo{0}; // of its surface, in the space in which surfaces scale light
+    glm::vec3 albedo{0}; // albedo of its surface, in the space in which surfaces scale light
 };
 
 // An ellipsoid as seen from a point: the directions that it hides. m: the point from its centre; Q: the

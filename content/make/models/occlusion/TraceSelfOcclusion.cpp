@@ -25,15 +25,14 @@ constexpr float kSeen = 0.1f;    // share of the hemisphere that must be free fo
 constexpr float kBuried = 0.03f; // its weight where nothing is free: such places are never seen
 constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
 
-// Occlusion by something near varies over about its distance. Corners that are further apart cannot carry it:
-// between them it would be a gradient that no light makes. So nothing counts that is nearer than a triangle
-// is long, minus this share of the body's extent: below that it is fine detail of a model that has its
-// vertices where they are wanted.
+// Occlusion by a near surface varies over about its distance. Corners that are further apart cannot represent
+// it: interpolation would show a gradient that no light makes. So surfaces nearer than a triangle's length,
+// minus this share of the body's extent, do not count: smaller triangles are fine detail of the model.
 constexpr float kFine = 0.05f;
 
 struct Sample {
     std::array<uint32_t, 3> corners{};
-    glm::vec3 shares{0}; // of the corners
+    glm::vec3 shares{0}; // weights of the corners
     float weight = 0;    // area, as far as it is seen
     float nearest = 0;   // distance from a ray's start below which nothing counts
     glm::vec4 hidden{0}; // occlusionMoments()
@@ -170,7 +169,7 @@ std::vector<glm::vec3> cosineDirections(int count) {
     std::vector<glm::vec3> out;
     for (int i = 0; i < count; ++i) {
         const float square =
-            (static_cast<float>(i) + 0.5f) / static_cast<float>(count); // of the disc's radius
+            (static_cast<float>(i) + 0.5f) / static_cast<float>(count); // squared radius in the disc
         const float ring = std::sqrt(square);
         out.emplace_back(ring * static_cast<float>(std::cos(i * kGoldenAngle)),
                          ring * static_cast<float>(std::sin(i * kGoldenAngle)), std::sqrt(1 - square));
@@ -201,7 +200,7 @@ glm::vec4 occlusionMoments(const AxisOcclusion& hidden, const glm::vec3& normal)
 // cosine-weighted hemisphere is a quarter.
 glm::vec4 fitSelfOcclusion(const AxisOcclusion& hidden, const glm::vec3& normal, const glm::vec4& moments) {
     constexpr int kSteps = 8;
-    constexpr float kMin = 0.05f; // of the hemisphere: less is as good as none
+    constexpr float kMin = 0.05f; // share of the hemisphere that counts as nothing
     const float byOthers = std::min(occlusionMoments(hidden, normal).w / std::max(moments.w, kMin), 1.0f);
     const glm::vec3 middle = -kMeanBack * normal;
     glm::vec4 selfOcclusion(0);
