@@ -27,8 +27,8 @@ namespace shoal::app {
 // The player's settings of text.
 struct TextOptions {
     game::Language language = game::Language::English;
-    float scale = 1;        // of all text
-    float captionScale = 1; // of captions besides
+    float scale = 1;        // factor on all text
+    float captionScale = 1; // factor on captions besides
     bool highContrast = false;
 };
 
