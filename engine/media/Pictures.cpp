@@ -1,6 +1,7 @@
 #include "engine/media/Pictures.h"
 
 #include "engine/core/Log.h"
+#include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/EncodeHdr.h"
@@ -162,10 +163,11 @@ Result<ImageRgbF> decodeRadiance(ByteSpan bytes, int width, int height) {
 Result<ImageRgbF> decodePfm(ByteSpan bytes, int width, int height) {
     const size_t channels = hasText(bytes, 0, "PF") ? 3 : 1;
     const std::string begin(asText(bytes.first(std::min<size_t>(bytes.size(), 128))));
-    float scale = 0;
+    char field[32] = "";
     int headerBytes = 0;
-    std::sscanf(begin.c_str(), "P%*c %*d %*d %f%n", &scale, &headerBytes);
-    if (!std::isfinite(scale) || scale == 0) return Error{"", "its PFM header is damaged"};
+    std::sscanf(begin.c_str(), "P%*c %*d %*d %31s%n", field, &headerBytes);
+    const float scale = parseNumber<float>(field).value_or(0);
+    if (scale == 0) return Error{"", "its PFM header is damaged"};
     size_t at = static_cast<size_t>(headerBytes) + 1; // behind one white space
     const size_t needed = size_t{4} * static_cast<size_t>(width) * static_cast<size_t>(height) * channels;
     if (at > bytes.size() || bytes.size() - at < needed) return Error{"", "is cut short"};

@@ -56,7 +56,9 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
 
 TEST(Catching, OpeningEarlyLetsItEscape) {
     OneFish one;
-    one.closeOn();
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
     ASSERT_EQ(count<EventKind::Grab>(one.events), 1);
     one.step(60);
     one.moveGrip(kPlace, 1, 0);
@@ -96,7 +98,9 @@ TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
 
 TEST(Catching, GripNeedsToCrossWithHysteresis) {
     OneFish one;
-    one.closeOn();
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
     ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     // A trembling grip between the thresholds neither drops nor grabs anew.
     for (int i = 0; i < 40; ++i) {
@@ -107,9 +111,27 @@ TEST(Catching, GripNeedsToCrossWithHysteresis) {
     EXPECT_EQ(count<EventKind::Grab>(one.events), 1);
 }
 
+TEST(Catching, EachHandHoldsItsOwn) {
+    OneFish one;
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
+    // The left hand cannot take what the right one holds.
+    for (int i = 0; i <= 15; ++i) {
+        one.input.hands[0] = handAt(kPlace, static_cast<float>(i) / 15, 0);
+        one.step();
+    }
+    EXPECT_EQ(one.world.hands[0].grasp.holds, -1);
+    EXPECT_EQ(one.world.hands[1].grasp.holds, 0);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 1);
+}
+
 TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
     OneFish one;
-    one.closeOn();
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
     ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     one.input.hands[1].tracked = false;
     one.step(20);
@@ -117,6 +139,43 @@ TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
     one.step(60);
     EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
     EXPECT_EQ(count<EventKind::Escape>(one.events), 1);
+}
+
+TEST(Touching, AFastHandThatJumpsThroughAFishBetweenTwoTicksTouchesIt) {
+    for (float speed : {5.0f, 20.0f, 60.0f}) {
+        OneFish one;
+        const glm::vec3 half(0.5f * speed / 120, 0, 0);
+        one.input.hands[1] = handAt(kPlace - half, 1);
+        one.world.fish[0].position = kPlace + glm::vec3(0, 3, 0); // out of the way while the hand appears
+        one.step();
+        one.rest();
+        one.events.clear();
+        one.input.hands[1] = handAt(kPlace + half, 1);
+        one.step();
+        EXPECT_GE(count<EventKind::Touch>(one.events), 1) << speed << " m/s";
+        EXPECT_EQ(count<EventKind::Startle>(one.events), 1) << speed << " m/s";
+    }
+}
+
+TEST(Touching, NoPushMakesAFishFasterThanThreeMetresASecond) {
+    for (float speed : {1.0f, 4.0f, 20.0f, 100.0f})
+        for (int round = 0; round < 8; ++round) {
+            OneFish one;
+            float fastest = 0;
+            for (int i = 0; i < 60; ++i) {
+                const float way =
+                    std::fmod(speed * static_cast<float>(i) / 120 + 0.05f * static_cast<float>(round), 1.0f);
+                one.input.hands[1] = handAt(kPlace + glm::vec3(way - 0.5f, 0, 0), round % 2 ? 1.0f : 0.0f);
+                const glm::vec3 from = one.fish().position;
+                one.step();
+                if (one.fish().heldBy >= 0) break; // in a hand it goes where the hand goes
+                fastest = std::max(fastest, glm::length(one.fish().velocity));
+                // Position and velocity agree: no displacement beside the velocity. Half a millimetre a
+                // second of rounding.
+                EXPECT_LE(glm::distance(from, one.fish().position) * 120, kMaxSpeed_mps + 1e-3f);
+            }
+            EXPECT_LE(fastest, kMaxSpeed_mps + 1e-4f) << speed << " m/s";
+        }
 }
 
 TEST(Touching, AGentleTouchPushesAway) {
@@ -201,9 +260,6 @@ TEST(BadInput, IsNotBelieved) {
     bad([&](TickInput& i) { i.hands[1].joints[4].position.x = nan; });
     bad([&](TickInput& i) { i.hands[1].joints[0].orientation.w = nan; });
     bad([&](TickInput& i) { i.hands[1].joints[20].position.y = 1e30f; });
-    bad([&](TickInput& i) { i.hands[1].joints[9].radius = nan; });
-    bad([&](TickInput& i) { i.hands[1].joints[12].position.z = -40; });
-    bad([&](TickInput& i) { i.hands[1].joints[12].orientation = {0, 0, 0, 0}; });
     bad([&](TickInput& i) { i.hands[1].grip = nan; });
     bad([&](TickInput& i) { i.worldFromView = {nan, 0, 0, 0}; });
     bad([&](TickInput& i) { i.worldFromView = {0, 0, 0, 0}; });
@@ -216,8 +272,6 @@ TEST(BadInput, IsNotBelieved) {
         one.world.step(input, one.events);
     }
     EXPECT_FALSE(one.world.hands[1].visible);
-    one.step();
-    EXPECT_TRUE(one.world.hands[1].visible) << "the first sound pose brings it back";
 }
 
 // Who cannot step or bend to a fish finds it above the lap, and nearer.
@@ -268,7 +322,9 @@ TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {
     EXPECT_EQ(one.world.state().phase, Phase::Results);
     EXPECT_EQ(count<EventKind::DiveOver>(one.events), 1);
     // In the results nothing is caught.
-    one.closeOn();
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
     EXPECT_EQ(count<EventKind::Grab>(one.events), 0);
     one.input.restart = true;
     one.step(50); // held down: one restart
@@ -371,7 +427,9 @@ TEST(SharkRules, NeverStrikesUnannounced) {
 
 TEST(SharkRules, ABumpDropsWhatTheHandHolds) {
     OneFish one(true);
-    one.closeOn();
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
     ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     // Its flank comes upon the hand while it is after nothing.
     one.world.shark.position = kPlace + glm::vec3(0.25f, 0, -0.1f);
