@@ -18,7 +18,7 @@ constexpr int kBlock = 4;
 // The thesis' scale is one for all channels:
 //     l = 30 red + 59 green + 11 blue,  x = 2 l / 2^16
 //     scale = kPlain + 4 * 2^16 x^10  (each product cut to a whole number)
-// What these cuts take from the tenth power, kThesisUnit gives back, shared between bright and dark.
+// kThesisUnit makes up for these cuts of the tenth power, shared between bright and dark.
 constexpr int kLumaRed = 30, kLumaGreen = 59, kLumaBlue = 11;
 constexpr int kPlain = 3843;                  // 0.18 times the 4 * 2^16 (51000 / 2^16)^10 of white
 constexpr float kThesisUnit = 1.8f / 3842.6f; // radiance of white for each 1 of scale

@@ -41,7 +41,7 @@ class FilmShadows {
     bool empty() const { return empty_; } // whether nothing is shaded since begin()
     // The tiles in which something may be shaded.
     const FrameTiles& tiles() const { return tiles_; }
-    // What is left: lat-long, as fine as the distances; 255: all. Channels as in DisplayFrame, blue first.
+    // Light left: lat-long, as fine as the distances; 255: all. Channels as in DisplayFrame, blue first.
     const Image<uint8_t, 4>& left() const { return left_; }
     // Identifies the shadows since one begin(): tells the owner of a copy whether it is up to date.
     struct Version {

@@ -29,7 +29,7 @@ struct Frame {
     bool drawn = false;     // whether it is visible and must be drawn
 };
 
-// What end() shows: pictures released since begin().
+// Pictures released since begin(), which end() shows.
 struct Shown {
     bool eyes = false;
     // The pictures that end() shows: those released since begin().

@@ -18,7 +18,7 @@ std::string textOf(const std::string& file) {
     return text ? *text : "";
 }
 
-// Of "FIGURES / SECTION / ROW / COLUMN [/ UNIT]"; not a number if there is no such cell.
+// Returns the number at "FIGURES / SECTION / ROW / COLUMN [/ UNIT]"; NaN if there is no such cell.
 double figureAt(const std::string& place) {
     static const std::regex kPlace(" *(.+?) / (.+?) / (.+?) / ([0-9]+)(?: / ([0-9]+))?");
     std::smatch part;

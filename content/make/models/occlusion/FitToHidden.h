@@ -10,7 +10,7 @@
 
 namespace shoal::make {
 
-// What is hidden from points around one pose of the skin.
+// Shares of directions that one pose of the skin hides from points around it.
 struct Around {
     std::vector<glm::mat4> posedFromRest; // by joint; rigid
     std::vector<glm::vec3> places;
