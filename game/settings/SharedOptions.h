@@ -2,7 +2,7 @@
 // one member and one row, here or in the command's own struct.
 #pragma once
 
-#include "engine/media/StereoView.h"
+#include "engine/environment/Player.h"
 #include "game/settings/Choices.h"
 #include "game/settings/Setting.h"
 #include "input/hands/HandSize.h"
@@ -11,14 +11,15 @@
 
 namespace shoal::app {
 
-struct EnvironmentOptions {
-    std::string video, photo, env; // at most one; empty: the dive's own video
-    media::Layout layout = media::Layout::Auto;
-    light::FrameRadiance light = light::FrameRadiance::Auto;
-    bool depth = true;    // use the depth track beside the video, if there is one
+struct EnvironmentOptions : environment::Source { // none is given: the dive's own video
     float envYaw_deg = 0; // column u of the environment appears (u - 0.5) * 360 + this to the right of -Z
 
-    bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); } // the dive's video
+    bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); }
+    environment::Source orOwn(const Path& ownVideo) const {
+        environment::Source source = *this;
+        if (isOwnVideo()) source.video = ownVideo.string();
+        return source;
+    }
 
     void addTo(SettingsTable& table) {
         table.category = Category::Environment;

@@ -2,8 +2,8 @@
 #include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
+#include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Pictures.h"
-#include "game/views/PhotoEnvironment.h"
 
 #include <cstdio>
 
@@ -16,7 +16,7 @@ bool isHdrName(const Path& file) { return media::writtenAs(file) == media::Writt
 template <class Picture, class Write>
 Result<std::string> convert(const PanoramaOptions& options, Result<Picture> photo, Write&& write) {
     if (!photo) return photo.error();
-    auto made = environmentFrom(options.photo, std::move(*photo), options.fov_deg);
+    auto made = environment::environmentFrom(options.photo, std::move(*photo), options.fov_deg);
     if (!made) return made.error();
     if (Status s = write(options.out, made->picture); !s) return s.error();
     return std::to_string(made->picture.width) + "x" + std::to_string(made->picture.height) + ", " +

@@ -175,14 +175,14 @@ Status Viewer::open() {
     }
     if (wantsLayers())
         if (Status can = occlusion::canKeepLayers(); !can) return Error{"--occlusion", can.error().message()};
-    auto environment =
-        Environment::open({.options = options_.environment,
-                           .defaultVideo = dataRoot() / "content/video/reef.mp4",
-                           .analysis = {.pyramid = options_.look.glossy == render::Glossy::PhongRings,
-                                        .minRoughness = scene::minGloss(model_).minRoughness,
-                                        .quality = light::LightQuality::Still,
-                                        .diffuse = options_.diffuse},
-                           .wait = [this](float) { return !window_ || !window_->poll().closing; }});
+    auto environment = Environment::open(
+        {.player = {.source = options_.environment.orOwn(dataRoot() / "content/video/reef.mp4"),
+                    .analysis = {.pyramid = options_.look.glossy == render::Glossy::PhongRings,
+                                 .minRoughness = scene::minGloss(model_).minRoughness,
+                                 .quality = light::LightQuality::Still,
+                                 .diffuse = options_.diffuse}},
+         .yaw_deg = options_.environment.envYaw_deg},
+        [this](float) { return !window_ || !window_->poll().closing; });
     if (!environment) return environment.error();
     environment_ = std::move(*environment);
     environment_->update(static_cast<double>(options_.at_s), true);

@@ -143,7 +143,8 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
         write("frame {} ms median, {} worst of 120", ms(sorted[sorted.size() / 2]), ms(sorted.back()));
     ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr, 0, 50,
                      ImVec2(260, 50));
-    write("light {} ms, decode {} ms (own thread)", ms(environment.light_ms()), ms(environment.decode_ms()));
+    write("light {} ms, decode {} ms (own thread)", ms(environment.player().light_ms()),
+          ms(environment.player().decode_ms()));
     write("upload {} ms, simulation {} ms", ms(environment.upload_ms(), 2), ms(statistics.sim_ms, 2));
     for (const gl::PassTimers::Time& time : info.passes)
         write("{} {} ms on the graphics side", game::translated(time.pass, pen.language), ms(time.gpu_ms, 2));

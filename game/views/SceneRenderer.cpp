@@ -50,7 +50,9 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     floorIsShaded_ = false;
     if (!passes_.compositor.drawsObjects()) return;
     const bool bounces = setup_.skip != render::SkippedPass::Bounce;
-    animalLight_.follow(snapshot, bounces ? environment.lightBeside() : nullptr, environment.envFromWorld());
+    animalLight_.follow(snapshot,
+                        bounces && environment.depth() ? &environment.player().frame().lightBeside : nullptr,
+                        environment.envFromWorld());
     creatureModels_.show(snapshot, animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }
@@ -62,7 +64,7 @@ bool SceneRenderer::castsShadows() const {
 // Returns the light that casts shadows; none if no light stands out.
 std::optional<render::CastingLight> SceneRenderer::castingLight() const {
     constexpr float kWidest = 0.75f; // radians; a wider cap is no disc
-    const light::ShadowLight& found = environment_->shadowLight();
+    const light::ShadowLight& found = environment_->player().shadowLight();
     render::CastingLight light;
     light.towards = glm::transpose(environment_->envFromWorld()) * found.light.direction;
     light.tangent = std::tan(std::min(found.light.radius, kWidest));
@@ -94,7 +96,7 @@ void SceneRenderer::castShadows() {
     for (size_t film = 0; film < films; ++film) {
         const glm::vec3 camera = films == 1 ? glm::vec3(0) : filmed_[film].eyeWorld;
         shadows_[film].begin({map, environment_->envFromWorld(), camera}, exposure_.frames,
-                             environment_->water());
+                             environment_->player().water());
         const auto eyes = films == 1 ? std::span<const render::View>(filmed_) : std::span(&filmed_[film], 1);
         for (size_t body = 0; body < bodies.count(); ++body)
             shadows_[film].add(bodies.ellipsoids(body), *light, eyes);
@@ -130,7 +132,7 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
             .canvas = eye.canvas,
             .eye = eye.eye,
             .sharesFrame = environment_->eyesSeeTheSame(),
-            .filmed = {environment_->cameraResponse(), environment_->frameIndex()},
+            .filmed = {environment_->player().cameraResponse(), environment_->player().frameIndex()},
             .eyeInFilm = eyeInFilm(eye.view),
             .skip = setup_.skip,
             .surroundings = eye.surroundings};
@@ -158,7 +160,8 @@ Status SceneRenderer::drawObjectsAlone(const Eye& eye) {
 
 // Returns the water around the eye: none in the player's room.
 water::Water SceneRenderer::waterAround(const render::EyePicture& picture) const {
-    return picture.surroundings == render::Surroundings::Room ? water::Water() : environment_->water();
+    return picture.surroundings == render::Surroundings::Room ? water::Water()
+                                                              : environment_->player().water();
 }
 
 Status SceneRenderer::drawObjects(const render::EyePicture& picture) {

@@ -36,11 +36,13 @@ class Backends : public testing::Test {
             CreatureModels::load(config_->species, game::speciesShown(config_->species, config_->dive),
                                  "light", reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(creatures) << creatures.error().message();
-        auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / config_->dive.video,
-                                              .analysis = {.minRoughness = creatures->minRoughness(),
-                                                           .water = true,
-                                                           .lights = true,
-                                                           .cameraResponse = true}});
+        const Path film = dataRoot() / "content" / config_->dive.video;
+        auto environment =
+            Environment::open({.player = {.source = {.video = film.string()},
+                                          .analysis = {.minRoughness = creatures->minRoughness(),
+                                                       .water = true,
+                                                       .lights = true,
+                                                       .cameraResponse = true}}});
         ASSERT_TRUE(environment) << environment.error().message();
         environment_ = std::move(*environment);
         auto renderer = SceneRenderer::make(std::move(*creatures), {.detail = render::Detail::Lean});

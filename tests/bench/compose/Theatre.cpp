@@ -32,11 +32,9 @@ Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Compo
 }
 
 Result<std::unique_ptr<Environment>> openVideo(const Path& file) {
-    EnvironmentSetup setup;
-    setup.options.video = file.string();
-    setup.options.layout = media::Layout::Mono;
-    setup.analysis = {.minRoughness = 0.25f, .water = true, .cameraResponse = true};
-    return Environment::open(setup);
+    return Environment::open(
+        {.player = {.source = {.video = file.string(), .layout = media::Layout::Mono},
+                    .analysis = {.minRoughness = 0.25f, .water = true, .cameraResponse = true}}});
 }
 
 render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPixels) {

@@ -59,13 +59,12 @@ class XrPicture : public test::WithFakeRuntime {
     // With the dive's film.
     void openEnvironment(const Known& known) {
         environment_.reset();
-        EnvironmentSetup setup{.defaultVideo = dataRoot() / "content" / plan_->dive.video,
-                               .bothEyes = true,
-                               .roomIsSeen = true,
-                               .analysis = {.minRoughness = minRoughness_}};
-        setup.options.depth = known.depth;
-        setup.analysis.lights = known.lights;
-        auto environment = Environment::open(setup);
+        const Path film = dataRoot() / "content" / plan_->dive.video;
+        auto environment = Environment::open(
+            {.player = {.source = {.video = film.string(), .depth = known.depth},
+                        .roomIsSeen = true,
+                        .analysis = {.minRoughness = minRoughness_, .lights = known.lights}},
+             .bothEyes = true});
         ASSERT_TRUE(environment) << environment.error().message();
         environment_ = std::move(*environment);
     }
@@ -269,7 +268,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
         return fake.last.eyes.value();
     };
     const auto with = shown(true, true), without = shown(true, false), handAlone = shown(false, true);
-    const light::ShadowLight& light = environment_->shadowLight();
+    const light::ShadowLight& light = environment_->player().shadowLight();
     const glm::vec3 towards = glm::transpose(environment_->envFromWorld()) * light.light.direction;
     ASSERT_GT(light.presence, 0.5f);
     ASSERT_GT(towards.y, 0.6f);

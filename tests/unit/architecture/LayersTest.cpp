@@ -24,7 +24,8 @@ const std::map<std::string, int> kLayerOf = {
     {"engine/light", 2},   {"engine/scene", 2},  {"engine/panorama", 2},  {"engine/audio", 2}, //
     {"engine/physics", 2}, {"engine/sim", 2},                                                  //
     {"engine/camera", 3},  {"engine/water", 3},  {"engine/occlusion", 3}, {"engine/depth", 3},  //
-    {"engine/render", 4},  {"engine/xr", 4},                                                   //
+    {"engine/environment", 4},                                                                //
+    {"engine/render", 5},  {"engine/xr", 5},                                                   //
     {"input/hands", 5},    {"input/haptics", 5},                                               //
     {"game/texts", 5},     {"game/rules", 6},    {"game/feedback", 7},    {"game/playthrough", 8},
     {"game/settings", 8},                                              //

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace shoal::app {
+namespace shoal::environment {
 
 template <class Picture> struct PhotoEnvironment {
     Picture picture;  // lat-long; unchanged if the photo was one
@@ -25,4 +25,4 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
                                                   std::optional<double> fov_deg,
                                                   const std::function<void(double)>& progress = {});
 
-} // namespace shoal::app
+} // namespace shoal::environment

@@ -1,4 +1,4 @@
-#include "game/views/PhotoEnvironment.h"
+#include "engine/environment/PhotoEnvironment.h"
 
 #include "engine/core/Log.h"
 #include "engine/media/SphericalMetadata.h"
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <unistd.h>
 
-namespace shoal::app {
+namespace shoal::environment {
 
 namespace {
 
@@ -100,4 +100,4 @@ template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageR
 template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>,
                                                              const std::function<void(double)>&);
 
-} // namespace shoal::app
+} // namespace shoal::environment

@@ -1,8 +1,8 @@
-#include "game/views/FrameAnalysis.h"
+#include "engine/environment/FrameAnalysis.h"
 
 #include <algorithm>
 
-namespace shoal::app {
+namespace shoal::environment {
 
 namespace {
 
@@ -73,4 +73,4 @@ void FrameAnalysis::analyse(const ImageRgbF& radianceLin, FrameFindings& out) {
     pack(light::TooBright::Scale, out);
 }
 
-} // namespace shoal::app
+} // namespace shoal::environment

@@ -15,7 +15,7 @@
 #include <atomic>
 #include <optional>
 
-namespace shoal::app {
+namespace shoal::environment {
 
 struct FrameFindings {
     light::PackedLight light;
@@ -37,6 +37,8 @@ struct AnalysisOptions {
     bool water = false;
     bool lights = false; // directions of the light sources, for shadows
     bool cameraResponse = false;
+
+    bool operator==(const AnalysisOptions&) const = default;
 };
 
 class FrameAnalysis {
@@ -70,4 +72,4 @@ class FrameAnalysis {
     std::atomic<int> lightEvery_ = 1;
 };
 
-} // namespace shoal::app
+} // namespace shoal::environment

@@ -1,0 +1,139 @@
+// Player of an environment: opens a video, live video, photo or HDR picture, makes the light of its frames
+// and finds what else they tell. One thread uses it; a video's frames are analysed on the decode thread.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/depth/DepthRange.h"
+#include "engine/depth/LightBeside.h"
+#include "engine/environment/FrameAnalysis.h"
+#include "engine/light/LightOverTime.h"
+#include "engine/media/VideoPlayer.h"
+#include "engine/media/live/LivePlayer.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shoal::environment {
+
+struct Source {
+    std::string video, photo, env; // at most one; video: a file or a live address
+    media::Layout layout = media::Layout::Auto;
+    light::FrameRadiance light = light::FrameRadiance::Auto;
+    bool depth = true; // use the depth track beside the video, if there is one
+
+    bool operator==(const Source&) const = default;
+};
+
+// Returns the source with this file, by its content: an HDR picture, a photo, or else a video or live stream.
+Source sourceWith(const std::string& file, Source source);
+
+struct Setup {
+    Source source;
+    bool drawsDepth = true;     // else only the rules use the video's distances
+    bool roomIsSeen = false;    // the room shows, and shadows may fall on its floor without distances
+    bool waterIsCertain = true; // trust the analysis' water; false: only as far as the picture shows it
+    AnalysisOptions analysis;
+
+    bool operator==(const Setup&) const = default;
+};
+
+// Called while opening takes time (a live video's first frame, a photo that is grown) with the share done, 0
+// to 1, or -1 if unknown. Returns false to stop waiting for a live video.
+using Wait = std::function<bool(float)>;
+
+// Damaged: the last good picture of a film stays. Stopped, Lost: that of a live video, as media::LiveState.
+enum class Trouble { None, Damaged, Stopped, Lost };
+
+// A frame, and all that was found in it.
+struct Frame {
+    ImageRgba8 picture;    // as it is uploaded; empty for an HDR picture
+    ImageRgbF radianceLin; // only of an HDR picture
+    FrameFindings found;
+    depth::DepthMap depth, widened; // empty: unknown. For a stereo film, those of the left picture
+    depth::DepthRange depthRange;
+    depth::LightBeside lightBeside;
+};
+
+class Player {
+  public:
+    // Opens an environment, with its first frame.
+    static Result<std::unique_ptr<Player>> open(const Setup& setup, const Wait& wait = {});
+
+    // Shows the video's frame at a time, seconds; the video repeats for ever. exact: waits for just that
+    // frame, so that equal times give equal pictures; else takes the newest complete one. A live video always
+    // shows its newest frame. Returns whether the frame changed.
+    bool update(double time_s, bool exact);
+
+    // The frame as of the last update(), as all below; valid until the next.
+    const Frame& frame() const { return *shown_; }
+    media::Layout layout() const { return layout_; }
+    bool isHdr() const { return hdr_; }
+    water::Water water() const { return water_.water(); } // none if the environment is dry
+    // Light that casts shadows, env frame; none unless the setup asks for it and there is something to cast
+    // on.
+    const light::ShadowLight& shadowLight() const { return casting_; }
+    // Response of the camera; neutral unless the setup asks for it, and for an HDR picture.
+    const camera::CameraResponse& cameraResponse() const { return cameraResponse_.response(); }
+    bool hasDepthTrack() const { return depthTrack_.has_value(); }
+    // Number of the video's frame, which counts on as the video repeats; -1: a still.
+    int64_t frameIndex() const { return shownIndex_; }
+    // Time in the video, seconds from the first picture of its pass; 0 for stills and live videos.
+    double videoPosition_s() const { return videoPosition_s_; }
+    Trouble trouble() const { return trouble_; }
+    // Times for the newest frame; 0 for stills after the first.
+    float light_ms() const { return light_ms_; }
+    float decode_ms() const { return decode_ms_; }
+
+    const Path& file() const { return file_; } // the video's file; empty: a still, or live
+    // Length of a pass of the video; 0: a still, or live.
+    double length_s() const { return player_ ? player_->info().duration_s : 0; }
+    const media::LivePlayer* live() const { return live_ ? &*live_ : nullptr; } // null: a file
+
+    // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
+    void setLightEvery(int frames) { analysis_->setLightEvery(frames); }
+
+  private:
+    explicit Player(const Setup& setup) : setup_(setup) {}
+    Player(const Player&) = delete; // the decode thread holds its address
+    Player& operator=(const Player&) = delete;
+
+    Status openVideo(const Wait& wait);
+    Status openPhoto(const Wait& wait);
+    Status openHdr();
+    void prepareFor(light::LightQuality quality, size_t slots);
+    void openDepth();
+    void prepare(const media::VideoFrame& frame);
+    void prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye);
+    void follow(double time_s);
+    bool show(const media::VideoFrame& frame, double time_s);
+
+    Setup setup_;
+    bool hdr_ = false;
+    media::Layout layout_ = media::Layout::Mono;
+    std::optional<FrameAnalysis> analysis_;
+    // Made on the decode thread, slot by slot, and handed over with the video's frame. Declared before the
+    // players, whose threads write them until they are destroyed.
+    std::vector<Frame> frames_;
+    const Frame* shown_ = nullptr;
+    std::optional<media::DepthTrack> depthTrack_;
+    media::DepthFrame trackFrame_; // the last one decoded
+    int trackFrameNumber_ = -1;
+    depth::DepthRefiner depthRefiner_;
+    Path file_;
+    std::optional<media::VideoPlayer> player_;
+    std::optional<media::LivePlayer> live_; // instead of player_
+    int64_t shownIndex_ = -1;
+    water::WaterOverTime water_;
+    light::LightOverTime lights_;
+    light::ShadowLight casting_;
+    camera::CameraResponseOverTime cameraResponse_;
+    double lastUpdate_s_ = 0, videoPosition_s_ = 0;
+    float light_ms_ = 0, decode_ms_ = 0;
+    Trouble trouble_ = Trouble::None;
+    std::string liveNotice_; // the last live notice in the log, with the reason
+};
+
+} // namespace shoal::environment
