@@ -41,13 +41,13 @@ Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
 
 } // namespace
 
-Source sourceWith(const std::string& file, Source source) {
-    const media::PictureContent content = media::pictureContent(file);
+void setFile(Source& source, const std::string& file) {
     source.video = source.photo = source.env = {};
+    if (file.empty()) return;
+    const media::PictureContent content = media::pictureContent(file);
     (content == media::PictureContent::Hdr     ? source.env
      : content == media::PictureContent::Coded ? source.photo
                                                : source.video) = file;
-    return source;
 }
 
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {

@@ -27,8 +27,9 @@ struct Source {
     bool operator==(const Source&) const = default;
 };
 
-// Returns the source with this file, by its content: an HDR picture, a photo, or else a video or live stream.
-Source sourceWith(const std::string& file, Source source);
+// Sets the source's file, by its content: an HDR picture, a photo, or else a video or live stream. Empty:
+// none.
+void setFile(Source& source, const std::string& file);
 
 struct Setup {
     Source source;

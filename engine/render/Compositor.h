@@ -33,6 +33,8 @@ struct CompositorSetup {
     Composition composition = Composition::Plain;
     Backend backend = Backend::Auto;
     bool frameIsCoded = true; // else HDR: nothing can be put into its texels, and no camera filmed it
+
+    bool operator==(const CompositorSetup&) const = default;
 };
 
 class Compositor {

@@ -1,15 +1,19 @@
-// Application: the frames of title screen and dives.
+// Application: how it opens, and the frames of title screen and dives.
 #include "game/app/Application.h"
 
 #include "engine/core/Log.h"
+#include "engine/gl/Renderer.h"
 #include "engine/media/Pictures.h"
+#include "engine/xr/Headset.h"
+#include "game/app/FlatDisplay.h"
+#include "game/app/HeadsetDisplay.h"
 #include "game/app/StopSignals.h"
+#include "game/settings/KeptFiles.h"
 #include "game/texts/Animals.h"
 
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -29,7 +33,140 @@ constexpr float kStandingEyes_m = 1.35f;
 constexpr double kMinimisedWait_s = 0.25; // interval of input from a minimised window
 constexpr double kWarmUp_s = 5;           // time of a dive that warms up before one is measured
 
+// Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
+std::vector<DiveName> divesThereAre() {
+    std::vector<DiveName> dives;
+    auto scores = readAllScores();
+    for (const std::string& name : game::diveNames()) {
+        const auto files = game::loadDiveFiles(name);
+        if (!files) {
+            log::warn("{}", files.error().message());
+            continue;
+        }
+        const std::vector<int>& top = scores[name].top;
+        const std::string picture = "dives/" + name + ".jpg";
+        const bool shown = std::filesystem::exists(dataRoot() / "content" / picture);
+        dives.push_back({.name = name,
+                         .title = files->dive.title,
+                         .picture = shown ? picture : "",
+                         .best = top.empty() ? 0 : top.front()});
+    }
+    // The default dive comes first.
+    const auto first = std::ranges::find(dives, kFirstDive, &DiveName::name);
+    if (first != dives.end()) std::rotate(dives.begin(), first, first + 1);
+    return dives;
+}
+
 } // namespace
+
+Application::Application(const PlayOptions& options) : options_(options), applied_(options) {
+    if (!bindings_.parse(options.controls.bindings))
+        log::warn("settings: \"bindings\" cannot be read; keys and buttons are as at first");
+}
+
+Status Application::open() {
+    if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
+    if (Status opened = openContext(); !opened) return opened;
+    statistics_.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    gl::spreadRasterThreads();
+    // The display comes before what takes longer to open: a headset fails more often.
+    if (Status opened = openDisplay(); !opened) return opened;
+    screens_.facts = {.species = &config_.species,
+                      .dive = &config_.dive,
+                      .dives = divesThereAre(),
+                      .headset = xr::Headset::hasRuntime(),
+                      .met = readGuide()};
+    if (Status opened = openScene(); !opened) return opened;
+    openSound();
+    if (window_) setIcon();
+    return Done{};
+}
+
+void Application::setIcon() {
+    const auto icon = readSmallPicture(dataRoot() / "content/icon.png");
+    if (!icon) return log::warn("{}", icon.error().message());
+    window_->setIcon(*icon);
+}
+
+void Application::openSound() {
+    const environment::Player& film = content_.environment().player();
+    soundAndHaptics_.emplace(options_, film.file(), film.length_s());
+}
+
+Status Application::openContext() {
+    if (options_.headless) {
+        if (Status opened = platform::Headless::open().moveTo(headless_); !opened) return opened;
+        return Hud::make().moveTo(hud_);
+    }
+    if (Status opened =
+            platform::Window::open({"Shoal", options_.look.size.x, options_.look.size.y, options_.fullscreen,
+                                    options_.vsync && !options_.timedemo && !options_.xr})
+                .moveTo(window_);
+        !opened)
+        return opened;
+    if (Status made = Hud::make().moveTo(hud_); !made) return made;
+    drawLoading(0); // no black window
+    return Done{};
+}
+
+Status Application::openDisplay() {
+    const int samples = gl::defaultSamples();
+    quality_.reset(); // another display, another rate
+    const bool vsync = options_.vsync && !options_.timedemo;
+    if (!options_.xr) {
+        if (window_) window_->setVsync(vsync);
+        display_ = std::make_unique<FlatDisplay>(window_ ? &*window_ : nullptr, options_, samples);
+        return Done{};
+    }
+    headsetReturn_.settle();
+    auto headset = HeadsetDisplay::open(*window_, config_.rig, samples);
+    if (!headset) return headset.error();
+    window_->setVsync(false); // the headset sets the pace, not the onlookers' window
+    display_ = std::make_unique<HeadsetDisplay>(std::move(*headset));
+    showRoom();
+    return Done{};
+}
+
+// Draws the loading screen over the film if it can be shown already, else over the colour of deep water.
+bool Application::drawLoading(float progress) {
+    if (!window_) return true;
+    const platform::WindowInput& input = window_->poll();
+    leaving_ |= input.closing || stopSignal() != 0;
+    const glm::ivec2 size = window_->framebufferSize();
+    if (!hud_ || size.x <= 0 || size.y <= 0) return !leaving_;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+    glClearColor(0.02f, 0.11f, 0.16f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (content_.hasPicture()) {
+        game::Snapshot nothing;
+        content_.renderer().set(nothing, content_.environment(), look());
+        const auto hud = [&](HudPart, Audience, const render::View&, glm::ivec2 eye) {
+            hud_->drawLoading(progress, textOptions(), eye);
+        };
+        if (display_->draw(Painter::of(content_.renderer(), hud), nothing, 1)) display_->present();
+        return !leaving_;
+    }
+    hud_->drawLoading(progress, textOptions(), size);
+    window_->present();
+    return !leaving_;
+}
+
+// Opens film, models and renderer as far as the options want others.
+Status Application::openScene() {
+    const bool filmFirst = window_ && !options_.xr && options_.environment.isOwnVideo();
+    if (Status s = content_.open(options_, config_, display_->seesRoom(), filmFirst); !s) return s;
+    screens_.facts.ownFilm = options_.environment.isOwnVideo();
+    return Done{};
+}
+
+// Returns the settings that are read in every frame.
+Look Application::look() const {
+    return {.exposure = content_.environment().exposure(options_.look.tone,
+                                                        config_.dive.exposure_ev + options_.look.exposure_ev),
+            .glossy = options_.look.glossy,
+            .particles = options_.snow && !options_.reducedMotion};
+}
 
 Status Application::run(bool measured) {
     if (Status begun = begin(firstMode(), measured); !begun) return begun;
@@ -44,7 +181,7 @@ Status Application::run(bool measured) {
         if (played = beginSeated(measured); !played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
         awaitHeadset();
-        if (isOver()) break; // first: play_ is empty if the player has left while a film was loading
+        if (!play_ || play_->isOver()) break; // it is empty if the player has left while a film was loading
         if (!measured && play_->session.shown.time_s >= kWarmUp_s) break;
         if (played && play_->tutorial.stepsAreOver()) played = endFirstSteps();
     }
@@ -54,11 +191,10 @@ Status Application::run(bool measured) {
 
 // Returns the mode to begin with: the title screen, if a person plays who has not asked for another.
 Mode Application::firstMode() const {
-    const bool person = !config_.script && !config_.replay;
     const bool watched = window_ && !options_.timedemo && !options_.at_s && options_.record.empty();
     const bool asked = options_.start == Start::Dive || options_.freeSwim || !options_.dive.empty();
     const bool title = options_.start == Start::Title || (options_.start == Start::Auto && !asked);
-    if (person && watched && title) return Mode::Title;
+    if (isForPerson() && watched && title) return Mode::Title;
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
 }
 
@@ -66,7 +202,7 @@ Mode Application::firstMode() const {
 Status Application::begin(Mode mode, bool measured) {
     if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
-    if (!config.script && !config.replay) {
+    if (isForPerson()) {
         config.rules.freeSwim = mode != Mode::Dive;
         config.rules.seated = isSeated();
     }
@@ -74,7 +210,7 @@ Status Application::begin(Mode mode, bool measured) {
     const FrameClock::Mode clock = options_.timedemo ? FrameClock::Mode::TimeDemo
                                    : window_         ? FrameClock::Mode::RealTime
                                                      : FrameClock::Mode::FixedStep;
-    play_.emplace(config, screens_, mode, !options_.headless, clock, static_cast<double>(options_.fps));
+    play_.emplace(config, options_, clock, screens_, mode);
     return records(mode, measured) ? play_->session.record(recordingFile()) : Done{};
 }
 
@@ -94,8 +230,7 @@ bool Application::isSeated() const {
 Status Application::beginSeated(bool measured) {
     constexpr uint64_t kFirst_ticks = 60; // half a second
     const GameSession& session = play_->session;
-    const bool byPerson = !config_.script && !config_.replay;
-    if (!byPerson || session.ticks > kFirst_ticks || session.dive.rules().seated || !isSeated())
+    if (!isForPerson() || session.ticks > kFirst_ticks || session.dive.rules().seated || !isSeated())
         return Done{};
     const Mode mode = play_->states.mode();
     if (records(mode, measured)) --recordings_; // the recording begins again, too
@@ -114,23 +249,16 @@ Path Application::recordingFile() {
 // Ends the session: writes its recording and returns its verdict.
 Status Application::endPlay() {
     if (!play_) return Done{};
-    GameSession& session = play_->session;
-    statistics_.caught = session.after.caught;
-    statistics_.score = session.after.score;
-    statistics_.stateHash = session.dive.stateHash();
-    statistics_.ticks = session.ticks;
-    const Status written = session.endRecording();
-    const Status verdict = session.verdict;
-    summary_ = session.summary;
+    const Status verdict = play_->end(statistics_);
+    summary_ = play_->session.summary;
     play_.reset();
-    return written ? verdict : written;
+    return verdict;
 }
 
 Status Application::frame(bool measured) {
     if (Status begun = display_->begin(); !begun) return begun;
     GameSession& session = play_->session;
-    play_->clock.beginFrame();
-    play_->elapsed_s = play_->clock.elapsed_s(display_->elapsed_s()) * static_cast<double>(options_.speed);
+    play_->beginFrame(display_->elapsed_s());
     readInput();
     simulate();
     noteTracker();
@@ -141,7 +269,7 @@ Status Application::frame(bool measured) {
     noteMet(metBefore);
     // The video starts, pauses and restarts with the dive.
     play_->freshVideo =
-        environment_->update(play_->clock.video_s(session.shown.time_s), play_->clock.exactVideo());
+        content_.environment().update(play_->clock.video_s(session.shown.time_s), play_->clock.exactVideo());
     const Result<bool> drawn = draw();
     if (!drawn) return drawn.error();
     if (*drawn) {
@@ -150,7 +278,7 @@ Status Application::frame(bool measured) {
     }
     glFinish();
     measure();
-    if (measured && environment_->live()) play_->clock.waitForLiveVideo();
+    if (measured && content_.environment().player().live()) play_->clock.waitForLiveVideo();
     return Done{};
 }
 
@@ -187,12 +315,10 @@ void Application::readInput() {
     if (!mouse) return;
     const auto dt_s = static_cast<float>(play_->elapsed_s);
     if (states.idle()) return mouse->idle(dt_s, options_.reducedMotion ? 0.0f : kTitleTurn_radps);
-    const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.look.size;
     if (window_) window_->holdCursor(!screens_.isOpen() && play_->controls.turns);
     if (screens_.isOpen()) return mouse->release();
-    mouse->frame(window_ ? &play_->controls : nullptr, options_.controls, session.shown, dt_s,
-                 glm::radians(options_.fov_deg),
-                 static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1)));
+    play_->moveMouse(window_ ? &play_->controls : nullptr,
+                     window_ ? window_->framebufferSize() : options_.look.size);
 }
 
 // Notes whether the player uses the gamepad; the texts on the screen follow it.
@@ -276,25 +402,27 @@ void Application::measureHand() {
 // Handles the actions that do the same in every state.
 void Application::globalActions(const Controls& controls) {
     if (screens_.capturesKey()) return;
-    if (controls.was(Action::Performance)) options_.frameTimes = !options_.frameTimes;
-    if (controls.was(Action::Fullscreen)) options_.fullscreen = !options_.fullscreen;
+    const auto toggle = [&](Action action, bool& setting, std::string_view key) {
+        if (!controls.was(action)) return;
+        setting = !setting;
+        screens_.keep(key);
+    };
+    toggle(Action::Performance, options_.frameTimes, "frame-times");
+    toggle(Action::Fullscreen, options_.fullscreen, "fullscreen");
 #ifndef NDEBUG
     for (const int key : play_->input->keysPressed)
         if (key == GLFW_KEY_F5)
-            if (Status reloaded = sceneRenderer_->reloadShaders(); !reloaded)
+            if (Status reloaded = content_.renderer().reloadShaders(); !reloaded)
                 log::warn("{}", reloaded.error().message());
 #endif
     if (controls.was(Action::Recentre)) display_->recentre();
-    if (controls.was(Action::Room) && display_->audience() == Audience::HeadsetPlayer)
-        options_.passthrough = !options_.passthrough;
+    if (display_->audience() == Audience::HeadsetPlayer)
+        toggle(Action::Room, options_.passthrough, "passthrough");
     const int louder = controls.was(Action::Louder) - controls.was(Action::Quieter);
     if (louder != 0 && !options_.mute) {
         options_.volume = std::clamp(options_.volume + 0.1f * static_cast<float>(louder), 0.0f, 1.0f);
         volumeShown_s_ = glfwGetTime();
-    }
-    if (options_.volume != applied_.volume || options_.fullscreen != applied_.fullscreen ||
-        options_.frameTimes != applied_.frameTimes || options_.passthrough != applied_.passthrough) {
-        for (const char* key : {"volume", "fullscreen", "frame-times", "passthrough"}) screens_.keep(key);
+        screens_.keep("volume");
     }
 }
 
@@ -306,7 +434,7 @@ void Application::photograph() {
     case PhotoMode::Command::Picture: {
         photo_->clearNotice(); // no text covers the picture
         const Result<bool> drawn = draw();
-        if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), *sceneRenderer_);
+        if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), content_.renderer());
         return;
     }
     case PhotoMode::Command::Leave:
@@ -318,21 +446,18 @@ void Application::photograph() {
 
 void Application::simulate() {
     GameSession& session = play_->session;
-    const auto began = std::chrono::steady_clock::now();
-    session.advance(play_->elapsed_s);
-    statistics_.sim_ms =
-        std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
+    statistics_.sim_ms = play_->advance_ms();
     const bool attended =
         display_->audience() == Audience::HeadsetPlayer || !play_->input || play_->input->focused;
     soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(play_->elapsed_s), attended,
-                            environment_->videoPosition_s());
+                            content_.environment().player().videoPosition_s());
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {
-        if (event.kind == game::EventKind::Catch) popups_.add(event, config_.species);
+        if (event.kind == game::EventKind::Catch) play_->popups.add(event, config_.species);
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
-    popups_.advance(static_cast<float>(play_->elapsed_s));
+    play_->popups.advance(static_cast<float>(play_->elapsed_s));
     play_->tutorial.follow(session.shown, session.events, dt_s);
 }
 
@@ -341,21 +466,19 @@ Result<bool> Application::draw() {
     const bool wantsQuality = options_.quality == QualityControl::Auto && window_ && !options_.timedemo;
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
     const Quality quality = quality_ ? quality_->quality() : Quality();
-    const render::Exposure exposure =
-        environment_->exposure(options_.look.tone, config_.dive.exposure_ev + options_.look.exposure_ev);
-    sceneRenderer_->timers().beginFrame(options_.frameTimes);
-    sceneRenderer_->set(shown, *environment_, exposure, options_.look.glossy);
+    content_.renderer().timers().beginFrame(options_.frameTimes);
+    content_.renderer().set(shown, content_.environment(), look());
     const Result<bool> drawn = display_->draw(
-        Painter::of(*sceneRenderer_,
+        Painter::of(content_.renderer(),
                     [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
                         if (options_.look.skip == render::SkippedPass::Overlay) return;
                         if (photo_ && !photo_->notice()) return;
-                        const gl::PassTimers::Scope scope(sceneRenderer_->timers(), "overlay");
+                        const gl::PassTimers::Scope scope(content_.renderer().timers(), "overlay");
                         drawHud(part, audience, view, size);
                     }),
         shown, quality.scale);
-    statistics_.draws = sceneRenderer_->drawCount();
-    statistics_.triangles = sceneRenderer_->triangleCount();
+    statistics_.draws = content_.renderer().drawCount();
+    statistics_.triangles = content_.renderer().triangleCount();
     return drawn;
 }
 
@@ -363,11 +486,11 @@ void Application::measure() {
     const bool first = play_->clock.frame() == 0;
     if (!first) statistics_.frame_ms.add(play_->clock.sinceBegin_ms());
     if (play_->freshVideo) {
-        statistics_.light_ms.add(static_cast<double>(environment_->light_ms()));
-        statistics_.decode_ms.add(static_cast<double>(environment_->decode_ms()));
-        statistics_.upload_ms.add(static_cast<double>(environment_->upload_ms()));
+        statistics_.light_ms.add(static_cast<double>(content_.environment().player().light_ms()));
+        statistics_.decode_ms.add(static_cast<double>(content_.environment().player().decode_ms()));
+        statistics_.upload_ms.add(static_cast<double>(content_.environment().upload_ms()));
     }
-    const media::LivePlayer* live = environment_->live();
+    const media::LivePlayer* live = content_.environment().player().live();
     if (!live) return;
     statistics_.live = live->counts();
     if (!play_->freshVideo || first) return;
@@ -393,7 +516,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     if (showCamera && session.tracked->look(cameraImage_)) cameraPicture_.show(cameraImage_);
     if (photo_) return hud_->drawNotice(*photo_->notice(), textOptions(), size);
     const game::Notice* notice = display_->notice();
-    if (!notice) notice = environment_->notice();
+    if (!notice) notice = content_.environment().notice();
     if (!notice && session.tracked) notice = session.tracked->notice();
     if (!notice && play_->metLeft_s > 0) notice = &*play_->met;
     const auto* mouse = std::get_if<MouseSource>(&session.source);
@@ -407,7 +530,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .snapshot = &session.shown,
          .view = &view,
          .captions = options_.text.captions ? soundAndHaptics_->captions() : std::span<const game::Caption>(),
-         .popups = popups_.shown(),
+         .popups = play_->popups.shown(),
          .goals = goals,
          .inDive = states.mode() != Mode::Title,
          .overlay =
@@ -421,8 +544,8 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .showTimes = showTimes,
          .statistics = &statistics_,
          .quality = quality_ ? quality_->quality() : Quality(),
-         .passes = sceneRenderer_->timers().times(),
-         .environment = &*environment_,
+         .passes = content_.renderer().timers().times(),
+         .environment = &content_.environment(),
          .camera = showCamera && cameraPicture_.texture ? &cameraPicture_ : nullptr,
          .notice = notice,
          .volume = options_.volume,
@@ -435,23 +558,8 @@ void Application::adjustQuality() {
     if (!quality_) return;
     glFinish();
     quality_->frame(play_->clock.sinceBegin_ms());
-    environment_->setLightEvery(quality_->quality().lightEvery);
+    content_.environment().setLightEvery(quality_->quality().lightEvery);
     statistics_.minScale = std::min(statistics_.minScale, quality_->quality().scale);
-}
-
-bool Application::isOver() const {
-    if (!play_) return true;
-    const GameSession& session = play_->session;
-    if (session.ended) return true;
-    if (options_.at_s) {
-        const auto at_s = static_cast<double>(*options_.at_s);
-        const double frames = at_s * static_cast<double>(options_.fps);
-        if (session.shown.time_s >= at_s) return true;
-        if (!window_ && static_cast<double>(play_->clock.frame()) >= frames) return true;
-    }
-    // Runs without an onlooker end with the results.
-    return (!window_ || options_.timedemo) && std::holds_alternative<MouseSource>(session.source) &&
-           play_->states.state() == ProgramStates::State::Results;
 }
 
 Status Application::saveScreenshot() const {

@@ -4,18 +4,16 @@
 
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
+#include "game/app/ContentLoader.h"
 #include "game/app/Display.h"
+#include "game/app/DiveRunner.h"
 #include "game/app/FirstSteps.h"
-#include "game/app/FrameClock.h"
 #include "game/app/HeadsetReturn.h"
 #include "game/app/PhotoMode.h"
 #include "game/app/ProgramStates.h"
 #include "game/session/SoundAndHaptics.h"
-#include "game/session/Statistics.h"
 #include "game/ui/MenuControls.h"
 #include "game/views/DynamicQuality.h"
-#include "game/views/Environment.h"
-#include "game/views/SceneRenderer.h"
 
 #include <memory>
 #include <optional>
@@ -37,23 +35,16 @@ class Application {
     const Statistics& statistics() const { return statistics_; }
     bool leaving() const { return leaving_; }           // the player has asked to leave
     const Screens& screens() const { return screens_; } // the pages over the picture
-    bool showsLiveVideo() const { return environment_->live(); }
+    bool showsLiveVideo() const { return content_.environment().player().live(); }
 
   private:
     // The present session and its state on the screen.
-    struct Play {
-        Play(const SessionConfig& config, Screens& screens, Mode mode, bool keepsScores,
-             FrameClock::Mode clockMode, double fps)
-            : session(config), states(session, screens, mode, keepsScores), clock(clockMode, fps),
-              tutorial(mode == Mode::FirstSteps ? Tutorial::Kind::FirstSteps
-                       : mode == Mode::Dive     ? Tutorial::Kind::Hints
-                       : mode == Mode::FreeSwim ? Tutorial::Kind::FreeSwim
-                                                : Tutorial::Kind::Nothing,
-                       config.rig, session.dive.species()) {}
-        GameSession session;
+    struct Play : DiveRunner {
+        Play(const SessionConfig& config, const PlayOptions& options, FrameClock::Mode clockMode,
+             Screens& screens, Mode mode)
+            : DiveRunner(config, options, clockMode), states(session, screens, mode, !options.headless),
+              tutorial(mode, config.rig, session.dive.species()) {}
         ProgramStates states;
-        FrameClock clock;
-        double elapsed_s = 0;                         // game time of this frame
         const platform::WindowInput* input = nullptr; // of this frame; null without a window
         Controls controls;
         bool freshVideo = false; // a new frame of the video is shown
@@ -63,19 +54,17 @@ class Application {
         float goalsLeft_s = 0;           // seconds for which the goals are still shown
         std::optional<game::Notice> met; // the animal that is new in the field guide
         float metLeft_s = 0;             // seconds for which that is still shown
+        Popups popups;
     };
 
     Status openContext();
     Status openDisplay();
     Status openScene();
-    Status loadModels();
-    EnvironmentSetup environmentSetup(float minRoughness);
-    Status makeRenderer(CreatureModels models, render::Composition composition);
-    render::Detail detail() const;
     void openSound();
     void setIcon();
     Status openContent();
     bool drawLoading(float progress); // false: the player wants to leave
+    bool isForPerson() const { return !config_.script && !config_.replay; }
     Mode firstMode() const;
     Status begin(Mode mode, bool measured = true);
     bool isSeated() const;
@@ -107,12 +96,12 @@ class Application {
     void photograph();
     Status applySettings();
     void simulate();
+    Look look() const;
     Result<bool> draw();
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
     TextOptions textOptions() const;
     void adjustQuality();
     void measure();
-    bool isOver() const;
 
     PlayOptions options_;
     PlayOptions applied_; // options_ when they last took effect
@@ -124,16 +113,12 @@ class Application {
     std::optional<platform::Window> window_;
     std::unique_ptr<Display> display_;
     std::optional<Hud> hud_;
-    std::unique_ptr<Environment> environment_;
-    std::optional<CreatureModels> models_; // empty while the scene renderer has them
-    std::optional<SceneRenderer> sceneRenderer_;
-    bool software_ = false; // OpenGL renders on the CPU
+    ContentLoader content_{[this](float progress) { return drawLoading(progress); }};
     std::optional<SoundAndHaptics> soundAndHaptics_;
     std::optional<DynamicQuality> quality_; // only for a display whose quality may change
     std::optional<Play> play_;
-    HeadsetReturn headsetReturn_;    // active while a dive is paused because its headset was lost
-    std::optional<PhotoMode> photo_; // set while the camera is free
-    Popups popups_;
+    HeadsetReturn headsetReturn_;     // active while a dive is paused because its headset was lost
+    std::optional<PhotoMode> photo_;  // set while the camera is free
     Pictures::Picture cameraPicture_; // image of a hand tracker's camera
     ImageRgba8 cameraImage_;          // scratch memory for that image
     Statistics statistics_;           // of the present session

@@ -192,8 +192,8 @@ std::optional<game::Text> Hints::shown() const { return now_ ? std::optional(kHi
 
 void Tutorial::follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s) {
     time_s_ += elapsed_s;
-    if (kind_ == Kind::Hints) hints_.follow(shown, events, elapsed_s);
-    if (kind_ != Kind::FirstSteps) return;
+    if (mode_ == Mode::Dive) hints_.follow(shown, events, elapsed_s);
+    if (mode_ != Mode::FirstSteps) return;
     steps_.follow(shown, elapsed_s);
     if (steps_.step() == FirstSteps::Step::Done) done_s_ += elapsed_s;
 }
@@ -203,10 +203,10 @@ void Tutorial::draw(const Pen& pen, const render::View& view) const {
     const auto say = [&](game::Text text) {
         pen.label(pen.size.x / 2, pen.size.y * 0.14f, 0.5f, TextSize::Body, colour::kWhite, pen.in(text));
     };
-    if (kind_ == Kind::FirstSteps) steps_.draw(pen, view);
+    if (mode_ == Mode::FirstSteps) steps_.draw(pen, view);
     if (done_s_ > 0) say("Well caught! Now for real: 90 seconds");
     if (const auto hint = hints_.shown()) say(*hint);
-    if (kind_ == Kind::FreeSwim && time_s_ < kWelcome_s)
+    if (mode_ == Mode::FreeSwim && time_s_ < kWelcome_s)
         say("Fish swim past you and see you. Touch them; the field guide remembers whom you have met.");
 }
 

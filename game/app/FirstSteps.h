@@ -16,6 +16,9 @@
 
 namespace shoal::app {
 
+// Purpose of a session.
+enum class Mode { Title, FirstSteps, Dive, FreeSwim };
+
 class FirstSteps {
   public:
     enum class Step { Look, Reach, Hold, Done };
@@ -71,9 +74,8 @@ class Hints {
 // The tutorial of a session.
 class Tutorial {
   public:
-    enum class Kind { Nothing, FirstSteps, Hints, FreeSwim };
-    Tutorial(Kind kind, hands::HandRig rig, game::SpeciesTable species)
-        : kind_(kind), steps_(std::move(rig), std::move(species)) {}
+    Tutorial(Mode mode, hands::HandRig rig, game::SpeciesTable species)
+        : mode_(mode), steps_(std::move(rig), std::move(species)) {}
 
     void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
     bool stepsAreOver() const { return done_s_ > kStay_s; } // and the message at their end has been read
@@ -82,7 +84,7 @@ class Tutorial {
     static constexpr float kStay_s = 2.5f, kWelcome_s = 9;
 
   private:
-    Kind kind_;
+    Mode mode_;
     FirstSteps steps_;
     Hints hints_;
     float time_s_ = 0;

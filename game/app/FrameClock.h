@@ -24,6 +24,7 @@ class FrameClock {
         wall_s_ = Seconds(now - frameStart_).count();
         frameStart_ = now;
     }
+    Mode mode() const { return mode_; }
     uint64_t frame() const { return frame_; } // 0: the first frame
     double sinceBegin_ms() const { return 1e3 * Seconds(Clock::now() - frameStart_).count(); }
 

@@ -1,13 +1,11 @@
 // The states of the program, and the menu pages that each shows over the picture. Main thread.
 #pragma once
 
+#include "game/app/FirstSteps.h"
 #include "game/app/Screens.h"
 #include "game/session/GameSession.h"
 
 namespace shoal::app {
-
-// Purpose of a session.
-enum class Mode { Title, FirstSteps, Dive, FreeSwim };
 
 class ProgramStates {
   public:

@@ -63,9 +63,7 @@ Status Application::startDive(const std::string& name, Mode mode) {
 // file: empty for the dive's own film.
 Status Application::openFilm(const std::string& file) {
     PlayOptions wanted = options_;
-    EnvironmentOptions& shown = wanted.environment;
-    shown.video = shown.photo = shown.env = {};
-    if (!file.empty()) shown = environmentOf(file, shown);
+    environment::setFile(wanted.environment, file);
     return reopen(wanted, Mode::Title, Screen::Films);
 }
 
@@ -177,19 +175,13 @@ Status Application::goBack(const PlayOptions& before, const Error& why, Screen a
 
 // Applies settings that are not read in every frame.
 Status Application::applySettings() {
-    if (options_.volume != applied_.volume) soundAndHaptics_->setVolume(options_.volume);
-    soundAndHaptics_->setMix(options_.effects, options_.videoSound, options_.hapticStrength);
     if (options_.fullscreen != applied_.fullscreen) window_->toggleFullscreen();
     if (options_.passthrough != applied_.passthrough) {
         showRoom();
         if (!options_.passthrough) screens_.keep("passthrough"); // saves that the room could not be shown
     }
     if (options_.quality == QualityControl::Fixed) quality_.reset();
-    if (options_.compose != applied_.compose || options_.skin != applied_.skin ||
-        options_.snow != applied_.snow || options_.reducedMotion != applied_.reducedMotion ||
-        options_.stereo != applied_.stereo) {
-        if (Status opened = openScene(); !opened) return goBack(applied_, opened.error(), Screen::Title);
-    }
+    if (Status opened = openScene(); !opened) return goBack(applied_, opened.error(), Screen::Title);
     // A sound or haptic output that was opened silent must be opened again to become louder.
     const auto starts = [](float before, float now) { return before == 0 && now > 0; };
     if (options_.headphones != applied_.headphones || starts(applied_.videoSound, options_.videoSound) ||

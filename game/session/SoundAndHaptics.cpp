@@ -6,18 +6,17 @@
 namespace shoal::app {
 
 SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s)
-    : hapticStrength_(options.hapticStrength), effects_(options.effects), videoSound_(options.videoSound) {
+    : options_(options), volume_(options.volume) {
     if (!options.mute && !options.headless)
-        if (Status opened = openSound(options); !opened)
+        if (Status opened = openSound(); !opened)
             log::info("playing on without sound: {}", opened.error().message());
-    if (audio_ && videoSound_ > 0 && !video.empty())
-        openVideoSound(video, videoLength_s, options.environment.isOwnVideo());
-    if (hapticStrength_ > 0 && !options.headless)
+    if (audio_ && options.videoSound > 0 && !video.empty()) openVideoSound(video, videoLength_s);
+    if (options.hapticStrength > 0 && !options.headless)
         haptics_.emplace(haptics::withForceFeedback(haptics::hidapiBus()));
 }
 
-Status SoundAndHaptics::openSound(const PlayOptions& options) {
-    auto opened = audio::Audio::open({.headphones = options.headphones, .volume = options.volume});
+Status SoundAndHaptics::openSound() {
+    auto opened = audio::Audio::open({.headphones = options_.headphones, .volume = volume_});
     if (!opened) return opened.error();
     for (const game::SoundRow& row : game::kSounds) {
         auto clip = audio::readClip(dataRoot() / "content" / "sounds" / (std::string(row.file) + ".flac"));
@@ -28,10 +27,10 @@ Status SoundAndHaptics::openSound(const PlayOptions& options) {
     return Done{};
 }
 
-void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s, bool ofDive) {
+void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s) {
     auto opened = media::SoundTrack::open(video, videoLength_s);
     if (!opened) { // a dive's own film needs no sound
-        if (!ofDive) log::info("{}", opened.error().message());
+        if (!options_.environment.isOwnVideo()) log::info("{}", opened.error().message());
         return;
     }
     track_ = std::move(*opened);
@@ -40,31 +39,26 @@ void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s, bo
                       .read = [this](std::span<int16_t> stereo) { return track_->read(stereo); }});
 }
 
-void SoundAndHaptics::setMix(float effects, float videoSound, float hapticStrength) {
-    effects_ = effects;
-    videoSound_ = videoSound;
-    hapticStrength_ = hapticStrength;
-}
-
 std::span<const audio::Sound> SoundAndHaptics::atVolume(std::span<const audio::Sound> sounds,
                                                         std::vector<audio::Sound>& scratch) const {
     scratch.assign(sounds.begin(), sounds.end());
-    for (audio::Sound& sound : scratch) sound.gain *= effects_;
+    for (audio::Sound& sound : scratch) sound.gain *= options_.effects;
     return scratch;
 }
 
 void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& events, float dt_s,
                             bool attended, double videoPosition_s) {
     // Haptics come first: a touch has the shortest latency that is noticed.
-    hapticFrame_ = hapticFeedback_.frame(shown, events, dt_s, attended ? hapticStrength_ : 0);
+    hapticFrame_ = hapticFeedback_.frame(shown, events, dt_s, attended ? options_.hapticStrength : 0);
     if (haptics_) haptics_->submit(hapticFrame_);
     sounds_.listen(shown, events, dt_s);
     if (!audio_) return;
+    if (volume_ != options_.volume) audio_->setVolume(volume_ = options_.volume);
     audio_->setPaused(shown.paused);
     audio_->update(
         {.position = shown.headWorld, .worldFromHead = shown.worldFromView, .enclosure = sounds_.enclosure()},
         atVolume(sounds_.emitters(), emitters_), atVolume(sounds_.shots(), shots_));
-    audio_->syncTrack(videoPosition_s, track_ ? videoSound_ : 0, shown.paused);
+    audio_->syncTrack(videoPosition_s, track_ ? options_.videoSound : 0, shown.paused);
 }
 
 } // namespace shoal::app

@@ -16,8 +16,9 @@ namespace shoal::app {
 
 class SoundAndHaptics {
   public:
-    // Opens sound and haptics. Without a sound device it is silent, which is logged. video: the file whose
-    // sound plays in step with the picture; empty: none.
+    // Opens sound and haptics. Without a sound device it is silent, which is logged. The options, whose
+    // volumes and strength are read in every frame, must outlive this. video: the file whose sound plays in
+    // step with the picture; empty: none.
     SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s);
     SoundAndHaptics(const SoundAndHaptics&) = delete; // the audio holds the track's address
     SoundAndHaptics& operator=(const SoundAndHaptics&) = delete;
@@ -26,13 +27,6 @@ class SoundAndHaptics {
     // videoPosition_s: time of the frame shown since the video's first.
     void frame(const game::Snapshot& shown, const game::Events& events, float dt_s, bool attended,
                double videoPosition_s);
-    void setVolume(float volume) { // 0 to 1
-        if (audio_) audio_->setVolume(volume);
-    }
-
-    // Volumes of the game's sounds and of the video's own, and strength of haptics, 0 to 1.
-    void setMix(float effects, float videoSound, float hapticStrength);
-
     const haptics::HapticFrame& hapticFrame() const { return hapticFrame_; } // as sent by the last frame()
     // Newest first; valid until the next frame().
     std::span<const game::Caption> captions() const { return sounds_.captions(); }
@@ -40,12 +34,13 @@ class SoundAndHaptics {
   private:
     std::span<const audio::Sound> atVolume(std::span<const audio::Sound> sounds,
                                            std::vector<audio::Sound>& scratch) const;
-    Status openSound(const PlayOptions& options);
-    void openVideoSound(const Path& video, double videoLength_s, bool ofDive);
+    Status openSound();
+    void openVideoSound(const Path& video, double videoLength_s);
 
     game::SoundCues sounds_;
     game::HapticFeedback hapticFeedback_;
-    float hapticStrength_, effects_, videoSound_;
+    const PlayOptions& options_;
+    float volume_;                               // the audio's
     std::vector<audio::Sound> emitters_, shots_; // scratch: the cues at their volume
     std::optional<media::SoundTrack> track_;     // declared before the audio, which reads it
     std::optional<audio::Audio> audio_;

@@ -101,9 +101,6 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
                                             const std::function<bool(float)>& progress) {
     const Path content = dataRoot() / "content";
     CreatureModels models;
-    models.reflectance_ = reflectance;
-    models.handVariant_ = handVariant;
-    models.shown_ = shown;
     models.species_.resize(species.size());
     std::vector<ModelRequest> requests;
     for (size_t i = 0; i < species.size(); ++i)

@@ -31,9 +31,6 @@ class CreatureModels {
                                        const std::string& handVariant, render::Reflectance reflectance,
                                        render::Detail detail,
                                        const std::function<bool(float)>& progress = {});
-    render::Reflectance reflectance() const { return reflectance_; }
-    const std::vector<bool>& shownSpecies() const { return shown_; }
-    const std::string& handVariant() const { return handVariant_; }
 
     float minRoughness() const { return minRoughness_; } // least roughness of all surfaces
 
@@ -69,9 +66,6 @@ class CreatureModels {
     void showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass);
 
     float minRoughness_ = 1;
-    render::Reflectance reflectance_ = render::Reflectance::Coded;
-    std::string handVariant_;
-    std::vector<bool> shown_;
     std::vector<ImageRgba8> lastImages_; // images of the last model loaded, while loading
     std::shared_ptr<const render::TexturesGpu> lastTextures_;
     std::vector<ModelInstance> species_;        // by index into the species table; empty if not shown

@@ -14,10 +14,9 @@ namespace shoal::app {
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();
-    Passes passes{std::move(*objects), {}, {}, {}};
-    if (setup.particles) {
-        if (Status s = render::ParticlePass::make().moveTo(passes.particles); !s) return s.error();
-    }
+    auto particles = render::ParticlePass::make();
+    if (!particles) return particles.error();
+    Passes passes{std::move(*objects), std::move(*particles), {}, {}};
     if (setup.floorShadows) {
         if (Status s = render::FloorShadowPass::make().moveTo(passes.floorShadows); !s) return s.error();
     }
@@ -38,11 +37,9 @@ Status SceneRenderer::reloadShaders() {
     return Done{};
 }
 
-void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& environment,
-                        const render::Exposure& exposure, render::Glossy glossy) {
+void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& environment, const Look& look) {
     environment_ = &environment;
-    exposure_ = exposure;
-    glossy_ = glossy;
+    look_ = look;
     time_s_ = snapshot.time_s;
     headWorld_ = snapshot.headWorld;
     passes_.objects.begin();
@@ -95,7 +92,7 @@ void SceneRenderer::castShadows() {
     const render::NearBodies& bodies = passes_.objects.bodies();
     for (size_t film = 0; film < films; ++film) {
         const glm::vec3 camera = films == 1 ? glm::vec3(0) : filmed_[film].eyeWorld;
-        shadows_[film].begin({map, environment_->envFromWorld(), camera}, exposure_.frames,
+        shadows_[film].begin({map, environment_->envFromWorld(), camera}, look_.exposure.frames,
                              environment_->player().water());
         const auto eyes = films == 1 ? std::span<const render::View>(filmed_) : std::span(&filmed_[film], 1);
         for (size_t body = 0; body < bodies.count(); ++body)
@@ -112,7 +109,7 @@ void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
     const render::NearBodies& bodies = passes_.objects.bodies();
     for (size_t body = 0; body < bodies.count(); ++body)
         if (!passes_.objects.isInRoom(body))
-            passes_.floorShadows->add(bodies.ellipsoids(body), *light, *floor_m, exposure_.frames);
+            passes_.floorShadows->add(bodies.ellipsoids(body), *light, *floor_m, look_.exposure.frames);
 }
 
 // Returns the eye's place in a film, which is drawn as filmed from the world's origin, or without distances
@@ -128,7 +125,7 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
     return {.environment = environment_->gpu(eye.eye),
             .envFromWorld = environment_->envFromWorld(),
             .view = eye.view,
-            .exposure = exposure_,
+            .exposure = look_.exposure,
             .canvas = eye.canvas,
             .eye = eye.eye,
             .sharesFrame = environment_->eyesSeeTheSame(),
@@ -168,7 +165,8 @@ Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
     {
         const gl::PassTimers::Scope scope(timers_, "objects");
-        if (Status drawn = passes_.objects.draw(picture, waterAround(picture), glossy_); !drawn) return drawn;
+        if (Status drawn = passes_.objects.draw(picture, waterAround(picture), look_.glossy); !drawn)
+            return drawn;
     }
     const bool inRoom = picture.surroundings == render::Surroundings::Room;
     if (inRoom && passes_.floorShadows && !passes_.floorShadows->empty()) {
@@ -180,9 +178,9 @@ Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
 
 Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) {
     const water::Water water = waterAround(picture);
-    if (!passes_.particles || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
+    if (!look_.particles || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
     const gl::PassTimers::Scope scope(timers_, "particles");
-    return passes_.particles->draw(on, picture, water, time_s_);
+    return passes_.particles.draw(on, picture, water, time_s_);
 }
 
 // Returns the view as the background is drawn: from the eye's place in the film or, with a picture for each
@@ -205,7 +203,7 @@ std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View&
 }
 
 int SceneRenderer::drawCount() const {
-    return passes_.objects.drawCount() + 1 + (passes_.particles ? 1 : 0) +
+    return passes_.objects.drawCount() + 1 + (look_.particles ? 1 : 0) +
            (passes_.floorShadows && !passes_.floorShadows->empty() ? 1 : 0);
 }
 

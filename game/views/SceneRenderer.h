@@ -20,13 +20,21 @@ namespace shoal::app {
 
 struct SceneRendererSetup {
     render::Detail detail = render::Detail::Full;
-    bool particles = true;     // particles drift in the water, where there is water
     bool shadows = true;       // on the film's surfaces, if it has distances and its environment finds lights
     bool floorShadows = false; // on the floor of the player's room
     bool occlusion = true;     // ambient occlusion between bodies
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
     render::CompositorSetup compositor;
+
+    bool operator==(const SceneRendererSetup&) const = default;
+};
+
+// Settings that may change from one frame to the next, without new passes.
+struct Look {
+    render::Exposure exposure;
+    render::Glossy glossy = render::Glossy::Prefiltered;
+    bool particles = true; // drift in the water, where there is water
 };
 
 class SceneRenderer final : private render::CompositorScene {
@@ -41,8 +49,7 @@ class SceneRenderer final : private render::CompositorScene {
     Status reloadShaders();
 
     // Sets a frame's content, after timers().beginFrame(); the environment must live until draw().
-    void set(const game::Snapshot& snapshot, const Environment& environment, const render::Exposure& exposure,
-             render::Glossy glossy = render::Glossy::Prefiltered);
+    void set(const game::Snapshot& snapshot, const Environment& environment, const Look& look);
 
     struct Eye {
         int eye = 0; // 0 left, 1 right
@@ -63,6 +70,7 @@ class SceneRenderer final : private render::CompositorScene {
     // Draws the objects over the canvas, which has depth: no background, no shadows.
     Status drawObjectsAlone(const Eye& eye);
 
+    const SceneRendererSetup& setup() const { return setup_; }
     gl::PassTimers& timers() override { return timers_; }
     int drawCount() const;
     int triangleCount() const { return passes_.objects.triangleCount(); }
@@ -70,7 +78,7 @@ class SceneRenderer final : private render::CompositorScene {
   private:
     struct Passes { // all passes with shaders
         render::ObjectPass objects;
-        std::optional<render::ParticlePass> particles;
+        render::ParticlePass particles;
         std::optional<render::FloorShadowPass> floorShadows;
         render::Compositor compositor;
     };
@@ -96,8 +104,7 @@ class SceneRenderer final : private render::CompositorScene {
     std::optional<Passes> beforeReload_;
     gl::PassTimers timers_;
     const Environment* environment_ = nullptr; // of the present frame
-    render::Exposure exposure_;
-    render::Glossy glossy_ = render::Glossy::Prefiltered;
+    Look look_;
     std::vector<render::EyePicture> pictures_; // scratch
     std::vector<render::View> filmed_;         // scratch: views in the film
     // Shadows on the film, or on each eye's film.

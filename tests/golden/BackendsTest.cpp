@@ -66,7 +66,7 @@ class Backends : public testing::Test {
     }
 
     std::vector<ImageRgba8> draw(const game::Snapshot& shown, int eyes) {
-        renderer_->set(shown, *environment_, environment_->exposure(Tone::Auto, 0));
+        renderer_->set(shown, *environment_, {environment_->exposure(Tone::Auto, 0)});
         const std::array<gl::Target, 2> canvases = {gl::Target(kSize.x, kSize.y, 1),
                                                     gl::Target(kSize.x, kSize.y, 1)};
         const auto seenBy = [&](int eye) -> SceneRenderer::Eye {

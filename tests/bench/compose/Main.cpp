@@ -98,7 +98,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
         if (k) runOn(run, 1.0 / kFps);
         (*empty)->update(timeOf(k), true);
         const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
-        stages.ways[0].set(run.shown, **empty, {});
+        stages.ways[0].set(run.shown, **empty, {.particles = false});
         // Wider, so that nothing is cut off where the picture ends.
         const render::View wide = render::widened(view, 1.05f);
         if (Status s = drawObjectsAlone(stages.ways[0], wide, fine); !s) return s;
@@ -166,7 +166,8 @@ Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, R
             app::SceneRenderer& sceneRenderer = stages.ways[way];
             const Clock::time_point began = Clock::now();
             const double processorBegan_ms = processor_ms();
-            sceneRenderer.set(run.shown, **environment, (*environment)->exposure(app::Tone::Auto, 0));
+            sceneRenderer.set(run.shown, **environment,
+                              {.exposure = (*environment)->exposure(app::Tone::Auto, 0), .particles = false});
             if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0, kPicture.y), target); !s) return s;
             glFinish();
             const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();

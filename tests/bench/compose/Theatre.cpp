@@ -27,8 +27,8 @@ Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Compo
     auto cast = CreatureModels::load(plan.species, game::speciesShown(plan.species, plan.dive), "light",
                                      render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
-    return SceneRenderer::make(
-        std::move(*cast), {.detail = detail, .particles = false, .compositor = {.composition = composition}});
+    return SceneRenderer::make(std::move(*cast),
+                               {.detail = detail, .compositor = {.composition = composition}});
 }
 
 Result<std::unique_ptr<Environment>> openVideo(const Path& file) {

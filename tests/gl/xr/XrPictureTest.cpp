@@ -88,7 +88,7 @@ class XrPicture : public test::WithFakeRuntime {
             game::Snapshot shown = run_->shown;
             if (showOnly_) showOnly_(shown);
             sceneRenderer_->set(shown, *environment_,
-                                environment_->exposure(Tone::Auto, plan_->dive.exposure_ev));
+                                {environment_->exposure(Tone::Auto, plan_->dive.exposure_ev)});
             const Result<bool> drawn = headset.draw(painter, run_->shown, scale);
             ASSERT_TRUE(drawn) << drawn.error().message();
             drew = *drawn;
@@ -171,7 +171,7 @@ TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
             shown.hands[1].visible = hand;
             for (size_t i = 0; i < pose.joints.size(); ++i) shown.hands[1].joints[i] = pose.joints[i];
             sceneRenderer_->set(shown, *environment_,
-                                environment_->exposure(Tone::Auto, plan_->dive.exposure_ev));
+                                {environment_->exposure(Tone::Auto, plan_->dive.exposure_ev)});
             const SceneRenderer::Eye eye{0, view, target, surroundings};
             EXPECT_TRUE(sceneRenderer_->draw({&eye, 1}));
             return target.read().pixels;
