@@ -51,9 +51,8 @@ std::string movingKeys(const Bindings& bindings) {
     for (const Action action : {Action::LookUp, Action::LookLeft, Action::LookDown, Action::LookRight,
                                 Action::Farther, Action::Nearer}) {
         const auto& keys = bindings.of(action).keys;
-        const std::string_view first = keyName(keys[0]), second = keyName(keys[1]);
-        names +=
-            (names.empty() ? "" : " ") + std::string(second.size() == 1 && keys[1] >= 0 ? second : first);
+        const std::string first = keyName(keys[0]), second = keyName(keys[1]);
+        names += (names.empty() ? "" : " ") + (second.size() == 1 && keys[1] >= 0 ? second : first);
     }
     return names;
 }

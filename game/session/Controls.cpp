@@ -63,31 +63,9 @@ constexpr auto kKeyNames = std::to_array<Named>({
     {GLFW_KEY_PAGE_DOWN, "PageDown"},
     {GLFW_KEY_HOME, "Home"},
     {GLFW_KEY_END, "End"},
-    {GLFW_KEY_F1, "F1"},
-    {GLFW_KEY_F2, "F2"},
-    {GLFW_KEY_F3, "F3"},
-    {GLFW_KEY_F4, "F4"},
-    {GLFW_KEY_F5, "F5"},
-    {GLFW_KEY_F6, "F6"},
-    {GLFW_KEY_F7, "F7"},
-    {GLFW_KEY_F8, "F8"},
-    {GLFW_KEY_F9, "F9"},
-    {GLFW_KEY_F10, "F10"},
-    {GLFW_KEY_F11, "F11"},
-    {GLFW_KEY_F12, "F12"},
     {GLFW_KEY_KP_ADD, "Keypad+"},
     {GLFW_KEY_KP_SUBTRACT, "Keypad-"},
     {GLFW_KEY_KP_ENTER, "KeypadEnter"},
-    {GLFW_KEY_KP_0, "Keypad0"},
-    {GLFW_KEY_KP_1, "Keypad1"},
-    {GLFW_KEY_KP_2, "Keypad2"},
-    {GLFW_KEY_KP_3, "Keypad3"},
-    {GLFW_KEY_KP_4, "Keypad4"},
-    {GLFW_KEY_KP_5, "Keypad5"},
-    {GLFW_KEY_KP_6, "Keypad6"},
-    {GLFW_KEY_KP_7, "Keypad7"},
-    {GLFW_KEY_KP_8, "Keypad8"},
-    {GLFW_KEY_KP_9, "Keypad9"},
     {GLFW_KEY_LEFT_SHIFT, "LeftShift"},
     {GLFW_KEY_RIGHT_SHIFT, "RightShift"},
     {GLFW_KEY_LEFT_CONTROL, "LeftControl"},
@@ -95,36 +73,22 @@ constexpr auto kKeyNames = std::to_array<Named>({
     {GLFW_KEY_LEFT_ALT, "LeftAlt"},
     {GLFW_KEY_RIGHT_ALT, "RightAlt"},
 });
-constexpr auto kButtonNames = std::to_array<Named>({
-    {GLFW_GAMEPAD_BUTTON_A, "A"},
-    {GLFW_GAMEPAD_BUTTON_B, "B"},
-    {GLFW_GAMEPAD_BUTTON_X, "X"},
-    {GLFW_GAMEPAD_BUTTON_Y, "Y"},
-    {GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, "LB"},
-    {GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, "RB"},
-    {GLFW_GAMEPAD_BUTTON_BACK, "Back"},
-    {GLFW_GAMEPAD_BUTTON_START, "Start"},
-    {GLFW_GAMEPAD_BUTTON_GUIDE, "Guide"},
-    {GLFW_GAMEPAD_BUTTON_LEFT_THUMB, "LS"},
-    {GLFW_GAMEPAD_BUTTON_RIGHT_THUMB, "RS"},
-    {GLFW_GAMEPAD_BUTTON_DPAD_UP, "PadUp"},
-    {GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, "PadRight"},
-    {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, "PadDown"},
-    {GLFW_GAMEPAD_BUTTON_DPAD_LEFT, "PadLeft"},
-});
+struct Numbered {
+    std::string_view prefix;
+    int firstKey, first, last; // numbers
+};
+constexpr auto kNumberedKeys =
+    std::to_array<Numbered>({{"F", GLFW_KEY_F1, 1, 12}, {"Keypad", GLFW_KEY_KP_0, 0, 9}});
+constexpr std::array<std::string_view, GLFW_GAMEPAD_BUTTON_LAST + 1> kButtonNames = {
+    "A",     "B",  "X",  "Y",     "LB",       "RB",      "Back",   "Start",
+    "Guide", "LS", "RS", "PadUp", "PadRight", "PadDown", "PadLeft"};
 constexpr std::string_view kNone = "-", kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
-template <class Names> std::optional<int> numberOf(const Names& names, std::string_view name) {
-    if (name == kNone) return -1;
-    const auto row = std::ranges::find(names, name, &Named::name);
-    if (row != names.end()) return row->number;
+// Returns the first number from -1, none, to `last` that has this name.
+template <class NameOf> std::optional<int> numberNamed(std::string_view name, NameOf&& nameOf, int last) {
+    for (int number = -1; number <= last; ++number)
+        if (nameOf(number) == name) return number;
     return std::nullopt;
-}
-
-std::optional<int> keyNamed(std::string_view name) {
-    if (name.size() == 1 && kLetters.find(name[0]) != std::string_view::npos)
-        return name[0]; // GLFW's numbers are the ASCII codes
-    return numberOf(kKeyNames, name);
 }
 
 // Takes the word up to the separator off the text, with the separator.
@@ -137,17 +101,19 @@ std::string_view takeWord(std::string_view& text, char separator) {
 
 } // namespace
 
-std::string_view keyName(int key) {
-    const size_t letter =
-        key > 0 && key < 128 ? kLetters.find(static_cast<char>(key)) : std::string_view::npos;
-    if (letter != std::string_view::npos) return kLetters.substr(letter, 1);
+std::string keyName(int key) {
+    if (key > 0 && key < 128 && kLetters.find(static_cast<char>(key)) != std::string_view::npos)
+        return {static_cast<char>(key)}; // GLFW's numbers are the ASCII codes
+    for (const Numbered& row : kNumberedKeys)
+        if (const int number = key - row.firstKey + row.first; number >= row.first && number <= row.last)
+            return std::string(row.prefix) + std::to_string(number);
     const auto row = std::ranges::find(kKeyNames, key, &Named::number);
-    return row != kKeyNames.end() ? row->name : kNone;
+    return std::string(row != kKeyNames.end() ? row->name : kNone);
 }
 
 std::string_view buttonName(int button) {
-    const auto row = std::ranges::find(kButtonNames, button, &Named::number);
-    return row != kButtonNames.end() ? row->name : kNone;
+    return button >= 0 && button <= GLFW_GAMEPAD_BUTTON_LAST ? kButtonNames[static_cast<size_t>(button)]
+                                                             : kNone;
 }
 
 Bindings::Bindings() {
@@ -186,8 +152,9 @@ bool Bindings::parse(std::string_view text) {
         const std::string_view name = takeWord(entry, '=');
         const auto row = std::ranges::find(kActionRows, name, &ActionRow::name);
         std::string_view keys = takeWord(entry, ' ');
+        const auto keyNamed = [](std::string_view key) { return numberNamed(key, keyName, GLFW_KEY_LAST); };
         const auto first = keyNamed(takeWord(keys, ',')), second = keyNamed(keys.empty() ? kNone : keys);
-        const auto button = numberOf(kButtonNames, entry.empty() ? kNone : entry);
+        const auto button = numberNamed(entry.empty() ? kNone : entry, buttonName, GLFW_GAMEPAD_BUTTON_LAST);
         if (row == kActionRows.end() || !first || !second || !button) return false;
         read.bound_[static_cast<size_t>(row->action)] = {{*first, *second}, *button};
     }
@@ -200,8 +167,8 @@ std::string Bindings::toText() const {
     for (const ActionRow& row : kActionRows) {
         const Keys& keys = of(row.action);
         if (keys.keys == row.keys && keys.button == row.button) continue; // defaults may change
-        text += std::string(text.empty() ? "" : "; ") + row.name + "=" + std::string(keyName(keys.keys[0])) +
-                "," + std::string(keyName(keys.keys[1])) + " " + std::string(buttonName(keys.button));
+        text += std::string(text.empty() ? "" : "; ") + row.name + "=" + keyName(keys.keys[0]) + "," +
+                keyName(keys.keys[1]) + " " + std::string(buttonName(keys.button));
     }
     return text;
 }
@@ -211,21 +178,16 @@ Controls readControls(const platform::Window& window, const platform::WindowInpu
     const platform::Gamepad& pad = input.gamepad;
     Controls controls;
     for (size_t i = 0; i < kActions; ++i) {
-        const Bindings::Keys& bound = bindings.of(static_cast<Action>(i));
-        for (const int key : bound.keys) {
-            if (key < 0) continue;
-            controls.pressed[i] =
-                controls.pressed[i] || std::ranges::find(input.keysPressed, key) != input.keysPressed.end();
-            controls.down[i] = controls.down[i] || window.down(key);
+        const auto& [keys, button] = bindings.of(static_cast<Action>(i));
+        // The middle button pauses too, for players without a keyboard at hand.
+        bool pressed = static_cast<Action>(i) == Action::Pause && input.middlePressed, down = false;
+        for (const int key : keys) {
+            pressed |= key >= 0 && std::ranges::count(input.keysPressed, key) > 0;
+            down |= key >= 0 && window.down(key);
         }
-        if (bound.button < 0) continue;
-        controls.pressed[i] =
-            controls.pressed[i] || std::ranges::find(pad.pressed, bound.button) != pad.pressed.end();
-        controls.down[i] = controls.down[i] || pad.down[static_cast<size_t>(bound.button)];
+        controls.pressed[i] = pressed || (button >= 0 && std::ranges::count(pad.pressed, button) > 0);
+        controls.down[i] = down || (button >= 0 && pad.down[static_cast<size_t>(button)]);
     }
-    // The middle button pauses too, for players without a keyboard at hand.
-    constexpr auto kPause = static_cast<size_t>(Action::Pause);
-    controls.pressed[kPause] = controls.pressed[kPause] || input.middlePressed;
     controls.cursor = input.cursor;
     controls.mouseMoved = input.cursorMoved != glm::dvec2(0);
     controls.turns = input.rightButton;

@@ -64,7 +64,7 @@ class Bindings {
     std::array<Keys, kActions> bound_;
 };
 
-std::string_view keyName(int key);       // "-": none
+std::string keyName(int key);            // "-": none
 std::string_view buttonName(int button); // "-": none
 
 // The input of one frame.
