@@ -2,7 +2,7 @@
 // includes CLI11, which takes 15 seconds to compile. Exit status: 0 success, 1 the command failed or an
 // expectation was not met, 2 the command line was wrong.
 #include "engine/core/Log.h"
-#include "game/app/MessageBox.h"
+#include "engine/core/RunProgram.h"
 #include "game/app/StopSignals.h"
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
@@ -16,6 +16,7 @@
 #include <exception>
 #include <new>
 #include <sstream>
+#include <unistd.h>
 
 namespace shoal::app {
 
@@ -95,6 +96,33 @@ std::string explained(const CLI::ParseError& error, const CLI::App& app, const C
     return "there is no option " + option + didYouMean(option, known);
 }
 
+// Doubles backslashes: zenity and kdialog take a backslash and the next character for one.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) out += c == '\\' ? "\\\\" : std::string(1, c);
+    return out;
+}
+
+// Returns whether the game was started from a menu: no standard stream is a terminal, and there is a display.
+bool startedFromMenu() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::isatty(stream)) return false;
+    for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"})
+        if (const char* set = std::getenv(display); set && *set) return true;
+    return false;
+}
+
+// Shows the text until the player closes it, by the first of these programs that is installed; they work
+// where no window with OpenGL can be opened.
+void showMessageBox(const std::string& text) {
+    const auto shows = [](std::vector<std::string> words) {
+        return runProgram(std::move(words)).value_or(127) != 127; // 127: a shell found no such program
+    };
+    (void)(shows({"zenity", "--error", "--no-markup", "--title=Shoal", "--text=" + escaped(text)}) ||
+           shows({"kdialog", "--title", "Shoal", "--error", escaped(text)}) ||
+           shows({"xmessage", "-center", "-title", "Shoal", text}));
+}
+
 int wrongCommandLine(const std::string& why, const std::string& command) {
     const std::string message = why + " (" + command + " --help lists what there is)";
     std::fprintf(stderr, "shoal: %s\n", message.c_str());
@@ -153,7 +181,7 @@ bool playedByAPerson(const PlayOptions& options) {
 
 int runPlay(const PlayOptions& options) {
     const Status played = play(options);
-    const int status = stopSignal() != 0 ? 128 + stopSignal() : exitStatus(played);
+    const int status = stopSignal != 0 ? 128 + stopSignal : exitStatus(played);
     if (!played && playedByAPerson(options) && startedFromMenu())
         showMessageBox("Shoal had to stop: " + played.error().message());
     return status;

@@ -1,12 +1,7 @@
 #include "game/views/ModelOcclusion.h"
 
 #include "engine/core/Log.h"
-
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
+#include "engine/core/RunProgram.h"
 
 namespace shoal::app {
 
@@ -18,16 +13,6 @@ std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& mod
     return baked && render::applyBakedOcclusion(*baked, model) ? std::optional(*baked) : std::nullopt;
 }
 
-bool run(std::array<std::string, 3> words) {
-    const std::array arguments = {words[0].data(), words[1].data(), words[2].data(),
-                                  static_cast<char*>(nullptr)};
-    const log::QuietStandardError quiet; // the caller reports the failure in one sentence
-    pid_t child = 0;
-    int status = 0;
-    return ::posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) == 0 &&
-           ::waitpid(child, &status, 0) == child && status == 0;
-}
-
 } // namespace
 
 std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model) {
@@ -35,7 +20,11 @@ std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model
     const Path kept = cacheFolder() / "occlusion" / fmt::format("{:016x}.json", render::skinHash(model));
     if (auto before = stored(kept, model)) return before;
     const Path maker = programFolder() / "shoal-occlusion";
-    if (run({maker.string(), file.string(), kept.string()}))
+    const auto status = [&] {
+        const log::QuietStandardError quiet; // the warning below says it in one sentence
+        return runProgram({maker.string(), file.string(), kept.string()});
+    }();
+    if (status == 0)
         if (auto made = stored(kept, model)) return made;
     log::warn("{}: is shown without shadows of its own parts: {} could not make them", file.string(),
               maker.string());
