@@ -78,14 +78,10 @@ Status Application::open() {
                       .met = readGuide()};
     if (Status opened = openScene(); !opened) return opened;
     openSound();
-    if (window_) setIcon();
-    return Done{};
-}
-
-void Application::setIcon() {
+    if (!window_) return Done{};
     const auto icon = readSmallPicture(dataRoot() / "content/icon.png");
-    if (!icon) return log::warn("{}", icon.error().message());
-    window_->setIcon(*icon);
+    icon ? window_->setIcon(*icon) : log::warn("{}", icon.error().message());
+    return Done{};
 }
 
 void Application::openSound() {
@@ -94,19 +90,15 @@ void Application::openSound() {
 }
 
 Status Application::openContext() {
-    if (options_.headless) {
-        if (Status opened = platform::Headless::open().moveTo(headless_); !opened) return opened;
-        return Hud::make().moveTo(hud_);
-    }
-    if (Status opened =
-            platform::Window::open({"Shoal", options_.look.size.x, options_.look.size.y, options_.fullscreen,
-                                    options_.vsync && !options_.timedemo && !options_.xr})
-                .moveTo(window_);
-        !opened)
-        return opened;
-    if (Status made = Hud::make().moveTo(hud_); !made) return made;
-    drawLoading(0); // no black window
-    return Done{};
+    Status opened = options_.headless
+                        ? platform::Headless::open().moveTo(headless_)
+                        : platform::Window::open({"Shoal", options_.look.size.x, options_.look.size.y,
+                                                  options_.fullscreen,
+                                                  options_.vsync && !options_.timedemo && !options_.xr})
+                              .moveTo(window_);
+    if (opened) opened = Hud::make().moveTo(hud_);
+    if (opened) drawLoading(0); // no black window
+    return opened;
 }
 
 Status Application::openDisplay() {
@@ -131,7 +123,7 @@ Status Application::openDisplay() {
 bool Application::drawLoading(float progress) {
     if (!window_) return true;
     const platform::WindowInput& input = window_->poll();
-    leaving_ |= input.closing || stopSignal() != 0;
+    leaving_ |= input.closing || stopSignal != 0;
     const glm::ivec2 size = window_->framebufferSize();
     if (!hud_ || size.x <= 0 || size.y <= 0) return !leaving_;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -139,16 +131,16 @@ bool Application::drawLoading(float progress) {
     glClearColor(0.02f, 0.11f, 0.16f, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     if (content_.hasPicture()) {
-        game::Snapshot nothing;
+        const game::Snapshot nothing;
         content_.renderer().set(nothing, content_.environment(), look());
         const auto hud = [&](HudPart, Audience, const render::View&, glm::ivec2 eye) {
             hud_->drawLoading(progress, textOptions(), eye);
         };
         if (display_->draw(Painter::of(content_.renderer(), hud), nothing, 1)) display_->present();
-        return !leaving_;
+    } else {
+        hud_->drawLoading(progress, textOptions(), size);
+        window_->present();
     }
-    hud_->drawLoading(progress, textOptions(), size);
-    window_->present();
     return !leaving_;
 }
 
@@ -285,7 +277,7 @@ Status Application::frame(bool measured) {
 void Application::readInput() {
     GameSession& session = play_->session;
     ProgramStates& states = play_->states;
-    leaving_ |= display_->leaving() || stopSignal() != 0;
+    leaving_ |= display_->leaving() || stopSignal != 0;
     if (window_) {
         const bool still = states.state() != ProgramStates::State::Diving;
         if (play_->input && play_->input->minimised && still) window_->wait(kMinimisedWait_s);

@@ -61,7 +61,6 @@ class Application {
     Status openDisplay();
     Status openScene();
     void openSound();
-    void setIcon();
     Status openContent();
     bool drawLoading(float progress); // false: the player wants to leave
     bool isForPerson() const { return !config_.script && !config_.replay; }

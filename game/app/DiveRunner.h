@@ -2,11 +2,66 @@
 // figures. Main thread.
 #pragma once
 
-#include "game/app/FrameClock.h"
 #include "game/session/GameSession.h"
 #include "game/session/Statistics.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <thread>
+
 namespace shoal::app {
+
+// The game time that each frame of a dive takes, and the time of its drawing.
+class FrameClock {
+  public:
+    enum class Mode {
+        RealTime,  // game time is the clock's
+        FixedStep, // every frame takes 1 / fps, and shows just its frame of the video
+        TimeDemo   // the same for the dive, as fast as possible; the video keeps the clock's time
+    };
+    FrameClock(Mode mode, double fps) : mode_(mode), fps_(fps) {}
+
+    void beginFrame() {
+        const Clock::time_point now = Clock::now();
+        if (++frame_ == 0) start_ = frameStart_ = now;
+        wall_s_ = Seconds(now - frameStart_).count();
+        frameStart_ = now;
+    }
+    Mode mode() const { return mode_; }
+    uint64_t frame() const { return frame_; } // 0: the first frame
+    double sinceBegin_ms() const { return 1e3 * Seconds(Clock::now() - frameStart_).count(); }
+
+    // Returns the dive's time since the last frame. display: time between two pictures by the display.
+    double elapsed_s(std::optional<double> display) const {
+        constexpr double kMaximum_s = 0.5; // a longer pause is not made up for
+        if (display) return std::min(*display, kMaximum_s);
+        if (mode_ == Mode::RealTime) return std::min(wall_s_, kMaximum_s);
+        return frame_ == 0 ? 0 : 1 / fps_;
+    }
+    double video_s(double dive_s) const {
+        return mode_ == Mode::TimeDemo ? Seconds(Clock::now() - start_).count() : dive_s;
+    }
+    bool exactVideo() const { return mode_ == Mode::FixedStep; }
+
+    // Waits at the end of a frame with a live video, which has the clock's time, so that fixed steps go no
+    // faster.
+    void waitForLiveVideo() const {
+        if (mode_ != Mode::FixedStep) return;
+        const Seconds due(static_cast<double>(frame_ + 1) / fps_);
+        std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(due));
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    Mode mode_;
+    double fps_;
+    uint64_t frame_ = ~uint64_t{0}; // before the first frame
+    Clock::time_point start_, frameStart_;
+    double wall_s_ = 0; // from the last frame to this one
+};
 
 class DiveRunner {
   public:

@@ -28,8 +28,8 @@ Status checkOutputsOf(const PlayOptions& options) {
 
 // Writes the figures, even of a run that failed, and prints the summary of a script that met its
 // expectations: its name and hash as in tests/equal_hashes.txt. Returns the verdict.
-Status tell(const PlayOptions& options, const Statistics& statistics, const std::string& summary,
-            const Status& verdict) {
+Status report(const PlayOptions& options, const Statistics& statistics, const std::string& summary,
+              const Status& verdict) {
     if (!options.stats.empty())
         if (Status written = writeStatistics(options.stats, statistics); !written) return written;
     if (verdict && !summary.empty()) std::printf("%s\n", summary.c_str());
@@ -58,14 +58,14 @@ Status playUnseen(const PlayOptions& options) {
     DiveRunner runner(config, options, FrameClock::Mode::FixedStep);
     if (!options.record.empty())
         if (Status s = runner.session.record(options.record); !s) return s;
-    while (!runner.isOver() && stopSignal() == 0) {
+    do {
         runner.beginFrame({});
         runner.moveMouse(nullptr, {16, 9});
         runner.advance_ms();
-    }
+    } while (!runner.isOver() && stopSignal == 0);
     Statistics statistics{.renderer = "none"};
     const Status verdict = runner.end(statistics);
-    return tell(options, statistics, runner.session.summary, verdict);
+    return report(options, statistics, runner.session.summary, verdict);
 }
 
 } // namespace
@@ -87,7 +87,7 @@ Status play(const PlayOptions& given) {
     // The outputs are written even when an expectation failed: they help to see why.
     if (!options.screenshot.empty() && application.hasPicture())
         if (Status saved = application.saveScreenshot(); !saved) return saved;
-    verdict = tell(options, application.statistics(), application.summary(), verdict);
+    verdict = report(options, application.statistics(), application.summary(), verdict);
     if (options.timedemo) printTimes(application.statistics(), application.showsLiveVideo());
     return verdict;
 }

@@ -1,7 +1,6 @@
 #include "game/app/Screens.h"
 
 #include "engine/core/Log.h"
-#include "game/settings/FilmFolders.h"
 #include "game/texts/Animals.h"
 
 #include <fmt/core.h>
@@ -94,16 +93,8 @@ std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, 
 } // namespace
 
 game::Language languageIn(const TextSettings& settings) {
-    switch (settings.language) {
-    case LanguageChoice::English:
-        return game::Language::English;
-    case LanguageChoice::German:
-        return game::Language::German;
-    case LanguageChoice::French:
-        return game::Language::French;
-    case LanguageChoice::Auto:
-        break;
-    }
+    if (settings.language != LanguageChoice::Auto) // which comes before the languages
+        return static_cast<game::Language>(static_cast<int>(settings.language) - 1);
     for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"})
         if (const char* locale = std::getenv(variable); locale && *locale) return game::languageOf(locale);
     return game::Language::English;
@@ -163,55 +154,23 @@ void Screens::back() {
     captured_.reset();
     message_.clear();
     error_.clear();
-    if (stack_.size() == 1) { // Escape on the lowest page
-        switch (stack_.back().screen) {
-        case Screen::Paused:
-            return ask(Request::Kind::Resume);
-        case Screen::Results:
-            return ask(Request::Kind::Title);
-        default:
-            return; // the title screen is left by its own button
-        }
+    if (stack_.size() == 1) { // Escape on the lowest page; the title screen is left by its own button
+        if (top() == Screen::Paused) ask(Request::Kind::Resume);
+        if (top() == Screen::Results) ask(Request::Kind::Title);
+        return;
     }
     stack_.pop_back();
     show(stack_.back().focus);
 }
 
-MenuPage Screens::pageOf(const Level& level) {
-    switch (level.screen) {
-    case Screen::Title:
-        return titlePage();
-    case Screen::Dives:
-        return divesPage();
-    case Screen::Swims:
-        return swimsPage();
-    case Screen::Films:
-        return filmsPage();
-    case Screen::Settings:
-        return settingsPage();
-    case Screen::SettingsGroup:
-        return groupPage(level.group);
-    case Screen::HandSize:
-        return handSizePage();
-    case Screen::Bindings:
-        return bindingsPage();
-    case Screen::HowToPlay:
-        return howToPlayPage();
-    case Screen::Guide:
-        return guidePage();
-    case Screen::Animal:
-        return animalPage(level.species);
-    case Screen::Paused:
-        return pausedPage();
-    case Screen::Results:
-        return resultsPage();
-    }
-    return {};
-}
-
 MenuPage Screens::page() {
     entries_.clear();
-    MenuPage page = pageOf(stack_.back());
+    using S = Screens;
+    constexpr std::array kPages = {&S::titlePage,     &S::divesPage, &S::divesPage,    &S::filmsPage,
+                                   &S::settingsPage,  &S::groupPage, &S::handSizePage, &S::bindingsPage,
+                                   &S::howToPlayPage, &S::guidePage, &S::animalPage,   &S::pausedPage,
+                                   &S::resultsPage}; // by Screen
+    MenuPage page = (this->*kPages[static_cast<size_t>(stack_.back().screen)])();
     page.camera = showsCamera();
     for (const Entry& entry : entries_) page.items.push_back(entry.item);
     page.error = error_;
@@ -251,25 +210,16 @@ void Screens::itemButton(std::string label, std::function<void()> act) {
 
 void Screens::button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
 
-void Screens::diveButton(std::string label, const DiveName& dive, Request::Kind kind) {
-    itemButton(std::move(label), [this, kind, name = dive.name] { ask(kind, name); });
-    if (facts.ownFilm) entries_.back().item.picture = dive.picture;
-}
-
 void Screens::backButton() {
     button("Back", [this] { back(); });
 }
 
 // Saves a changed setting at once. Only changed settings are written, none from the command line.
-void Screens::keepRow(size_t row) {
+void Screens::changed(size_t row) {
     if (Status saved = saveSetting(table_.rows[row]); !saved) {
         log::warn("{}", saved.error().message());
         error_ = saved.error().message();
     }
-}
-
-void Screens::changed(size_t row) {
-    keepRow(row);
     ask(Request::Kind::SettingsChanged);
 }
 
@@ -311,23 +261,18 @@ MenuPage Screens::titlePage() {
 }
 
 MenuPage Screens::divesPage() {
+    const bool swims = top() == Screen::Swims;
     for (const DiveName& dive : facts.dives) {
         std::string label = named(dive.title);
-        if (dive.best > 0) label += "   \u2605 " + std::to_string(dive.best);
-        diveButton(std::move(label), dive, Request::Kind::Dive);
+        if (dive.best > 0 && !swims) label += "   \u2605 " + std::to_string(dive.best);
+        itemButton(std::move(label), [this, swims, name = dive.name] {
+            ask(swims ? Request::Kind::Swim : Request::Kind::Dive, name);
+        });
+        if (facts.ownFilm) entries_.back().item.picture = dive.picture;
     }
     backButton();
-    MenuPage page{.title = in("Choose a dive"), .layout = PageLayout::Side};
-    if (!facts.ownFilm) page.text = {otherFilm()};
-    return page;
-}
-
-MenuPage Screens::swimsPage() {
-    for (const DiveName& dive : facts.dives) diveButton(named(dive.title), dive, Request::Kind::Swim);
-    backButton();
-    MenuPage page{.title = in("Free swim"),
-                  .text = {in("No clock, no shark: meet the animals.")},
-                  .layout = PageLayout::Side};
+    MenuPage page{.title = in(swims ? game::Text("Free swim") : "Choose a dive"), .layout = PageLayout::Side};
+    if (swims) page.text = {in("No clock, no shark: meet the animals.")};
     if (!facts.ownFilm) page.text.push_back(otherFilm());
     return page;
 }
@@ -335,10 +280,8 @@ MenuPage Screens::swimsPage() {
 // Returns the text that the player's own film or photo replaces every dive's.
 std::string Screens::otherFilm() const {
     const EnvironmentOptions& shown = options_.environment;
-    const std::string& file = !shown.video.empty()   ? shown.video
-                              : !shown.photo.empty() ? shown.photo
-                                                     : shown.env;
-    return filled(in("All dives are in {}"), Path(file).filename().string());
+    // At most one of them is given.
+    return filled(in("All dives are in {}"), Path(shown.video + shown.photo + shown.env).filename().string());
 }
 
 MenuPage Screens::filmsPage() {
@@ -360,7 +303,8 @@ MenuPage Screens::settingsPage() {
     return {.title = in("Settings"), .layout = PageLayout::Side};
 }
 
-MenuPage Screens::groupPage(SettingsPage group) {
+MenuPage Screens::groupPage() {
+    const SettingsPage group = stack_.back().group;
     const bool isMuted = group == SettingsPage::Sound && options_.mute; // nothing would be heard
     for (size_t row = 0; row < table_.rows.size() && !isMuted; ++row)
         if (table_.rows[row].page == group) settingEntry(row);
@@ -382,20 +326,12 @@ MenuPage Screens::handSizePage() {
                     "a sheet of A4 paper is long.")},
         .progress = facts.handSizing.progress(),
         .layout = PageLayout::Side};
-    switch (facts.handSizing.state()) {
-    case Waiting:
-        break;
-    case Elsewhere:
-        page.note = in("Nobody’s hand is that small or big: is it 30 cm away?");
-        break;
-    case Holding:
-        page.note = in("Keep it there");
-        break;
-    case Done:
-        page.note =
-            filled(in("Your hand has {} % of the usual size."), std::lround(100 * options_.hands.size));
-        break;
-    }
+    const auto state = facts.handSizing.state();
+    page.note = state == Elsewhere ? in("Nobody’s hand is that small or big: is it 30 cm away?")
+                : state == Holding ? in("Keep it there")
+                : state == Done    ? filled(in("Your hand has {} % of the usual size."),
+                                            std::lround(100 * options_.hands.size))
+                                   : "";
     return page;
 }
 
@@ -430,8 +366,7 @@ void Screens::captured(std::optional<Action> loser) {
                                 : filled(in("It was taken from: {}, which keeps {}"), label, left);
     }
     options_.controls.bindings = bindings_.toText();
-    for (size_t row = 0; row < table_.rows.size(); ++row)
-        if (table_.rows[row].key() == "bindings") changed(row);
+    keep("bindings");
     refresh();
 }
 
@@ -494,8 +429,8 @@ MenuPage Screens::guidePage() {
         .layout = PageLayout::Side};
 }
 
-MenuPage Screens::animalPage(size_t species) {
-    const std::string& name = (*facts.species)[species].name;
+MenuPage Screens::animalPage() {
+    const std::string& name = (*facts.species)[stack_.back().species].name;
     backButton();
     MenuPage page{.title = game::animalName(name, 1, language()), .picture = "guide/" + name + ".png"};
     const auto fact = std::ranges::find(kFacts, name, &Fact::species);

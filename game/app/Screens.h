@@ -5,7 +5,6 @@
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
 #include "game/session/Controls.h"
-#include "game/settings/EditSetting.h"
 #include "game/settings/KeptFiles.h"
 #include "game/settings/PlayOptions.h"
 #include "game/ui/Menu.h"
@@ -130,29 +129,25 @@ class Screens {
     void ask(Request::Kind kind, std::string name = {}) { request_ = Request{kind, std::move(name)}; }
     void show(size_t focus);
     MenuPage page();
-    MenuPage pageOf(const Level& level);
 
     // Each fills entries_ and returns the page without its items.
     MenuPage titlePage();
-    MenuPage divesPage();
-    MenuPage swimsPage();
+    MenuPage divesPage(); // for free swims too
     MenuPage filmsPage();
     MenuPage settingsPage();
-    MenuPage groupPage(SettingsPage group);
+    MenuPage groupPage();
     MenuPage handSizePage();
     MenuPage bindingsPage();
     MenuPage howToPlayPage();
     MenuPage guidePage();
-    MenuPage animalPage(size_t species);
+    MenuPage animalPage();
     MenuPage pausedPage();
     MenuPage resultsPage();
 
     void button(game::Text label, std::function<void()> act);
     void itemButton(std::string label, std::function<void()> act); // label from content, already translated
-    void diveButton(std::string label, const DiveName& dive, Request::Kind kind); // adds the dive's picture
     void backButton();
     void settingEntry(size_t row);
-    void keepRow(size_t row);
     void changed(size_t row);
     void captured(std::optional<Action> loser);
     const char* in(game::Text text) const { return text.in(language()); }

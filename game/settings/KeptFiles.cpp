@@ -42,17 +42,12 @@ std::optional<int> scoreIn(const Json& entry) {
 // Returns the scores of one dive.
 DiveScores scoresIn(const Json& entry) {
     DiveScores scores;
-    const auto add = [&](const Json& score) {
+    if (!entry.is_object()) return scores;
+    for (const Json& score : entry.value("top", Json::array()))
         if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
             scores.top.push_back(*value);
-    };
-    add(entry); // earlier versions kept the best one alone
-    if (!entry.is_object()) return scores;
-    if (const auto top = entry.find("top"); top != entry.end() && top->is_array())
-        for (const Json& score : *top) add(score);
     std::ranges::sort(scores.top, std::greater());
-    if (const auto last = entry.find("last"); last != entry.end())
-        scores.last = scoreIn(*last).value_or(scores.last);
+    scores.last = scoreIn(entry.value("last", Json(0))).value_or(0);
     return scores;
 }
 
@@ -71,6 +66,15 @@ struct ReadEntry {
     }
     bool operator()(std::vector<std::string>*) const { return false; } // these are not kept
 };
+
+constexpr std::array kEndings = {".mp4",  ".mkv", ".webm", ".mov", ".jpg",
+                                 ".jpeg", ".png", ".hdr",  ".exr", ".pfm"};
+constexpr size_t kMaxLooked = 5000; // entries read of each folder
+
+bool endsAsFilm(const Path& file) {
+    const bool depth = file.stem().extension() == ".depth"; // a depth track belongs to the film beside it
+    return !depth && std::ranges::find(kEndings, extensionOf(file)) != kEndings.end();
+}
 
 struct MakeEntry {
     template <class T> Json operator()(T* value) const { return *value; }
@@ -132,14 +136,34 @@ std::vector<std::string> readGuide() {
         log::warn("{}", guide.error().message());
         return met;
     }
-    if (const auto names = guide->find("met"); names != guide->end() && names->is_array())
-        for (const Json& name : *names)
-            if (name.is_string()) met.push_back(name.get<std::string>());
+    for (const Json& name : guide->value("met", Json::array()))
+        if (name.is_string()) met.push_back(name.get<std::string>());
     return met;
 }
 
 Status saveGuide(const std::vector<std::string>& species) {
     return writeFileWhole(guideFile(), Json{{"met", species}}.dump(2) + "\n");
+}
+
+std::vector<Path> filmsAndPhotos() {
+    struct Found {
+        Path file;
+        std::filesystem::file_time_type changed;
+    };
+    std::vector<Found> found;
+    std::error_code code;
+    for (const Path& folder : {userFolder(UserFolder::Videos), userFolder(UserFolder::Pictures),
+                               userFolder(UserFolder::Downloads)}) {
+        size_t looked = 0;
+        for (std::filesystem::directory_iterator entry(folder, code), end;
+             !code && entry != end && looked < kMaxLooked; entry.increment(code), ++looked)
+            if (endsAsFilm(entry->path()) && entry->is_regular_file(code))
+                found.push_back({entry->path(), entry->last_write_time(code)});
+    }
+    std::ranges::sort(found, std::ranges::greater(), &Found::changed);
+    std::vector<Path> files;
+    for (size_t i = 0; i < std::min(found.size(), kMaxFilms); ++i) files.push_back(std::move(found[i].file));
+    return files;
 }
 
 } // namespace shoal::app

@@ -1,8 +1,9 @@
-// Files that are kept between games: settings, in $XDG_CONFIG_HOME/shoal/settings.json, which the command
-// line overrides, and scores, in $XDG_DATA_HOME/shoal/scores.json. A file that cannot be used is left alone.
+// The player's files. Kept between games are settings, in $XDG_CONFIG_HOME/shoal/settings.json, which the
+// command line overrides, and scores, in $XDG_DATA_HOME/shoal/scores.json. A file that cannot be used is left
+// alone.
 #pragma once
 
-#include "engine/core/Result.h"
+#include "engine/core/Files.h"
 #include "game/settings/Setting.h"
 
 #include <map>
@@ -35,5 +36,11 @@ Status addScore(const std::string& dive, int score);
 // Names of the species that the player has touched, in $XDG_DATA_HOME/shoal/guide.json.
 std::vector<std::string> readGuide();
 Status saveGuide(const std::vector<std::string>& species);
+
+// Returns the player's own films and photos for the list on the screen: the files in the folders for videos,
+// pictures and downloads, not in subfolders, whose names end as those of files that can be opened, the newest
+// kMaxFilms first.
+constexpr size_t kMaxFilms = 60;
+std::vector<Path> filmsAndPhotos();
 
 } // namespace shoal::app

@@ -101,6 +101,16 @@ template <class Value> TextSetting numberSetting(Value& value, const Setting& ro
     return {set, fmt::format("wants a {}number from {} to {}", whole, low, high), {}};
 }
 
+// Returns the value in the language of the screen; numbers as percent where that says more.
+std::string shownValue(const Setting& setting, game::Language language);
+
+// Returns a number's place in its range, 0 to 1; empty: the setting is a choice.
+std::optional<float> sliderOf(const Setting& setting);
+
+// Moves to the next value, or by several steps; choices wrap around.
+void adjust(const Setting& setting, int steps);
+void slide(const Setting& setting, float fraction);
+
 struct SettingsTable {
     std::vector<Setting> rows;
     Category category = Category::General; // category of the rows added next

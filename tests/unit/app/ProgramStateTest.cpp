@@ -1,5 +1,5 @@
 // What keys and the dive itself do in each state of the program, and which pages stand over the picture then.
-#include "game/app/FrameClock.h"
+#include "game/app/DiveRunner.h"
 #include "game/app/ProgramStates.h"
 #include "tests/Recorded.h"
 #include "tests/TestPaths.h"
