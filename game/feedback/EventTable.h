@@ -11,71 +11,47 @@
 
 namespace shoal::game {
 
-// The sounds of the game, in the order of the audio's clips.
-enum class Sound {
-    BedOpen, // the sea's background in open water, and in a tunnel
-    BedTunnel,
-    FishPassSmall,
-    FishPassLarge,
-    Touch,
-    Catch,
-    Struggle,
-    Release,
-    Escape,
-    Startle,
-    Miss,
-    MissTooFar,
-    MissTooFast,
-    MissTooEarly,
-    MissBehind,
-    SharkNear,
-    SharkBite,
-    SharkBump,
-    WhaleSong,
-    Bubbles,
-    Countdown,
-    DiveStart,
-    DiveOver,
-};
-
-// Returns whether a table has one row for each value of an enumeration, in its order.
-template <class Rows, class Row, class E> constexpr bool oneRowEach(const Rows& rows, E Row::*key, E last) {
-    for (size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].*key != static_cast<E>(i)) return false;
-    return rows.size() == static_cast<size_t>(last) + 1;
-}
+// The sounds of the game, in the order of the audio's clips: name, file in content/sounds without .flac, and
+// gain, 0 to 1, at the loudness it was mastered to. The beds are the sea's background, in open water and in a
+// tunnel.
+// clang-format off
+#define SHOAL_SOUNDS(ROW) \
+    ROW(BedOpen, "bed_open", 0.45f) \
+    ROW(BedTunnel, "bed_tunnel", 0.5f) \
+    ROW(FishPassSmall, "fish_pass_small", 0.8f) \
+    ROW(FishPassLarge, "fish_pass_large", 1) \
+    ROW(Touch, "touch", 1) \
+    ROW(Catch, "catch", 1) \
+    ROW(Struggle, "struggle", 0.8f) \
+    ROW(Release, "release", 0.9f) \
+    ROW(Escape, "escape", 1) \
+    ROW(Startle, "startle", 0.8f) \
+    ROW(Miss, "miss", 0.9f) \
+    ROW(MissTooFar, "miss_too_far", 0.9f) \
+    ROW(MissTooFast, "miss_too_fast", 0.9f) \
+    ROW(MissTooEarly, "miss_too_early", 0.9f) \
+    ROW(MissBehind, "miss_behind", 0.9f) \
+    ROW(SharkNear, "shark_near", 1) \
+    ROW(SharkBite, "shark_bite", 1) \
+    ROW(SharkBump, "shark_bump", 1) \
+    ROW(WhaleSong, "whale_song", 1) \
+    ROW(Bubbles, "bubbles", 0.3f) \
+    ROW(Countdown, "countdown", 0.8f) \
+    ROW(DiveStart, "dive_start", 0.8f) \
+    ROW(DiveOver, "dive_over", 1)
+// clang-format on
+#define SHOAL_SOUND(name, file, gain) name,
+enum class Sound { SHOAL_SOUNDS(SHOAL_SOUND) };
+#undef SHOAL_SOUND
 
 struct SoundRow {
-    Sound sound;
-    const char* file; // in content/sounds, without .flac
-    float gain;       // 0 to 1, at the loudness it was mastered to
+    const char* file;
+    float gain;
 };
-constexpr std::array kSounds = std::to_array<SoundRow>({
-    {Sound::BedOpen, "bed_open", 0.45f},
-    {Sound::BedTunnel, "bed_tunnel", 0.5f},
-    {Sound::FishPassSmall, "fish_pass_small", 0.8f},
-    {Sound::FishPassLarge, "fish_pass_large", 1},
-    {Sound::Touch, "touch", 1},
-    {Sound::Catch, "catch", 1},
-    {Sound::Struggle, "struggle", 0.8f},
-    {Sound::Release, "release", 0.9f},
-    {Sound::Escape, "escape", 1},
-    {Sound::Startle, "startle", 0.8f},
-    {Sound::Miss, "miss", 0.9f},
-    {Sound::MissTooFar, "miss_too_far", 0.9f},
-    {Sound::MissTooFast, "miss_too_fast", 0.9f},
-    {Sound::MissTooEarly, "miss_too_early", 0.9f},
-    {Sound::MissBehind, "miss_behind", 0.9f},
-    {Sound::SharkNear, "shark_near", 1},
-    {Sound::SharkBite, "shark_bite", 1},
-    {Sound::SharkBump, "shark_bump", 1},
-    {Sound::WhaleSong, "whale_song", 1},
-    {Sound::Bubbles, "bubbles", 0.3f},
-    {Sound::Countdown, "countdown", 0.8f},
-    {Sound::DiveStart, "dive_start", 0.8f},
-    {Sound::DiveOver, "dive_over", 1},
-});
-static_assert(oneRowEach(kSounds, &SoundRow::sound, Sound::DiveOver));
+#define SHOAL_SOUND(name, file, gain) SoundRow{file, gain},
+constexpr std::array kSounds = {SHOAL_SOUNDS(SHOAL_SOUND)};
+#undef SHOAL_SOUND
+#undef SHOAL_SOUNDS
 
 constexpr const SoundRow& rowOf(Sound sound) { return kSounds[static_cast<size_t>(sound)]; }
 
@@ -89,6 +65,13 @@ struct HapticPulse {
     float decay_s = 1; // time constant: falls to 1/e
 };
 constexpr float kFullSpeed_mps = 1.5f;
+
+// Returns whether a table has one row for each value of an enumeration, in its order.
+template <class Rows, class Row, class E> constexpr bool oneRowEach(const Rows& rows, E Row::*key, E last) {
+    for (size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].*key != static_cast<E>(i)) return false;
+    return rows.size() == static_cast<size_t>(last) + 1;
+}
 
 struct EventRow {
     EventKind kind;

@@ -45,7 +45,7 @@ void SoundCues::play(Sound sound, const glm::vec3& position, float gain, bool ev
                      const glm::vec3& velocity) {
     shots_.push_back({.clip = static_cast<int>(sound),
                       .position = position,
-                      .gain = gain * rowOf(sound).gain,
+                      .gain = gain * gainOf(sound),
                       .pitch = pitch,
                       .everywhere = everywhere,
                       .velocity = velocity});
@@ -57,7 +57,7 @@ void SoundCues::beds(const Snapshot& shown, float dt_s) {
     const auto bed = [&](Sound sound, float share) {
         if (share <= 0) return;
         // Square root: the powers of two unrelated sounds add up to a constant.
-        const float gain = rowOf(sound).gain * std::sqrt(share);
+        const float gain = gainOf(sound) * std::sqrt(share);
         emitters_.push_back({.id = kBedId + static_cast<uint32_t>(sound),
                              .clip = static_cast<int>(sound),
                              .gain = gain,
@@ -71,7 +71,7 @@ void SoundCues::struggling(const CreatureView& creature) {
     emitters_.push_back({.id = creature.id,
                          .clip = static_cast<int>(Sound::Struggle),
                          .position = creature.position,
-                         .gain = rowOf(Sound::Struggle).gain,
+                         .gain = gainOf(Sound::Struggle),
                          .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f), // large ones beat slower
                          .velocity = creature.velocity});
     // A struggle goes on, so its caption keeps its place among the others.
@@ -140,7 +140,8 @@ void SoundCues::countDown(const Snapshot& shown) {
     countedDown_ = left;
 }
 
-void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, float dt_s) {
+void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume) {
+    volume_ = volume;
     shots_.clear();
     emitters_.clear();
     beds(shown, dt_s);

@@ -26,8 +26,8 @@ class SoundCues {
     SoundCues();
 
     // Chooses the sounds and captions of a frame: emitters(), shots() and captions(). events: since the last
-    // call; dt_s: time since then. Clip indices are Sound's.
-    void listen(const Snapshot& shown, std::span<const Event> events, float dt_s);
+    // call; dt_s: time since then; volume: the player's setting, 0 to 1. Clip indices are Sound's.
+    void listen(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume = 1);
 
     // Returns how enclosed the beds sound, 0 to 1: follows the snapshot's enclosure within seconds.
     float enclosure() const { return enclosure_; }
@@ -37,6 +37,7 @@ class SoundCues {
     std::span<const Caption> captions() const { return captions_; } // newest first
 
   private:
+    float gainOf(Sound sound) const { return rowOf(sound).gain * volume_; }
     void play(Sound sound, const glm::vec3& position, float gain, bool everywhere = false, float pitch = 1,
               const glm::vec3& velocity = glm::vec3(0));
     void caption(Text text, const glm::vec3& position);
@@ -51,7 +52,7 @@ class SoundCues {
     std::vector<audio::Sound> shots_;
     std::vector<Caption> captions_;
     std::vector<float> quiet_s_; // seconds before each creature may be heard passing again
-    float touchQuiet_s_ = 0;
+    float volume_ = 1, touchQuiet_s_ = 0;
     bool counted_ = false; // the last grab has become a catch
     float breath_s_;       // seconds until the next breath
     float enclosure_ = 0;  // follows the snapshot's enclosure without steps

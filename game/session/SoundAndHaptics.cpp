@@ -39,25 +39,18 @@ void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s) {
                       .read = [this](std::span<int16_t> stereo) { return track_->read(stereo); }});
 }
 
-std::span<const audio::Sound> SoundAndHaptics::atVolume(std::span<const audio::Sound> sounds,
-                                                        std::vector<audio::Sound>& scratch) const {
-    scratch.assign(sounds.begin(), sounds.end());
-    for (audio::Sound& sound : scratch) sound.gain *= options_.effects;
-    return scratch;
-}
-
 void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& events, float dt_s,
                             bool attended, double videoPosition_s) {
     // Haptics come first: a touch has the shortest latency that is noticed.
     hapticFrame_ = hapticFeedback_.frame(shown, events, dt_s, attended ? options_.hapticStrength : 0);
     if (haptics_) haptics_->submit(hapticFrame_);
-    sounds_.listen(shown, events, dt_s);
+    sounds_.listen(shown, events, dt_s, options_.effects);
     if (!audio_) return;
     if (volume_ != options_.volume) audio_->setVolume(volume_ = options_.volume);
     audio_->setPaused(shown.paused);
     audio_->update(
         {.position = shown.headWorld, .worldFromHead = shown.worldFromView, .enclosure = sounds_.enclosure()},
-        atVolume(sounds_.emitters(), emitters_), atVolume(sounds_.shots(), shots_));
+        sounds_.emitters(), sounds_.shots());
     audio_->syncTrack(videoPosition_s, track_ ? options_.videoSound : 0, shown.paused);
 }
 

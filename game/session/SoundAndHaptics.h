@@ -32,17 +32,14 @@ class SoundAndHaptics {
     std::span<const game::Caption> captions() const { return sounds_.captions(); }
 
   private:
-    std::span<const audio::Sound> atVolume(std::span<const audio::Sound> sounds,
-                                           std::vector<audio::Sound>& scratch) const;
     Status openSound();
     void openVideoSound(const Path& video, double videoLength_s);
 
     game::SoundCues sounds_;
     game::HapticFeedback hapticFeedback_;
     const PlayOptions& options_;
-    float volume_;                               // the audio's
-    std::vector<audio::Sound> emitters_, shots_; // scratch: the cues at their volume
-    std::optional<media::SoundTrack> track_;     // declared before the audio, which reads it
+    float volume_;                           // the audio's
+    std::optional<media::SoundTrack> track_; // declared before the audio, which reads it
     std::optional<audio::Audio> audio_;
     std::optional<haptics::HapticOutput> haptics_;
     haptics::HapticFrame hapticFrame_;
