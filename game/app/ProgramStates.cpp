@@ -41,17 +41,11 @@ void ProgramStates::entered(State state) {
     screens_.facts.results = session_.after;
     screens_.facts.seed = session_.dive.seed();
     keepGuide();
-    switch (state) {
-    case State::Title:
-        return screens_.open(Screen::Title);
-    case State::Diving:
-        return screens_.close();
-    case State::Paused:
-        return screens_.open(Screen::Paused);
-    case State::Results:
-        keepScore();
-        return screens_.open(Screen::Results);
-    }
+    if (state == State::Diving) return screens_.close();
+    if (state == State::Results) keepScore();
+    screens_.open(state == State::Title    ? Screen::Title
+                  : state == State::Paused ? Screen::Paused
+                                           : Screen::Results);
 }
 
 void ProgramStates::keepScore() {

@@ -45,13 +45,10 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"1 fish caught", "1 Fisch gefangen", "1 poisson attrapé"},
     {"{} taken by the shark", "{} vom Hai geraubt", "{} volés par le requin"},
     {"Your best dive yet", "Dein bester Tauchgang bisher", "Ta meilleure plongée"},
-    {"Your best: {}", "Dein Rekord: {}", "Ton record : {}"},
-    {"Best: {}", "Rekord: {}", "Record : {}"},
     {"Your best dives before: {}", "Deine besten Tauchgänge zuvor: {}",
      "Tes meilleures plongées jusqu’ici : {}"},
     {"Better than last time by {}", "{} mehr als beim letzten Mal", "{} de mieux que la dernière fois"},
     {"Seed {}", "Startwert {}", "Graine {}"},
-    {"Goals", "Ziele", "Objectifs"},
     {"Catch {} fish", "Fange {} Fische", "Attrape {} poissons"},
     {"Catch {} {}", "Fange {} {}", "Attrape {} {}"},
     {"goal reached", "Ziel erreicht", "objectif atteint"},
@@ -205,7 +202,6 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Close a hand: go on", "Hand schließen: weiter", "Ferme une main : continuer"},
     {"Close both hands: dive again", "Beide Hände schließen: noch einmal tauchen",
      "Ferme les deux mains : replonger"},
-    {"Your headset’s own menu: leave", "Menü deines Headsets: beenden", "Menu de ton casque : quitter"},
 
     // My film or photo
     {"Drop a 360-degree video or any photo on this window, or choose one of these.",
@@ -216,7 +212,6 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Il n’y a encore ni film ni photo dans tes dossiers."},
     {"All dives are in {}", "Alle Tauchgänge sind in {}", "Toutes les plongées sont dans {}"},
     {"The dive’s own film", "Der Film des Tauchgangs", "Le film de la plongée"},
-    {"Opening {}", "{} wird geöffnet", "Ouverture de {}"},
 
     // Keys of the menus
     {"Arrow keys and Enter, mouse or gamepad", "Pfeiltasten und Eingabe, Maus oder Gamepad",
@@ -276,7 +271,6 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"best", "beste", "meilleure"},
     {"Fullscreen", "Vollbild", "Plein écran"},
     {"Your own room", "Dein Zimmer", "Ta pièce"},
-    {"Brightness", "Helligkeit", "Luminosité"},
     {"Stereo", "Stereo", "Stéréo"},
     {"Performance", "Leistungsanzeige", "Affichage des performances"},
     {"Volume", "Lautstärke", "Volume"},
@@ -433,7 +427,6 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"The reef", "Das Riff", "Le récif"},
     {"The reef by night", "Das Riff bei Nacht", "Le récif la nuit"},
     {"The kelp forest", "Der Kelpwald", "La forêt de kelp"},
-    {"The wreck", "Das Wrack", "L’épave"},
 });
 
 // Returns the row of a text; kTexts.size(): it has none.

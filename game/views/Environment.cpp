@@ -72,33 +72,21 @@ render::Exposure Environment::exposure(Tone chosen, float exposure_ev) const {
 }
 
 game::Text Environment::lightName() const {
-    if (player_->isHdr()) return "as measured, GGX prefiltered";
-    switch (setup_.player.source.light) {
-    case light::FrameRadiance::Auto:
-        break;
-    case light::FrameRadiance::Thesis:
-        return "thesis inverse tone mapping, GGX prefiltered";
-    case light::FrameRadiance::Linear:
-        return "decoded sRGB, GGX prefiltered";
-    }
-    return "decoded sRGB, clipped light estimated, GGX prefiltered";
+    static constexpr std::array<game::Text, 3> kNames = {
+        "decoded sRGB, clipped light estimated, GGX prefiltered",
+        "thesis inverse tone mapping, GGX prefiltered", "decoded sRGB, GGX prefiltered"}; // by FrameRadiance
+    return player_->isHdr() ? "as measured, GGX prefiltered"
+                            : kNames[static_cast<size_t>(setup_.player.source.light)];
 }
 
 const game::Notice* Environment::notice() const {
-    static const game::Notice kDamaged{"The film is damaged here; its last good picture stays"};
-    static const game::Notice kStopped{"The live video has stopped; its last picture stays"};
-    static const game::Notice kLost{"The live video was lost; its last picture stays until it comes back"};
-    switch (player_->trouble()) {
-    case environment::Trouble::None:
-        break;
-    case environment::Trouble::Damaged:
-        return &kDamaged;
-    case environment::Trouble::Stopped:
-        return &kStopped;
-    case environment::Trouble::Lost:
-        return &kLost;
-    }
-    return nullptr;
+    static const std::array<game::Notice, 3> kNotices = {{
+        {"The film is damaged here; its last good picture stays"},
+        {"The live video has stopped; its last picture stays"},
+        {"The live video was lost; its last picture stays until it comes back"},
+    }}; // by Trouble, from Damaged on
+    const auto trouble = static_cast<size_t>(player_->trouble());
+    return trouble > 0 ? &kNotices[trouble - 1] : nullptr;
 }
 
 } // namespace shoal::app
