@@ -7,141 +7,104 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace shoal::app {
 namespace {
 
 constexpr float kDt = 1.0f / 90;
 
-struct Gate {
-    HeadsetPause gate;
-    bool paused = false, restart = false;
-
-    void run(const HeadsetMoment& moment, float seconds) {
-        const int steps = static_cast<int>(std::lround(seconds / kDt));
-        for (int i = 0; i < steps; ++i) gate.step(moment, kDt, paused, restart);
-    }
-};
-
 constexpr HeadsetMoment kWell{.plays = true, .headTracked = true, .grip = {0.1f, 0.1f}};
-HeadsetMoment fists(float left, float right) {
-    HeadsetMoment moment = kWell;
+constexpr HeadsetMoment with(float left, float right, HeadsetMoment moment = kWell) {
     moment.grip = {left, right};
     return moment;
 }
-HeadsetMoment off() {
-    HeadsetMoment moment = kWell;
-    moment.plays = false;
-    return moment;
+constexpr HeadsetMoment kOff{.headTracked = true, .grip = {0.1f, 0.1f}};
+constexpr HeadsetMoment kLost{.plays = true, .grip = {0.1f, 0.1f}};
+constexpr HeadsetMoment kMenu{.plays = true, .headTracked = true, .menu = true, .grip = {0.1f, 0.1f}};
+constexpr HeadsetMoment kOver{.plays = true, .headTracked = true, .results = true, .grip = {0.1f, 0.1f}};
+
+struct Step {
+    HeadsetMoment moment;
+    float seconds;
+    bool paused, restart = false; // then
+};
+struct Story {
+    const char* name;
+    std::vector<Step> steps;
+};
+
+class HeadsetPauses : public testing::TestWithParam<Story> {};
+TEST_P(HeadsetPauses, AndGoOn) {
+    HeadsetPause pause;
+    bool paused = false, restart = false;
+    for (size_t step = 0; step < GetParam().steps.size(); ++step) {
+        const Step& now = GetParam().steps[step];
+        const long frames = std::lround(now.seconds / kDt);
+        for (long i = 0; i < frames; ++i) pause.step(now.moment, kDt, paused, restart);
+        EXPECT_EQ(paused, now.paused) << step;
+        EXPECT_EQ(restart, now.restart) << step;
+    }
+}
+INSTANTIATE_TEST_SUITE_P(
+    When, HeadsetPauses,
+    testing::Values(
+        Story{"WornItBeginsByItself",
+              {{kOff, 2, true}, {kWell, HeadsetPause::kSteady_s - 0.1f, true}, {kWell, 0.2f, false}}},
+        Story{"TakenOffUntilAHandCloses",
+              {{kWell, 1, false},
+               {kOff, kDt, true},
+               {kWell, 5, true},
+               {with(0.1f, 0.9f), HeadsetPause::kGoOn_s - 0.05f, true},
+               {with(0.1f, 0.9f), 0.1f, false}}},
+        Story{"AHandWasClosedBeforeItMustOpenFirst", // it holds a fish
+              {{kWell, 1, false},
+               {with(0.9f, 0.1f), 1, false},
+               {with(0.9f, 0.1f, kOff), 1, true},
+               {with(0.9f, -1), 3, true},
+               {with(0.2f, -1), 0.1f, true},
+               {with(0.9f, -1), 0.5f, false}}},
+        Story{"TheHeadIsLostItComesBackByItself",
+              {{kWell, 2, false}, {kLost, 0.3f, true}, {kWell, HeadsetPause::kSteady_s + 0.05f, false}}},
+        Story{"TakenOffWhileLostItStaysPaused",
+              {{kWell, 1, false}, {kLost, 0.1f, true}, {HeadsetMoment{}, 0.1f, true}, {kWell, 3, true}}},
+        Story{"TheMenuButtonIsPressedOnce",
+              {{kWell, 1, false}, {kMenu, 1, true}, {kWell, 1, true}, {kMenu, kDt, false}}},
+        Story{"BothHandsCloseOverTheResults", // they still are from the dive; one is not enough
+              {{kWell, 1, false},
+               {with(0.9f, 0.9f, kOver), 3, false},
+               {kOver, 0.2f, false},
+               {with(0.9f, 0.1f, kOver), 3, false},
+               {with(0.9f, 0.9f, kOver), HeadsetPause::kAgain_s + 0.05f, false, true}}}),
+    [](const testing::TestParamInfo<Story>& story) { return std::string(story.param.name); });
+
+TEST(HeadsetPause, APlayersOwnDoesNotEndByItself) {
+    HeadsetPause pause;
+    bool paused = false, restart = false;
+    const auto run = [&](const HeadsetMoment& moment, int frames) {
+        for (int i = 0; i < frames; ++i) pause.step(moment, kDt, paused, restart);
+        return paused;
+    };
+    EXPECT_FALSE(run(kWell, 90));
+    paused = true; // by a key
+    EXPECT_TRUE(run(kWell, 270));
+    EXPECT_FALSE(run(with(0.9f, 0.1f), 45));
 }
 
-TEST(HeadsetPause, BeginsByItselfOnceTheHeadsetIsWorn) {
-    Gate g;
-    g.run(off(), 2);
-    EXPECT_TRUE(g.paused);
-    g.run(kWell, HeadsetPause::kSteady_s - 0.1f);
-    EXPECT_TRUE(g.paused);
-    g.run(kWell, 0.2f);
-    EXPECT_FALSE(g.paused);
-}
-
-TEST(HeadsetPause, TakingItOffPausesUntilAHandCloses) {
-    Gate g;
-    g.run(kWell, 1);
-    g.run(off(), kDt);
-    EXPECT_TRUE(g.paused);
-    g.run(kWell, 5);
-    EXPECT_TRUE(g.paused);
-    g.run(fists(0.1f, 0.9f), HeadsetPause::kGoOn_s - 0.05f);
-    EXPECT_TRUE(g.paused);
-    g.run(fists(0.1f, 0.9f), 0.1f);
-    EXPECT_FALSE(g.paused);
-    EXPECT_FALSE(g.restart);
-}
-
-TEST(HeadsetPause, AHandThatWasClosedBeforeMustOpenFirst) {
-    Gate g;
-    g.run(kWell, 1);
-    g.run(fists(0.9f, 0.1f), 1); // holds a fish
-    HeadsetMoment away = off();
-    away.grip = {0.9f, 0.1f};
-    g.run(away, 1);
-    g.run(fists(0.9f, -1), 3);
-    EXPECT_TRUE(g.paused);
-    g.run(fists(0.2f, -1), 0.1f);
-    g.run(fists(0.9f, -1), 0.5f);
-    EXPECT_FALSE(g.paused);
-}
-
-TEST(HeadsetPause, LosingTheHeadFadesAndPausesAndComesBackByItself) {
-    Gate g;
-    g.run(kWell, 2);
-    EXPECT_EQ(g.gate.fade(), 0);
-    HeadsetMoment lost = kWell;
-    lost.headTracked = false;
-    g.run(lost, kDt);
-    EXPECT_TRUE(g.paused);
-    EXPECT_GT(g.gate.fade(), 0);
-    EXPECT_LT(g.gate.fade(), 0.1f); // not at once
-    g.run(lost, HeadsetPause::kFadeOut_s);
-    EXPECT_EQ(g.gate.fade(), 1);
-    g.run(kWell, HeadsetPause::kSteady_s + 0.05f);
-    EXPECT_FALSE(g.paused);
-    g.run(kWell, HeadsetPause::kFadeIn_s);
-    EXPECT_EQ(g.gate.fade(), 0);
-}
-
-TEST(HeadsetPause, TakenOffWhileLostStaysPaused) {
-    Gate g;
-    g.run(kWell, 1);
-    HeadsetMoment lost = kWell;
-    lost.headTracked = false;
-    g.run(lost, 0.1f);
-    lost.plays = false;
-    g.run(lost, 0.1f);
-    g.run(kWell, 3);
-    EXPECT_TRUE(g.paused);
-}
-
-TEST(HeadsetPause, ThePlayersOwnPauseDoesNotEndByItself) {
-    Gate g;
-    g.run(kWell, 1);
-    g.paused = true; // by a key
-    g.run(kWell, 3);
-    EXPECT_TRUE(g.paused);
-    g.run(fists(0.9f, 0.1f), 0.5f);
-    EXPECT_FALSE(g.paused);
-}
-
-TEST(HeadsetPause, TheMenuButtonPausesAndGoesOnOncePerPress) {
-    Gate g;
-    g.run(kWell, 1);
-    HeadsetMoment menu = kWell;
-    menu.menu = true;
-    g.run(menu, 1);
-    EXPECT_TRUE(g.paused);
-    g.run(kWell, 1);
-    EXPECT_TRUE(g.paused);
-    g.run(menu, kDt);
-    EXPECT_FALSE(g.paused);
-}
-
-TEST(HeadsetPause, BothHandsClosedOverTheResultsDiveAgain) {
-    Gate g;
-    g.run(kWell, 1);
-    HeadsetMoment over = kWell;
-    over.results = true;
-    over.grip = {0.9f, 0.9f}; // still, from the dive
-    g.run(over, 3);
-    EXPECT_FALSE(g.restart);
-    over.grip = {0.1f, 0.1f};
-    g.run(over, 0.2f);
-    over.grip = {0.9f, 0.1f};
-    g.run(over, 3);
-    EXPECT_FALSE(g.restart); // one is not enough
-    over.grip = {0.9f, 0.9f};
-    g.run(over, HeadsetPause::kAgain_s + 0.05f);
-    EXPECT_TRUE(g.restart);
+TEST(HeadsetPause, LosingTheHeadFadesSlowly) {
+    HeadsetPause pause;
+    bool paused = false, restart = false;
+    const auto fadeAfter = [&](const HeadsetMoment& moment, float seconds) {
+        for (float t = 0; t < seconds; t += kDt) pause.step(moment, kDt, paused, restart);
+        return pause.fade();
+    };
+    EXPECT_EQ(fadeAfter(kWell, 2), 0);
+    const float first = fadeAfter(kLost, kDt / 2);
+    EXPECT_GT(first, 0);
+    EXPECT_LT(first, 0.1f);
+    EXPECT_EQ(fadeAfter(kLost, HeadsetPause::kFadeOut_s), 1);
+    EXPECT_EQ(fadeAfter(kWell, HeadsetPause::kFadeIn_s + 0.1f), 0);
 }
 
 TEST(PanelPlacement, HangsAheadAndStaysWhileTheHeadLooksAround) {

@@ -25,25 +25,15 @@ TEST(Seed, IsDrawnForADiveInAWindow) {
 }
 
 TEST(Seed, IsOneWhereRunsAreCompared) {
-    PlayOptions headless, timedemo;
-    headless.headless = true;
-    timedemo.timedemo = true;
-    timedemo.hands.source = "mouse";
-    EXPECT_EQ(seedOf(headless), 1u);
-    EXPECT_EQ(seedOf(timedemo), 1u);
+    EXPECT_EQ(seedOf({.headless = true}), 1u);
+    EXPECT_EQ(seedOf({.hands = {.source = "mouse"}, .timedemo = true}), 1u);
+    const std::string script = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
+    EXPECT_EQ(seedOf({.hands = {.source = script}}), seedOf({.hands = {.source = script}}));
 }
 
 TEST(Seed, IsWhatIsAskedFor) {
-    PlayOptions options;
-    options.hands.source = "mouse";
-    options.seed = 7;
-    EXPECT_EQ(seedOf(options), 7u);
-    options.headless = true;
-    EXPECT_EQ(seedOf(options), 7u);
-    options.seed.reset();
-    options.headless = false;
-    options.hands.source = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
-    EXPECT_EQ(seedOf(options), seedOf(options));
+    EXPECT_EQ(seedOf({.seed = 7, .hands = {.source = "mouse"}}), 7u);
+    EXPECT_EQ(seedOf({.seed = 7, .headless = true}), 7u);
 }
 
 } // namespace

@@ -17,10 +17,16 @@ float amplitude(const haptics::HapticFrame& frame, int hand, int finger) {
     return frame.actuators[static_cast<size_t>(hand * haptics::kActuatorsPerHand + finger)].amplitude;
 }
 
+void expectOthersStill(const haptics::HapticFrame& frame, int hand = -1, int finger = -1) {
+    for (int i = 0; i < haptics::kActuatorCount; ++i)
+        if (i != hand * haptics::kActuatorsPerHand + finger) {
+            EXPECT_EQ(frame.actuators[static_cast<size_t>(i)].amplitude, 0) << i;
+        }
+}
+
 TEST(HapticFeedback, NothingHappensNothingIsFelt) {
     HapticFeedback feel;
-    const haptics::HapticFrame frame = feel.frame({}, {}, kTick_s, 1);
-    for (const auto& actuator : frame.actuators) EXPECT_EQ(actuator.amplitude, 0);
+    expectOthersStill(feel.frame({}, {}, kTick_s, 1));
 }
 
 TEST(HapticFeedback, ATouchIsFeltByTheFingerThatTouchedAndFades) {
@@ -31,11 +37,7 @@ TEST(HapticFeedback, ATouchIsFeltByTheFingerThatTouchedAndFades) {
     haptics::HapticFrame later;
     for (int i = 0; i < 24; ++i) later = feel.frame({}, {}, kTick_s, 1);
     EXPECT_NEAR(amplitude(later, 1, 2), std::exp(-0.2f / 0.08f), 1e-3f); // 0.2 s at a decay of 0.08 s
-    for (int hand = 0; hand < 2; ++hand)
-        for (int finger = 0; finger < haptics::kActuatorsPerHand; ++finger)
-            if (hand != 1 || finger != 2) {
-                EXPECT_EQ(amplitude(later, hand, finger), 0);
-            }
+    expectOthersStill(later, 1, 2);
 }
 
 TEST(HapticFeedback, FasterTouchesAreStrongerAndQuicker) {
@@ -63,11 +65,7 @@ TEST(HapticFeedback, AHeldFishIsFeltWhereItTouchesAndWithItsStruggle) {
     const auto calm = with(0), wild = with(1);
     EXPECT_GT(amplitude(calm, 0, 2), 0.1f);                         // it is there
     EXPECT_GT(amplitude(wild, 0, 2), amplitude(calm, 0, 2) + 0.4f); // and it wriggles
-    for (int hand = 0; hand < 2; ++hand)
-        for (int finger = 0; finger < haptics::kActuatorsPerHand; ++finger)
-            if (hand != 0 || finger != 2) {
-                EXPECT_EQ(amplitude(wild, hand, finger), 0) << hand << " " << finger;
-            }
+    expectOthersStill(wild, 0, 2);
 }
 
 TEST(HapticFeedback, AStrokeLastsAsLongAsItTouchesAndHumsFasterAsItGoesFaster) {
@@ -135,15 +133,13 @@ TEST(HapticFeedback, PausedHandsAreStill) {
     Snapshot shown;
     shown.paused = true;
     shown.hands[0].holds = 1;
-    for (const auto& actuator : feel.frame(shown, {&event, 1}, kTick_s, 1).actuators)
-        EXPECT_EQ(actuator.amplitude, 0);
+    expectOthersStill(feel.frame(shown, {&event, 1}, kTick_s, 1));
 }
 
 TEST(HapticFeedback, WrongFingersAreIgnored) {
     HapticFeedback feel;
     const Event event = touch(5, 77, 1);
-    for (const auto& actuator : feel.frame({}, {&event, 1}, kTick_s, 1).actuators)
-        EXPECT_EQ(actuator.amplitude, 0);
+    expectOthersStill(feel.frame({}, {&event, 1}, kTick_s, 1));
 }
 
 } // namespace

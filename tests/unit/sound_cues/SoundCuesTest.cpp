@@ -36,6 +36,13 @@ const audio::Sound* find(const SoundCues& hear, Sound sound) {
     return nullptr;
 }
 
+void happens(SoundCues& hear, const Event& event) { hear.listen({}, {&event, 1}, kFrame_s); }
+SoundCues after(const Event& event) {
+    SoundCues hear;
+    happens(hear, event);
+    return hear;
+}
+
 // One creature that goes straight on; how often it is heard passing within `seconds`.
 int passes(Sound sound, CreatureView creature, float seconds) {
     SoundCues hear;
@@ -52,8 +59,7 @@ int passes(Sound sound, CreatureView creature, float seconds) {
 
 TEST(SoundCues, EveryKindOfEventIsHeardWhereItHappens) {
     for (const Event& event : oneOfEach()) {
-        SoundCues hear;
-        hear.listen({}, {&event, 1}, kFrame_s);
+        const SoundCues hear = after(event);
         ASSERT_EQ(hear.shots().size(), 1u) << rowOf(event.kind).name;
         const audio::Sound& shot = hear.shots()[0];
         EXPECT_EQ(shot.clip, static_cast<int>(rowOf(event.kind).sound)) << rowOf(event.kind).name;
@@ -71,27 +77,20 @@ bool hasCaption(const SoundCues& hear, EventKind kind) {
 
 TEST(SoundCues, OnlyAFishThatWasNotCountedIsLetGo) {
     for (const bool counted : {false, true}) {
-        SoundCues hear;
-        const auto happens = [&](EventKind kind) {
-            const Event event{.kind = kind, .position = glm::vec3(0, 0, -1)};
-            hear.listen({}, {&event, 1}, kFrame_s);
-        };
-        happens(EventKind::Grab);
-        if (counted) happens(EventKind::Catch);
-        happens(EventKind::Release);
+        SoundCues hear = after({.kind = EventKind::Grab});
+        if (counted) happens(hear, {.kind = EventKind::Catch});
+        happens(hear, {.kind = EventKind::Release});
         EXPECT_EQ(hasCaption(hear, EventKind::Release), !counted);
-        happens(EventKind::Grab);
-        happens(EventKind::Release);
+        happens(hear, {.kind = EventKind::Grab});
+        happens(hear, {.kind = EventKind::Release});
         EXPECT_TRUE(hasCaption(hear, EventKind::Release));
     }
 }
 
 TEST(SoundCues, ANewDiveHasNoCaptionsOfTheLast) {
-    SoundCues hear;
-    const Event over{.kind = EventKind::DiveOver}, start{.kind = EventKind::DiveStart};
-    hear.listen({}, {&over, 1}, kFrame_s);
+    SoundCues hear = after({.kind = EventKind::DiveOver});
     EXPECT_TRUE(hasCaption(hear, EventKind::DiveOver));
-    hear.listen({}, {&start, 1}, kFrame_s);
+    happens(hear, {.kind = EventKind::DiveStart});
     EXPECT_FALSE(hasCaption(hear, EventKind::DiveOver));
     EXPECT_TRUE(hasCaption(hear, EventKind::DiveStart));
 }
@@ -143,10 +142,9 @@ TEST(SoundCues, EachSoundHasAFileAndEachEventItsName) {
 
 TEST(SoundCues, AHarderTouchIsLouderAndAllBonesAreOneTouch) {
     const auto gain = [](float strength) {
-        SoundCues hear;
-        const Event event{.kind = EventKind::Touch, .position = glm::vec3(0), .closing_mps = strength};
-        hear.listen({}, {&event, 1}, kFrame_s);
-        return hear.shots()[0].gain;
+        return after({.kind = EventKind::Touch, .position = glm::vec3(0), .closing_mps = strength})
+            .shots()[0]
+            .gain;
     };
     EXPECT_GT(gain(1), gain(0.1f));
     SoundCues hear;
@@ -257,15 +255,13 @@ TEST(SoundCues, TheDiverBreathes) {
 
 TEST(SoundCues, CaptionsTellWhatAndWhereAndGo) {
     SoundCues hear;
-    const Event event{.kind = EventKind::SharkNear, .position = glm::vec3(3, 0, 1)};
-    hear.listen({}, {&event, 1}, kFrame_s);
-    ASSERT_EQ(hear.captions().size(), 1u);
-    EXPECT_EQ(hear.captions()[0].text, rowOf(EventKind::SharkNear).caption);
-    EXPECT_EQ(hear.captions()[0].position, event.position);
-    const Event again{.kind = EventKind::SharkNear, .position = glm::vec3(-3, 0, 0)};
-    hear.listen({}, {&again, 1}, kFrame_s); // the same again only becomes new
-    ASSERT_EQ(hear.captions().size(), 1u);
-    EXPECT_EQ(hear.captions()[0].position, again.position);
+    for (const glm::vec3 place :
+         {glm::vec3(3, 0, 1), glm::vec3(-3, 0, 0)}) { // the same again only becomes new
+        happens(hear, {.kind = EventKind::SharkNear, .position = place});
+        ASSERT_EQ(hear.captions().size(), 1u);
+        EXPECT_EQ(hear.captions()[0].text, rowOf(EventKind::SharkNear).caption);
+        EXPECT_EQ(hear.captions()[0].position, place);
+    }
     for (int i = 0; i < 300; ++i) hear.listen({}, {}, kFrame_s);
     EXPECT_TRUE(hear.captions().empty());
 }
@@ -290,13 +286,9 @@ TEST(SoundCues, WhatMattersHasACaption) {
 }
 
 TEST(SoundCues, PauseIsSilentAndKeepsTheCaptions) {
-    SoundCues hear;
     const Event event{.kind = EventKind::Catch, .position = glm::vec3(0)};
-    hear.listen({}, {&event, 1}, kFrame_s);
-    Snapshot shown;
-    shown.paused = true;
-    shown.creatures.resize(1);
-    shown.creatures[0].heldBy = 1;
+    SoundCues hear = after(event);
+    Snapshot shown{.paused = true, .creatures = {{.heldBy = 1}}};
     for (int i = 0; i < 1200; ++i) hear.listen(shown, {&event, 1}, kFrame_s);
     EXPECT_TRUE(hear.shots().empty());
     EXPECT_EQ(hear.emitters().size(), 1u); // the bed
