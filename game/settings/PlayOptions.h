@@ -21,31 +21,25 @@ struct ControlOptions {
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
         table.category = Category::Hands;
-        table.addKept("--dominant-hand", choice(hand), "The hand that mouse and gamepad move")
-            .shownAs(Hands, "Dominant hand");
+        table.addShown(Hands, "Dominant hand", "--dominant-hand", choice(hand),
+                       "The hand that mouse and gamepad move");
         table
-            .addKept("--sensitivity", &sensitivity,
-                     "How far mouse and gamepad turn the view, in times of the default")
-            .between(0.2, 3)
-            .shownAs(Hands, "Mouse sensitivity");
-        table.addKept("--invert-look", &invertLook, "Mouse and stick forward look down")
-            .shownAs(Hands, "Invert looking up and down");
+            .addShown(Hands, "Mouse sensitivity", "--sensitivity", &sensitivity,
+                      "How far mouse and gamepad turn the view, in times of the default")
+            .between(0.2, 3);
+        table.addShown(Hands, "Invert looking up and down", "--invert-look", &invertLook,
+                       "Mouse and stick forward look down");
         table
-            .addKept(
-                "--reach-help", &reachHelp,
+            .addShown(
+                Hands, "Help with depth", "--reach-help", &reachHelp,
                 "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1")
             .between(0, 1)
-            .shownAs(Hands, "Help with depth")
             .ofAPerson();
-        table
-            .addKept(
-                "--closing", choice(closing),
-                "hold: the hand is closed while the button is down; toggle: each press closes or opens it")
-            .shownAs(Hands, "Close the hand by");
-        table
-            .addKept("--turning", choice(turning),
-                     "smooth, or snap: in steps of 30 degrees, which more people bear")
-            .shownAs(Comfort, "Turning");
+        table.addShown(
+            Hands, "Close the hand by", "--closing", choice(closing),
+            "hold: the hand is closed while the button is down; toggle: each press closes or opens it");
+        table.addShown(Comfort, "Turning", "--turning", choice(turning),
+                       "smooth, or snap: in steps of 30 degrees, which more people bear");
         table
             .addKept("--bindings", &bindings,
                      "Keys and a gamepad's button of actions, as the game's settings write them")
@@ -64,18 +58,13 @@ struct TextSettings {
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
         table.category = Category::Picture;
-        table
-            .addKept("--language", choice(language),
-                     "Language of the screen; auto: the system's (LC_MESSAGES)")
-            .shownAs(Text, "Language");
-        table.addKept("--text-size", &scale, "Size of all text; 1 is the default")
-            .between(0.8, 1.6)
-            .shownAs(Text, "Text size");
-        table.addKept("--high-contrast", &highContrast, "White text on black").shownAs(Text, "High contrast");
-        table.addKept("!--no-captions", &captions, "Do not name sounds on the screen")
-            .shownAs(Text, "Captions");
-        table.addKept("--caption-size", choice(captionSize), "Size of captions")
-            .shownAs(Text, "Size of captions");
+        table.addShown(Text, "Language", "--language", choice(language),
+                       "Language of the screen; auto: the system's (LC_MESSAGES)");
+        table.addShown(Text, "Text size", "--text-size", &scale, "Size of all text; 1 is the default")
+            .between(0.8, 1.6);
+        table.addShown(Text, "High contrast", "--high-contrast", &highContrast, "White text on black");
+        table.addShown(Text, "Captions", "!--no-captions", &captions, "Do not name sounds on the screen");
+        table.addShown(Text, "Size of captions", "--caption-size", choice(captionSize), "Size of captions");
     }
 };
 
@@ -135,18 +124,14 @@ struct PlayOptions {
             "--start", choice(start),
             "First screen of the game: title or dive; auto: title, where a person plays in a window and "
             "has named no dive; in a headset the dive begins at once");
+        table.addShown(Comfort, "Show the first steps", "!--no-first-steps", &firstSteps,
+                       "A player's first dive begins at once, without the steps that teach how to catch");
+        table.addShown(Comfort, "Game speed", "--speed", &speed, "Speed of the game; 1 is that of a clock")
+            .between(0.5, 1);
         table
-            .addKept("!--no-first-steps", &firstSteps,
-                     "A player's first dive begins at once, without the steps that teach how to catch")
-            .shownAs(Comfort, "Show the first steps");
-        table.addKept("--speed", &speed, "Speed of the game; 1 is that of a clock")
-            .between(0.5, 1)
-            .shownAs(Comfort, "Game speed");
-        table
-            .addKept("--posture", choice(posture),
-                     "Seated in a headset brings fish to where you reach them without a step; auto: as you "
-                     "are when a dive begins, where the headset knows the floor, else standing")
-            .shownAs(Comfort, "Posture")
+            .addShown(Comfort, "Posture", "--posture", choice(posture),
+                      "Seated in a headset brings fish to where you reach them without a step; auto: as you "
+                      "are when a dive begins, where the headset knows the floor, else standing")
             .ofAPerson();
         table
             .add("--seed", &seed,
@@ -164,18 +149,18 @@ struct PlayOptions {
         addPictureTo(table);
         hands.addTo(table);
         table
-            .addKept(
-                "--assist", choice(assist),
+            .addShown(
+                Hands, "Help with catching", "--assist", choice(assist),
                 "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
                 "really close around is held")
-            .shownAs(Hands, "Help with catching")
             .ofAPerson();
-        table.addKept("--skin", choice(skin), "How your hands look").shownAs(Hands, "Skin");
+        table.addShown(Hands, "Skin", "--skin", choice(skin), "How your hands look");
         controls.addTo(table);
         table.category = Category::Hands;
-        table.addKept("--haptics", &hapticStrength, "Strength of haptics, 0 (off) to 1")
-            .between(0, 1)
-            .shownAs(Hands, "Strength of vibration");
+        table
+            .addShown(Hands, "Strength of vibration", "--haptics", &hapticStrength,
+                      "Strength of haptics, 0 (off) to 1")
+            .between(0, 1);
         text.addTo(table);
         addSoundTo(table);
         addTestsTo(table);
@@ -186,81 +171,71 @@ struct PlayOptions {
         using enum render::Composition;
         using enum SettingsPage;
         table.category = Category::Picture;
-        table
-            .addKept("--reduced-motion", &reducedMotion,
-                     "Nothing moves by itself but the video and the animals: no drifting view, no particles")
-            .shownAs(Comfort, "Reduced motion");
-        table.addKept("--vignette", &vignette, "Dark edges while the view turns, against sickness")
-            .shownAs(Comfort, "Dark edges while turning");
-        table.addKept("--stereo", choice(stereo), "none, or sbs: left and right eye side by side")
-            .shownAs(Picture, "Stereo");
+        table.addShown(
+            Comfort, "Reduced motion", "--reduced-motion", &reducedMotion,
+            "Nothing moves by itself but the video and the animals: no drifting view, no particles");
+        table.addShown(Comfort, "Dark edges while turning", "--vignette", &vignette,
+                       "Dark edges while the view turns, against sickness");
+        table.addShown(Picture, "Stereo", "--stereo", choice(stereo),
+                       "none, or sbs: left and right eye side by side");
         table
             .add("--xr", &xr,
                  "Plays in a headset, by the OpenXR runtime that is active; the window shows its left eye")
             .without({"--stereo", "--headless"});
-        table
-            .addKept("--passthrough", &passthrough,
-                     "Shows your own room in a headset, around the animals in place of the film, which goes "
-                     "on lighting "
-                     "them (F2 in the game)")
-            .shownAs(Picture, "Your own room");
-        table.addKept("--fov", &fov_deg, "Vertical field of view, degrees")
-            .between(20, 130)
-            .shownAs(Picture, "Field of view");
+        table.addShown(
+            Picture, "Your own room", "--passthrough", &passthrough,
+            "Shows your own room in a headset, around the animals in place of the film, which goes "
+            "on lighting "
+            "them (F2 in the game)");
+        table.addShown(Picture, "Field of view", "--fov", &fov_deg, "Vertical field of view, degrees")
+            .between(20, 130);
         table.addKept("--eye-distance", &eyeDistance_mm, "Between the eyes in stereo, millimetres")
             .between(0, 100);
-        table.addKept("--fullscreen", &fullscreen, "Fill the screen (F11 in the game)")
-            .shownAs(Picture, "Fullscreen");
+        table.addShown(Picture, "Fullscreen", "--fullscreen", &fullscreen,
+                       "Fill the screen (F11 in the game)");
         table.addKept("!--no-vsync", &vsync, "Do not wait for the display");
-        table
-            .addKept(
-                "--quality", choice(quality),
-                "auto draws fewer pixels, then makes light less often, while frames take longer than the "
-                "display allows; fixed never does (nor does --headless)")
-            .shownAs(Picture, "Quality");
-        table
-            .addKept(
-                "--compose", choice(compose, {Plain, MatchedResolution, CameraResponse}),
-                "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
-                "finely as the video is, and scaled up with it; camera, into the video's own frame, "
-                "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated)")
-            .shownAs(Picture, "Compositing");
+        table.addShown(
+            Picture, "Quality", "--quality", choice(quality),
+            "auto draws fewer pixels, then makes light less often, while frames take longer than the "
+            "display allows; fixed never does (nor does --headless)");
+        table.addShown(
+            Picture, "Compositing", "--compose", choice(compose, {Plain, MatchedResolution, CameraResponse}),
+            "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
+            "finely as the video is, and scaled up with it; camera, into the video's own frame, "
+            "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated)");
         table.addKept(
             "--water", choice(water),
             "Dims what is drawn with distance as the environment's water does: auto as the dive says, "
             "or, of another video or photo, where the picture has lost its red; on; off");
-        table.addKept("!--no-snow", &snow, "No particles that drift in the water")
-            .shownAs(Comfort, "Drifting particles");
-        table
-            .addKept("--film", choice(film),
-                     "Which version of a dive's film: best; small, for slow machines; auto: small without a "
-                     "graphics card or with fewer than four processor cores")
-            .shownAs(Picture, "Version of the film");
+        table.addShown(Comfort, "Drifting particles", "!--no-snow", &snow,
+                       "No particles that drift in the water");
+        table.addShown(
+            Picture, "Version of the film", "--film", choice(film),
+            "Which version of a dive's film: best; small, for slow machines; auto: small without a "
+            "graphics card or with fewer than four processor cores");
         table.addKept(
             "--shadows", choice(shadows),
             "Shadows of animals and of your hands on what the film shows, where it has a track of distances; "
             "of what swims, on the floor of your own room, where the headset knows it");
-        table
-            .addKept("--frame-times", &frameTimes,
-                     "Shows frame times, and which light is used (F1 in the game)")
-            .shownAs(Picture, "Performance");
+        table.addShown(Picture, "Performance", "--frame-times", &frameTimes,
+                       "Shows frame times, and which light is used (F1 in the game)");
     }
 
     void addSoundTo(SettingsTable& table) {
         using SettingsPage::Sound;
         table.category = Category::Sound;
         table.addKept("--mute", &mute, "No sound");
-        table.addKept("--volume", &volume, "Sound volume (+ and - in the game), 0 to 1")
-            .between(0, 1)
-            .shownAs(Sound, "Volume");
-        table.addKept("--effects-volume", &effects, "Volume of all sounds but the video's own, 0 to 1")
-            .between(0, 1)
-            .shownAs(Sound, "Volume of effects");
-        table.addKept("--video-sound", &videoSound, "Volume of the video's own sound, 0 to 1")
-            .between(0, 1)
-            .shownAs(Sound, "Volume of the film");
-        table.addKept("--headphones", &headphones, "Sound for headphones (HRTF)")
-            .shownAs(Sound, "Headphones");
+        table.addShown(Sound, "Volume", "--volume", &volume, "Sound volume (+ and - in the game), 0 to 1")
+            .between(0, 1);
+        table
+            .addShown(Sound, "Volume of effects", "--effects-volume", &effects,
+                      "Volume of all sounds but the video's own, 0 to 1")
+            .between(0, 1);
+        table
+            .addShown(Sound, "Volume of the film", "--video-sound", &videoSound,
+                      "Volume of the video's own sound, 0 to 1")
+            .between(0, 1);
+        table.addShown(Sound, "Headphones", "--headphones", &headphones, "Sound for headphones (HRTF)");
     }
 
     void addTestsTo(SettingsTable& table) {

@@ -83,7 +83,6 @@ struct Setting {
     Setting& with(std::vector<std::string> others) { return needs = std::move(others), *this; }
 
     Setting& offers(std::vector<std::string> some) { return suggestions = std::move(some), *this; }
-    Setting& shownAs(SettingsPage where, game::Text words) { return page = where, label = words, *this; }
 
     std::string key() const; // name in the settings file: the option's, without dashes and "no"
 };
@@ -122,6 +121,13 @@ struct SettingsTable {
     Setting& addKept(std::string option, Setting::Value value, std::string help) {
         Setting& row = add(std::move(option), std::move(value), std::move(help));
         row.kept = true;
+        return row;
+    }
+    // The same, and on a menu page.
+    Setting& addShown(SettingsPage page, game::Text label, std::string option, Setting::Value value,
+                      std::string help) {
+        Setting& row = addKept(std::move(option), std::move(value), std::move(help));
+        row.page = page, row.label = label;
         return row;
     }
 };

@@ -107,19 +107,17 @@ struct HandOptions {
     void addTo(SettingsTable& table) {
         table.category = Category::Hands;
         table
-            .addKept("--hands", &source,
-                     "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
-                     "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
-                     "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. "
-                     "The mouse moves the hands where a device sees none")
+            .addShown(SettingsPage::Hands, "Hand source", "--hands", &source,
+                      "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
+                      "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
+                      "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. "
+                      "The mouse moves the hands where a device sees none")
             .takes("SOURCE")
-            .offers({"auto", "mouse", "leap", "webcam"})
-            .shownAs(SettingsPage::Hands, "Hand source");
+            .offers({"auto", "mouse", "leap", "webcam"});
         table
-            .addKept("--hand-size", &size,
-                     "Size of your hands before a webcam, which cannot tell; 1 is a hand 19 cm long")
-            .between(hands::kHandSizeMin, hands::kHandSizeMax)
-            .shownAs(SettingsPage::Hands, "Hand size (webcam)");
+            .addShown(SettingsPage::Hands, "Hand size (webcam)", "--hand-size", &size,
+                      "Size of your hands before a webcam, which cannot tell; 1 is a hand 19 cm long")
+            .between(hands::kHandSizeMin, hands::kHandSizeMax);
         addLeapTo(table);
         table.addKept(
             "--leap-mount", choice(leap.mount),
