@@ -336,13 +336,14 @@ MenuPage Screens::handSizePage() {
 }
 
 MenuPage Screens::bindingsPage() {
-    for (const ActionRow& row : kActionRows) {
-        const std::string keys = keysText(bindings_.of(row.action), language());
-        entries_.push_back({{.label = in(row.label),
+    for (size_t i = 0; i < kActions; ++i) {
+        const auto action = static_cast<Action>(i);
+        const std::string keys = keysText(bindings_.of(action), language());
+        entries_.push_back({{.label = in(kActionRows[i].label),
                              .value = keys.empty() ? named("none") : keys,
                              .fraction = {},
                              .isButton = true},
-                            [this, action = row.action](const MenuEvent&) {
+                            [this, action](const MenuEvent&) {
                                 captured_ = action;
                                 message_ = filled(in("Press a key or a button for: {}. Esc: leave it"),
                                                   in(kActionRows[static_cast<size_t>(action)].label));

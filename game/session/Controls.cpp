@@ -7,29 +7,21 @@
 namespace shoal::app {
 
 const std::array<ActionRow, kActions> kActionRows = {{
-    {Action::CloseHand, "close", "Close the hand", {GLFW_KEY_SPACE, -1}, GLFW_GAMEPAD_BUTTON_A},
-    {Action::LookLeft, "look-left", "Look to the left", {GLFW_KEY_LEFT, GLFW_KEY_A}, -1},
-    {Action::LookRight, "look-right", "Look to the right", {GLFW_KEY_RIGHT, GLFW_KEY_D}, -1},
-    {Action::LookUp, "look-up", "Look up", {GLFW_KEY_UP, GLFW_KEY_W}, -1},
-    {Action::LookDown, "look-down", "Look down", {GLFW_KEY_DOWN, GLFW_KEY_S}, -1},
-    {Action::Farther,
-     "farther",
-     "Reach farther",
-     {GLFW_KEY_E, GLFW_KEY_PAGE_UP},
-     GLFW_GAMEPAD_BUTTON_DPAD_UP},
-    {Action::Nearer,
-     "nearer",
-     "Reach nearer",
-     {GLFW_KEY_C, GLFW_KEY_PAGE_DOWN},
-     GLFW_GAMEPAD_BUTTON_DPAD_DOWN},
-    {Action::SwapHands, "swap-hands", "Swap hands", {GLFW_KEY_TAB, -1}, GLFW_GAMEPAD_BUTTON_Y},
-    {Action::Recentre, "recentre", "Look ahead again", {GLFW_KEY_HOME, -1}, GLFW_GAMEPAD_BUTTON_RIGHT_THUMB},
-    {Action::Pause, "pause", "Pause", {GLFW_KEY_ESCAPE, GLFW_KEY_P}, GLFW_GAMEPAD_BUTTON_START},
-    {Action::Louder, "louder", "Louder", {GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, -1},
-    {Action::Quieter, "quieter", "Quieter", {GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, -1},
-    {Action::Fullscreen, "fullscreen", "Fullscreen", {GLFW_KEY_F11, -1}, -1},
-    {Action::Performance, "performance", "Performance", {GLFW_KEY_F1, -1}, -1},
-    {Action::Room, "room", "Your own room", {GLFW_KEY_F2, -1}, -1},
+    {"close", "Close the hand", {GLFW_KEY_SPACE, -1}, GLFW_GAMEPAD_BUTTON_A},
+    {"look-left", "Look to the left", {GLFW_KEY_LEFT, GLFW_KEY_A}, -1},
+    {"look-right", "Look to the right", {GLFW_KEY_RIGHT, GLFW_KEY_D}, -1},
+    {"look-up", "Look up", {GLFW_KEY_UP, GLFW_KEY_W}, -1},
+    {"look-down", "Look down", {GLFW_KEY_DOWN, GLFW_KEY_S}, -1},
+    {"farther", "Reach farther", {GLFW_KEY_E, GLFW_KEY_PAGE_UP}, GLFW_GAMEPAD_BUTTON_DPAD_UP},
+    {"nearer", "Reach nearer", {GLFW_KEY_C, GLFW_KEY_PAGE_DOWN}, GLFW_GAMEPAD_BUTTON_DPAD_DOWN},
+    {"swap-hands", "Swap hands", {GLFW_KEY_TAB, -1}, GLFW_GAMEPAD_BUTTON_Y},
+    {"recentre", "Look ahead again", {GLFW_KEY_HOME, -1}, GLFW_GAMEPAD_BUTTON_RIGHT_THUMB},
+    {"pause", "Pause", {GLFW_KEY_ESCAPE, GLFW_KEY_P}, GLFW_GAMEPAD_BUTTON_START},
+    {"louder", "Louder", {GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, -1},
+    {"quieter", "Quieter", {GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, -1},
+    {"fullscreen", "Fullscreen", {GLFW_KEY_F11, -1}, -1},
+    {"performance", "Performance", {GLFW_KEY_F1, -1}, -1},
+    {"room", "Your own room", {GLFW_KEY_F2, -1}, -1},
 }};
 
 namespace {
@@ -117,7 +109,7 @@ std::string_view buttonName(int button) {
 }
 
 Bindings::Bindings() {
-    for (const ActionRow& row : kActionRows) bound_[static_cast<size_t>(row.action)] = {row.keys, row.button};
+    for (size_t i = 0; i < kActions; ++i) bound_[i] = {kActionRows[i].keys, kActionRows[i].button};
 }
 
 std::optional<Action> Bindings::bindKey(Action action, int key) {
@@ -156,7 +148,7 @@ bool Bindings::parse(std::string_view text) {
         const auto first = keyNamed(takeWord(keys, ',')), second = keyNamed(keys.empty() ? kNone : keys);
         const auto button = numberNamed(entry.empty() ? kNone : entry, buttonName, GLFW_GAMEPAD_BUTTON_LAST);
         if (row == kActionRows.end() || !first || !second || !button) return false;
-        read.bound_[static_cast<size_t>(row->action)] = {{*first, *second}, *button};
+        read.bound_[static_cast<size_t>(row - kActionRows.begin())] = {{*first, *second}, *button};
     }
     *this = read;
     return true;
@@ -164,8 +156,9 @@ bool Bindings::parse(std::string_view text) {
 
 std::string Bindings::toText() const {
     std::string text;
-    for (const ActionRow& row : kActionRows) {
-        const Keys& keys = of(row.action);
+    for (size_t i = 0; i < kActions; ++i) {
+        const ActionRow& row = kActionRows[i];
+        const Keys& keys = bound_[i];
         if (keys.keys == row.keys && keys.button == row.button) continue; // defaults may change
         text += std::string(text.empty() ? "" : "; ") + row.name + "=" + keyName(keys.keys[0]) + "," +
                 keyName(keys.keys[1]) + " " + std::string(buttonName(keys.button));

@@ -32,7 +32,6 @@ enum class Action {
 inline constexpr size_t kActions = 15;
 
 struct ActionRow {
-    Action action;
     const char* name; // in the settings file
     game::Text label;
     std::array<int, 2> keys; // GLFW_KEY_*; -1: none
