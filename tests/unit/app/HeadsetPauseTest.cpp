@@ -25,22 +25,22 @@ constexpr HeadsetMoment kLost{.plays = true, .grip = {0.1f, 0.1f}};
 constexpr HeadsetMoment kMenu{.plays = true, .headTracked = true, .menu = true, .grip = {0.1f, 0.1f}};
 constexpr HeadsetMoment kOver{.plays = true, .headTracked = true, .results = true, .grip = {0.1f, 0.1f}};
 
-struct Step {
+struct PauseStep {
     HeadsetMoment moment;
     float seconds;
     bool paused, restart = false; // then
 };
-struct Story {
+struct PauseStory {
     const char* name;
-    std::vector<Step> steps;
+    std::vector<PauseStep> steps;
 };
 
-class HeadsetPauses : public testing::TestWithParam<Story> {};
+class HeadsetPauses : public testing::TestWithParam<PauseStory> {};
 TEST_P(HeadsetPauses, AndGoOn) {
     HeadsetPause pause;
     bool paused = false, restart = false;
     for (size_t step = 0; step < GetParam().steps.size(); ++step) {
-        const Step& now = GetParam().steps[step];
+        const PauseStep& now = GetParam().steps[step];
         const long frames = std::lround(now.seconds / kDt);
         for (long i = 0; i < frames; ++i) pause.step(now.moment, kDt, paused, restart);
         EXPECT_EQ(paused, now.paused) << step;
@@ -50,34 +50,34 @@ TEST_P(HeadsetPauses, AndGoOn) {
 INSTANTIATE_TEST_SUITE_P(
     When, HeadsetPauses,
     testing::Values(
-        Story{"WornItBeginsByItself",
-              {{kOff, 2, true}, {kWell, HeadsetPause::kSteady_s - 0.1f, true}, {kWell, 0.2f, false}}},
-        Story{"TakenOffUntilAHandCloses",
-              {{kWell, 1, false},
-               {kOff, kDt, true},
-               {kWell, 5, true},
-               {with(0.1f, 0.9f), HeadsetPause::kGoOn_s - 0.05f, true},
-               {with(0.1f, 0.9f), 0.1f, false}}},
-        Story{"AHandWasClosedBeforeItMustOpenFirst", // it holds a fish
-              {{kWell, 1, false},
-               {with(0.9f, 0.1f), 1, false},
-               {with(0.9f, 0.1f, kOff), 1, true},
-               {with(0.9f, -1), 3, true},
-               {with(0.2f, -1), 0.1f, true},
-               {with(0.9f, -1), 0.5f, false}}},
-        Story{"TheHeadIsLostItComesBackByItself",
-              {{kWell, 2, false}, {kLost, 0.3f, true}, {kWell, HeadsetPause::kSteady_s + 0.05f, false}}},
-        Story{"TakenOffWhileLostItStaysPaused",
-              {{kWell, 1, false}, {kLost, 0.1f, true}, {HeadsetMoment{}, 0.1f, true}, {kWell, 3, true}}},
-        Story{"TheMenuButtonIsPressedOnce",
-              {{kWell, 1, false}, {kMenu, 1, true}, {kWell, 1, true}, {kMenu, kDt, false}}},
-        Story{"BothHandsCloseOverTheResults", // they still are from the dive; one is not enough
-              {{kWell, 1, false},
-               {with(0.9f, 0.9f, kOver), 3, false},
-               {kOver, 0.2f, false},
-               {with(0.9f, 0.1f, kOver), 3, false},
-               {with(0.9f, 0.9f, kOver), HeadsetPause::kAgain_s + 0.05f, false, true}}}),
-    [](const testing::TestParamInfo<Story>& story) { return std::string(story.param.name); });
+        PauseStory{"WornItBeginsByItself",
+                   {{kOff, 2, true}, {kWell, HeadsetPause::kSteady_s - 0.1f, true}, {kWell, 0.2f, false}}},
+        PauseStory{"TakenOffUntilAHandCloses",
+                   {{kWell, 1, false},
+                    {kOff, kDt, true},
+                    {kWell, 5, true},
+                    {with(0.1f, 0.9f), HeadsetPause::kGoOn_s - 0.05f, true},
+                    {with(0.1f, 0.9f), 0.1f, false}}},
+        PauseStory{"AHandWasClosedBeforeItMustOpenFirst", // it holds a fish
+                   {{kWell, 1, false},
+                    {with(0.9f, 0.1f), 1, false},
+                    {with(0.9f, 0.1f, kOff), 1, true},
+                    {with(0.9f, -1), 3, true},
+                    {with(0.2f, -1), 0.1f, true},
+                    {with(0.9f, -1), 0.5f, false}}},
+        PauseStory{"TheHeadIsLostItComesBackByItself",
+                   {{kWell, 2, false}, {kLost, 0.3f, true}, {kWell, HeadsetPause::kSteady_s + 0.05f, false}}},
+        PauseStory{"TakenOffWhileLostItStaysPaused",
+                   {{kWell, 1, false}, {kLost, 0.1f, true}, {HeadsetMoment{}, 0.1f, true}, {kWell, 3, true}}},
+        PauseStory{"TheMenuButtonIsPressedOnce",
+                   {{kWell, 1, false}, {kMenu, 1, true}, {kWell, 1, true}, {kMenu, kDt, false}}},
+        PauseStory{"BothHandsCloseOverTheResults", // they still are from the dive; one is not enough
+                   {{kWell, 1, false},
+                    {with(0.9f, 0.9f, kOver), 3, false},
+                    {kOver, 0.2f, false},
+                    {with(0.9f, 0.1f, kOver), 3, false},
+                    {with(0.9f, 0.9f, kOver), HeadsetPause::kAgain_s + 0.05f, false, true}}}),
+    [](const testing::TestParamInfo<PauseStory>& story) { return std::string(story.param.name); });
 
 TEST(HeadsetPause, APlayersOwnDoesNotEndByItself) {
     HeadsetPause pause;
