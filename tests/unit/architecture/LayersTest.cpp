@@ -19,18 +19,18 @@ using Folders = std::map<std::string, std::set<std::string>>; // a folder, and t
 
 // From the lowest layer up; a folder that is missing here belongs in a row of this table.
 const std::map<std::string, int> kLayerOf = {
-    {"engine/core", 0},    {"engine/math", 0},                                                 //
-    {"engine/gl", 1},      {"engine/media", 1},  {"engine/platform", 1},                       //
-    {"engine/light", 2},   {"engine/scene", 2},  {"engine/panorama", 2},  {"engine/audio", 2}, //
-    {"engine/physics", 2}, {"engine/sim", 2},                                                  //
-    {"engine/camera", 3},  {"engine/water", 3},  {"engine/occlusion", 3}, {"engine/depth", 3},  //
-    {"engine/environment", 4},                                                                //
-    {"engine/render", 5},  {"engine/xr", 5},                                                   //
-    {"input/hands", 5},    {"input/haptics", 5},                                               //
-    {"game/texts", 5},     {"game/rules", 6},    {"game/feedback", 7},    {"game/playthrough", 8},
-    {"game/settings", 8},                                              //
-    {"game/views", 9},     {"game/ui", 10},      {"game/session", 10}, //
-    {"game/app", 11},      {"game/tools", 11},
+    {"engine/core", 0},        {"engine/math", 0},                                                 //
+    {"engine/gl", 1},          {"engine/media", 1},  {"engine/platform", 1},                       //
+    {"engine/light", 2},       {"engine/scene", 2},  {"engine/panorama", 2},  {"engine/audio", 2}, //
+    {"engine/physics", 2},     {"engine/sim", 2},                                                  //
+    {"engine/camera", 3},      {"engine/water", 3},  {"engine/occlusion", 3}, {"engine/depth", 3}, //
+    {"engine/environment", 4},                                                                     //
+    {"engine/render", 5},      {"engine/xr", 5},                                                   //
+    {"input/hands", 5},        {"input/haptics", 5},                                               //
+    {"game/texts", 5},         {"game/rules", 6},    {"game/feedback", 7},    {"game/playthrough", 8},
+    {"game/settings", 8},                                                  //
+    {"game/views", 9},         {"game/ui", 10},      {"game/session", 10}, //
+    {"game/app", 11},          {"game/tools", 11},
 };
 
 // engine/media/live belongs to engine/media.
