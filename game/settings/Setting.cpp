@@ -32,45 +32,16 @@ double rounded(double value, const Setting::Range& range) {
     return std::clamp(std::round(value / step) * step, range.low, range.high);
 }
 
-struct GetText {
-    const Setting& row;
-    std::string operator()(bool* value) const { return *value ? "on" : "off"; }
-    std::string operator()(std::string* value) const {
-        return value->empty() && !row.suggestions.empty() ? row.suggestions[0] : *value;
-    }
-    std::string operator()(const TextSetting& text) const { return text.get ? text.get() : ""; }
-    template <class Other> std::string operator()(Other*) const { return ""; }
-    template <class Number>
-    requires std::is_arithmetic_v<Number> std::string operator()(Number* value) const {
-        const auto number = static_cast<double>(*value);
-        if (row.range && row.range->high <= kPercentRange)
-            return fmt::format("{} %", std::lround(100 * number));
-        return fmt::format("{}", std::lround(number));
-    }
-};
-
-struct Adjust {
-    const Setting& row;
-    int steps;
-    void operator()(bool* value) const { *value = (steps % 2 != 0) != *value; }
-    void operator()(std::string* value) const { *value = next(row.suggestions, GetText{row}(value)); }
-    void operator()(const TextSetting& text) const { text.set(next(text.names, text.get())); }
-    template <class Number>
-    requires std::is_arithmetic_v<Number>
-    void operator()(Number* value) const {
-        if (row.range)
-            *value = static_cast<Number>(
-                rounded(static_cast<double>(*value) + steps * stepOf(*row.range), *row.range));
-    }
-    template <class Other> void operator()(Other*) const {}
-
-    std::string next(const std::vector<std::string>& names, const std::string& now) const {
-        if (names.empty()) return now;
-        const auto count = static_cast<int>(names.size());
-        const auto at = static_cast<int>(std::ranges::find(names, now) - names.begin());
-        return names[static_cast<size_t>(((at + steps) % count + count) % count)];
-    }
-};
+// Returns the value as text, and all values that the menus offer; none of a number.
+std::pair<std::string, std::vector<std::string>> choicesOf(const Setting& setting) {
+    if (const auto* flag = std::get_if<bool*>(&setting.value)) return {**flag ? "on" : "off", {"off", "on"}};
+    if (const auto* text = std::get_if<TextSetting>(&setting.value))
+        return {text->get ? text->get() : "", text->names};
+    const auto* text = std::get_if<std::string*>(&setting.value);
+    if (!text) return {};
+    const auto& some = setting.suggestions;
+    return {(*text)->empty() && !some.empty() ? some[0] : **text, some};
+}
 
 } // namespace
 
@@ -103,7 +74,11 @@ std::string Setting::key() const {
 }
 
 std::string shownValue(const Setting& setting, game::Language language) {
-    return std::string(game::translated(std::visit(GetText{setting}, setting.value), language));
+    const auto* number = std::get_if<float*>(&setting.value);
+    if (!number) return std::string(game::translated(choicesOf(setting).first, language));
+    if (setting.range && setting.range->high <= kPercentRange)
+        return fmt::format("{} %", std::lround(100 * **number));
+    return fmt::format("{}", std::lround(**number));
 }
 
 std::optional<float> sliderOf(const Setting& setting) {
@@ -114,7 +89,20 @@ std::optional<float> sliderOf(const Setting& setting) {
     return static_cast<float>((static_cast<double>(**number) - low) / (high - low));
 }
 
-void adjust(const Setting& setting, int steps) { std::visit(Adjust{setting, steps}, setting.value); }
+void adjust(const Setting& setting, int steps) {
+    const auto* number = std::get_if<float*>(&setting.value);
+    if (number && setting.range)
+        **number = static_cast<float>(
+            rounded(static_cast<double>(**number) + steps * stepOf(*setting.range), *setting.range));
+    const auto [now, names] = choicesOf(setting);
+    if (names.empty()) return;
+    const auto count = static_cast<int>(names.size());
+    const auto at = static_cast<int>(std::ranges::find(names, now) - names.begin());
+    const std::string& next = names[static_cast<size_t>(((at + steps) % count + count) % count)];
+    if (const auto* flag = std::get_if<bool*>(&setting.value)) **flag = next == "on";
+    if (const auto* text = std::get_if<std::string*>(&setting.value)) **text = next;
+    if (const auto* text = std::get_if<TextSetting>(&setting.value)) text->set(next);
+}
 
 void slide(const Setting& setting, float fraction) {
     if (!sliderOf(setting) || !isWithin(fraction, 0.0f, 1.0f)) return;
