@@ -38,8 +38,13 @@ class KeptFiles : public testing::Test {
 TEST_F(KeptFiles, EverySettingComesBack) {
     for (const float fraction : {0.0f, 1.0f}) {
         PlayOptions set;
-        for (const Setting& row : settingsOf(set).rows)
-            if (row.kept) sliderOf(row) ? slide(row, fraction) : adjust(row, 1);
+        for (const Setting& row : settingsOf(set).rows) {
+            if (!row.kept) continue;
+            if (sliderOf(row)) slide(row, fraction);
+            if (!sliderOf(row) || fraction == 1) adjust(row, 1); // no farther than the end
+            EXPECT_NEAR(sliderOf(row).value_or(fraction), fraction, 1e-6f)
+                << row.option; // an end is no float
+        }
         set.hands.leap.host = "tracker";
         set.hands.leap.port = 7000;
         ASSERT_TRUE(saveAll(set));

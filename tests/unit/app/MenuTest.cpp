@@ -44,22 +44,6 @@ TEST_F(MenuTest, ADiveIsChosenByItsName) {
     EXPECT_EQ(request->name, "night");
 }
 
-TEST_F(MenuTest, EverySettingOfThePagesIsKeptAndReachesBothItsEnds) {
-    for (const Setting& row : settingsOf(options_).rows) {
-        if (row.page == SettingsPage::None) continue;
-        ASSERT_TRUE(row.kept) << row.option; // or it would not stay
-        ASSERT_TRUE(row.label) << row.option;
-        if (sliderOf(row)) {
-            slide(row, 0);
-            EXPECT_NEAR(*sliderOf(row), 0, 1e-6f) << row.option; // an end is no float itself
-            slide(row, 1);
-            EXPECT_NEAR(*sliderOf(row), 1, 1e-6f) << row.option;
-            adjust(row, 1);
-            EXPECT_NEAR(*sliderOf(row), 1, 1e-6f) << row.option;
-        }
-    }
-}
-
 TEST_F(MenuTest, AChangeHoldsAtOnceAndIsWritten) {
     choose("Settings");
     choose("Sound");
