@@ -74,15 +74,6 @@ TEST_F(ProgramStatesTest, LosingTheFocusPausesUntilThePlayerGoesOn) {
     EXPECT_TRUE(session_.paused);
 }
 
-TEST_F(ProgramStatesTest, TheHeadsetMayPauseAndGoOn) {
-    session_.paused = true;
-    states_->update();
-    EXPECT_EQ(screens_.top(), Screen::Paused);
-    session_.paused = false;
-    states_->update();
-    EXPECT_FALSE(screens_.isOpen());
-}
-
 TEST_F(ProgramStatesTest, ResultsKeepTheScoreAndLeadToTheTitle) {
     end(120);
     EXPECT_EQ(screens_.top(), Screen::Results);
