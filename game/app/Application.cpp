@@ -172,8 +172,8 @@ Status Application::run(bool measured) {
         if (!played) break;
         if (played = beginSeated(measured); !played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
-        awaitHeadset();
         if (!play_ || play_->isOver()) break; // it is empty if the player has left while a film was loading
+        awaitHeadset();
         if (!measured && play_->session.shown.time_s >= kWarmUp_s) break;
         if (played && play_->tutorial.stepsAreOver()) played = endFirstSteps();
     }
