@@ -9,7 +9,7 @@
 #include "game/app/HeadsetDisplay.h"
 #include "game/app/StopSignals.h"
 #include "game/settings/KeptFiles.h"
-#include "game/texts/Animals.h"
+#include "game/ui/Animals.h"
 
 #include <GLFW/glfw3.h>
 
@@ -368,8 +368,10 @@ void Application::noteMet(size_t before) {
     const std::vector<std::string>& met = screens_.facts.met;
     play_->metLeft_s -= static_cast<float>(play_->elapsed_s);
     if (met.size() == before) return;
+    const game::SpeciesTable& all = *screens_.facts.species;
     play_->met = game::Notice{"New in your field guide: {}",
-                              game::animalName(met.back(), 1, languageIn(options_.text))};
+                              game::animalName(all[static_cast<size_t>(game::findSpecies(all, met.back()))],
+                                               1, languageIn(options_.text))};
     play_->metLeft_s = kMet_s;
 }
 

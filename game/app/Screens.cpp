@@ -1,7 +1,7 @@
 #include "game/app/Screens.h"
 
 #include "engine/core/Log.h"
-#include "game/texts/Animals.h"
+#include "game/ui/Animals.h"
 
 #include <fmt/core.h>
 
@@ -23,23 +23,6 @@ constexpr std::array kGroups = std::to_array<Group>({
     {SettingsPage::Picture, "Picture"},
     {SettingsPage::Sound, "Sound"},
     {SettingsPage::Text, "Text and captions"},
-});
-
-struct Fact {
-    std::string_view species;
-    game::Text text;
-};
-constexpr std::array kFacts = std::to_array<Fact>({
-    {"clownfish", "All are born male; the largest of a group becomes female."},
-    {"angelfish", "They live in pairs and keep their territory all their lives."},
-    {"snapper", "Some live for more than fifty years."},
-    {"sardine", "In the school each feels with its lateral line how its neighbours swim."},
-    {"boxfish", "Its armour of hexagonal bony plates leaves only fins and tail free."},
-    {"idol", "The filament of its dorsal fin can be longer than its body."},
-    {"ray", "It feels the electric fields of its prey beneath the sand."},
-    {"shark", "New teeth grow all its life, by the thousand."},
-    {"jellyfish", "It has neither brain nor heart, and has swum the seas for 500 million years."},
-    {"whale", "Its song is heard over hundreds of kilometres."},
 });
 
 template <class... Values> std::string filled(const char* text, const Values&... values) {
@@ -75,9 +58,8 @@ std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, 
     switch (goal.kind) {
     case game::GoalKind::Catch:
         if (goal.species < 0) return filled(text("Catch {} fish"), goal.count);
-        return filled(
-            text("Catch {} {}"), goal.count,
-            game::animalName(species[static_cast<size_t>(goal.species)].name, goal.count, language));
+        return filled(text("Catch {} {}"), goal.count,
+                      game::animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
     case game::GoalKind::Different:
         return filled(text("Catch {} different species"), goal.count);
     case game::GoalKind::Score:
@@ -415,7 +397,7 @@ MenuPage Screens::guidePage() {
     for (size_t species = 0; species < all.size(); ++species) {
         const bool known = std::ranges::find(facts.met, all[species].name) != facts.met.end();
         met += known;
-        itemButton(known ? game::animalName(all[species].name, 1, language()) : "?", [this, species] {
+        itemButton(known ? game::animalName(all[species], 1, language()) : "?", [this, species] {
             push(Screen::Animal);
             stack_.back().species = species;
             show(0);
@@ -431,12 +413,11 @@ MenuPage Screens::guidePage() {
 }
 
 MenuPage Screens::animalPage() {
-    const std::string& name = (*facts.species)[stack_.back().species].name;
+    const game::Species& animal = (*facts.species)[stack_.back().species];
     backButton();
-    MenuPage page{.title = game::animalName(name, 1, language()), .picture = "guide/" + name + ".png"};
-    const auto fact = std::ranges::find(kFacts, name, &Fact::species);
-    if (fact != kFacts.end()) page.text.emplace_back(in(fact->text));
-    return page;
+    return {.title = game::animalName(animal, 1, language()),
+            .picture = "guide/" + animal.name + ".png",
+            .text = {game::textIn(animal.fact, language())}};
 }
 
 std::vector<std::string> Screens::goalLines(std::span<const game::GoalView> goals) const {
@@ -479,7 +460,7 @@ MenuPage Screens::resultsPage() {
     for (size_t i = 0; i < s.tally.size(); ++i)
         if (s.tally[i].caught > 0)
             tally += (tally.empty() ? "" : ", ") + std::to_string(s.tally[i].caught) + " " +
-                     game::animalName((*facts.species)[i].name, s.tally[i].caught, language());
+                     game::animalName((*facts.species)[i], s.tally[i].caught, language());
     if (!tally.empty()) page.text.push_back(tally);
     if (s.lost > 0) page.text.push_back(filled(in("{} taken by the shark"), s.lost));
     std::ranges::move(goalLines(s.goals), std::back_inserter(page.text));

@@ -45,8 +45,8 @@ ScriptStep readStep(TomlTable& table, int number) {
     table.text("kind", step.kind);
     const auto at = table.choice("at", kAtNames);
     step.atShark = at == 0, step.atFish = at == 1;
-    table.place("offset", step.offset, 2);
-    table.place("to", step.to, 2);
+    table.triple("offset", step.offset, -2, 2);
+    table.triple("to", step.to, -2, 2);
     table.number("x", step.pointer_px.x, 0, 1280);
     table.number("y", step.pointer_px.y, 0, 720);
     table.number("near", step.near_m, 0, 10);

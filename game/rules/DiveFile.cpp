@@ -19,7 +19,12 @@ Species readOne(TomlTable& table) {
     Species s;
     table.need("name", "model", "length");
     table.text("name", s.name);
+    s.one[0] = s.several[0] = s.name;
+    table.texts("one", s.one);
+    table.texts("several", s.several);
+    table.texts("fact", s.fact);
     table.text("model", s.model);
+    table.triple("colour", s.colour, 0, 1);
     table.flag("shark", s.shark);
     table.flag("giant", s.giant);
     table.number("length", s.length_m, 0.03f, s.giant ? 30.0f : 5.0f);
@@ -105,8 +110,8 @@ EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
     if (plan.species >= 0 && !known[plan.species].giant) table.complain("species", "must be a giant");
     table.need("at", "from", "to");
     table.number("at", plan.at_s, 0, 3600);
-    table.place("from", plan.from, kFar_m);
-    table.place("to", plan.to, kFar_m);
+    table.triple("from", plan.from, -kFar_m, kFar_m);
+    table.triple("to", plan.to, -kFar_m, kFar_m);
     const glm::vec3 way = plan.to - plan.from;
     const float squared = glm::dot(way, way);
     const float share = squared > 0 ? std::clamp(-glm::dot(plan.from, way) / squared, 0.0f, 1.0f) : 0.0f;

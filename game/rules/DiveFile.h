@@ -20,9 +20,15 @@ class FilmSpace; // game/rules/FilmSpace.h
 enum class Company { Alone, Pair, Shoal };
 constexpr std::array<const char*, 3> kCompanyNames = {"alone", "pair", "shoal"};
 
+// One text in English, German and French, in this order; empty: English stands for it.
+using InLanguages = std::array<std::string, 3>;
+
 struct Species {
     std::string name;           // "clownfish"
+    InLanguages one, several;   // its name on the screen; in English the name above if it is not given
+    InLanguages fact;           // told in the field guide
     std::string model;          // file below content/
+    glm::vec3 colour{1};        // linear; multiplies the model's colours
     bool shark = false;         // hunts instead of being caught
     bool giant = false;         // passes in an encounter instead of being caught
     float length_m = 0.2f;      // nose to tail

@@ -95,12 +95,22 @@ void TomlTable::range(std::string_view key, float& first, float& second, float l
     second = *b;
 }
 
-void TomlTable::place(std::string_view key, glm::vec3& value, float limit) {
+void TomlTable::triple(std::string_view key, glm::vec3& value, float low, float high) {
     const toml::array* all = list(key);
     for (size_t k = 0; all && k < 3; ++k) {
-        const auto at = all->size() == 3 ? numberIn((*all)[k], -limit, limit) : std::nullopt;
-        if (!at) return complain(key, fmt::format("must be [x, y, z] within -{0} to {0}", limit));
+        const auto at = all->size() == 3 ? numberIn((*all)[k], low, high) : std::nullopt;
+        if (!at) return complain(key, fmt::format("must be three numbers from {} to {}", low, high));
         value[static_cast<int>(k)] = *at;
+    }
+}
+
+void TomlTable::texts(std::string_view key, std::span<std::string> values) {
+    const toml::array* all = list(key);
+    for (size_t k = 0; all && k < all->size(); ++k) {
+        const auto text = (*all)[k].value<std::string>();
+        if (!text || k >= values.size())
+            return complain(key, fmt::format("must be at most {} texts", values.size()));
+        values[k] = *text;
     }
 }
 

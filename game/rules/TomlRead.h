@@ -45,12 +45,14 @@ class TomlTable {
     }
     void flag(std::string_view key, bool& value);
     void text(std::string_view key, std::string& value);
+    // Reads a list of as many texts as there are values, or fewer.
+    void texts(std::string_view key, std::span<std::string> values);
     // Returns the index of the key's text in names; empty: the key is missing, or its text is none of them.
     std::optional<size_t> choice(std::string_view key, std::span<const char* const> names);
     // [low, high], low <= high
     void range(std::string_view key, float& first, float& second, float low, float high);
-    // [x, y, z], each from -limit to limit
-    void place(std::string_view key, glm::vec3& value, float limit);
+    // [x, y, z], each from low to high
+    void triple(std::string_view key, glm::vec3& value, float low, float high);
     const toml::array* list(std::string_view key);
     // Calls read for the table [key], or for each of at most `maximum` tables [[key]].
     void table(std::string_view key, const Read& read);

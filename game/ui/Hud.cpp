@@ -1,6 +1,6 @@
 #include "game/ui/Hud.h"
 
-#include "game/texts/Animals.h"
+#include "game/ui/Animals.h"
 
 #include <epoxy/gl.h>
 #include <fmt/core.h>
@@ -79,7 +79,7 @@ void drawPopups(const Pen& pen, const HudInfo& info) {
         ImVec2 at;
         if (!project(pen, *info.view, popup.position, at)) continue;
         std::string text =
-            fmt::format("+{} {}", popup.points, game::animalName(popup.species, 1, pen.language));
+            fmt::format("+{} {}", popup.points, game::animalName(*popup.species, 1, pen.language));
         if (popup.combo > 1) text += fmt::format("  \u00d7{}", popup.combo);
         const float rise = 3 * pen.line * popup.age_s / Popups::kStay_s;
         const float lowest = pen.size.y - (2 + 1.6f * static_cast<float>(info.captions.size())) * pen.line;

@@ -13,8 +13,8 @@ namespace shoal::app {
 
 struct Popup {
     int points = 0, combo = 0;
-    std::string_view species; // in English
-    glm::vec3 position{0};    // world
+    const game::Species* species = nullptr;
+    glm::vec3 position{0}; // world
     float age_s = 0;
 };
 
@@ -26,8 +26,8 @@ class Popups {
     // Adds a Catch. species: must outlive the popup.
     void add(const game::Event& event, const game::SpeciesTable& species) {
         if (event.species < 0 || !event.position || shown_.size() == shown_.capacity()) return;
-        shown_.push_back({event.points, event.combo, species[static_cast<size_t>(event.species)].name,
-                          *event.position, 0});
+        shown_.push_back(
+            {event.points, event.combo, &species[static_cast<size_t>(event.species)], *event.position, 0});
     }
     void advance(float dt_s) {
         for (Popup& popup : shown_) popup.age_s += dt_s;

@@ -57,6 +57,8 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
         if (instance.jointNodes.back() < 0)
             return Error{request.file.string(), "has no joint named " + std::string(joint)};
     }
+    for (scene::Material& material : instance.model.materials)
+        material.baseColourLin *= glm::vec4(request.colour, 1);
     scene::restPose(instance.model, instance.pose);
     scene::updateGlobals(instance.model, instance.pose);
     const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
@@ -104,7 +106,9 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
     models.species_.resize(species.size());
     std::vector<ModelRequest> requests;
     for (size_t i = 0; i < species.size(); ++i)
-        if (shown[i]) requests.push_back({content / species[i].model, &models.species_[i], {}, {}, false});
+        if (shown[i])
+            requests.push_back(
+                {content / species[i].model, &models.species_[i], {}, {}, false, species[i].colour});
     for (size_t side = 0; side < 2; ++side)
         requests.push_back(
             {content / kHandModels[side], &models.hands_[side], handVariant, hands::kJointNames, true});

@@ -1,4 +1,4 @@
-// What is quick once a frame is drawn: the time between two, and the snow.
+// The two quick steps after a frame is traced: a picture between two traced ones, and the marine snow.
 #include "content/make/video/Frame.h"
 
 #include "content/make/video/Light.h"
@@ -17,8 +17,8 @@ constexpr float kPi = std::numbers::pi_v<float>;
 // Beyond it neighbouring frames' parallax is a fraction of a pixel.
 constexpr float kStill = 12;
 
-// Where `drawn` has the point at `metres` from `camera` along dir: pixels, and the distance it should have
-// there.
+// A point as `drawn` shows it: its pixel, and the distance that it should have there. The point is `metres`
+// from `camera` along dir.
 struct Place {
     vec2 pixel{0};
     float away = 0;

@@ -51,7 +51,7 @@ ImageRgbF blurred(const ImageRgbF& in, float radius, bool alongRows) {
     return out;
 }
 
-// What the housing's port and the lens scatter: a share of the light, spread over degrees.
+// Returns the light that the housing's port and the lens scatter: a share of the image, spread over degrees.
 ImageRgbF glow(const ImageRgbF& image) {
     ImageRgbF small = image;
     while (small.width > 256) small = halved(small);

@@ -1,4 +1,4 @@
-// What was traced at one time.
+// The picture, distances and motion traced at one time.
 #pragma once
 
 #include "engine/core/Image.h"

@@ -18,7 +18,7 @@ class Filming {
     // The picture at a time between two that were drawn, share of the way from a to b: each moved as its
     // distances tell, then mixed.
     Drawn between(const Drawn& a, const Drawn& b, float share, float turn) const;
-    // What drifts in the water: marine snow, and plankton that glows.
+    // Adds marine snow, and plankton that glows.
     void addSpecks(Drawn& drawn, float turn) const {
         addSnow(drawn, turn);
         addPlankton(drawn, turn);

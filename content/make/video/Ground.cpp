@@ -19,7 +19,7 @@ float smoothMin(float a, float b, float k) {
     return std::min(a, b) - h * h * k * 0.25f;
 }
 
-// Without the fine relief; the noise below moves it by less than kRelief.
+// Returns the rock's distance without its fine relief; the noise below moves it by less than kRelief.
 constexpr float kRelief = 0.75f;
 float coarseDistance(const Rock& rock, const vec3& p) {
     float d = 1e9f;

@@ -23,7 +23,7 @@ bool thrives(const Growth& growth, const Vertex& ground, const Route& route, flo
         patch < random.between(-0.1f, 0.35f))
         return false;
     if (growth.kind == "grass" && patch < 0.16f) return false;
-    // What is tall keeps its distance at the camera's height.
+    // Tall plants keep their distance at the camera's height.
     const float away =
         route.distanceTo(growth.clear > 0 ? vec3(ground.p.x, route.at(0).y, ground.p.z) : ground.p);
     const float clear = growth.clear > 0 ? growth.clear : 0.62f + 0.9f * size;

@@ -21,7 +21,7 @@ float distanceOfCode(uint16_t code);
 
 // Written beside its place and renamed: a run that is killed leaves no half of a frame.
 Status keep(const Drawn& drawn, const Path& file);
-// Its camera's place is not kept and stays 0.
+// Reads a frame that keep() wrote; the camera's place is not in the file and stays 0.
 Result<Drawn> recall(const Path& file, int width);
 
 } // namespace shoal::reef

@@ -1,11 +1,11 @@
-// What falls into the water from above, and what a level sea shows from below.
+// Light that falls into the water from above, and the picture of the sky that a level sea shows from below.
 #pragma once
 
 #include "content/make/video/Scene.h"
 
 namespace shoal::reef {
 
-// Of the sky without the sun's disc, direction in air.
+// Returns the radiance of the sky without the sun's disc; the direction is in air.
 vec3 skyRadiance(const Scene& scene, const vec3& dirAir);
 
 // Upward through a surface with this normal: the share let through, and the direction in air (unset if

@@ -46,7 +46,7 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
 )";
 
 constexpr int kTruthWidth = 512, kMeterWidth = 128, kProbeWidth = 256;
-// Of a depth track: tests/bench/figures/depth.md tells why these.
+// The depth track's size and rate; tests/bench/figures/depth.md gives the reasons.
 constexpr int kDepthWidth = 256, kDepthEvery = 2; // texels around, frames of the film
 constexpr int kDepthRays = 9;
 
@@ -57,11 +57,11 @@ struct Studio {
     const Route& route;
     Path folder;
 
-    // Where every frame is traced, the film shows those; else its frames lie half a frame or more off those
-    // that are, so that all are equally soft.
+    // Returns the film's shift against the traced frames, in frames: 0 if each of its frames is traced, else
+    // a half, so that all are equally soft.
     float offset() const { return scene.film.every == 1 ? 0.0f : 0.5f; }
     int onPath(int frame) const { return (frame + scene.film.start) % scene.film.frames; }
-    // Of a frame of the film, counted from its start.
+    // Returns the share of the loop, 0 to 1, at a frame counted from the film's start.
     float turn(int frame) const {
         return (static_cast<float>(onPath(frame)) + offset()) / static_cast<float>(scene.film.frames);
     }

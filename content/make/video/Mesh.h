@@ -7,7 +7,7 @@
 
 namespace shoal::reef {
 
-// How a surface looks from near: each has its own fine relief and colour.
+// Kinds of surface; each has its own fine relief and colour.
 enum class Kind : uint8_t { Sand, Rock, Coral, Soft, Leaf, Lamp };
 
 struct Vertex {

@@ -15,7 +15,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 using Complex = std::complex<float>;
 
-// In place, a power of two, no scaling; roots: exp(+2 pi i k / n).
+// Computes an FFT in place, without scaling; n is a power of two, roots holds exp(+2 pi i k / n).
 void transform(Complex* data, int n, const std::vector<Complex>& roots) {
     for (int i = 1, j = 0; i < n; ++i) {
         int bit = n >> 1;

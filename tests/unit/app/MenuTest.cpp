@@ -1,9 +1,10 @@
 // The menus: settings hold at once; every word has its translations; text can be read over white and black.
-#include "game/texts/Animals.h"
+#include "game/ui/Animals.h"
 #include "game/ui/MenuControls.h"
 #include "tests/unit/app/ScreensFixture.h"
 
 #include <GLFW/glfw3.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -276,10 +277,16 @@ TEST(Texts, DivesAndTheirAnimalsHaveTranslations) {
         EXPECT_LT(game::findText(files->dive.title), game::kTexts.size()) << files->dive.title;
         EXPECT_EQ(files->dive.goals.size(), 3u) << name;
         for (const game::Species& kind : files->species)
-            EXPECT_NE(std::ranges::find(game::kAnimals, kind.name, &game::AnimalRow::species),
-                      game::kAnimals.end())
-                << kind.name;
+            for (const game::InLanguages* texts : {&kind.one, &kind.several, &kind.fact})
+                EXPECT_THAT(*texts, testing::Each(testing::Not(testing::IsEmpty()))) << kind.name;
     }
+}
+
+TEST(Texts, AnimalsWithoutATranslationHaveTheirEnglishName) {
+    const game::Species perch{.one = {"perch", "Barsch"}, .several = {"perches"}};
+    EXPECT_EQ(game::animalName(perch, 1, game::Language::German), "Barsch");
+    EXPECT_EQ(game::animalName(perch, 1, game::Language::French), "perch");
+    EXPECT_EQ(game::animalName(perch, 2, game::Language::German), "perches");
 }
 
 TEST(Texts, TheSystemsLocaleChooses) {

@@ -32,8 +32,11 @@ TEST_F(GameFiles, SpeciesErrorsNameTheLine) {
         const auto read = loadSpecies(write(text));
         return read ? std::string("accepted") : read.error().message();
     };
-    EXPECT_THAT(reason(kSpecies + "colour = 3\n"),
-                AllOf(HasSubstr("line 5"), HasSubstr("unknown key \"colour\"")));
+    EXPECT_THAT(reason(kSpecies + "shape = 3\n"),
+                AllOf(HasSubstr("line 5"), HasSubstr("unknown key \"shape\"")));
+    EXPECT_THAT(reason(kSpecies + "colour = [0, 1, 2]\n"), AllOf(HasSubstr("line 5"), HasSubstr("0 to 1")));
+    EXPECT_THAT(reason(kSpecies + "fact = [\"\", 3]\n"), AllOf(HasSubstr("line 5"), HasSubstr("3 texts")));
+    EXPECT_THAT(reason(kSpecies + "one = [\"\", \"\", \"\", \"\"]\n"), HasSubstr("3 texts"));
     EXPECT_THAT(reason(kSpecies + "cruise = 99\n"), AllOf(HasSubstr("line 5"), HasSubstr("0.05 to 2")));
     EXPECT_THAT(reason(kSpecies + "cruise = nan\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(kSpecies + "cruise = \"fast\"\n"), HasSubstr("line 5"));
@@ -77,7 +80,7 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     EXPECT_EQ(encounter("whale", way), "accepted");
     EXPECT_THAT(encounter("snapper", way), HasSubstr("must be a giant"));
     EXPECT_THAT(encounter("whale", "from = [-9, 3, 0]\n"), HasSubstr("\"to\" is missing"));
-    EXPECT_THAT(encounter("whale", "from = [-9, 3]\nto = [9, 3, 0]\n"), HasSubstr("[x, y, z]"));
+    EXPECT_THAT(encounter("whale", "from = [-9, 3]\nto = [9, 3, 0]\n"), HasSubstr("three numbers"));
     EXPECT_THAT(encounter("whale", "from = [-9, 1, 0]\nto = [9, 1, 0]\n"), HasSubstr("no less than 2.5 m"));
     EXPECT_THAT(encounter("whale", "from = [-90, 3, 0]\nto = [9, 3, 0]\n"), HasSubstr("-60 to 60"));
     EXPECT_THAT(reason(good + "[shark]\nspecies = \"shark\"\nvisits = [20, 10]\n"), HasSubstr("rising"));
