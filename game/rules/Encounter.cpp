@@ -26,10 +26,10 @@ void setOut(Passer& passer, const EncounterPlan& plan, const Species& kind, int 
 
 } // namespace
 
-void passBy(Passer& passer, const EncounterPlan& plan, const SpeciesTable& species, float time_s, int id,
-            Score& score, Events& events) {
-    if (plan.species < 0 || time_s < plan.at_s || passer.state == Passer::State::Gone) return;
-    const Species& kind = species[static_cast<size_t>(plan.species)];
+void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events& events) {
+    const EncounterPlan& plan = in.dive.encounter;
+    if (plan.species < 0 || in.state.time_s() < plan.at_s || passer.state == Passer::State::Gone) return;
+    const Species& kind = in.species[static_cast<size_t>(plan.species)];
     if (passer.state == Passer::State::ToCome) setOut(passer, plan, kind, id, score, events);
     passer.velocity = passer.forward * passer.speed;
     passer.position += passer.velocity * kDt;

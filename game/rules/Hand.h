@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/physics/Capsule.h"
+#include "engine/physics/ContactModel.h"
 #include "engine/physics/Grip.h"
 #include "engine/scene/HandPose.h"
 #include "game/rules/Snapshot.h"
@@ -87,6 +88,11 @@ struct Hand {
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
     glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
+    // Returns where a fish of that radius lies in the hand; of a thicker one the flesh gives way.
+    glm::vec3 hollow(float radius_m) const {
+        const float radius = std::min(radius_m, physics::kEnclosed_m);
+        return palm().position + palm().orientation * glm::vec3(0, -0.008f - radius, -0.030f);
+    }
 
     auto fields() const {
         return std::tie(visible, known, lastGood, untrackedTicks, solid, joints, before, velocities,
@@ -117,16 +123,12 @@ inline physics::Capsule bone(const std::array<hands::Joint, hands::kJointCount>&
     return {from.position, to.position, std::min(from.radius, to.radius)};
 }
 
-// Returns where a fish of that radius lies in a hand with that palm joint.
-inline glm::vec3 hollowOf(const hands::Joint& palm, float radius_m) {
-    return palm.position + palm.orientation * glm::vec3(0, -0.008f - radius_m, -0.030f);
-}
-
 // Position and direction of the player's head.
 struct Viewpoint {
     glm::quat worldFromView{1, 0, 0, 0};
     glm::vec3 headWorld{0}; // between the eyes
 
+    glm::vec3 ahead() const { return worldFromView * glm::vec3(0, 0, -1); }
     auto fields() const { return std::tie(worldFromView, headWorld); }
 };
 

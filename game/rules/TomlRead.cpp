@@ -6,10 +6,10 @@
 
 namespace shoal::game {
 
-void TomlMistake::complain(const toml::node* where, std::string reason) {
+void TomlMistake::complain(const toml::source_region& where, std::string_view reason) {
     if (first) return;
-    const auto line = where ? where->source().begin.line : 0;
-    first = Error{file.string(), line ? "line " + std::to_string(line) + ": " + reason : reason};
+    const auto line = where.begin.line;
+    first = Error{file.string(), line ? fmt::format("line {}: {}", line, reason) : std::string(reason)};
 }
 
 Status readToml(const Path& file, const TomlTable::Read& read) {
@@ -18,12 +18,9 @@ Status readToml(const Path& file, const TomlTable::Read& read) {
     TomlMistake mistake{file, {}};
     try {
         const toml::table root = toml::parse(*text, file.string());
-        TomlTable table(mistake, root);
-        read(table);
-        table.finish();
+        TomlTable(mistake, root).readTable(root, read);
     } catch (const toml::parse_error& error) {
-        mistake.complain(nullptr, "line " + std::to_string(error.source().begin.line) + ": " +
-                                      std::string(error.description()));
+        mistake.complain(error.source(), error.description());
     }
     if (mistake.first) return *mistake.first;
     return Done{};
@@ -39,9 +36,9 @@ const toml::node* TomlTable::at(std::string_view key) {
     return table_.get(key);
 }
 
-void TomlTable::complain(std::string_view key, std::string reason) {
+void TomlTable::complain(std::string_view key, std::string_view reason) {
     const toml::node* node = table_.get(key);
-    mistake_.complain(node ? node : &table_, "\"" + std::string(key) + "\" " + reason);
+    mistake_.complain((node ? node : &table_)->source(), fmt::format("\"{}\" {}", key, reason));
 }
 
 template <class T, class Good>
@@ -73,7 +70,7 @@ void TomlTable::text(std::string_view key, std::string& value) {
     value = read<std::string>(key, "must be a string", [](const auto&) { return true; }).value_or(value);
 }
 
-std::optional<size_t> TomlTable::choice(std::string_view key, std::span<const char* const> names) {
+std::optional<size_t> TomlTable::readChoice(std::string_view key, std::span<const char* const> names) {
     if (!has(key)) return std::nullopt;
     std::string given, listed;
     text(key, given);
@@ -115,9 +112,7 @@ void TomlTable::table(std::string_view key, const Read& read) {
     const toml::node* node = at(key);
     if (!node) return;
     if (!node->is_table()) return complain(key, "must be a table");
-    TomlTable inner(mistake_, *node->as_table());
-    read(inner);
-    inner.finish();
+    readTable(*node, read);
 }
 
 void TomlTable::tables(std::string_view key, size_t maximum, const Read& read) {
@@ -125,20 +120,19 @@ void TomlTable::tables(std::string_view key, size_t maximum, const Read& read) {
     if (!all) return;
     if (all->size() > maximum) return complain(key, fmt::format("holds more than {} tables", maximum));
     for (const toml::node& node : *all) {
-        if (!node.is_table()) {
-            const std::string name(key);
-            return mistake_.complain(&node, "each " + name + " must be a table [[" + name + "]]");
-        }
-        TomlTable inner(mistake_, *node.as_table());
-        read(inner);
-        inner.finish();
+        if (!node.is_table())
+            return mistake_.complain(node.source(), fmt::format("each {0} must be a table [[{0}]]", key));
+        readTable(node, read);
     }
 }
 
-void TomlTable::finish() {
-    for (const auto& [key, node] : table_)
-        if (!read_.contains(key.str()))
-            mistake_.complain(&node, "unknown key \"" + std::string(key.str()) + "\"");
+// Reads a table, and complains about keys that nothing has read.
+void TomlTable::readTable(const toml::node& node, const Read& read) {
+    TomlTable inner(mistake_, *node.as_table());
+    read(inner);
+    for (const auto& [key, value] : inner.table_)
+        if (!inner.read_.contains(key.str()))
+            mistake_.complain(value.source(), fmt::format("unknown key \"{}\"", key.str()));
 }
 
 } // namespace shoal::game

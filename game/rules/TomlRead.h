@@ -23,7 +23,7 @@ struct TomlMistake {
     Path file;
     std::optional<Error> first;
 
-    void complain(const toml::node* where, std::string reason);
+    void complain(const toml::source_region& where, std::string_view reason);
 };
 
 // Returns the node's number; empty: it is none, or out of the range.
@@ -45,8 +45,14 @@ class TomlTable {
     }
     void flag(std::string_view key, bool& value);
     void text(std::string_view key, std::string& value);
-    // Returns the index of the key's text in names; empty: the key is missing, or its text is none of them.
-    std::optional<size_t> choice(std::string_view key, std::span<const char* const> names);
+    // One of the names, as a value that counts them from 0.
+    template <class E> void choice(std::string_view key, std::span<const char* const> names, E& value) {
+        if (const auto index = readChoice(key, names)) value = static_cast<E>(*index);
+    }
+    template <class E>
+    void choice(std::string_view key, std::span<const char* const> names, std::optional<E>& value) {
+        if (has(key)) choice(key, names, value.emplace());
+    }
     // [low, high], low <= high
     void range(std::string_view key, float& first, float& second, float low, float high);
     // [x, y, z], each from -limit to limit
@@ -60,16 +66,18 @@ class TomlTable {
         for (const std::string_view key : {std::string_view(keys)...})
             if (!has(key)) complain(key, "is missing");
     }
-    void complain(std::string_view key, std::string reason);
-    // Complains about keys that no call has read.
-    void finish();
+    void complain(std::string_view key, std::string_view reason);
 
   private:
+    friend Status readToml(const Path& file, const Read& read);
+
     const toml::node* at(std::string_view key);
     // Returns the key's value; empty if it is missing, or, with a complaint, if it is no T or not `good`.
     template <class T, class Good>
     std::optional<T> read(std::string_view key, const std::string& mustBe, const Good& good);
     std::optional<int64_t> readWhole(std::string_view key, int64_t low, int64_t high);
+    std::optional<size_t> readChoice(std::string_view key, std::span<const char* const> names);
+    void readTable(const toml::node& node, const Read& read);
 
     TomlMistake& mistake_;
     const toml::table& table_;

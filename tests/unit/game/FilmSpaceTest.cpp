@@ -93,13 +93,13 @@ TEST(FilmSpace, RoomIsInFrontOfTheSurfaceAndNarrowsSlowly) {
 }
 
 struct Kept {
-    float deepest_m = 0; // of any fish's body behind the surface
+    float deepest_m = 0; // greatest depth of a fish's body behind the surface
     float sharkDeepest_m = 0;
-    float longestStep_m = 0;   // of a free animal in a tick
-    float nearestEyes_m = 100; // of any fish's middle
+    float longestStep_m = 0;   // longest way of a free animal in a tick
+    float nearestEyes_m = 100; // least distance of a fish's middle from the eyes
 };
 
-// Nobody is there; distance_m: of the true surface.
+// Runs a dive without hands for a minute. distance_m returns the distance of the true surface.
 template <class Distance>
 Kept watch(std::shared_ptr<const FilmSpace> space, double length_s, const Distance& distance_m, uint64_t seed,
            bool withShark = true) {
@@ -135,7 +135,7 @@ Kept watch(std::shared_ptr<const FilmSpace> space, double length_s, const Distan
     return kept;
 }
 
-constexpr float kDeepest_m = 0.02f; // what counts as a penetration
+constexpr float kDeepest_m = 0.02f; // a body deeper than this is behind the surface
 // The shark's room narrows as fast as it can follow, and no slower: where it turns beside a wall, or passes a
 // pillar, its nose or tail enters it for a moment. Measured: 0.05 m in the tunnel, 0.2 m at the pillar.
 constexpr float kSharkDeepest_m = 0.06f, kSharkDeepestAtPillar_m = 0.25f;
@@ -188,7 +188,7 @@ TEST(FilmSpace, APillarIsPassedAndNobodyStaysAtIt) {
 }
 
 TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
-    constexpr float kParted = 3.5f; // in the open these stay below 2.7
+    constexpr float kParted = 3.5f; // shoals in open water stay below 2.7
     int parted = 0;
     for (uint64_t seed = 5; seed < 11; ++seed) {
         DiveFile file = cove().dive;
@@ -225,8 +225,7 @@ TEST(FilmSpace, WhatTheFilmHidesIsNeitherShownNorHelpedToNorTaken) {
                 test::handAt(behind, i < 30 ? 0.0f : std::min(1.0f, static_cast<float>(i - 30) / 15));
             one.step();
         }
-        Snapshot now;
-        one.world.snapshot(now);
+        Snapshot now = one.shown();
         EXPECT_EQ(one.world.hands[1].intent.fish >= 0 || one.fish().heldBy >= 0, !hidden);
         EXPECT_EQ(one.fish().catchable > 0 || one.fish().heldBy >= 0, !hidden);
         EXPECT_EQ(one.fish().heldBy, hidden ? -1 : 1);

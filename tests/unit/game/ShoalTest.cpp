@@ -1,4 +1,5 @@
-// Who keeps company: shoals, pairs and those who live alone, told apart by what can be measured in a tank.
+// Company of fish: shoals, pairs and solitary fish, told apart by quantities that biologists measure in a
+// tank.
 #include "Fixture.h"
 
 #include <gtest/gtest.h>
@@ -12,12 +13,12 @@ namespace {
 
 using test::cove;
 
-// Of one school at one moment. Lengths in body lengths.
+// Order of one school at one moment. Lengths in body lengths.
 struct Order {
     float polarisation = 0; // length of the mean heading: 1 all alike, 0 all ways (Couzin et al. 2002)
     float nearest = 1e9f;   // neighbour, centre to centre, of any fish
-    float meanNearest = 0;  // of all
-    float farthest = 0;     // from the school's middle
+    float meanNearest = 0;  // mean over all fish
+    float farthest = 0;     // greatest distance from the school's middle
 };
 
 Order orderOf(const test::OpenDive& world, int school) {
@@ -44,27 +45,16 @@ Order orderOf(const test::OpenDive& world, int school) {
     return order;
 }
 
-DiveFile calm() { // nothing to fear
-    DiveFile file = cove().dive;
-    file.shark.species = -1;
-    return file;
-}
-
-void run(test::OpenDive& world, float seconds, const TickInput& input = {}) {
-    Events events;
-    for (int i = 0; i < static_cast<int>(seconds * 120); ++i) world.step(input, events);
-}
-
 class Companions : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
-    test::OpenDive world(cove().species, calm(), GetParam());
-    run(world, 20);
+    test::OpenDive world(cove().species, test::calmCove(), GetParam());
+    world.run(20);
     const auto& schools = world.file().schools;
     std::vector<double> polarisation(schools.size(), 0), nearest(schools.size(), 0);
     int samples = 0, shoals = 0;
     for (; samples < 200; ++samples) {
-        run(world, 0.2f);
+        world.run(0.2f);
         for (size_t s = 0; s < schools.size(); ++s) {
             const Order order = orderOf(world, static_cast<int>(s));
             polarisation[s] += order.polarisation;
@@ -95,16 +85,16 @@ TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
 }
 
 TEST_P(Companions, PairsKeepTogetherTwoByTwo) {
-    test::OpenDive world(cove().species, calm(), GetParam());
-    run(world, 20);
+    test::OpenDive world(cove().species, test::calmCove(), GetParam());
+    world.run(20);
     int near = 0, all = 0;
     for (int i = 0; i < 100; ++i) {
-        run(world, 0.2f);
+        world.run(0.2f);
         for (size_t a = 0; a < world.fish.size(); ++a) {
             const Fish& fish = world.fish[a];
             const Species& kind = world.species()[fish.species];
-            if (kind.company != Company::Pair || fish.leader == static_cast<int>(a)) continue;
-            const Fish& partner = world.fish[static_cast<size_t>(fish.leader)];
+            if (kind.company != Company::Pair || fish.route.leader == static_cast<int>(a)) continue;
+            const Fish& partner = world.fish[static_cast<size_t>(fish.route.leader)];
             EXPECT_EQ(partner.species, fish.species);
             ++all;
             near += glm::distance(fish.position, partner.position) < 3 * kind.length_m;
@@ -117,30 +107,30 @@ TEST_P(Companions, PairsKeepTogetherTwoByTwo) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Companions, testing::Values(1, 2, 3));
 
 TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
-    test::OpenDive world(cove().species, calm(), 4);
-    run(world, 5);
+    test::OpenDive world(cove().species, test::calmCove(), 4);
+    world.run(5);
     Events events;
     int school = 0;
     for (size_t i = 0; i < world.fish.size(); ++i) {
         const Fish& fish = world.fish[i];
         if (world.species()[fish.species].company != Company::Shoal) continue;
         school = fish.school;
-        // From its own side each: they burst apart.
+        // Each is frightened from another side, so that they burst apart.
         const glm::vec3 from(i % 3 ? 0.2f : -0.2f, 0, i % 2 ? 0.2f : -0.2f);
         world.startle(static_cast<int>(i), fish.position + from, events);
     }
     float widest = 0;
     for (int i = 0; i < 20; ++i) {
-        run(world, 0.1f);
+        world.run(0.1f);
         widest = std::max(widest, orderOf(world, school).farthest);
     }
-    run(world, 18);
+    world.run(18);
     EXPECT_GT(widest, 4);
     EXPECT_LT(orderOf(world, school).farthest, 4);
     EXPECT_GT(orderOf(world, school).polarisation, 0.8f);
 }
 
-// As full as a dive may get: seven kinds, two shoals and a ray, and more of the rest: forty fish.
+// A dive as full as it may get: forty fish of seven kinds, with two shoals and a ray.
 TEST(Shoal, OfSevenKindsAndFortyFishKeepsApart) {
     const SpeciesTable& species = cove().species;
     DiveFile file = cove().dive;
@@ -154,7 +144,7 @@ TEST(Shoal, OfSevenKindsAndFortyFishKeepsApart) {
     float nearest = 1;
     int touching = 0, pairs = 0;
     for (int i = 0; i < 600; ++i) {
-        run(world, 0.1f);
+        world.run(0.1f);
         for (size_t a = 0; a < world.fish.size(); ++a)
             for (size_t b = 0; b < a; ++b) {
                 const auto body = [&](const Fish& f) {
