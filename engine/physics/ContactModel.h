@@ -4,26 +4,25 @@
 // stops it. A body (a fish) is one capsule with a velocity of its own. A tick goes through five steps.
 //
 // 1. First touch (Capsule.h), by conservative advancement: Mirtich 1996, "Impulse-based Dynamic Simulation of
-//    Rigid Body Systems", 2.3. The gap d between two convex shapes, along the line n of their nearest points,
-//    shrinks no faster than the fastest pair of end points closes along n, so time may advance by d over that
-//    speed; where nothing closes along n there is no touch to come. For capsules d and n have closed forms
-//    (Ericson 2005, "Real-Time Collision Detection", 5.1.9), so nothing is missed at any speed.
+//    Rigid Body Systems", 2.3. The gap between two convex shapes, along the line of their nearest points,
+//    shrinks no faster than the fastest pair of end points closes along it, so time may advance by the gap
+//    over that speed. Gap and line have closed forms for capsules (Ericson 2005, "Real-Time Collision
+//    Detection", 5.1.9), so nothing is missed at any speed.
 // 2. Lasting touch (ContactWorld.h). A contact keeps the side on which it began while the bone sinks in, as
 //    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
-//    the depth grows on past the body's axis, and no push ever flips. A pair found inside one another without
-//    a past is pushed apart along the line of nearest points, or across both axes where these cross.
+//    the depth grows on past the body's axis, and no push ever flips. A pair found inside one another is
+//    pushed apart along the line of nearest points, or across both axes where these cross.
 // 3. Pushing (ContactWorld.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as
 //    fast as the bone comes. Contacts that contradict one another (a fish between two hands) share by
-//    regularised projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What
-//    overlaps is parted by a velocity that is not kept (a split impulse), so parting adds no energy.
+//    regularised projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). A
+//    velocity that is not kept (a split impulse) separates overlaps, so that they add no energy.
 // 4. Wrapping (Grip.h). Fingers that close around a body are straightened, then bent knuckle by knuckle
 //    until they rest on it, as the underactuated fingers of grippers close (Birglen, Laliberte and Gosselin
 //    2008, "Underactuated Robotic Hands"). How far the device's finger would still go is how hard it presses.
 // 5. Gripping (Grip.h). Each contact can push along its normal with as much as it presses, and across by
 //    Coulomb friction. A body is held while the convex set of the forces that all contacts together can give
-//    contains the force that its struggle, the water's drag and the hand's acceleration ask for. With no
-//    force asked this is force closure (Nguyen 1988, "Constructing Force-Closure Grasps"; Ponce and Faverjon
-//    1995, "On Computing Three-Finger Force-Closure Grasps of Polygonal Objects"). The margin is the set's
+//    contains the force that its struggle, the water's drag and the hand's acceleration ask for; without
+//    these that is force closure (Nguyen 1988, "Constructing Force-Closure Grasps"). The margin is the set's
 //    distance to that force, the worst case over all directions of Ferrari and Canny 1992, "Planning Optimal
 //    Grasps". Where it is negative the body slides, the way the contacts cannot stop it. Torques are left
 //    out: a hand touches with a dozen bones.
@@ -39,7 +38,7 @@ constexpr int   kAdvances          = 24;      // steps of conservative advanceme
 constexpr float kLift_m            = 0.0015f; // a lasting contact ends when the gap exceeds this
 constexpr float kTeleport_m        = 1.5f;    // a bone that goes farther in a tick was not moved but replaced
 constexpr float kCrossed_m         = 1e-5f;   // axes this near cross
-constexpr float kCoreShare         = 0.3f;    // share of both radii: nearer to the axis a normal is not renewed
+constexpr float kCoreShare         = 0.3f;    // share of both radii: nearer the axis, normals are not renewed
 constexpr float kNormalTurn_rad    = 0.2f;    // greatest turn of a lasting contact's normal in a tick
 
 // -- Pushing ----------------------------------------------------------------------------------------------

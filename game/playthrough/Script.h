@@ -140,7 +140,6 @@ class ScriptRun {
     bool look(const ScriptStep&, const Snapshot&, float spent_s);
     bool point(const ScriptStep&, const Snapshot&);
     bool wait(const ScriptStep&, const Snapshot&, float spent_s) const;
-    void wave(const ScriptStep&, const Snapshot&, float spent_s);
     void advance(size_t to);
     void moveHand(int hand, glm::vec3 goalWorld, float speed);
     void lookTowards(glm::vec3 directionWorld);

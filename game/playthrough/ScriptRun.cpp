@@ -187,15 +187,6 @@ bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
     return glm::distance(hands::graspCentre(now.hands[1].joints), fish.position) < kMouseThere_m;
 }
 
-// Swings the hand over 1 m about its place; a triangle wave, so the speed is constant.
-void ScriptRun::wave(const ScriptStep& step, const Snapshot& now, float spent_s) {
-    ScriptHand& hand = hands_[step.hand];
-    if (tick_ == stepBegan_) hand.anchor = hand.graspWorld;
-    const float way = std::fmod(spent_s * step.speed + 0.5f, 2.0f);
-    const float x = way < 1 ? way - 0.5f : 1.5f - way;
-    hand.graspWorld = hand.anchor + now.worldFromView * glm::vec3(x, 0, 0);
-}
-
 // Performs a step for one tick. Returns whether it is done.
 bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& out) {
     using Do = ScriptStep::Do;
@@ -221,9 +212,13 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
         return look(step, now, spent_s);
     case Do::Wait:
         return wait(step, now, spent_s);
-    case Do::Wave:
-        wave(step, now, spent_s);
+    case Do::Wave: { // over 1 m, as a triangle wave, so that the speed is constant
+        if (tick_ == stepBegan_) hand.anchor = hand.graspWorld;
+        const float way = std::fmod(spent_s * step.speed + 0.5f, 2.0f);
+        const float x = way < 1 ? way - 0.5f : 1.5f - way;
+        hand.graspWorld = hand.anchor + now.worldFromView * glm::vec3(x, 0, 0);
         return spent_s >= step.seconds;
+    }
     case Do::Hover:
     case Do::Offer:
         if (const CreatureView* shark = sharkOf(now, species_)) {

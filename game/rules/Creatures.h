@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 
 namespace shoal::game {
 
@@ -20,11 +21,6 @@ struct Route {
     int changeTicks = 0;   // ticks until it chooses another radius and height
     float speedFactor = 1; // on the cruising speed: solitary fish linger at times
     bool gliding = false;  // between two bursts of its tail
-
-    auto fields() const {
-        return std::tie(leader, radius, height, cruise_mps, direction, wander, wanderGoal, wanderTicks,
-                        changeTicks, speedFactor, gliding);
-    }
     void follow(const Route& other) {
         radius = other.radius;
         height = other.height;
@@ -39,8 +35,6 @@ struct Flight {
     float rest_s = 0;           // seconds before it can be frightened again
     glm::vec3 heading{0, 0, 1}; // unit
     float touchedGently_s = 0;  // seconds for which it has been touched gently; too long frightens it
-
-    auto fields() const { return std::tie(left_s, spent_s, side, rest_s, heading, touchedGently_s); }
 };
 
 // How a fish lies and struggles in the hand that holds it.
@@ -56,11 +50,6 @@ struct FishHold {
     float noPush_s = 0;      // seconds after the release in which the fingers do not push it
     float bout_s = 0;        // seconds left of this bout of struggling, or of this rest
     bool struggles = false;  // whether this is a bout
-
-    auto fields() const {
-        return std::tie(time_s, counted, palmFromBody, palmFromBodyGoal, palmOffset, slide, slid_m, struggle,
-                        unopposed, noPush_s, bout_s, struggles);
-    }
 };
 
 // A fish's visit to a resting hand (game/rules/Curiosity.h).
@@ -69,8 +58,6 @@ struct Visit {
     float left_s = 0;
     float linger_s = 0; // seconds that it stays in front of the palm
     float rest_s = 0;   // seconds before its next visit
-
-    auto fields() const { return std::tie(hand, left_s, linger_s, rest_s); }
 };
 
 struct Fish : Swimmer {

@@ -10,7 +10,6 @@
 #include "game/rules/Hand.h"
 #include "game/rules/Score.h"
 
-#include <tuple>
 #include <vector>
 
 namespace shoal::game {
@@ -29,17 +28,12 @@ struct DiveState {
     std::vector<Fish> fish;
     Shark shark;                            // its creature id is fish.size()
     Passer passer;                          // its creature id comes after the shark's
-    std::vector<physics::Contact> contacts; // of this tick; the next tick continues the lasting ones
+    std::vector<physics::Contact> contacts; // found in this tick; the next one continues the lasting ones
 
     float time_s() const { return static_cast<float>(tick) * kDt; } // since the dive began
-
-    auto fields() const {
-        return std::tie(seed, random, tick, totalTicks, phase, begun, paused, restartHeld, score, view, hands,
-                        fish, shark, passer, contacts);
-    }
 };
 
-// What a rule reads. What it changes, it takes as arguments of its own.
+// The dive as its rules read it. A rule takes the parts that it changes as arguments of its own.
 struct DiveContext {
     const DiveFile& dive;
     const SpeciesTable& species;

@@ -294,7 +294,8 @@ void bendAndBeat(Fish& f, const Species& kind, glm::vec3 desiredSpin) {
     beatTail(f, kind);
     const float amplitude = f.route.gliding ? 0.0f : tailAmplitude(f.speed / kind.cruise_mps);
     shape.amplitude = eased(shape.amplitude, amplitude, 8);
-    shape.bendUp = eased(shape.bendUp, bendUpFor(f, desiredSpin, kind.length_m, 0.35f), 6);
+    shape.bendUp =
+        eased(shape.bendUp, bendFor(f, -glm::dot(desiredSpin, leftOf(f.forward)), kind.length_m, 0.35f), 6);
     shape.finsDown = eased(shape.finsDown, 0, 6);
 
     // Bends into the C of a fast start, then the tail's stroke back, then along its path.
@@ -303,7 +304,7 @@ void bendAndBeat(Fish& f, const Species& kind, glm::vec3 desiredSpin) {
         const float goal = f.flight.spent_s < kC_s ? kC : kStroke;
         shape.bendLeft = towards(shape.bendLeft, goal * f.flight.side, 34 * kDt);
     } else {
-        const float goal = bendLeftFor(f, desiredSpin, kind.length_m, kMaxBendLeft);
+        const float goal = bendFor(f, glm::dot(desiredSpin, kUp), kind.length_m, kMaxBendLeft);
         shape.bendLeft = eased(shape.bendLeft, goal, darts(f) ? 14.0f : 5.0f);
     }
 }

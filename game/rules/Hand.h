@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 namespace shoal::game {
 
@@ -24,8 +23,6 @@ struct Grasp {
     int window = 0;      // ticks left to take hold of what is between the fingers
     int holds = -1;      // index of the held fish, -1 none
     int encloses = -1;   // index of the fish its fingers close around: held, or about to be
-
-    auto fields() const { return std::tie(firmest, closed, window, holds, encloses); }
 };
 
 // The fish that the hand reaches for, and the help that it gets to take it; see game/rules/Intent.h.
@@ -38,10 +35,6 @@ struct Intent {
     float closing_Hz = 0;   // growth of the grip a second, smoothed over about 30 ms
     float fastest_mps = 0;  // greatest speed of the hand since it began to close
     Miss miss = Miss::None; // reason why it takes nothing, if so, decided when the grip closed
-
-    auto fields() const {
-        return std::tie(fish, inRange, unseen_s, helps, movedView, closing_Hz, fastest_mps, miss);
-    }
 };
 
 // Fingers that rest on the fish they close around instead of entering it.
@@ -52,14 +45,11 @@ struct FingerWrap {
     struct Lift {
         glm::vec3 move{0};
         glm::quat turn{1, 0, 0, 0};
-        auto fields() const { return std::tie(move, turn); }
     };
     std::array<Lift, hands::kJointCount> lifts{};
     // Forces of the fingers on that fish in this tick; the first pressCount count.
     std::array<physics::Press, hands::kJointCount> presses{};
     int pressCount = 0;
-
-    auto fields() const { return std::tie(shown, lifts, presses, pressCount); }
 };
 
 struct Hand {
@@ -93,12 +83,6 @@ struct Hand {
         const float radius = std::min(radius_m, physics::kEnclosed_m);
         return palm().position + palm().orientation * glm::vec3(0, -0.008f - radius, -0.030f);
     }
-
-    auto fields() const {
-        return std::tie(visible, known, lastGood, untrackedTicks, solid, joints, before, velocities,
-                        graspCentre, velocity, calmVelocity, ownVelocity, calmAcceleration, grip, touching,
-                        grasp, intent, fingers, lastMiss, sinceMiss_s, stung_s, rested_s, nextVisit_s);
-    }
 };
 using Hands = std::array<Hand, 2>; // left, right
 
@@ -129,7 +113,6 @@ struct Viewpoint {
     glm::vec3 headWorld{0}; // between the eyes
 
     glm::vec3 ahead() const { return worldFromView * glm::vec3(0, 0, -1); }
-    auto fields() const { return std::tie(worldFromView, headWorld); }
 };
 
 // Updates view and hands from the tick's input. Values that are not finite or not plausible are ignored: the

@@ -16,23 +16,6 @@ constexpr float kPatience_s = 1.5f; // ...for this time
 
 } // namespace
 
-// Adds the swimmer's body if a solid hand's path in this tick comes near it.
-void HandContacts::addBody(const Swimmer& swimmer, int id, const Species& kind, const Hands& hands) {
-    const auto near = [&](const Hand& hand) {
-        if (!hand.solid) return false;
-        const glm::vec3 a = hand.before[hands::kPalmJoint].position, b = hand.palm().position;
-        return physics::separation({a, b, 0.25f}, {swimmer.position, swimmer.position,
-                                                   kind.bodyHalf_m + kind.bodyRadius_m}) < 0;
-    };
-    if (!near(hands[0]) && !near(hands[1])) return;
-    const glm::vec3 reach = swimmer.forward * kind.bodyHalf_m, way = swimmer.velocity * kDt;
-    const glm::vec3 nose = swimmer.position + reach, tail = swimmer.position - reach;
-    bodies_.push_back({static_cast<uint32_t>(id),
-                       {tail - way, nose - way, kind.bodyRadius_m},
-                       {tail, nose, kind.bodyRadius_m},
-                       swimmer.velocity});
-}
-
 void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
                            std::vector<physics::Contact>& contacts) {
     const Hands& hands = in.state.hands;
@@ -52,15 +35,31 @@ void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
                                j});
     }
     bodies_.clear();
+    // Adds the swimmer's body if a solid hand's path in this tick comes near it.
+    const auto addBody = [&](const Swimmer& swimmer, size_t id, const Species& kind) {
+        const auto near = [&](const Hand& hand) {
+            const glm::vec3 a = hand.before[hands::kPalmJoint].position, b = hand.palm().position;
+            const float reach_m = kind.bodyHalf_m + kind.bodyRadius_m;
+            return hand.solid &&
+                   physics::separation({a, b, 0.25f}, {swimmer.position, swimmer.position, reach_m}) < 0;
+        };
+        if (!near(hands[0]) && !near(hands[1])) return;
+        const glm::vec3 reach = swimmer.forward * kind.bodyHalf_m, way = swimmer.velocity * kDt;
+        const glm::vec3 nose = swimmer.position + reach, tail = swimmer.position - reach;
+        bodies_.push_back({static_cast<uint32_t>(id),
+                           {tail - way, nose - way, kind.bodyRadius_m},
+                           {tail, nose, kind.bodyRadius_m},
+                           swimmer.velocity});
+    };
     for (size_t i = 0; i < fish.size(); ++i) {
         Fish& f = fish[i];
         f.separation = glm::vec3(0);
         if (f.state == Fish::State::Mouth || (f.heldBy >= 0 && !hands[f.heldBy].solid)) continue;
         f.hold.noPush_s = std::max(0.0f, f.hold.noPush_s - kDt);
         if (f.hold.noPush_s > 0) continue;
-        addBody(f, static_cast<int>(i), in.kindOf(f), hands);
+        addBody(f, i, in.kindOf(f));
     }
-    if (shark.present) addBody(shark, static_cast<int>(fish.size()), in.kindOf(shark), hands);
+    if (shark.present) addBody(shark, fish.size(), in.kindOf(shark));
     std::swap(contacts, last_);
     physics::collide(bodies_, movers_, kDt, last_, contacts);
 }

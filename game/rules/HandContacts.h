@@ -19,8 +19,6 @@ class HandContacts {
     void collide(std::span<Fish>, const DiveContext&, std::vector<physics::Contact>& contacts);
 
   private:
-    void addBody(const Swimmer&, int id, const Species&, const Hands&);
-
     std::vector<physics::Body> bodies_;
     std::vector<physics::Mover> movers_;
     std::vector<physics::Contact> last_;

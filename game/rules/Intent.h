@@ -3,11 +3,10 @@
 // Whether a hand means to take a fish is read from where both will be when the fingers have closed (distance,
 // with their velocities), from how fast they are against each other, and from the side of the palm; that it
 // closes is read from its aperture and the aperture's speed. A fish once meant stays so for a moment while it
-// slips out of range: people close a reaction time after they have seen that they can. The ways of games with
-// hands: Owlchemy Labs' Job Simulator takes the best scored object near a closing hand, not the touched one;
-// Meta's Interaction SDK scores grabs and keeps a grab selected with hysteresis; Prachyabrued & Borst 2012,
-// "Virtual grasp release method and evaluation", show the hand where it helps the user rather than where it
-// is. Here the help is bounded: hand and fish each go part of the way, at limited speed, while it closes.
+// slips out of range: people close a reaction time after they have seen that they can. Games score objects
+// near a closing hand in this way (Owlchemy Labs' Job Simulator, Meta's Interaction SDK), and Prachyabrued &
+// Borst 2012, "Virtual grasp release method and evaluation", show the hand where it helps the user. Here hand
+// and fish each go part of the way, at limited speed, while the hand closes.
 #pragma once
 
 #include "game/rules/DiveState.h"

@@ -378,8 +378,9 @@ void bendAndBeat(Shark& shark, const Species& kind, glm::vec3 desiredSpin) {
     beatTail(shark, kind, threatens ? 0.5f : 0.0f);
     const float amplitude = threatens ? 1.5f * kFullBeat : tailAmplitude(shark.speed / kind.cruise_mps);
     shape.amplitude = eased(shape.amplitude, amplitude, 4);
-    shape.bendLeft = eased(shape.bendLeft, bendLeftFor(shark, desiredSpin, kind.length_m, kMaxBendLeft), 3);
-    const float pitch = bendUpFor(shark, desiredSpin, kind.length_m, 0.2f);
+    shape.bendLeft =
+        eased(shape.bendLeft, bendFor(shark, glm::dot(desiredSpin, kUp), kind.length_m, kMaxBendLeft), 3);
+    const float pitch = bendFor(shark, -glm::dot(desiredSpin, leftOf(shark.forward)), kind.length_m, 0.2f);
     shape.bendUp = eased(shape.bendUp, threatens ? 0.4f : pitch, 5);
     shape.finsDown = eased(shape.finsDown, threatens ? 0.65f : 0.0f, 5);
 }

@@ -141,25 +141,19 @@ constexpr float kDeepest_m = 0.02f; // a body deeper than this is behind the sur
 constexpr float kSharkDeepest_m = 0.06f, kSharkDeepestAtPillar_m = 0.25f;
 constexpr float kLongestStep_m = (3 + 2) * kDt + 1e-4f; // the fastest swimming and the fastest giving way
 
-TEST(FilmSpace, AnimalsKeepInFrontOfAWall) {
-    const auto space = madeSpace(1, 1, toWall_m);
-    EXPECT_GT(watch(nullptr, 1, toWall_m, 5).sharkDeepest_m, 0.3f); // so there is something to keep
-    for (uint64_t seed : {5, 6}) {
-        const Kept kept = watch(space, 1, toWall_m, seed);
-        EXPECT_LT(kept.deepest_m, kDeepest_m) << seed;
-        EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << seed;
-        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << seed;
-    }
+void expectKept(const Kept& kept, const std::string& name) {
+    EXPECT_LT(kept.deepest_m, kDeepest_m) << name;
+    EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << name;
+    EXPECT_LT(kept.longestStep_m, kLongestStep_m) << name;
+    EXPECT_GT(kept.nearestEyes_m, 0.35f) << name; // the room around the eyes
 }
 
-TEST(FilmSpace, AnimalsKeepInATunnel) {
-    const auto tunnel = [](glm::vec3 dir, double) { return toTunnel_m(dir, 2); };
+TEST(FilmSpace, AnimalsKeepInFrontOfAWallAndInATunnel) {
+    EXPECT_GT(watch(nullptr, 1, toWall_m, 5).sharkDeepest_m, 0.3f); // so there is something to keep
+    const auto toTunnel = [](glm::vec3 dir, double) { return toTunnel_m(dir, 2); };
     for (uint64_t seed : {5, 6}) {
-        const Kept kept = watch(madeSpace(1, 1, tunnel), 1, tunnel, seed);
-        EXPECT_LT(kept.deepest_m, kDeepest_m) << seed;
-        EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << seed;
-        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << seed;
-        EXPECT_GT(kept.nearestEyes_m, 0.35f) << seed; // the room around the eyes
+        expectKept(watch(madeSpace(1, 1, toWall_m), 1, toWall_m, seed), "wall");
+        expectKept(watch(madeSpace(1, 1, toTunnel), 1, toTunnel, seed), "tunnel");
     }
 }
 
@@ -167,13 +161,10 @@ TEST(FilmSpace, AWallThatComesNearerPushesThemAsideWithoutAJump) {
     // A shark that looks at the eyes from 0.55 m off takes up to 2.49 m: half of 0.92 of its length of 2.2 m,
     // half its core and its radius beyond that. Where there is less, the room around the eyes comes first.
     for (const bool shark : {true, false}) {
-        const float least_m = shark ? 2.5f : 1.4f;
-        const auto surface_m = [&](glm::vec3, double time_s) { return toShrinking_m(time_s, least_m); };
-        const Kept kept = watch(madeSpace(16, 64, surface_m), 16, surface_m, 5, shark);
-        EXPECT_LT(kept.deepest_m, kDeepest_m) << least_m;
-        EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << least_m;
-        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << least_m;
-        EXPECT_GT(kept.nearestEyes_m, 0.35f) << least_m;
+        const auto surface_m = [&](glm::vec3, double time_s) {
+            return toShrinking_m(time_s, shark ? 2.5f : 1.4f);
+        };
+        expectKept(watch(madeSpace(16, 64, surface_m), 16, surface_m, 5, shark), shark ? "shark" : "fish");
     }
 }
 

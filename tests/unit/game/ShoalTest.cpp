@@ -6,8 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <cstdio>
-
 namespace shoal::game {
 namespace {
 
@@ -47,12 +45,12 @@ Order orderOf(const test::OpenDive& world, int school) {
 
 class Companions : public testing::TestWithParam<uint64_t> {};
 
-TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
+TEST_P(Companions, ShoalsAlignAndPairsStayTogether) {
     test::OpenDive world(cove().species, test::calmCove(), GetParam());
     world.run(20);
     const auto& schools = world.file().schools;
     std::vector<double> polarisation(schools.size(), 0), nearest(schools.size(), 0);
-    int samples = 0, shoals = 0;
+    int samples = 0, shoals = 0, pairs = 0, nearPairs = 0;
     for (; samples < 200; ++samples) {
         world.run(0.2f);
         for (size_t s = 0; s < schools.size(); ++s) {
@@ -64,12 +62,20 @@ TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
             // One that turns as a whole is out of order for a moment, but together.
             EXPECT_LT(order.farthest, 6);
         }
+        for (const Fish& fish : world.fish) {
+            const Species& kind = world.species()[fish.species];
+            const Fish& partner = world.fish[static_cast<size_t>(fish.route.leader)];
+            if (kind.company != Company::Pair || &partner == &fish) continue;
+            EXPECT_EQ(partner.species, fish.species);
+            ++pairs;
+            nearPairs += glm::distance(fish.position, partner.position) < 3 * kind.length_m;
+        }
     }
+    EXPECT_GT(pairs, 0);
+    EXPECT_GT(nearPairs, 0.9 * pairs);
     for (size_t s = 0; s < schools.size(); ++s) {
         const Species& kind = world.species()[schools[s].species];
         const double order = polarisation[s] / samples, apart = nearest[s] / samples;
-        std::printf("seed %d, %s: polarisation %.3f, nearest neighbour %.2f body lengths\n",
-                    static_cast<int>(GetParam()), kind.name.c_str(), order, apart);
         if (kind.company == Company::Shoal) {
             ++shoals;
             EXPECT_GT(order, 0.9) << kind.name;
@@ -82,26 +88,6 @@ TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
         }
     }
     EXPECT_GE(shoals, 2);
-}
-
-TEST_P(Companions, PairsKeepTogetherTwoByTwo) {
-    test::OpenDive world(cove().species, test::calmCove(), GetParam());
-    world.run(20);
-    int near = 0, all = 0;
-    for (int i = 0; i < 100; ++i) {
-        world.run(0.2f);
-        for (size_t a = 0; a < world.fish.size(); ++a) {
-            const Fish& fish = world.fish[a];
-            const Species& kind = world.species()[fish.species];
-            if (kind.company != Company::Pair || fish.route.leader == static_cast<int>(a)) continue;
-            const Fish& partner = world.fish[static_cast<size_t>(fish.route.leader)];
-            EXPECT_EQ(partner.species, fish.species);
-            ++all;
-            near += glm::distance(fish.position, partner.position) < 3 * kind.length_m;
-        }
-    }
-    ASSERT_GT(all, 0);
-    EXPECT_GT(near, 0.9 * all);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Companions, testing::Values(1, 2, 3));
@@ -141,24 +127,17 @@ TEST(Shoal, OfSevenKindsAndFortyFishKeepsApart) {
     EXPECT_EQ(file.schools.size(), 7u);
     test::OpenDive world(species, file, 8);
     EXPECT_EQ(world.fish.size(), 40u);
-    float nearest = 1;
     int touching = 0, pairs = 0;
     for (int i = 0; i < 600; ++i) {
         world.run(0.1f);
         for (size_t a = 0; a < world.fish.size(); ++a)
             for (size_t b = 0; b < a; ++b) {
-                const auto body = [&](const Fish& f) {
-                    const Species& kind = species[f.species];
-                    const glm::vec3 half = f.forward * kind.bodyHalf_m;
-                    return physics::Capsule{f.position - half, f.position + half, kind.bodyRadius_m};
-                };
-                const float gap = physics::separation(body(world.fish[a]), body(world.fish[b]));
-                nearest = std::min(nearest, gap);
-                touching += gap < 0;
+                const Fish &first = world.fish[a], &second = world.fish[b];
+                touching += physics::separation(capsuleOf(first, species[first.species]),
+                                                capsuleOf(second, species[second.species])) < 0;
                 ++pairs;
             }
     }
-    std::printf("nearest %.3f m, touching %.4f %%\n", nearest, 100.0 * touching / pairs);
     EXPECT_LT(touching, pairs / 5000);
 }
 
