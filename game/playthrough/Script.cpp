@@ -74,10 +74,7 @@ ScriptExpect readExpect(TomlTable& table) {
     if (const auto* order = table.list("order"))
         for (const toml::node& node : *order) {
             const auto kind = findEvent(node.value<std::string>().value_or(""));
-            if (!kind) {
-                table.complain("order", "must list names of events");
-                break;
-            }
+            if (!kind) table.complain("order", "must list names of events");
             expect.order.push_back(*kind);
         }
     return expect;

@@ -19,8 +19,9 @@ struct Route {
     glm::vec3 wander{0}, wanderGoal{0};
     int wanderTicks = 0;   // ticks until it chooses another direction to wander
     int changeTicks = 0;   // ticks until it chooses another radius and height
-    float speedFactor = 1; // on the cruising speed: solitary fish linger at times
+    float speedFactor = 1; // factor on the cruising speed: solitary fish linger at times
     bool gliding = false;  // between two bursts of its tail
+
     void follow(const Route& other) {
         radius = other.radius;
         height = other.height;
@@ -28,6 +29,7 @@ struct Route {
     }
 };
 
+// The flight of a frightened fish, and its readiness to be frightened.
 struct Flight {
     float left_s = 0;
     float spent_s = 0;          // 0: it does not flee
@@ -42,7 +44,7 @@ struct FishHold {
     float time_s = 0;
     bool counted = false; // it has become a catch
     glm::quat palmFromBody{1, 0, 0, 0}, palmFromBodyGoal{1, 0, 0, 0};
-    glm::vec3 palmOffset{0}; // from the grasp centre, palm's frame
+    glm::vec3 palmOffset{0}; // offset from the grasp centre, palm's frame
     glm::vec3 slide{0};      // velocity of its slipping, m/s, palm's frame
     float slid_m = 0;        // how far it has slipped since the grip was last firm
     float struggle = 0;      // strength of its wriggling as the hand feels it, 0 to 1
@@ -69,8 +71,8 @@ struct Fish : Swimmer {
     Route route;
 
     // Velocities added to its own swimming, m/s.
-    glm::vec3 push{0};       // from hands and neighbours; fades within a second
-    glm::vec3 separation{0}; // out of a hand that it overlaps; lasts one tick
+    glm::vec3 push{0};       // caused by hands and neighbours; fades within a second
+    glm::vec3 separation{0}; // leads out of a hand that it overlaps; lasts one tick
 
     State state = State::Cruise;
     Flight flight;

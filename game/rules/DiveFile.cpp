@@ -46,17 +46,16 @@ Species readOne(TomlTable& table) {
     return s;
 }
 
-// Returns the index of the table's species; -1, with a complaint, if it is not known or of another kind.
+// Returns the index of the table's species, which must be known and of that kind.
 int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark = false, bool giant = false) {
     std::string name;
     table.need("species");
     table.text("species", name);
     const int index = findSpecies(known, name);
-    if (index < 0)
-        table.complain("species", "is not known: \"" + name + "\"");
-    else if (known[index].shark != shark)
+    if (index < 0) table.complain("species", "is not known: \"" + name + "\"");
+    if (known[index].shark != shark)
         table.complain("species", shark ? "must be a shark" : "must not be a shark");
-    else if (known[index].giant != giant)
+    if (known[index].giant != giant)
         table.complain("species", giant ? "must be a giant" : "must not be a giant");
     return index;
 }
@@ -82,10 +81,8 @@ SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
         if (visits->size() > kMaxVisits) table.complain("visits", "holds more than 100 times");
         for (const toml::node& node : *visits) {
             const auto at = numberIn(node, 0, 3600);
-            if (!at || (!shark.visits_s.empty() && *at <= shark.visits_s.back())) {
+            if (!at || (!shark.visits_s.empty() && *at <= shark.visits_s.back()))
                 table.complain("visits", "must be rising times in seconds");
-                break;
-            }
             shark.visits_s.push_back(*at);
         }
     }

@@ -66,7 +66,7 @@ struct Hand {
     glm::vec3 ownVelocity{0};      // the same relative to the head, without the help's part
     glm::vec3 calmAcceleration{0}; // derivative of calmVelocity, smoothed, m/s2
     float grip = 0;                // 0 open to 1 fist
-    std::array<TouchView, hands::kHandParts> touching{}; // what each finger and the palm feel
+    std::array<TouchView, hands::kHandParts> touching{}; // felt by each finger and the palm
     Grasp grasp;
     Intent intent;
     FingerWrap fingers;

@@ -16,8 +16,6 @@ TEST(MousePlay, CatchesFishWithPointingAndClicking) {
         for (uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
             dive->script.seed = seed;
             const Played played = playScript(dive->script, tests::rig(), dive->files);
-            std::printf("seed %d: %d caught, %d lost, %d points\n", static_cast<int>(seed), played.end.caught,
-                        played.end.lost, played.end.score);
             EXPECT_GE(played.end.caught, 5) << "seed " << seed;
             EXPECT_LT(played.end.caught, 60) << "seed " << seed;
             sum += played.end.caught;

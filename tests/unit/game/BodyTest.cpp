@@ -106,23 +106,6 @@ TEST(Facing, FishLookWhereTheyGo) {
     EXPECT_LT(off, 0.005 * all); // fish that others push
 }
 
-TEST(Facing, NothingComesNearTheEyes) {
-    for (uint64_t seed : {1, 2, 3, 4}) {
-        test::OpenDive world(cove().species, cove().dive, seed);
-        Events events;
-        float nearest = 10;
-        for (int i = 0; i < 90 * 120; ++i) {
-            world.step({}, events);
-            for (const Fish& fish : world.fish) {
-                const float half = 0.5f * world.species()[fish.species].length_m;
-                const float along = std::clamp(-glm::dot(fish.position, fish.forward), -half, half);
-                nearest = std::min(nearest, glm::length(fish.position + fish.forward * along));
-            }
-        }
-        EXPECT_GT(nearest, 0.35f) << "seed " << seed;
-    }
-}
-
 // Domenici & Blake 1997: the body snaps into a C, turns away, drives off.
 TEST(Flight, BeginsWithACThenSpeedsAwayThenCalmsDown) {
     for (const glm::vec3 from : {glm::vec3(0.2f, 0, 0), glm::vec3(0, 0, 0.2f), glm::vec3(0.15f, 0, 0.15f)}) {

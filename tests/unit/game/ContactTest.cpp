@@ -370,28 +370,6 @@ TEST(Contact, NoFingerJumpsWhenAFistLosesItsFish) {
         EXPECT_LT(glm::distance(before[j].position, one.world.hands[1].joints[j].position), 1e-3f);
 }
 
-TEST(Contact, AGentleStrokeIsFeltForAsLongAsItLasts) {
-    OneFish one;
-    const glm::vec3 left = kPlace - glm::vec3(0.3f, 0, 0.02f);
-    one.hand(left);
-    one.rest();
-    int felt = 0;
-    float fastest = 0;
-    for (int i = 0; i <= 160; ++i) {
-        one.input.hands[1] = handAt(left + glm::vec3(0.2f * static_cast<float>(i) / 120, 0, 0));
-        one.rest();
-        one.step();
-        for (const TouchView& touch : one.world.hands[1].touching) {
-            if (!touch.touches) continue;
-            ++felt;
-            fastest = std::max(fastest, touch.press_mps);
-            EXPECT_EQ(touch.struggle, 0) << "it is not held";
-        }
-    }
-    EXPECT_GT(felt, 10);
-    EXPECT_LT(fastest, 0.3f) << "as slow as the hand";
-}
-
 // Ten minutes of two hands thrashing about among all fish: every speed bounded, and what the last minute has
 // of kinetic energy is what the second had. Then the hands leave, and the fish calm down to their cruising.
 TEST(Contact, EnergyNeverGrowsFromNothingInTenMinutesOfThrashing) {

@@ -39,7 +39,6 @@ TEST(Intent, WhatIsShownAsCatchableIsCaughtByAHandThatCloses) {
                     one.close(kPlace);
                     caught += one.took();
                 }
-    std::printf("%d of %d caught\n", caught, shown);
     EXPECT_GT(shown, 60);
     EXPECT_EQ(caught, shown);
 }

@@ -18,7 +18,8 @@ struct Statistics {
     float minUpright = 1, fastest = 0;
     int samples = 0, outOfBand = 0;
     float lowest = 10, highest = -10;
-    double inReach = 0; // mean number of fish 0.4 to 1.2 m away within 45 degrees of ahead
+    float nearestEyes = 10; // least distance of a fish's axis from the eyes, m
+    double inReach = 0;     // mean number of fish 0.4 to 1.2 m away within 45 degrees of ahead
     float sharkNearest = 100, sharkNoseNearest = 100, sharkFastest = 0;
     float largestStep = 0;
 };
@@ -62,6 +63,9 @@ Statistics swimFor(const DiveFiles& files, uint64_t seed, int seconds) {
                            c.position.y > school.heightHigh_m + 0.25f;
             s.lowest = std::min(s.lowest, c.position.y);
             s.highest = std::max(s.highest, c.position.y);
+            const float half = 0.5f * c.length,
+                        along = std::clamp(-glm::dot(c.position, forward), -half, half);
+            s.nearestEyes = std::min(s.nearestEyes, glm::length(c.position + forward * along));
             const float distance = glm::length(c.position);
             s.inReach += distance > 0.4f && distance < 1.2f && c.position.z < -0.7f * distance;
             for (size_t j = 0; j < i; ++j) {
@@ -90,6 +94,7 @@ void expectSwimWell(const Statistics& s, const DiveFile& dive) {
     EXPECT_GT(s.lowest, dive.floor_m);
     EXPECT_LT(s.highest, 1.3f);
     EXPECT_GT(s.inReach, 1.0) << "there should nearly always be something to catch ahead";
+    EXPECT_GT(s.nearestEyes, 0.35f);
     EXPECT_GT(s.sharkNoseNearest, 0.5f);
     EXPECT_LT(s.largestStep, 3.2f / 120) << "nobody jumps";
 }
