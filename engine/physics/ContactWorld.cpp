@@ -161,12 +161,12 @@ glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact> contacts) {
     return solve(velocity, contacts, [](const Contact& c) { return glm::dot(c.moverVelocity, c.normal); });
 }
 
-glm::vec3 parting(std::span<const Contact> contacts) {
+glm::vec3 separating(std::span<const Contact> contacts) {
     const glm::vec3 velocity = solve(glm::vec3(0), contacts, [](const Contact& c) {
         if (!c.lasting) return 0.0f;
         return std::min(kPartRate_Hz * std::max(0.0f, c.depth - kPartSlop_m), kPartMax_mps);
     });
-    const float speed = glm::length(velocity); // in a wedge it exceeds what a single contact asks
+    const float speed = glm::length(velocity); // a wedge makes it exceed what a single contact asks
     return speed > kPartMax_mps ? velocity * (kPartMax_mps / speed) : velocity;
 }
 

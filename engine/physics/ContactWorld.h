@@ -16,9 +16,10 @@ namespace shoal::physics {
 // A kinematic capsule that moves from one place to another during the tick.
 struct Mover {
     Capsule before, after;
-    glm::vec3 velocityA{0}, velocityB{0}; // of its ends, for pushing; steadier than its path in the tick
-    int group = 0;                        // index of the hand
-    int tag = 0;                          // index of the bone
+    glm::vec3 velocityA{0},
+        velocityB{0}; // velocities of its ends, for pushing; steadier than its path in the tick
+    int group = 0;    // index of the hand
+    int tag = 0;      // index of the bone
 };
 
 struct Body {
@@ -56,6 +57,6 @@ glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact>);
 
 // Returns the velocity that separates overlapping capsules, to be used for one tick and not kept. At most
 // kPartMax_mps where contacts agree, and almost 0 where they contradict one another.
-glm::vec3 parting(std::span<const Contact>);
+glm::vec3 separating(std::span<const Contact>);
 
 } // namespace shoal::physics

@@ -16,9 +16,9 @@ namespace shoal::physics {
 // nothing stops; this finger is shown, and grips.
 struct Finger {
     std::array<glm::vec3, hands::kMaxFingerJoints> joints{}; // world, from the metacarpal to the tip
-    std::array<float, hands::kMaxFingerJoints> radii{}; // of the bone that ends there; the first is unused
-    std::array<glm::quat, hands::kMaxFingerJoints>
-        turned{}; // rotation from the given finger to the wrapped one, by bone's end
+    std::array<float, hands::kMaxFingerJoints>
+        radii{}; // radius of the bone that ends there, from the second on
+    std::array<glm::quat, hands::kMaxFingerJoints> turned{}; // rotation of that bone from the given finger's
     std::array<bool, hands::kMaxFingerJoints> touches{}; // whether the bone that ends there rests on the body
     int count = hands::kMaxFingerJoints;                 // number of joints
 };

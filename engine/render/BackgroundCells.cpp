@@ -120,7 +120,7 @@ void BackgroundCells::addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& ray
 }
 
 void BackgroundCells::make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size,
-                           const FilmSpace& film) {
+                           const FilmParallax& film) {
     const Rays rays{view.halfExtent(), view.shift, envFromRay, size, film};
     findEdges(rays.half.x, size.x, columns_);
     findEdges(rays.half.y, size.y, rows_);

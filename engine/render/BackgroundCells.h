@@ -17,7 +17,7 @@
 namespace shoal::render {
 
 // A film with the distances of what it shows, and the position of the eye that looks at it.
-struct FilmSpace {
+struct FilmParallax {
     const depth::DepthMap* depth = nullptr; // widened (depth::widenNear()); null: infinitely far
     glm::vec3 eyeInFilm{0};                 // env frame, from the film's camera
 };
@@ -42,7 +42,7 @@ class BackgroundCells {
   public:
     // size: in pixels. Allocates only if there are more cells than ever before.
     void make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size,
-              const FilmSpace& film = {});
+              const FilmParallax& film = {});
 
     std::span<const BackgroundCell> all() const { return cells_; } // row by row
     int rows() const { return static_cast<int>(rowBegins_.size()) - 1; }
@@ -60,7 +60,7 @@ class BackgroundCells {
         glm::vec2 half{1}, shift{0};
         glm::mat3 envFromRay{1};
         glm::vec2 size{1};
-        FilmSpace film;
+        FilmParallax film;
         glm::vec3 direction(const glm::vec2& pixel) const;
         Corner at(const glm::vec2& pixel) const; // looks up the parallax in the film's distances
         Corner at(const glm::vec2& pixel, const glm::vec3& parallax) const;

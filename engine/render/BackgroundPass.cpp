@@ -60,7 +60,7 @@ void BackgroundPass::want(const FrameTiles& tiles, const BackgroundCell& cell) {
 }
 
 Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) {
-    cells_.make(picture.view, picture.envFromEye(), picture.size(), picture.filmSpace());
+    cells_.make(picture.view, picture.envFromEye(), picture.size(), picture.filmParallax());
     drawn_.clear();
     for (const BackgroundCell& cell : cells_.all())
         drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});

@@ -58,7 +58,7 @@ class Compositor {
     // An eye beside the film's camera sees texels and objects each moved by their own distance: objects then
     // lie in no texel.
     bool drawsIntoTexels(const EyePicture& picture) const {
-        return mayDrawIntoTexels() && showsFilm(picture) && !picture.filmSpace().depth;
+        return mayDrawIntoTexels() && showsFilm(picture) && !picture.filmParallax().depth;
     }
     glm::ivec2 layerSize(const EyePicture& picture) const;
     bool usesLayer(const EyePicture& picture) const;

@@ -35,7 +35,7 @@ struct EyePicture {
     // Returns the shadows if there are any, else null.
     const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }
     // Returns the film's distances and the eye's position; no distances if the eye sees what the camera saw.
-    FilmSpace filmSpace() const {
+    FilmParallax filmParallax() const {
         if (eyeInFilm == glm::vec3(0) || !environment.widenedDepth()) return {};
         return {environment.widenedDepth(), eyeInFilm};
     }

@@ -1,4 +1,4 @@
-// From display time to simulation ticks of exactly 1/120 s.
+// Turns display time into simulation ticks of exactly 1/120 s.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ constexpr float kTick_s = 1.0f / kTickRate_Hz;
 // exactly floor(120 T) ticks, whatever their lengths.
 class FixedStep {
   public:
-    static constexpr double kMaxCatchUp_s =
-        0.5; // more is forgotten: after a breakpoint the game does not race
+    // Longer times are forgotten: after a breakpoint the game does not race.
+    static constexpr double kMaxCatchUp_s = 0.5;
 
     // Adds the time since the last call, seconds; negative or not finite counts as 0. Returns how many ticks
     // to run now, at most 60.
@@ -28,7 +28,7 @@ class FixedStep {
         return static_cast<int>(ticks);
     }
 
-    // How far display time is past the last tick, in ticks: 0 inclusive to 1 exclusive.
+    // Returns the time since the last tick, in ticks: 0 inclusive to 1 exclusive.
     float alpha() const {
         return std::min(static_cast<float>(static_cast<double>(rest_) / static_cast<double>(kTick)),
                         0x1.fffffep-1f);

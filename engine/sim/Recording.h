@@ -24,7 +24,7 @@ struct RecordingHeader {
     uint64_t seed = 0;
     std::string dive;        // name of content/dives/NAME.toml
     uint32_t inputBytes = 0; // per tick; 1 to 65536
-    // What else the simulation was set up with, by name. At most 64.
+    // Other settings of the simulation, by name. At most 64.
     std::map<std::string, std::string> settings{};
 
     bool operator==(const RecordingHeader&) const = default;
@@ -47,8 +47,8 @@ class RecordingWriter {
 
     GrowingFile file_;
     std::vector<uint8_t> before_; // the last tick's input
-    std::string body_;            // of the present block, not yet packed
-    uint32_t ticks_ = 0;          // in it
+    std::string body_;            // the present block, not yet packed
+    uint32_t ticks_ = 0;          // ticks of the present block
 };
 
 struct RecordedTick {
@@ -76,7 +76,7 @@ class RecordingReader {
   private:
     struct Block {
         uint32_t ticks;
-        std::span<const uint8_t> packed; // of bytes
+        std::span<const uint8_t> packed; // a part of `bytes`
     };
     struct File {
         Path path;
@@ -93,9 +93,9 @@ class RecordingReader {
     std::shared_ptr<const File> file_;
     uint64_t position_ = 0;
     size_t block_ = 0;           // the next one to unpack
-    std::vector<uint8_t> body_;  // of the present block, unpacked
-    size_t at_ = 0;              // in it
-    std::vector<uint8_t> input_; // of the last tick read
+    std::vector<uint8_t> body_;  // the present block, unpacked
+    size_t at_ = 0;              // bytes of it that have been read
+    std::vector<uint8_t> input_; // input of the last tick read
 };
 
 // Fails, naming the tick, where the hash of its state now is not the recorded one.

@@ -11,13 +11,12 @@ namespace {
 
 constexpr int kMaxSteps = 1000, kMaxExpects = 200;
 
-constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "hold",    "open", "look",
-                                                  "wait",  "wave",  "hover", "offer",   "rest", "restart",
-                                                  "pause", "point", "press", "release", "again"};
-
+constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "open",  "wave",   "hover",
+                                                  "offer", "rest",  "hold",  "look",  "wait",   "restart",
+                                                  "pause", "again", "point", "press", "release"};
 constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
-constexpr std::array<const char*, 2> kAtNames = {"shark", "fish"};
 constexpr std::array<const char*, 2> kWaterNames = {"open", "film"};
+constexpr std::array<const char*, 3> kAtNames = {"given", "shark", "fish"};
 
 constexpr auto kEventNames = [] {
     std::array<const char*, kEventRows.size()> names{};
@@ -25,26 +24,14 @@ constexpr auto kEventNames = [] {
     return names;
 }();
 
-template <class E>
-void readChoice(TomlTable& table, std::string_view key, std::span<const char* const> names,
-                std::optional<E>& value) {
-    if (const auto index = table.choice(key, names)) value = static_cast<E>(*index);
-}
-
-void readCount(TomlTable& table, std::string_view key, std::optional<int>& value) {
-    if (!table.has(key)) return;
-    table.whole(key, value.emplace(), 0, 1'000'000);
-}
-
 ScriptStep readStep(TomlTable& table, int number) {
     ScriptStep step;
     step.line = table.line();
     table.need("do");
-    if (const auto what = table.choice("do", kDoNames)) step.what = static_cast<ScriptStep::Do>(*what);
-    if (const auto hand = table.choice("hand", kHandNames)) step.hand = static_cast<int>(*hand);
+    table.choice("do", kDoNames, step.what);
+    table.choice("hand", kHandNames, step.hand);
     table.text("kind", step.kind);
-    const auto at = table.choice("at", kAtNames);
-    step.atShark = at == 0, step.atFish = at == 1;
+    table.choice("at", kAtNames, step.at);
     table.triple("offset", step.offset, -2, 2);
     table.triple("to", step.to, -2, 2);
     table.number("x", step.pointer_px.x, 0, 1280);
@@ -59,9 +46,9 @@ ScriptStep readStep(TomlTable& table, int number) {
     step.yaw = yaw_deg * kDegree;
     step.pitch = pitch_deg * kDegree;
     table.number("timeout", step.timeout_s, 0, 3600);
-    readChoice(table, "until", kEventNames, step.until);
-    readChoice(table, "unless", kEventNames, step.unless);
-    readChoice(table, "phase", kPhaseNames, step.phase);
+    table.choice("until", kEventNames, step.until);
+    table.choice("unless", kEventNames, step.unless);
+    table.choice("phase", kPhaseNames, step.phase);
     table.whole("from", step.from, 1, kMaxSteps);
     table.whole("times", step.times, 1, 1000);
     if (step.what == ScriptStep::Do::Again && step.from >= number)
@@ -73,26 +60,21 @@ ScriptStep readStep(TomlTable& table, int number) {
 ScriptExpect readExpect(TomlTable& table) {
     ScriptExpect expect;
     expect.line = table.line();
-    readCount(table, "caught", expect.caught);
-    readCount(table, "score_at_least", expect.scoreAtLeast);
-    readCount(table, "lost", expect.lost);
-    readCount(table, "combo_at_least", expect.comboAtLeast);
+    for (size_t i = 0; i < kEndValues.size(); ++i)
+        if (const char* key = kEndValues[i].key; table.has(key))
+            table.whole(key, expect.atEnd[i].emplace(), 0, 1'000'000);
     if (table.has("fish_above")) table.number("fish_above", expect.fishAbove_m.emplace(), -10, 10);
-    if (const auto water = table.choice("water", kWaterNames))
-        expect.water = *water == 0 ? ScriptExpect::Water::Open : ScriptExpect::Water::Film;
-    readChoice(table, "event", kEventNames, expect.event);
-    readChoice(table, "never", kEventNames, expect.never);
-    readChoice(table, "phase", kPhaseNames, expect.phase);
+    table.choice("water", kWaterNames, expect.water);
+    table.choice("event", kEventNames, expect.event);
+    table.choice("never", kEventNames, expect.never);
+    table.choice("phase", kPhaseNames, expect.phase);
     table.whole("count", expect.count, 1, 1'000'000);
     table.number("after", expect.after_s, 0, 3600);
     table.number("before", expect.before_s, 0, 3600);
     if (const auto* order = table.list("order"))
         for (const toml::node& node : *order) {
             const auto kind = findEvent(node.value<std::string>().value_or(""));
-            if (!kind) {
-                table.complain("order", "must list names of events");
-                break;
-            }
+            if (!kind) table.complain("order", "must list names of events");
             expect.order.push_back(*kind);
         }
     return expect;
@@ -112,8 +94,7 @@ Result<Script> loadScript(const Path& path) {
             root.complain("dive",
                           "must be the name of a dive, or \"./\" and the path of a dive file from here");
         root.text("film", script.film);
-        const auto assist = root.choice("assist", EnumNames<Assist>::kNames);
-        if (assist) script.rules.assist = static_cast<Assist>(*assist);
+        root.choice("assist", EnumNames<Assist>::kNames, script.rules.assist);
         root.flag("seated", script.rules.seated);
         root.flag("free", script.rules.freeSwim);
         root.whole("seed", script.seed, 0, INT64_MAX);
@@ -126,17 +107,8 @@ Result<Script> loadScript(const Path& path) {
                     [&](TomlTable& table) { script.expects.push_back(readExpect(table)); });
     });
     if (!read) return read.error();
-    const auto points = [](const ScriptStep& step) {
-        return step.what >= ScriptStep::Do::Point && step.what <= ScriptStep::Do::Release;
-    };
-    using Do = ScriptStep::Do;
-    constexpr std::array kOfHands = {Do::Reach, Do::Move,  Do::Close, Do::Open,
-                                     Do::Wave,  Do::Hover, Do::Offer, Do::Rest};
-    const bool holds = std::ranges::any_of(script.steps, [&](const ScriptStep& step) {
-        return std::ranges::find(kOfHands, step.what) != kOfHands.end();
-    });
-    script.points = std::ranges::any_of(script.steps, points);
-    if (script.points && holds)
+    script.usesMouse = std::ranges::any_of(script.steps, &ScriptStep::movesMouse);
+    if (script.usesMouse && std::ranges::any_of(script.steps, &ScriptStep::movesHand))
         return Error{path.string(), "moves both the mouse and hands: a script has either"};
     return script;
 }

@@ -15,32 +15,38 @@ namespace shoal::game {
 
 struct ScriptStep {
     enum class Do {
-        Reach,   // bring a hand to the nearest fish (of `kind`), or to `offset` from it, until it is there
-        Move,    // bring a hand to the place `to`, with `speed`
-        Close,   // close a hand (and keep following the fish just reached for)
+        // Steps of a hand:
+        Reach, // bring it to the nearest fish (of `kind`), or to `offset` from it, until it is there
+        Move,  // bring it to the place `to`, with `speed`
+        Close, // close it (and keep following the fish just reached for)
+        Open,
+        Wave,  // swing it 0.5 m to both sides of where it is at `speed` m/s for `seconds`
+        Hover, // bring it in the shark's way, for `seconds`
+        Offer, // bring the held fish as near to the shark as the hand reaches, for `seconds`
+        Rest,  // take it back to the side
+        // Steps of either:
         Hold,    // wait `seconds` with hands as they are
-        Open,    // open a hand
         Look,    // turn towards yaw and pitch, or `at` "shark"
         Wait,    // `seconds`, `until` an event of that name, until the `phase`, or until a fish is `near` the
                  // hand
-        Wave,    // swing a hand 0.5 m to both sides of where it is at `speed` m/s for `seconds`
-        Hover,   // bring a hand in the shark's way, for `seconds`
-        Offer,   // bring the held fish as near to the shark as the hand reaches, for `seconds`
-        Rest,    // take a hand back to the side
         Restart, // a new dive
         Pause,   // for `seconds`
-        Point,   // move the mouse to `x` and `y`, or after the nearest fish (of `kind`) until the hand has it
-        Press,   // the mouse's button
+        Again,   // back to step number `from` (1 is the first), at most `times`, unless event `unless` has
+                 // occurred
+        // Steps of the mouse:
+        Point, // move it to `x` and `y`, or after the nearest fish (of `kind`) until the mouse's hand has it
+        Press, // the button
         Release,
-        Again, // back to step number `from` (1 is the first), at most `times`, unless event `unless` has
-               // occurred
     };
+    bool movesHand() const { return what <= Do::Rest; }
+    bool movesMouse() const { return what >= Do::Point; }
+
     Do what = Do::Wait;
     int line = 0; // line in the file
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
-    bool atShark = false;           // look at the shark, instead of yaw and pitch
-    bool atFish = false;            // point at a fish, instead of x and y
+    enum class At { Given, Shark, Fish };
+    At at = At::Given;              // looks at the shark, or points at a fish, instead of the numbers below
     glm::vec3 offset{0}, to{0};     // viewer's frame, metres
     glm::vec2 pointer_px{640, 360}; // place in a window of 1280x720: +x right, +y down
     float near_m = 0;
@@ -54,11 +60,21 @@ struct ScriptStep {
     bool optional = false; // a timeout goes on to the next step instead of failing
 };
 
+// A number at the script's end that an expectation names by its key.
+struct EndValue {
+    const char* key;
+    int Snapshot::*value;
+    bool isLeast; // the expected number is the least that will do
+};
+constexpr std::array kEndValues = {
+    EndValue{"caught", &Snapshot::caught, false}, EndValue{"score_at_least", &Snapshot::score, true},
+    EndValue{"lost", &Snapshot::lost, false}, EndValue{"combo_at_least", &Snapshot::bestCombo, true}};
+
 struct ScriptExpect {
     int line = 0;
-    enum class Water { Any, Open, Film };
-    Water water = Water::Any; // expected only in open water, or only in the room of a film
-    std::optional<int> caught, scoreAtLeast, lost, comboAtLeast; // values at the script's end
+    enum class Water { Open, Film };
+    std::optional<Water> water; // expected only in open water, or only in the room of a film
+    std::array<std::optional<int>, kEndValues.size()> atEnd;
     std::optional<float> fishAbove_m; // least height of all fish, relative to the eyes
     std::optional<EventKind> event;   // an event that occurs at least `count` times in the given time
     std::optional<EventKind> never;   // an event that does not occur at all
@@ -76,7 +92,7 @@ struct Script {
     uint64_t seed = 1;
     DiveRules rules; // a player's defaults, changed by the file
     float timeout_s = 120;
-    bool points = false; // moves the mouse in place of hands
+    bool usesMouse = false; // in place of hands
     std::vector<ScriptStep> steps;
     std::vector<ScriptExpect> expects;
 };
@@ -119,16 +135,14 @@ class ScriptRun {
         float time_s;
     };
 
+    std::string unmet(const ScriptExpect&) const;
     void performStep(const Snapshot&, TickInput&);
     bool perform(const ScriptStep&, const Snapshot&, TickInput&);
     bool reach(const ScriptStep&, const Snapshot&);
     bool look(const ScriptStep&, const Snapshot&, float spent_s);
     bool point(const ScriptStep&, const Snapshot&);
     void movePointer(glm::vec2 goal_px);
-    void feedMouse(const Snapshot&, TickInput&);
     bool wait(const ScriptStep&, const Snapshot&, float spent_s) const;
-    void wave(const ScriptStep&, const Snapshot&, float spent_s);
-    void meetShark(const ScriptStep&, const Snapshot&);
     void advance(size_t to);
     void moveHand(int hand, glm::vec3 goalWorld, float speed);
     void lookTowards(glm::vec3 directionWorld);
@@ -146,9 +160,9 @@ class ScriptRun {
     float yaw_ = 0, pitch_ = 0;
     size_t step_ = 0;
     uint64_t tick_ = 0, stepBegan_ = 0;
-    size_t seenAtStep_ = 0;
+    size_t occurredAtStep_ = 0;
     std::vector<int> repeats_;
-    std::vector<Occurred> seen_;
+    std::vector<Occurred> occurred_;
     Snapshot last_;
     float lowestFish_m_ = 1e9f;
     Hash hash_;

@@ -5,6 +5,8 @@
 #include "game/rules/Steering.h"
 #include "input/hands/MouseHands.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,7 +26,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 // The window that a script's mouse points into, with the game's field of view.
 constexpr glm::vec2 kHalfWindow_px(640, 360);
 constexpr float kWindowFov = 65 * kPi / 180;
-constexpr float kSeenReach_m = 1.4f;
+constexpr float kVisibleReach_m = 1.4f;
 constexpr float kMouseThere_m = 0.07f; // distance at which the mouse's hand is seen to be at a fish
 
 glm::vec3 withinReach(glm::vec3 p) {
@@ -35,18 +37,10 @@ glm::vec3 withinReach(glm::vec3 p) {
 
 glm::vec3 restingView(int hand) { return {hand == 0 ? -0.24f : 0.24f, -0.34f, -0.38f}; }
 
-bool isShark(const CreatureView& creature, const SpeciesTable& species) {
-    return species[creature.species].shark;
-}
-
 const CreatureView* sharkOf(const Snapshot& now, const SpeciesTable& species) {
     for (const CreatureView& creature : now.creatures)
-        if (isShark(creature, species)) return &creature;
+        if (species[creature.species].shark) return &creature;
     return nullptr;
-}
-
-glm::vec3 mouthOf(const CreatureView& shark) {
-    return shark.position + shark.worldFromBody * glm::vec3(0, 0, 0.46f * shark.length);
 }
 
 bool isFree(const CreatureView& creature, const ScriptStep& step, const SpeciesTable& species) {
@@ -68,9 +62,9 @@ glm::vec2 pixelOf(glm::vec3 view) {
 }
 
 // Returns the nearest fish within reach and well inside the window; -1: none.
-int chooseSeen(const ScriptStep& step, const Snapshot& now, const SpeciesTable& species) {
+int chooseVisible(const ScriptStep& step, const Snapshot& now, const SpeciesTable& species) {
     int best = -1;
-    float nearest = kSeenReach_m;
+    float nearest = kVisibleReach_m;
     for (const CreatureView& creature : now.creatures) {
         const glm::vec3 view = glm::conjugate(now.worldFromView) * creature.position;
         const glm::vec2 fromMiddle = glm::abs(pixelOf(view) / kHalfWindow_px - 1.0f);
@@ -88,7 +82,7 @@ int chooseSeen(const ScriptStep& step, const Snapshot& now, const SpeciesTable& 
 ScriptRun::ScriptRun(Script script, hands::HandRig rig, SpeciesTable species, bool inFilm)
     : script_(std::move(script)), rig_(std::move(rig)), species_(std::move(species)), inFilm_(inFilm),
       mouse_(rig_), repeats_(script_.steps.size(), 0) {
-    seen_.reserve(4096);
+    occurred_.reserve(4096);
     mouseInput_.fovY = kWindowFov;
 }
 
@@ -160,7 +154,7 @@ bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
 bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s) {
     glm::vec3 direction(math::sine(step.yaw) * math::cosine(step.pitch), math::sine(step.pitch),
                         -math::cosine(step.yaw) * math::cosine(step.pitch));
-    if (const CreatureView* shark = step.atShark ? sharkOf(now, species_) : nullptr)
+    if (const CreatureView* shark = step.at == ScriptStep::At::Shark ? sharkOf(now, species_) : nullptr)
         direction = shark->position;
     lookTowards(direction);
     const glm::vec3 ahead = now.worldFromView * glm::vec3(0, 0, -1);
@@ -172,51 +166,33 @@ bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s)
     if (step.near_m > 0)
         return spent_s >= step.seconds && isNear(now, hands_[step.hand].graspWorld, step.near_m, species_);
     if (!step.until) return spent_s >= step.seconds;
-    for (size_t i = seenAtStep_; i < seen_.size(); ++i)
-        if (seen_[i].kind == *step.until) return true;
+    for (size_t i = occurredAtStep_; i < occurred_.size(); ++i)
+        if (occurred_[i].kind == *step.until) return true;
     return false;
 }
 
 // Moves the pointer as a person does: at most two half windows a second, slower near the goal.
 void ScriptRun::movePointer(glm::vec2 goal_px) {
     const glm::vec2 way = goal_px / kHalfWindow_px * glm::vec2(1, -1) + glm::vec2(-1, 1) - mouseInput_.cursor;
-    const float length = glm::length(way), step = std::min(2.0f, 4 * length + 0.05f) * kDt;
-    mouseInput_.cursor += length > step ? way * (step / length) : way;
+    const float length = glm::length(way), farthest = std::min(2.0f, 4 * length + 0.05f) * kDt;
+    mouseInput_.cursor += length > farthest ? way * (farthest / length) : way;
 }
 
 // Points at a place, or at a fish, another after three seconds. Returns whether pointer or hand is there.
 bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
-    if (!step.atFish) {
+    if (step.at != ScriptStep::At::Fish) {
         movePointer(step.pointer_px);
-        const glm::vec2 apart =
-            (mouseInput_.cursor + glm::vec2(1, -1)) * glm::vec2(1, -1) * kHalfWindow_px - step.pointer_px;
-        return glm::length(apart) < 1;
+        const glm::vec2 pointer_px = (mouseInput_.cursor * glm::vec2(1, -1) + 1.0f) * kHalfWindow_px;
+        return glm::distance(pointer_px, step.pointer_px) < 1;
     }
     ScriptHand& hand = hands_[1];
-    if (hand.target < 0 || (tick_ - stepBegan_) % 360 == 0) hand.target = chooseSeen(step, now, species_);
+    if (hand.target < 0 || (tick_ - stepBegan_) % 360 == 0) hand.target = chooseVisible(step, now, species_);
     if (hand.target < 0) return false;
     const CreatureView& fish = now.creatures[hand.target];
     constexpr float kLead_s = 0.2f;
     const glm::vec3 soon = glm::conjugate(now.worldFromView) * (fish.position + fish.velocity * kLead_s);
     movePointer(pixelOf(soon));
     return glm::distance(hands::graspCentre(now.hands[1].joints), fish.position) < kMouseThere_m;
-}
-
-// Swings the hand over 1 m about its place; a triangle wave, so the speed is constant.
-void ScriptRun::wave(const ScriptStep& step, const Snapshot& now, float spent_s) {
-    ScriptHand& hand = hands_[step.hand];
-    if (tick_ == stepBegan_) hand.anchor = hand.graspWorld;
-    const float way = std::fmod(spent_s * step.speed + 0.5f, 2.0f);
-    const float x = way < 1 ? way - 0.5f : 1.5f - way;
-    hand.graspWorld = hand.anchor + now.worldFromView * glm::vec3(x, 0, 0);
-}
-
-void ScriptRun::meetShark(const ScriptStep& step, const Snapshot& now) {
-    const CreatureView* shark = sharkOf(now, species_);
-    if (!shark) return;
-    lookTowards(shark->position);
-    const glm::vec3 aim = step.what == ScriptStep::Do::Hover ? shark->position : mouthOf(*shark);
-    moveHand(step.hand, aim, kHandSpeed_mps);
 }
 
 // Performs a step for one tick. Returns whether it is done.
@@ -244,12 +220,21 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
         return look(step, now, spent_s);
     case Do::Wait:
         return wait(step, now, spent_s);
-    case Do::Wave:
-        wave(step, now, spent_s);
+    case Do::Wave: { // over 1 m, as a triangle wave, so that the speed is constant
+        if (tick_ == stepBegan_) hand.anchor = hand.graspWorld;
+        const float way = std::fmod(spent_s * step.speed + 0.5f, 2.0f);
+        const float x = way < 1 ? way - 0.5f : 1.5f - way;
+        hand.graspWorld = hand.anchor + now.worldFromView * glm::vec3(x, 0, 0);
         return spent_s >= step.seconds;
+    }
     case Do::Hover:
     case Do::Offer:
-        meetShark(step, now);
+        if (const CreatureView* shark = sharkOf(now, species_)) {
+            const float ahead_m = step.what == Do::Hover ? 0 : 0.46f * shark->length; // to its mouth
+            lookTowards(shark->position);
+            moveHand(step.hand, shark->position + shark->worldFromBody * glm::vec3(0, 0, ahead_m),
+                     kHandSpeed_mps);
+        }
         return spent_s >= step.seconds;
     case Do::Rest: {
         hand.target = -1;
@@ -278,7 +263,7 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
 void ScriptRun::advance(size_t to) {
     step_ = to;
     stepBegan_ = tick_;
-    seenAtStep_ = seen_.size();
+    occurredAtStep_ = occurred_.size();
     if (step_ >= script_.steps.size()) {
         finished_ = true;
         return;
@@ -296,23 +281,20 @@ void ScriptRun::performStep(const Snapshot& now, TickInput& out) {
     if (step.what == ScriptStep::Do::Again) {
         bool repeat = repeats_[step_] < step.times;
         if (step.unless)
-            for (const Occurred& seen : seen_) repeat = repeat && seen.kind != *step.unless;
+            for (const Occurred& event : occurred_) repeat = repeat && event.kind != *step.unless;
         if (repeat) ++repeats_[step_];
         advance(repeat ? static_cast<size_t>(step.from - 1) : step_ + 1);
     } else if (perform(step, now, out)) {
         advance(step_ + 1);
     } else if (spent_s > std::max(step.timeout_s, step.seconds + 1)) {
-        if (!step.optional) {
-            failure_ = "line " + std::to_string(step.line) + ": step " + std::to_string(step_ + 1) +
-                       " was not done in time";
-            finished_ = true;
-        } else
+        if (step.optional)
             advance(step_ + 1);
+        else
+            failure_ = fmt::format("line {}: step {} was not done in time", step.line, step_ + 1);
     }
-    if (!finished_ && static_cast<float>(tick_) * kDt > script_.timeout_s) {
-        failure_ = "the script's time was over at step " + std::to_string(step_ + 1);
-        finished_ = true;
-    }
+    if (failure_.empty() && !finished_ && static_cast<float>(tick_) * kDt > script_.timeout_s)
+        failure_ = fmt::format("the script's time was over at step {}", step_ + 1);
+    finished_ = finished_ || !failure_.empty();
 }
 
 void ScriptRun::next(const Snapshot& now, TickInput& out) {
@@ -327,8 +309,12 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     const glm::quat worldFromView =
         glm::normalize(math::rotationAbout(kUp, -yaw_) * math::rotationAbout(glm::vec3(1, 0, 0), pitch_));
     out.worldFromView = worldFromView;
-    if (script_.points) feedMouse(now, out);
-    for (int h = 0; h < 2 && !script_.points; ++h) {
+    if (script_.usesMouse) { // as the program does: help with depth, then the hand
+        mouseInput_.reach_m =
+            reach_.update(now, species_, rayThroughCursor(mouseInput_), mouse_.distance_m());
+        out.hands = mouse_.update(mouseInput_, kDt);
+    }
+    for (int h = 0; h < 2 && !script_.usesMouse; ++h) {
         ScriptHand& hand = hands_[h];
         hand.closed = towards(hand.closed, hand.closedGoal, kDt / kCloseTime_s);
         out.hands[h] = hands::reachingHand(rig_, h == 0 ? hands::Side::Left : hands::Side::Right,
@@ -337,16 +323,9 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     ++tick_;
 }
 
-// Moves the mouse's hand as the program does: help with depth, then the hand.
-void ScriptRun::feedMouse(const Snapshot& now, TickInput& out) {
-    const glm::vec3 ray = rayThroughCursor(mouseInput_);
-    mouseInput_.reach_m = reach_.update(now, species_, ray, mouse_.distance_m());
-    out.hands = mouse_.update(mouseInput_, kDt);
-}
-
 void ScriptRun::observe(const Events& events, uint64_t stateHash, const Snapshot& after) {
     hash_.add(stateHash);
-    for (const Event& event : events) seen_.push_back({event.kind, static_cast<float>(tick_) * kDt});
+    for (const Event& event : events) occurred_.push_back({event.kind, static_cast<float>(tick_) * kDt});
     for (const CreatureView& creature : after.creatures)
         if (isCatchable(species_[creature.species]) && creature.heldBy < 0)
             lowestFish_m_ = std::min(lowestFish_m_, creature.position.y);
@@ -354,45 +333,42 @@ void ScriptRun::observe(const Events& events, uint64_t stateHash, const Snapshot
 }
 
 Status ScriptRun::verdict() const {
-    const auto fail = [&](const ScriptExpect* expect, std::string reason) -> Status {
-        if (expect) reason = "line " + std::to_string(expect->line) + ": " + reason;
-        return Error{script_.name, std::move(reason)};
-    };
-    if (!failure_.empty()) return fail(nullptr, failure_);
-    if (!finished_) return fail(nullptr, "the script has not ended");
-    const auto name = [](EventKind kind) { return std::string(rowOf(kind).name); };
-    const auto text = [](auto number) { return std::to_string(number); };
-    for (const ScriptExpect& e : script_.expects) {
-        if (e.water == (inFilm_ ? ScriptExpect::Water::Open : ScriptExpect::Water::Film)) continue;
-        if (e.caught && last_.caught != *e.caught)
-            return fail(&e, "caught " + text(last_.caught) + ", expected " + text(*e.caught));
-        if (e.scoreAtLeast && last_.score < *e.scoreAtLeast)
-            return fail(&e, "score " + text(last_.score) + ", expected at least " + text(*e.scoreAtLeast));
-        if (e.lost && last_.lost != *e.lost)
-            return fail(&e, "lost " + text(last_.lost) + " to the shark, expected " + text(*e.lost));
-        if (e.comboAtLeast && last_.bestCombo < *e.comboAtLeast)
-            return fail(&e, "best combo " + text(last_.bestCombo) + ", expected at least " +
-                                text(*e.comboAtLeast));
-        if (e.fishAbove_m && lowestFish_m_ < *e.fishAbove_m)
-            return fail(&e, "a fish was at " + text(lowestFish_m_) + " m, expected above " +
-                                text(*e.fishAbove_m));
-        if (e.phase && last_.phase != *e.phase) return fail(&e, "ended in the other phase");
-        int count = 0;
-        size_t inOrder = 0;
-        for (const Occurred& seen : seen_) {
-            if (e.never && seen.kind == *e.never)
-                return fail(&e, "\"" + name(*e.never) + "\" at " + text(seen.time_s) + " s, expected never");
-            if (e.event && seen.kind == *e.event && seen.time_s >= e.after_s && seen.time_s <= e.before_s)
-                ++count;
-            if (inOrder < e.order.size() && seen.kind == e.order[inOrder]) ++inOrder;
-        }
-        if (e.event && count < e.count)
-            return fail(&e, "\"" + name(*e.event) + "\" occurred " + text(count) +
-                                " times in the given time, expected " + text(e.count));
-        if (inOrder < e.order.size())
-            return fail(&e, "\"" + name(e.order[inOrder]) + "\" did not occur in its place of the order");
+    if (!failure_.empty()) return Error{script_.name, failure_};
+    if (!finished_) return Error{script_.name, "the script has not ended"};
+    for (const ScriptExpect& expect : script_.expects) {
+        if (expect.water && (*expect.water == ScriptExpect::Water::Film) != inFilm_) continue;
+        if (const std::string reason = unmet(expect); !reason.empty())
+            return Error{script_.name, fmt::format("line {}: {}", expect.line, reason)};
     }
     return Done{};
+}
+
+// Returns what was not as expected; empty: all was.
+std::string ScriptRun::unmet(const ScriptExpect& e) const {
+    const auto name = [](EventKind kind) { return rowOf(kind).name; };
+    for (size_t i = 0; i < kEndValues.size(); ++i) {
+        const EndValue& end = kEndValues[i];
+        const int is = last_.*end.value;
+        if (e.atEnd[i] && (end.isLeast ? is < *e.atEnd[i] : is != *e.atEnd[i]))
+            return fmt::format("{} {}, expected {}", end.key, is, *e.atEnd[i]);
+    }
+    if (e.fishAbove_m && lowestFish_m_ < *e.fishAbove_m)
+        return fmt::format("a fish was at {} m, expected above {}", lowestFish_m_, *e.fishAbove_m);
+    if (e.phase && last_.phase != *e.phase) return "ended in the other phase";
+    int count = 0;
+    size_t inOrder = 0;
+    for (const Occurred& event : occurred_) {
+        if (e.never == event.kind)
+            return fmt::format("\"{}\" at {} s, expected never", name(event.kind), event.time_s);
+        count += e.event == event.kind && event.time_s >= e.after_s && event.time_s <= e.before_s;
+        if (inOrder < e.order.size() && event.kind == e.order[inOrder]) ++inOrder;
+    }
+    if (e.event && count < e.count)
+        return fmt::format("\"{}\" occurred {} times in the given time, expected {}", name(*e.event), count,
+                           e.count);
+    if (inOrder < e.order.size())
+        return fmt::format("\"{}\" did not occur in its place of the order", name(e.order[inOrder]));
+    return {};
 }
 
 } // namespace shoal::game

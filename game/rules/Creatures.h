@@ -6,8 +6,61 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 
 namespace shoal::game {
+
+// The circle around the player that a fish swims; companions share their leader's.
+struct Route {
+    int leader = -1; // index of the fish whose route it follows: its own if alone
+    float radius = 1, height = 0;
+    float cruise_mps = 0.3f;
+    float direction = 1; // +1 circles to the left of looking outward, -1 to the right
+    glm::vec3 wander{0}, wanderGoal{0};
+    int wanderTicks = 0;   // ticks until it chooses another direction to wander
+    int changeTicks = 0;   // ticks until it chooses another radius and height
+    float speedFactor = 1; // factor on the cruising speed: solitary fish linger at times
+    bool gliding = false;  // between two bursts of its tail
+
+    void follow(const Route& other) {
+        radius = other.radius;
+        height = other.height;
+        direction = other.direction;
+    }
+};
+
+// The flight of a frightened fish, and its readiness to be frightened.
+struct Flight {
+    float left_s = 0;
+    float spent_s = 0;          // 0: it does not flee
+    float side = 0;             // first turn: +1 left, -1 right
+    float rest_s = 0;           // seconds before it can be frightened again
+    glm::vec3 heading{0, 0, 1}; // unit
+    float touchedGently_s = 0;  // seconds for which it has been touched gently; too long frightens it
+};
+
+// How a fish lies and struggles in the hand that holds it.
+struct FishHold {
+    float time_s = 0;
+    bool counted = false; // it has become a catch
+    glm::quat palmFromBody{1, 0, 0, 0}, palmFromBodyGoal{1, 0, 0, 0};
+    glm::vec3 palmOffset{0}; // offset from the grasp centre, palm's frame
+    glm::vec3 slide{0};      // velocity of its slipping, m/s, palm's frame
+    float slid_m = 0;        // how far it has slipped since the grip was last firm
+    float struggle = 0;      // strength of its wriggling as the hand feels it, 0 to 1
+    int unopposed = 0;       // ticks without contacts that hold it from opposing sides
+    float noPush_s = 0;      // seconds after the release in which the fingers do not push it
+    float bout_s = 0;        // seconds left of this bout of struggling, or of this rest
+    bool struggles = false;  // whether this is a bout
+};
+
+// A fish's visit to a resting hand (game/rules/Curiosity.h).
+struct Visit {
+    int hand = -1; // 0 left, 1 right, -1 none
+    float left_s = 0;
+    float linger_s = 0; // seconds that it stays in front of the palm
+    float rest_s = 0;   // seconds before its next visit
+};
 
 struct Fish : Swimmer {
     // Cruise: swims its circle. Dart: flees. Held: in a hand. Mouth: in the shark's mouth.
@@ -15,54 +68,20 @@ struct Fish : Swimmer {
 
     int species = 0; // index into the species table
     int school = 0;  // index into DiveFile::schools
-
-    // The route, a circle around the player; companions share their leader's.
-    int leader = -1; // index of the fish whose route it follows: its own if alone
-    float radius = 1, height = 0, cruise = 0.3f;
-    float sense = 1; // +1 circles to the left of looking outward, -1 to the right
-    glm::vec3 wander{0}, wanderGoal{0};
-    int wanderTicks = 0; // ticks until it chooses another direction to wander
-    int routeTicks = 0;  // ticks until it chooses another radius and height
-    float pace = 1;      // factor on the cruising speed: solitary fish linger at times
-    bool coasting = false;
+    Route route;
 
     // Velocities added to its own swimming, m/s.
-    glm::vec3 push{0};    // from hands and neighbours; fades within a second
-    glm::vec3 parting{0}; // parts it from a hand that it overlaps; lasts one tick
+    glm::vec3 push{0};       // caused by hands and neighbours; fades within a second
+    glm::vec3 separation{0}; // leads out of a hand that it overlaps; lasts one tick
 
-    // Fright
     State state = State::Cruise;
-    float dart_s = 0;        // seconds left of the flight
-    float flight_s = 0;      // seconds since the flight began; 0: it does not flee
-    float flightSide = 0;    // first turn of the flight: +1 left, -1 right
-    float frightRest_s = 0;  // seconds before it can be frightened again
-    glm::vec3 flee{0, 0, 1}; // direction of the flight, unit
-    float nervous_s = 0;     // seconds for which it has been touched gently
-
+    Flight flight;
     // Tick until which a touch counts, by hand and by its part (a finger or hands::kPalmPart).
     std::array<std::array<uint32_t, hands::kHandParts>, 2> touchedUntil{};
-
-    // In a hand
     float uncatchable_s = 0; // seconds before a hand can take hold of it
-    int heldBy = -1;         // 0 left, 1 right
-    float held_s = 0;
-    bool counted = false; // this hold has become a catch
-    glm::quat palmFromBody{1, 0, 0, 0}, palmFromBodyGoal{1, 0, 0, 0};
-    glm::vec3 palmOffset{0}; // from the grasp centre, palm's frame
-    glm::vec3 slide{0};      // velocity of its slipping, m/s, palm's frame
-    float slid_m = 0;        // how far it has slipped since the grip was last firm
-    float struggle = 0;      // strength of its wriggling as the hand feels it, 0 to 1
-    int unopposed = 0;       // ticks without contacts that hold it from opposing sides
-    float loose_s = 0;       // seconds after a release in which the fingers do not push it
-    float struggle_s = 0;    // seconds left of this bout of struggling, or of this rest
-    bool struggling = false;
-
-    // Its visit to a resting hand (game/rules/Curiosity.h)
-    int visits = -1;       // the visited hand: 0 left, 1 right, -1 none
-    float visit_s = 0;     // seconds left of the visit
-    float linger_s = 0;    // seconds that it stays in front of the palm
-    float visitRest_s = 0; // seconds before its next visit
-
+    int heldBy = -1;         // 0 left, 1 right, -1 none
+    FishHold hold;
+    Visit visit;
     // 1: a hand that closes now takes it; eased from 0 and back. catchableBy: that hand, -1 none.
     float catchable = 0;
     int catchableBy = -1;
@@ -70,12 +89,8 @@ struct Fish : Swimmer {
     bool free() const { return state != State::Held && state != State::Mouth; }
 
     auto fields() const {
-        return std::tie(static_cast<const Swimmer&>(*this), species, school, leader, radius, height, cruise,
-                        sense, wander, wanderGoal, wanderTicks, routeTicks, pace, coasting, push, parting,
-                        state, dart_s, flight_s, flightSide, frightRest_s, flee, nervous_s, touchedUntil,
-                        uncatchable_s, heldBy, held_s, counted, palmFromBody, palmFromBodyGoal, palmOffset,
-                        slide, slid_m, struggle, unopposed, loose_s, struggle_s, struggling, visits, visit_s,
-                        linger_s, visitRest_s, catchable, catchableBy);
+        return std::tie(static_cast<const Swimmer&>(*this), species, school, route, push, separation, state,
+                        flight, touchedUntil, uncatchable_s, heldBy, hold, visit, catchable, catchableBy);
     }
 };
 
@@ -86,7 +101,7 @@ struct Shark : Swimmer {
 
     bool present = false;
     int species = -1;
-    float sense = 1; // +1 circles to the left of looking outward, -1 to the right
+    float direction = 1; // +1 circles to the left of looking outward, -1 to the right
     State state = State::Circle;
     float state_s = 0;      // seconds since the state changed
     float visit_s = 0;      // seconds left of the present visit
@@ -100,8 +115,9 @@ struct Shark : Swimmer {
     float threatRest_s = 0; // seconds before it may threaten again
 
     auto fields() const {
-        return std::tie(static_cast<const Swimmer&>(*this), present, species, sense, state, state_s, visit_s,
-                        interest, nextVisit, prey, mouth, bumpRest_s, watched, aimed_s, threatRest_s);
+        return std::tie(static_cast<const Swimmer&>(*this), present, species, direction, state, state_s,
+                        visit_s, interest, nextVisit, prey, mouth, bumpRest_s, watched, aimed_s,
+                        threatRest_s);
     }
 
     void set(State next) {

@@ -21,9 +21,8 @@ constexpr float kBefore_m = 0.06f;                      // distance of its place
 
 bool isStill(const Hand& hand, const Viewpoint& view) {
     const bool open = hand.visible && hand.solid && hand.grip < kGripOpens && hand.stung_s == 0;
-    const glm::vec3 ahead = view.worldFromView * glm::vec3(0, 0, -1);
-    const glm::vec3 way = normalizedOr(hand.graspCentre - view.headWorld, ahead);
-    return open && glm::dot(way, ahead) > kInView && glm::length(hand.calmVelocity) < kStill_mps;
+    const glm::vec3 way = normalizedOr(hand.graspCentre - view.headWorld, view.ahead());
+    return open && glm::dot(way, view.ahead()) > kInView && glm::length(hand.calmVelocity) < kStill_mps;
 }
 
 void noteRest(Hand& hand, const Viewpoint& view) {
@@ -34,34 +33,29 @@ void noteRest(Hand& hand, const Viewpoint& view) {
     hand.nextVisit_s = std::max(0.0f, hand.nextVisit_s - kDt);
 }
 
-void leave(Fish& f, Random& random) {
-    f.visits = -1;
-    f.visitRest_s = random.between(6, 14);
-}
-
-void advanceVisit(Fish& f, const Hands& hands, Random& random) {
-    f.visitRest_s = std::max(0.0f, f.visitRest_s - kDt);
-    if (f.visits < 0) return;
-    const Hand& hand = hands[f.visits];
+void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random& random) {
+    visit.rest_s = std::max(0.0f, visit.rest_s - kDt);
+    if (visit.hand < 0) return;
+    const Hand& hand = hands[visit.hand];
     const bool there = glm::distance(f.position, visitedPlace(hand)) < kThere_m;
-    f.visit_s -= there ? kDt : kDt * (f.linger_s / kComes_s);
-    if (f.state != Fish::State::Cruise || hand.rested_s == 0 || f.visit_s <= 0) leave(f, random);
+    visit.left_s -= there ? kDt : kDt * (visit.linger_s / kComes_s);
+    if (f.state == Fish::State::Cruise && hand.rested_s > 0 && visit.left_s > 0) return;
+    visit.hand = -1;
+    visit.rest_s = random.between(6, 14);
 }
 
 // Returns the fish ahead of the player with the least distance over curiosity; -1: none may come.
-int nextVisitor(const Hand& hand, const Viewpoint& view, const SpeciesTable& species,
-                std::span<const Fish> fish) {
+int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     int best = -1;
     float bestCost = std::numeric_limits<float>::max();
-    const glm::vec3 ahead = view.worldFromView * glm::vec3(0, 0, -1);
     for (size_t i = 0; i < fish.size(); ++i) {
         const Fish& f = fish[i];
-        const float curiosity = species[f.species].curiosity;
-        if (f.state != Fish::State::Cruise || f.visits >= 0 || f.visitRest_s > 0) continue;
-        if (curiosity <= 0 || f.uncatchable_s > 0 || f.frightRest_s > 0) continue;
+        const float curiosity = in.kindOf(f).curiosity;
+        if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || f.visit.rest_s > 0) continue;
+        if (curiosity <= 0 || f.uncatchable_s > 0 || f.flight.rest_s > 0) continue;
         const float distance = glm::distance(f.position, hand.graspCentre);
         if (distance < kNearest_m || distance > kFarthest_m) continue;
-        if (glm::dot(f.position - view.headWorld, ahead) < 0.3f) continue;
+        if (glm::dot(f.position - in.head(), in.state.view.ahead()) < 0.3f) continue;
         const float cost = distance / curiosity;
         if (cost < bestCost) bestCost = cost, best = static_cast<int>(i);
     }
@@ -72,23 +66,22 @@ int nextVisitor(const Hand& hand, const Viewpoint& view, const SpeciesTable& spe
 
 glm::vec3 visitedPlace(const Hand& hand) { return hand.graspCentre + hand.outOfPalm() * kBefore_m; }
 
-void chooseVisitors(Hands& hands, const Viewpoint& view, const SpeciesTable& species, std::span<Fish> fish,
-                    Random& random) {
-    for (Hand& hand : hands) noteRest(hand, view);
+void chooseVisitors(Hands& hands, std::span<Fish> fish, const DiveContext& in, Random& random) {
+    for (Hand& hand : hands) noteRest(hand, in.state.view);
     std::array<int, 2> visitors{};
     for (Fish& f : fish) {
-        advanceVisit(f, hands, random);
-        if (f.visits >= 0) ++visitors[f.visits];
+        advanceVisit(f.visit, f, hands, random);
+        if (f.visit.hand >= 0) ++visitors[f.visit.hand];
     }
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         if (hand.rested_s < kRest_s || hand.nextVisit_s > 0 || visitors[h] >= kVisitors) continue;
         hand.nextVisit_s = kNext_s;
-        const int id = nextVisitor(hand, view, species, fish);
+        const int id = nextVisitor(hand, fish, in);
         if (id < 0) continue;
-        Fish& f = fish[id];
-        f.visits = h;
-        f.visit_s = f.linger_s = random.between(2, 4);
+        Visit& visit = fish[id].visit;
+        visit.hand = h;
+        visit.left_s = visit.linger_s = random.between(2, 4);
     }
 }
 

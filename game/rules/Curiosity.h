@@ -3,17 +3,14 @@
 // waiting works. A fast or closing hand ends a visit.
 #pragma once
 
-#include "engine/core/Random.h"
-#include "game/rules/Creatures.h"
-#include "game/rules/DiveFile.h"
-#include "game/rules/Hand.h"
+#include "game/rules/DiveState.h"
 
 #include <span>
 
 namespace shoal::game {
 
 // Begins and ends visits; called every tick.
-void chooseVisitors(Hands&, const Viewpoint&, const SpeciesTable&, std::span<Fish>, Random&);
+void chooseVisitors(Hands&, std::span<Fish>, const DiveContext&, Random&);
 
 // Returns the place in front of the palm that a visiting fish swims to.
 glm::vec3 visitedPlace(const Hand&);

@@ -2,10 +2,11 @@
 
 #include "game/rules/Curiosity.h"
 #include "game/rules/Encounter.h"
-#include "game/rules/FishBehaviour.h"
+#include "game/rules/Grasping.h"
 #include "game/rules/Holding.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
+#include "game/rules/Spawn.h"
 #include "game/rules/StateHash.h"
 
 #include <fmt/core.h>
@@ -58,14 +59,13 @@ void Dive::begin(uint64_t seed) {
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
     state_.passer = {};
-    const FilmMoment now = film();
-    startInRoom(state_.fish, files_.species, now);
-    startInRoom(state_.shark, sharkView());
+    startInRoom(state_.fish, context());
+    startInRoom(state_.shark, context());
 }
 
-FilmMoment Dive::film(FilmSpace::Room of, float ahead_s) const {
-    return {files_.dive.space.get(),
-            static_cast<double>(state_.tick) / sim::kTickRate_Hz + static_cast<double>(ahead_s), of};
+DiveContext Dive::context() const {
+    const FilmMoment now(files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz);
+    return {files_.dive, files_.species, state_, now, rules_.assist};
 }
 
 void Dive::step(const TickInput& input, Events& events) {
@@ -82,21 +82,23 @@ void Dive::step(const TickInput& input, Events& events) {
         s.begun = true;
         events.push_back({EventKind::DiveStart});
     }
-    const FilmMoment now = film();
+    const DiveContext in = context();
     const bool diving = s.phase == Phase::Diving;
     trackHands(input, s.view, s.hands);
-    readIntents(s.hands, s.view, files_.species, s.fish, rules_.assist, now);
-    frightenByHands(s.hands, files_.species, s.fish, s.random, events);
+    readIntents(s.hands, s.fish, in);
+    frightenByHands(s.fish, in, s.random, events);
     followHands(s.hands, s.fish);
     touch(events);
-    closeHands(s.hands, s.fish, {files_.species, s.contacts, s.view, now, rules_.assist, s.tick, diving},
-               events);
-    chooseVisitors(s.hands, s.view, files_.species, s.fish, s.random);
-    swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark, now}, neighbours_, s.random);
-    advanceShark(events);
-    passBy(s.passer, files_.dive.encounter, files_.species, static_cast<float>(s.tick) * kDt, passerId(),
-           s.score, events);
-    countCatches(s.hands, files_.species, s.fish, s.contacts, s.score, events);
+    closeHands(s.hands, s.fish, in, events);
+    chooseVisitors(s.hands, s.fish, in, s.random);
+    swimFish(s.fish, in, neighbours_, s.random);
+    if (s.shark.present) {
+        decide(s.shark, in, events);
+        swimShark(s.shark, in);
+        bite(s.shark, s.hands, s.fish, s.score, in, events);
+    }
+    passBy(s.passer, passerId(), s.score, in, events);
+    countCatches(s.hands, s.fish, s.score, in, events);
     for (Hand& hand : s.hands)
         if (hand.visible) easeFingers(hand);
     if (diving) endWhenOver(events);
@@ -105,45 +107,25 @@ void Dive::step(const TickInput& input, Events& events) {
 
 void Dive::touch(Events& events) {
     DiveState& s = state_;
-    handContacts_.collide(s.hands, files_.species, s.fish, s.shark, s.contacts);
+    const DiveContext in = context();
+    handContacts_.collide(s.fish, in, s.contacts);
     forEachCreature(s.contacts, [&](int id, std::span<const physics::Contact> own) {
         if (id == static_cast<int>(s.fish.size()))
-            return bumpHands(s.shark, files_.species, own, s.hands, s.fish, events);
+            return bumpHands(s.shark, own, s.hands, s.fish, in, events);
         Fish& fish = s.fish[id];
         for (const physics::Contact& contact : own) feel(contact, fish, s.hands);
         s.score.species[static_cast<size_t>(fish.species)].touched = true;
-        if (fish.heldBy < 0)
-            pushFish(fish, id, files_.species[fish.species], own, s.hands, s.tick, s.random, events);
+        if (fish.heldBy < 0) pushFish(fish, id, own, in, s.random, events);
     });
-    for (Fish& fish : s.fish) fish.nervous_s = std::max(0.0f, fish.nervous_s - 0.1f * kDt);
-}
-
-SharkView Dive::sharkView() const {
-    return {files_.dive,
-            files_.species,
-            state_.hands,
-            state_.fish,
-            static_cast<float>(state_.tick) * kDt,
-            state_.phase != Phase::Diving,
-            film(FilmSpace::Room::Shark),
-            film(FilmSpace::Room::Shark, kSoon_s),
-            film(FilmSpace::Room::Shark, kLater_s)};
-}
-
-void Dive::advanceShark(Events& events) {
-    DiveState& s = state_;
-    if (!s.shark.present) return;
-    const SharkView view = sharkView();
-    decide(s.shark, view, events);
-    swimShark(s.shark, view);
-    bite(s.shark, view, s.hands, s.fish, s.score, events);
+    for (Fish& fish : s.fish)
+        fish.flight.touchedGently_s = std::max(0.0f, fish.flight.touchedGently_s - 0.1f * kDt);
 }
 
 void Dive::endWhenOver(Events& events) {
     DiveState& s = state_;
     if (rules_.freeSwim || s.tick < static_cast<uint32_t>(files_.dive.duration_s * sim::kTickRate_Hz)) return;
     for (int h = 0; h < 2; ++h)
-        if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, files_.species, s.fish, events);
+        if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, s.fish, context(), events);
     s.phase = Phase::Results;
     events.push_back({EventKind::DiveOver});
 }
@@ -162,7 +144,8 @@ namespace {
 
 constexpr const char* kFilmSpace = "film_space"; // key in a recording's settings
 
-std::string nameOf(const FilmSpace& space) { return fmt::format("{:016x}", space.hash()); }
+// Returns the hash of a film's space as a recording holds it; empty: no distances.
+std::string nameOf(const FilmSpace* space) { return space ? fmt::format("{:016x}", space->hash()) : ""; }
 
 } // namespace
 
@@ -176,7 +159,7 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
                        {"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
                        {"seated", rules.seated ? "on" : "off"}};
-    if (const FilmSpace* space = dive.file().space.get()) header.settings[kFilmSpace] = nameOf(*space);
+    if (dive.file().space) header.settings[kFilmSpace] = nameOf(dive.file().space.get());
     return header;
 }
 
@@ -210,16 +193,12 @@ std::string filmOf(const sim::RecordingHeader& header, const std::string& own) {
 bool needsFilmSpace(const sim::RecordingHeader& header) { return header.settings.contains(kFilmSpace); }
 
 Status checkFilmSpace(const sim::RecordingHeader& header, const FilmSpace* space) {
-    const auto recorded = header.settings.find(kFilmSpace);
-    if (recorded == header.settings.end())
-        return space ? Status(Error{"the recording", "was made in a film without distances"}) : Done{};
-    if (!space)
-        return Error{"the recording",
-                     "was made in a film with distances, " + recorded->second + ", and none are known here"};
-    if (nameOf(*space) != recorded->second)
-        return Error{"the recording", "was made in a film with other distances: " + recorded->second +
-                                          ", here " + nameOf(*space)};
-    return Done{};
+    const auto found = header.settings.find(kFilmSpace);
+    const std::string recorded = found == header.settings.end() ? "" : found->second, here = nameOf(space);
+    if (recorded == here) return Done{};
+    if (recorded.empty()) return Error{"the recording", "was made in a film without distances"};
+    return Error{"the recording", fmt::format("was made in a film with other distances: {}, here {}",
+                                              recorded, here.empty() ? "none" : here)};
 }
 
 uint64_t Dive::stateHash() const {

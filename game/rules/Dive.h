@@ -2,45 +2,17 @@
 // seed and inputs alone; no clock, no global state. One thread.
 #pragma once
 
-#include "engine/core/Random.h"
 #include "engine/sim/Recording.h"
-#include "game/rules/Catching.h"
-#include "game/rules/DiveFile.h"
-#include "game/rules/DiveRules.h"
+#include "game/rules/DiveState.h"
 #include "game/rules/Events.h"
-#include "game/rules/FilmSpace.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/HandContacts.h"
-#include "game/rules/SharkBehaviour.h"
 #include "game/rules/Snapshot.h"
 #include "game/rules/TickInput.h"
 
-#include <tuple>
 #include <vector>
 
 namespace shoal::game {
-
-// The complete state of a dive: with the files and the coming inputs it determines the future. Plain data.
-struct DiveState {
-    uint64_t seed = 0;
-    Random random{};
-    uint32_t tick = 0; // since the dive began
-    uint64_t totalTicks = 0;
-    Phase phase = Phase::Diving;
-    bool begun = false, paused = false, restartHeld = false;
-    Score score;
-    Viewpoint view;
-    Hands hands;
-    std::vector<Fish> fish;
-    Shark shark;                            // its creature id is fish.size()
-    Passer passer;                          // its creature id comes after the shark's
-    std::vector<physics::Contact> contacts; // of this tick; the next tick continues the lasting ones
-
-    auto fields() const {
-        return std::tie(seed, random, tick, totalTicks, phase, begun, paused, restartHeld, score, view, hands,
-                        fish, shark, passer, contacts);
-    }
-};
 
 class Dive {
   public:
@@ -63,13 +35,11 @@ class Dive {
 
     const DiveState& state() const { return state_; }
     DiveState& state() { return state_; } // for tests of single rules
+    DiveContext context() const;
 
   private:
     void begin(uint64_t seed);
     void touch(Events&);
-    SharkView sharkView() const;
-    void advanceShark(Events&);
-    FilmMoment film(FilmSpace::Room of = FilmSpace::Room::Fish, float ahead_s = 0) const;
     int passerId() const { return static_cast<int>(state_.fish.size()) + (state_.shark.present ? 1 : 0); }
     void endWhenOver(Events&);
     void reachGoals(Events&);

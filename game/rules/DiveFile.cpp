@@ -39,8 +39,7 @@ Species readOne(TomlTable& table) {
     table.flag("coasts", s.coasts);
     table.flag("stings", s.stings);
     table.number("curiosity", s.curiosity, 0, 1);
-    if (const auto company = table.choice("company", kCompanyNames))
-        s.company = static_cast<Company>(*company);
+    table.choice("company", kCompanyNames, s.company);
     if (s.shark || s.giant) s.points = 0;
     table.whole("points", s.points, 0, 1000);
     if (s.name.empty()) table.complain("name", "must not be empty");
@@ -52,29 +51,23 @@ Species readOne(TomlTable& table) {
     return s;
 }
 
-// Returns the index of the table's species; -1, with a complaint, if it is not known.
-int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
+// Returns the index of the table's species, which must be known and of that kind.
+int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark = false, bool giant = false) {
     std::string name;
     table.need("species");
     table.text("species", name);
     const int index = findSpecies(known, name);
-    if (index < 0)
-        table.complain("species", "is not known: \"" + name + "\"");
-    else if (known[index].shark != shark)
+    if (index < 0) table.complain("species", "is not known: \"" + name + "\"");
+    if (known[index].shark != shark)
         table.complain("species", shark ? "must be a shark" : "must not be a shark");
-    return index;
-}
-
-// Returns the index of a species that schools may hold: neither shark nor giant.
-int schoolSpecies(TomlTable& table, const SpeciesTable& known) {
-    const int index = speciesNamed(table, known, false);
-    if (index >= 0 && known[index].giant) table.complain("species", "must not be a giant");
+    if (known[index].giant != giant)
+        table.complain("species", giant ? "must be a giant" : "must not be a giant");
     return index;
 }
 
 School readSchool(TomlTable& table, const SpeciesTable& known) {
     School school;
-    school.species = schoolSpecies(table, known);
+    school.species = speciesNamed(table, known);
     table.need("count");
     table.whole("count", school.count, 1, kMaxFish);
     table.range("radius", school.radiusLow_m, school.radiusHigh_m, 0.6f, 6);
@@ -93,10 +86,8 @@ SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
         if (visits->size() > kMaxVisits) table.complain("visits", "holds more than 100 times");
         for (const toml::node& node : *visits) {
             const auto at = numberIn(node, 0, 3600);
-            if (!at || (!shark.visits_s.empty() && *at <= shark.visits_s.back())) {
+            if (!at || (!shark.visits_s.empty() && *at <= shark.visits_s.back()))
                 table.complain("visits", "must be rising times in seconds");
-                break;
-            }
             shark.visits_s.push_back(*at);
         }
     }
@@ -106,8 +97,7 @@ SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
 EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
     constexpr float kFar_m = 60, kRoom_m = 2.5f;
     EncounterPlan plan;
-    plan.species = speciesNamed(table, known, false);
-    if (plan.species >= 0 && !known[plan.species].giant) table.complain("species", "must be a giant");
+    plan.species = speciesNamed(table, known, false, true);
     table.need("at", "from", "to");
     table.number("at", plan.at_s, 0, 3600);
     table.triple("from", plan.from, -kFar_m, kFar_m);
@@ -120,23 +110,22 @@ EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
     return plan;
 }
 
-void readMarks(TomlTable& root, std::vector<VideoMark>& marks) {
-    root.tables("enclosure", kMaxMarks, [&](TomlTable& table) {
-        VideoMark& mark = marks.emplace_back();
-        table.need("from_s", "to_s");
-        table.number("from_s", mark.from_s, 0, 36000);
-        table.number("to_s", mark.to_s, 0, 36000);
-        if (mark.to_s <= mark.from_s) table.complain("to_s", "must come after \"from_s\"");
-        table.number("amount", mark.amount, 0, 1);
-    });
+VideoMark readMark(TomlTable& table) {
+    VideoMark mark;
+    table.need("from_s", "to_s");
+    table.number("from_s", mark.from_s, 0, 36000);
+    table.number("to_s", mark.to_s, 0, 36000);
+    if (mark.to_s <= mark.from_s) table.complain("to_s", "must come after \"from_s\"");
+    table.number("amount", mark.amount, 0, 1);
+    return mark;
 }
 
 Goal readGoal(TomlTable& table, const SpeciesTable& known) {
     Goal goal;
     table.need("kind");
-    if (const auto kind = table.choice("kind", kGoalNames)) goal.kind = static_cast<GoalKind>(*kind);
+    table.choice("kind", kGoalNames, goal.kind);
     if (table.has("species")) {
-        goal.species = schoolSpecies(table, known);
+        goal.species = speciesNamed(table, known);
         if (goal.kind != GoalKind::Catch) table.complain("species", "belongs to goals of kind \"catch\"");
     }
     if (goal.kind == GoalKind::NoLoss) return goal;
@@ -144,17 +133,6 @@ Goal readGoal(TomlTable& table, const SpeciesTable& known) {
     const bool combo = goal.kind == GoalKind::Combo;
     table.whole("count", goal.count, combo ? 2 : 1, combo ? kMaxCombo : 100'000);
     return goal;
-}
-
-void readSchools(TomlTable& root, const SpeciesTable& known, DiveFile& dive) {
-    root.need("school");
-    int fish = 0;
-    root.tables("school", kMaxFish, [&](TomlTable& table) {
-        const School& school = dive.schools.emplace_back(readSchool(table, known));
-        if (school.heightLow_m < dive.floor_m + 0.1f) table.complain("height", "reaches into the floor");
-        fish += school.count;
-    });
-    if (fish > kMaxFish) root.complain("school", "has more than " + std::to_string(kMaxFish) + " fish");
 }
 
 } // namespace
@@ -167,12 +145,9 @@ int findSpecies(const SpeciesTable& table, std::string_view name) {
 
 std::vector<bool> speciesShown(const SpeciesTable& table, const DiveFile& dive) {
     std::vector<bool> shown(table.size(), false);
-    const auto show = [&](int species) {
+    for (const School& school : dive.schools) shown[static_cast<size_t>(school.species)] = true;
+    for (const int species : {dive.shark.species, dive.encounter.species})
         if (species >= 0) shown[static_cast<size_t>(species)] = true;
-    };
-    for (const School& school : dive.schools) show(school.species);
-    show(dive.shark.species);
-    show(dive.encounter.species);
     return shown;
 }
 
@@ -203,12 +178,20 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
         root.flag("water", dive.water);
         if (dive.video.find("..") != std::string::npos || dive.video.starts_with('/'))
             root.complain("video", "must name a file below content/");
-        readSchools(root, known, dive);
+        root.need("school");
+        int fish = 0;
+        root.tables("school", kMaxFish, [&](TomlTable& table) {
+            const School& school = dive.schools.emplace_back(readSchool(table, known));
+            if (school.heightLow_m < dive.floor_m + 0.1f) table.complain("height", "reaches into the floor");
+            fish += school.count;
+        });
+        if (fish > kMaxFish) root.complain("school", "has more than " + std::to_string(kMaxFish) + " fish");
         root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
         root.table("encounter", [&](TomlTable& table) { dive.encounter = readEncounter(table, known); });
         root.tables("goal", kMaxGoals,
                     [&](TomlTable& table) { dive.goals.push_back(readGoal(table, known)); });
-        readMarks(root, dive.enclosure);
+        root.tables("enclosure", kMaxMarks,
+                    [&](TomlTable& table) { dive.enclosure.push_back(readMark(table)); });
     });
     if (!read) return read.error();
     return dive;

@@ -5,32 +5,25 @@
 
 namespace shoal::game {
 
-namespace {
-
 // Distance at which its sound is placed, in its true direction: a whale's voice carries far.
-constexpr float kHeardFrom_m = 1.5f;
+static constexpr float kHeardFrom_m = 1.5f;
 
-void setOut(Passer& passer, const EncounterPlan& plan, const Species& kind, int id, Score& score,
-            Events& events) {
-    passer.state = Passer::State::Passing;
-    passer.position = plan.from;
-    passer.forward = normalizedOr(plan.to - plan.from, {0, 0, 1});
-    passer.speed = kind.cruise_mps;
-    passer.worldFromBody = bodyTurn(passer.forward, 0);
-    passer.shape.amplitude = tailAmplitude(1);
-    score.species[static_cast<size_t>(plan.species)].touched = true;
-    events.push_back({.kind = EventKind::Encounter,
-                      .creature = id,
-                      .position = kHeardFrom_m * normalizedOr(plan.from, kUp)});
-}
-
-} // namespace
-
-void passBy(Passer& passer, const EncounterPlan& plan, const SpeciesTable& species, float time_s, int id,
-            Score& score, Events& events) {
-    if (plan.species < 0 || time_s < plan.at_s || passer.state == Passer::State::Gone) return;
-    const Species& kind = species[static_cast<size_t>(plan.species)];
-    if (passer.state == Passer::State::ToCome) setOut(passer, plan, kind, id, score, events);
+void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events& events) {
+    const EncounterPlan& plan = in.dive.encounter;
+    if (plan.species < 0 || in.state.time_s() < plan.at_s || passer.state == Passer::State::Gone) return;
+    const Species& kind = in.species[static_cast<size_t>(plan.species)];
+    if (passer.state == Passer::State::ToCome) {
+        passer.state = Passer::State::Passing;
+        passer.position = plan.from;
+        passer.forward = normalizedOr(plan.to - plan.from, {0, 0, 1});
+        passer.speed = kind.cruise_mps;
+        passer.worldFromBody = bodyTurn(passer.forward, 0);
+        passer.shape.amplitude = tailAmplitude(1);
+        score.species[static_cast<size_t>(plan.species)].touched = true;
+        events.push_back({.kind = EventKind::Encounter,
+                          .creature = id,
+                          .position = kHeardFrom_m * normalizedOr(plan.from, kUp)});
+    }
     passer.velocity = passer.forward * passer.speed;
     passer.position += passer.velocity * kDt;
     beatTail(passer, kind);

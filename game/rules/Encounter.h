@@ -2,15 +2,12 @@
 // nothing collides with it.
 #pragma once
 
-#include "game/rules/Creatures.h"
-#include "game/rules/DiveFile.h"
+#include "game/rules/DiveState.h"
 #include "game/rules/Events.h"
-#include "game/rules/Score.h"
 
 namespace shoal::game {
 
-// Advances the giant by a tick; time_s: since the dive began, id: its creature id. The field guide counts it
-// as met when it sets out.
-void passBy(Passer&, const EncounterPlan&, const SpeciesTable&, float time_s, int id, Score&, Events&);
+// Advances the giant by a tick; id: its creature id. The field guide counts it as met when it sets out.
+void passBy(Passer&, int id, Score&, const DiveContext&, Events&);
 
 } // namespace shoal::game

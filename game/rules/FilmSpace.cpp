@@ -216,6 +216,11 @@ float FilmMoment::overshoot_m(const physics::Capsule& body) const {
     return most;
 }
 
+glm::vec3 FilmMoment::pulledIn(glm::vec3 place, const physics::Capsule& body, float most_m) const {
+    const float moved_m = std::min(overshoot_m(body), most_m);
+    return moved_m > 0 ? place - place * (moved_m / glm::length(place)) : place;
+}
+
 bool FilmMoment::hides(glm::vec3 headWorld, glm::vec3 place) const {
     if (!known()) return false;
     constexpr float kBehind_m = 0.05f; // a body half in a surface is seen

@@ -70,10 +70,14 @@ class FilmMoment {
   public:
     FilmMoment() = default;
     FilmMoment(const FilmSpace* space, double time_s, FilmSpace::Room of = FilmSpace::Room::Fish)
-        : space_(space), of_(of) {
+        : space_(space), time_s_(time_s), of_(of) {
         if (space) moment_ = space->at(time_s);
     }
 
+    // The same film for another kind of animal, some seconds later.
+    FilmMoment as(FilmSpace::Room of, float ahead_s = 0) const {
+        return {space_, time_s_ + static_cast<double>(ahead_s), of};
+    }
     bool known() const { return space_ != nullptr; }
     // Returns the distance from the place outwards to the end of the room for bodies; negative beyond it.
     // Requires known(), as the next two do.
@@ -86,11 +90,15 @@ class FilmMoment {
     float keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy_m, float push) const;
     // Returns how far the body reaches out of its room; 0: not at all.
     float overshoot_m(const physics::Capsule& body) const;
+    // Returns the place moved towards the camera by as far as the body, whose middle it is, reaches out of
+    // its room, but by no more than most_m.
+    glm::vec3 pulledIn(glm::vec3 place, const physics::Capsule& body, float most_m) const;
     // Returns whether a surface of the film lies between the head and the place.
     bool hides(glm::vec3 headWorld, glm::vec3 place) const;
 
   private:
     const FilmSpace* space_ = nullptr;
+    double time_s_ = 0;
     FilmSpace::Room of_ = FilmSpace::Room::Fish;
     FilmSpace::Moment moment_;
 };

@@ -43,7 +43,7 @@ void accompany(const Fish& other, glm::vec3 towards, float distance, float spaci
 
 void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, const Fish& b, const Species& kindB,
                 Neighbours& ofB) {
-    const bool companions = a.leader == b.leader;
+    const bool companions = a.route.leader == b.route.leader;
     const glm::vec3 apart = a.position - b.position;
     const float squared = glm::dot(apart, apart);
     if ((!companions && squared > kSight_m * kSight_m) || !b.free()) return;
@@ -75,62 +75,35 @@ void gatherNeighbours(std::span<const Fish> fish, const SpeciesTable& species, s
     }
 }
 
-void chooseRoute(Fish& f, int id, std::span<const Fish> fish, const School& school, const Species& kind,
-                 Random& random) {
-    const bool leads = f.leader == id;
-    if (--f.wanderTicks <= 0) {
-        f.wanderGoal = {random.between(-1, 1), random.between(-0.6f, 0.6f), random.between(-1, 1)};
-        f.wanderTicks = 60 + static_cast<int>(random.below(180));
-        // A solitary fish at times stops to look around.
-        const bool lingers = kind.company == Company::Alone && random.unit() < 0.15f;
-        f.pace = lingers ? 0.2f : 1.0f;
-    }
-    f.wander += (f.wanderGoal - f.wander) * (1.2f * kDt);
-    if (leads && --f.routeTicks <= 0) {
-        f.radius = random.between(school.radiusLow_m, school.radiusHigh_m);
-        f.height = random.between(school.heightLow_m, school.heightHigh_m);
-        if (random.unit() < 0.25f) f.sense = -f.sense;
-        f.routeTicks = 600 + static_cast<int>(random.below(1200));
-    } else if (!leads) {
-        const Fish& leader = fish[f.leader];
-        f.radius = leader.radius;
-        f.height = leader.height;
-        f.sense = leader.sense;
-    }
-}
-
-void startle(Fish& f, int id, glm::vec3 from, Random& random, Events& events) {
+void startle(Fish& f, int id, glm::vec3 from, const DiveContext& in, Random& random, Events& events) {
     if (!f.free()) return;
     // The flight leads away from the danger, more level than up or down, and not through the player.
-    glm::vec3 away = normalizedOr(f.position - from, f.forward);
-    const glm::vec3 outward = normalizedOr({f.position.x, 0, f.position.z}, {0, 0, -1});
-    away =
+    const glm::vec3 away = normalizedOr(f.position - from, f.forward), fromHead = f.position - in.head();
+    const glm::vec3 outward = normalizedOr({fromHead.x, 0, fromHead.z}, {0, 0, -1});
+    f.flight.heading =
         normalizedOr(glm::vec3(away.x, 0.4f * away.y, away.z) + outward * 0.5f + f.forward * 0.3f, f.forward);
-    f.flee = away;
-    f.dart_s = 0.8f + 0.5f * random.unit();
-    f.nervous_s = 0;
-    if (f.frightRest_s > 0) return;
+    f.flight.left_s = 0.8f + 0.5f * random.unit();
+    f.flight.touchedGently_s = 0;
+    if (f.flight.rest_s > 0) return;
     f.state = Fish::State::Dart;
-    f.frightRest_s = 1.5f;
+    f.flight.rest_s = 1.5f;
     events.push_back({.kind = EventKind::Startle, .creature = id, .position = f.position});
 }
 
-void frightenByHands(const Hands& hands, const SpeciesTable& species, std::span<Fish> fish, Random& random,
-                     Events& events) {
-    for (const Hand& hand : hands) {
+void frightenByHands(std::span<Fish> fish, const DiveContext& in, Random& random, Events& events) {
+    for (const Hand& hand : in.state.hands) {
         if (!hand.solid) continue;
         for (size_t i = 0; i < fish.size(); ++i) {
             Fish& f = fish[i];
-            if (f.state != Fish::State::Cruise || f.frightRest_s > 0) continue;
-            if (helpedTo(hand, static_cast<int>(i))) continue;
-            const float shyness = species[f.species].shyness;
+            const int id = static_cast<int>(i);
+            if (f.state != Fish::State::Cruise || f.flight.rest_s > 0 || helpedTo(hand, id)) continue;
             const glm::vec3 apart = f.position - hand.graspCentre;
             const float distance = glm::length(apart);
             if (distance > 0.8f || distance < 1e-4f) continue;
             // A hand coming on at 1.2 m/s is noticed at 0.23 m, at 3 m/s at 0.5 m.
             const float closing = glm::dot(hand.ownVelocity - f.velocity, apart / distance);
-            if (closing < 1.2f || distance > shyness * (0.05f + 0.15f * closing)) continue;
-            startle(f, static_cast<int>(i), hand.graspCentre, random, events);
+            if (closing < 1.2f || distance > in.kindOf(f).shyness * (0.05f + 0.15f * closing)) continue;
+            startle(f, id, hand.graspCentre, in, random, events);
         }
     }
 }
@@ -157,7 +130,7 @@ constexpr float kSteepestDart = 0.6f; // ...and in flight
 constexpr float kSnap_s = 0.07f;
 
 bool darts(const Fish& f) { return f.state == Fish::State::Dart; }
-bool snaps(const Fish& f) { return f.flight_s > 0 && f.flight_s <= kSnap_s; }
+bool snaps(const Fish& f) { return f.flight.spent_s > 0 && f.flight.spent_s <= kSnap_s; }
 
 // The way and the speed that a fish wants.
 struct Desire {
@@ -168,8 +141,8 @@ struct Desire {
 
 Desire flee(const Fish& f, const Species& kind, const Place& place, const School& school) {
     Desire desire;
-    desire.way = f.flee * kind.dart_mps + place.outward * (place.radius < 0.6f ? 0.8f : 0.0f);
-    desire.speed = kind.dart_mps * std::min(1.0f, 0.35f + f.dart_s);
+    desire.way = f.flight.heading * kind.dart_mps + place.outward * (place.radius < 0.6f ? 0.8f : 0.0f);
+    desire.speed = kind.dart_mps * std::min(1.0f, 0.35f + f.flight.left_s);
     const float outer = school.radiusHigh_m + 0.6f * kOuterSlack_m;
     if (place.radius > outer) desire.way -= place.outward * kind.dart_mps * 1.2f;
     desire.afraid = true;
@@ -178,19 +151,20 @@ Desire flee(const Fish& f, const Species& kind, const Place& place, const School
 
 // Follows its circle, returns to it, closes up to its companions and swims parallel to them.
 Desire cruise(const Fish& f, const Species& kind, const Place& place, const Neighbours& around) {
+    const Route& route = f.route;
     Desire desire;
     const float own = kind.company == Company::Alone ? 0.3f : 0.25f;
-    desire.way = glm::cross(kUp, place.outward) * f.sense +
-                 place.outward * std::clamp(1.5f * (f.radius - place.radius), -1.2f, 1.2f) +
-                 kUp * std::clamp(1.5f * (f.height - f.position.y), -0.7f, 0.7f) + own * f.wander;
-    desire.way *= f.cruise;
-    desire.speed = f.cruise * f.pace;
-    if (around.aligned > 0) desire.way += normalizedOr(around.headings, f.forward) * (1.0f * f.cruise);
+    desire.way = glm::cross(kUp, place.outward) * route.direction +
+                 place.outward * std::clamp(1.5f * (route.radius - place.radius), -1.2f, 1.2f) +
+                 kUp * std::clamp(1.5f * (route.height - f.position.y), -0.7f, 0.7f) + own * route.wander;
+    desire.way *= route.cruise_mps;
+    desire.speed = route.cruise_mps * route.speedFactor;
+    if (around.aligned > 0) desire.way += normalizedOr(around.headings, f.forward) * route.cruise_mps;
     if (around.attracted > 0) {
         const glm::vec3 towards = around.towards / static_cast<float>(around.attracted);
         const float reach = 3 * kind.spacing * kind.length_m;
         const glm::vec3 pull = limited(towards / reach, 1);
-        desire.way += pull * (1.2f * f.cruise);
+        desire.way += pull * (1.2f * route.cruise_mps);
         // A fish behind its companions hurries, one ahead of them waits.
         desire.speed *= 1 + 0.5f * glm::dot(pull, f.forward);
     }
@@ -204,43 +178,47 @@ Desire visit(const Fish& f, const Hand& hand) {
     const float distance = glm::length(apart);
     const float share = std::min(1.0f, distance / kVisitSlow_m);
     const glm::vec3 looks = normalizedOr(hand.graspCentre - f.position, f.forward);
-    desire.speed = 1.3f * f.cruise * share;
-    desire.way = normalizedOr(apart, looks) * (f.cruise * share) + looks * (0.2f * f.cruise);
+    desire.speed = 1.3f * f.route.cruise_mps * share;
+    desire.way =
+        normalizedOr(apart, looks) * (f.route.cruise_mps * share) + looks * (0.2f * f.route.cruise_mps);
     return desire;
 }
 
 // Steers a fish around the player's head.
-void avoidEyes(const Fish& f, float length_m, Desire& desire) {
-    const float distance = glm::length(f.position);
+void avoidHead(const Fish& f, float length_m, glm::vec3 head, Desire& desire) {
+    const glm::vec3 apart = f.position - head;
+    const float distance = glm::length(apart);
     const float room = distance - kEyeRoom_m - 0.5f * length_m;
-    const float shy_m = f.visits >= 0 ? 0.3f * kEyeShy_m : kEyeShy_m;
+    const float shy_m = f.visit.hand >= 0 ? 0.3f * kEyeShy_m : kEyeShy_m;
     if (room < shy_m && distance > 1e-4f)
-        desire.way += f.position / distance * (2.5f * (1 - room / shy_m) * std::max(f.cruise, f.speed));
+        desire.way += apart / distance * (2.5f * (1 - room / shy_m) * std::max(f.route.cruise_mps, f.speed));
 }
 
 // Steers a fish around hands, unless it flees or visits the hand.
 void avoidHands(const Fish& f, const Hands& hands, Desire& desire) {
     for (int h = 0; h < 2; ++h) {
         const Hand& hand = hands[h];
-        if (!hand.visible || darts(f) || f.visits == h) continue;
+        if (!hand.visible || darts(f) || f.visit.hand == h) continue;
         const glm::vec3 apart = f.position - hand.graspCentre;
         const float distance = glm::length(apart);
         if (distance < 0.25f && distance > 1e-4f)
-            desire.way += apart / distance * (0.7f * f.cruise * (1 - distance / 0.25f));
+            desire.way += apart / distance * (0.7f * f.route.cruise_mps * (1 - distance / 0.25f));
     }
 }
 
-void avoidShark(const Fish& f, const Species& kind, const Shark& shark, const SpeciesTable& species,
-                Desire& desire) {
+void avoidShark(const Fish& f, const DiveContext& in, Desire& desire) {
+    const Shark& shark = in.state.shark;
     if (!shark.present) return;
-    const float half = species[shark.species].bodyHalf_m;
+    const Species& kind = in.kindOf(f);
+    const float half = in.kindOf(shark).bodyHalf_m;
     const float t = std::clamp(glm::dot(f.position - shark.position, shark.forward), -half, half);
     const glm::vec3 apart = f.position - (shark.position + shark.forward * t);
     const float distance = glm::length(apart);
     if (distance >= kSharkShy_m || distance <= 1e-4f) return;
     const float fear = 1 - distance / kSharkShy_m;
     desire.way += apart / distance * (2.5f * fear * kind.dart_mps);
-    desire.speed = std::max(desire.speed, std::min(kind.dart_mps, f.cruise + 2.2f * fear * kind.dart_mps));
+    const float hurried = f.route.cruise_mps + 2.2f * fear * kind.dart_mps;
+    desire.speed = std::max(desire.speed, std::min(kind.dart_mps, hurried));
     desire.afraid = true;
 }
 
@@ -256,25 +234,25 @@ void avoidRock(const Fish& f, const Species& kind, const FilmMoment& film, Desir
     if (!film.known()) return;
     const glm::vec3 soon = f.position + kRockForesee_s * f.velocity;
     const float gap = film.gap_m(soon) - kind.bodyHalf_m - kind.bodyRadius_m;
-    film.keepOff(desire.way, soon, gap, kRockShy_m, std::max(f.cruise, f.speed));
+    film.keepOff(desire.way, soon, gap, kRockShy_m, std::max(f.route.cruise_mps, f.speed));
 }
 
-Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) {
-    const Species& kind = s.species[f.species];
+Desire desireOf(const Fish& f, const Neighbours& around, const DiveContext& in) {
+    const Species& kind = in.kindOf(f);
     const Place place = placeOf(f.position);
-    const bool visits = f.visits >= 0 && !darts(f);
-    Desire desire = darts(f) ? flee(f, kind, place, s.dive.schools[f.school])
-                    : visits ? visit(f, s.hands[f.visits])
+    const bool visits = f.visit.hand >= 0 && !darts(f);
+    Desire desire = darts(f) ? flee(f, kind, place, in.dive.schools[f.school])
+                    : visits ? visit(f, in.state.hands[f.visit.hand])
                              : cruise(f, kind, place, around);
-    avoidEyes(f, kind.length_m, desire);
-    avoidHands(f, s.hands, desire);
-    avoidShark(f, kind, s.shark, s.species, desire);
+    avoidHead(f, kind.length_m, in.head(), desire);
+    avoidHands(f, in.state.hands, desire);
+    avoidShark(f, in, desire);
     desire.way += around.giveWay * (desire.afraid ? 3.5f : 1.0f);
     if (!desire.afraid) // brakes for fish in its way
-        desire.speed = std::max(visits ? 0.0f : 0.3f * f.cruise,
+        desire.speed = std::max(visits ? 0.0f : 0.3f * f.route.cruise_mps,
                                 desire.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
-    avoidFloor(f, s.dive.floor_m, desire);
-    avoidRock(f, kind, s.film, desire);
+    avoidFloor(f, in.dive.floor_m, desire);
+    avoidRock(f, kind, in.film, desire);
     return desire;
 }
 
@@ -286,8 +264,8 @@ glm::vec3 turn(Fish& f, int id, const Species& kind, const Desire& desire, glm::
     const float acceleration = snapping ? 1200 : darting ? 250 : 9 * rate;
     const glm::vec3 spin = turnSmoothly(f.forward, f.spin, goal, eager, rate, acceleration, kDt);
     f.forward = levelled(f.forward, kSteepestDart);
-    if (f.flightSide == 0 && f.flight_s > 0)
-        f.flightSide = glm::dot(spin, kUp) < 0 || (glm::dot(spin, kUp) == 0 && id % 2) ? -1.0f : 1.0f;
+    if (f.flight.side == 0 && f.flight.spent_s > 0)
+        f.flight.side = glm::dot(spin, kUp) < 0 || (glm::dot(spin, kUp) == 0 && id % 2) ? -1.0f : 1.0f;
     bankIntoTurn(f, 0.35f, 0.7f, 5);
     return spin;
 }
@@ -295,122 +273,143 @@ glm::vec3 turn(Fish& f, int id, const Species& kind, const Desire& desire, glm::
 // Switches between bursts and glides: Weihs 1974, "Energetic advantages of burst swimming of fish".
 void chooseGliding(Fish& f, const Species& kind, const Desire& desire) {
     if (desire.afraid || !kind.coasts)
-        f.coasting = false;
+        f.route.gliding = false;
     else if (f.speed > 1.2f * desire.speed)
-        f.coasting = true;
+        f.route.gliding = true;
     else if (f.speed < 0.75f * desire.speed)
-        f.coasting = false;
+        f.route.gliding = false;
 }
 
 void accelerate(Fish& f, const Species& kind, Desire desire, glm::vec3 goal) {
     // Sharp turns are swum slowly.
     if (!desire.afraid) desire.speed *= 0.6f + 0.4f * std::max(0.0f, glm::dot(f.forward, goal));
-    if (kind.coasts && !desire.afraid) desire.speed *= f.coasting ? 0.0f : 1.35f;
-    const float drag = f.coasting ? 0.9f * f.speed : std::max(1.2f, 0.8f * f.speed);
-    const float drive = darts(f) ? 22.0f : desire.afraid ? 9.0f : 2.5f * f.cruise;
+    if (kind.coasts && !desire.afraid) desire.speed *= f.route.gliding ? 0.0f : 1.35f;
+    const float drag = f.route.gliding ? 0.9f * f.speed : std::max(1.2f, 0.8f * f.speed);
+    const float drive = darts(f) ? 22.0f : desire.afraid ? 9.0f : 2.5f * f.route.cruise_mps;
     f.speed = towards(f.speed, desire.speed, (desire.speed > f.speed ? drive : drag) * kDt);
 }
 
 void bendAndBeat(Fish& f, const Species& kind, glm::vec3 desiredSpin) {
     BodyShape& shape = f.shape;
     beatTail(f, kind);
-    const float amplitude = f.coasting ? 0.0f : tailAmplitude(f.speed / kind.cruise_mps);
+    const float amplitude = f.route.gliding ? 0.0f : tailAmplitude(f.speed / kind.cruise_mps);
     shape.amplitude = eased(shape.amplitude, amplitude, 8);
-    shape.bendUp = eased(shape.bendUp, bendUpFor(f, desiredSpin, kind.length_m, 0.35f), 6);
+    shape.bendUp =
+        eased(shape.bendUp, bendFor(f, -glm::dot(desiredSpin, leftOf(f.forward)), kind.length_m, 0.35f), 6);
     shape.finsDown = eased(shape.finsDown, 0, 6);
 
     // Bends into the C of a fast start, then the tail's stroke back, then along its path.
     constexpr float kC_s = 0.07f, kStroke_s = 0.17f, kC = 1.9f, kStroke = -0.7f;
-    if (f.flight_s > 0 && f.flight_s < kStroke_s) {
-        const float goal = f.flight_s < kC_s ? kC : kStroke;
-        shape.bendLeft = towards(shape.bendLeft, goal * f.flightSide, 34 * kDt);
+    if (f.flight.spent_s > 0 && f.flight.spent_s < kStroke_s) {
+        const float goal = f.flight.spent_s < kC_s ? kC : kStroke;
+        shape.bendLeft = towards(shape.bendLeft, goal * f.flight.side, 34 * kDt);
     } else {
-        const float goal = bendLeftFor(f, desiredSpin, kind.length_m, kMaxBendLeft);
+        const float goal = bendFor(f, glm::dot(desiredSpin, kUp), kind.length_m, kMaxBendLeft);
         shape.bendLeft = eased(shape.bendLeft, goal, darts(f) ? 14.0f : 5.0f);
     }
 }
 
-void keepInBounds(Fish& f, const Species& kind, const DiveFile& dive) {
-    const float outer = dive.schools[f.school].radiusHigh_m + kOuterSlack_m;
+void keepInBounds(Fish& f, const DiveContext& in) {
+    const Species& kind = in.kindOf(f);
+    const float outer = in.dive.schools[f.school].radiusHigh_m + kOuterSlack_m;
     const auto [radius, outward] = placeOf(f.position);
     const float kept = std::clamp(radius, kInner_m, outer);
     // It is drawn back at no more than a brisk swim, so that nobody sees it jump.
     if (kept != radius) f.position += outward * std::clamp(kept - radius, -0.008f, 0.008f);
-    const float room = kEyeRoom_m + 0.5f * kind.length_m - glm::length(f.position);
-    if (room > 0) f.position += normalizedOr(f.position, outward) * std::min(room, 0.008f);
-    const float low = dive.floor_m + kind.bodyRadius_m + 0.04f;
+    const glm::vec3 fromHead = f.position - in.head();
+    const float room = kEyeRoom_m + 0.5f * kind.length_m - glm::length(fromHead);
+    if (room > 0) f.position += normalizedOr(fromHead, outward) * std::min(room, 0.008f);
+    const float low = in.dive.floor_m + kind.bodyRadius_m + 0.04f;
     f.position.y = std::clamp(f.position.y, low, kCeiling_m);
 }
 
-// Moves a fish out of the film's surfaces, towards the player but never into the room around the eyes.
-void keepInRoom(Fish& f, const Species& kind, const FilmMoment& film, float most_m) {
-    const float over = film.overshoot_m(capsuleOf(f, kind));
-    if (over <= 0) return;
-    const float distance = glm::length(f.position);
-    const float spare = distance - kEyeRoom_m - 0.5f * kind.length_m;
-    if (spare > 0) f.position -= f.position * (std::min({over, spare, most_m}) / distance);
+// Moves a fish out of the film's surfaces, but not into the room around the eyes.
+void keepInRoom(Fish& f, const DiveContext& in, float most_m) {
+    const Species& kind = in.kindOf(f);
+    const float spare_m = glm::distance(f.position, in.head()) - kEyeRoom_m - 0.5f * kind.length_m;
+    f.position = in.film.pulledIn(f.position, capsuleOf(f, kind), std::min(spare_m, most_m));
 }
 
-void move(Fish& f, const Species& kind, const DiveFile& dive, const FilmMoment& film) {
+void move(Fish& f, const DiveContext& in) {
     f.push *= 1 - 2.5f * kDt; // water stops a pushed fish within a second
     f.push = limited(f.push, kMaxSpeed_mps);
-    const glm::vec3 goal = limited(f.forward * f.speed + f.push + f.parting, kMaxSpeed_mps);
+    const glm::vec3 goal = limited(f.forward * f.speed + f.push + f.separation, kMaxSpeed_mps);
     const glm::vec3 from = f.position;
     f.position += goal * kDt;
-    keepInBounds(f, kind, dive);
-    keepInRoom(f, kind, film, kGiveRoom_mps * kDt);
+    keepInBounds(f, in);
+    keepInRoom(f, in, kGiveRoom_mps * kDt);
     f.velocity = limited((f.position - from) / kDt, kMaxSpeed_mps);
     f.worldFromBody = bodyTurn(f.forward, f.bank);
 }
 
 void chooseGait(Fish& f, const Species& kind) {
-    const bool hurried = darts(f) || f.speed > 2.2f * f.cruise;
+    const bool hurried = darts(f) || f.speed > 2.2f * f.route.cruise_mps;
     f.gait.set(hurried ? Motion::Dart : Motion::Swim);
     // Fins row while the body hovers or brakes, and rest while it glides.
     const float pace = f.speed / kind.cruise_mps;
-    f.gait.advance(f.coasting ? 0.5f : pace < 0.6f ? 1.4f : 1.0f);
+    f.gait.advance(f.route.gliding ? 0.5f : pace < 0.6f ? 1.4f : 1.0f);
 }
 
-void countDown(Fish& f) {
-    if (darts(f) && (f.dart_s -= kDt) <= 0) f.state = Fish::State::Cruise;
-    f.flight_s = darts(f) ? f.flight_s + kDt : 0;
-    if (f.flight_s == 0) f.flightSide = 0;
+void advanceFlight(Fish& f) {
+    if (darts(f) && (f.flight.left_s -= kDt) <= 0) f.state = Fish::State::Cruise;
+    f.flight.spent_s = darts(f) ? f.flight.spent_s + kDt : 0;
+    if (f.flight.spent_s == 0) f.flight.side = 0;
 }
 
-void swim(Fish& f, int id, const Neighbours& around, const Surroundings& s) {
-    const Species& kind = s.species[f.species];
+// Renews a fish's wandering and route when their time is up. Companions take their leader's route.
+void chooseRoute(Fish& f, int id, std::span<const Fish> fish, const DiveContext& in, Random& random) {
+    Route& route = f.route;
+    if (--route.wanderTicks <= 0) {
+        route.wanderGoal = {random.between(-1, 1), random.between(-0.6f, 0.6f), random.between(-1, 1)};
+        route.wanderTicks = 60 + static_cast<int>(random.below(180));
+        // A solitary fish at times stops to look around.
+        const bool lingers = in.kindOf(f).company == Company::Alone && random.unit() < 0.15f;
+        route.speedFactor = lingers ? 0.2f : 1.0f;
+    }
+    route.wander += (route.wanderGoal - route.wander) * (1.2f * kDt);
+    if (route.leader != id) return route.follow(fish[route.leader].route);
+    if (--route.changeTicks > 0) return;
+    const School& school = in.dive.schools[f.school];
+    route.radius = random.between(school.radiusLow_m, school.radiusHigh_m);
+    route.height = random.between(school.heightLow_m, school.heightHigh_m);
+    if (random.unit() < 0.25f) route.direction = -route.direction;
+    route.changeTicks = 600 + static_cast<int>(random.below(1200));
+}
+
+void swim(Fish& f, int id, const Neighbours& around, const DiveContext& in) {
+    const Species& kind = in.kindOf(f);
     f.push += around.push;
-    const Desire desire = desireOf(f, around, s);
+    const Desire desire = desireOf(f, around, in);
     const glm::vec3 goal =
         levelled(normalizedOr(desire.way, f.forward), darts(f) ? kSteepestDart : kSteepest);
     const glm::vec3 spin = turn(f, id, kind, desire, goal);
     chooseGliding(f, kind, desire);
     if (!snaps(f)) accelerate(f, kind, desire, goal);
     bendAndBeat(f, kind, spin);
-    move(f, kind, s.dive, s.film);
+    move(f, in);
     chooseGait(f, kind);
 }
 
 } // namespace
 
-void startInRoom(std::span<Fish> fish, const SpeciesTable& species, const FilmMoment& film) {
+void startInRoom(std::span<Fish> fish, const DiveContext& in) {
     // Each move changes which directions the body covers: a few rounds converge.
     for (int round = 0; round < 4; ++round)
-        for (Fish& f : fish) keepInRoom(f, species[f.species], film, FilmSpace::kFar_m);
+        for (Fish& f : fish) keepInRoom(f, in, FilmSpace::kFar_m);
 }
 
-void swimFish(std::span<Fish> fish, const Surroundings& s, std::span<Neighbours> neighbours, Random& random) {
-    gatherNeighbours(fish, s.species, neighbours);
+void swimFish(std::span<Fish> fish, const DiveContext& in, std::span<Neighbours> neighbours, Random& random) {
+    gatherNeighbours(fish, in.species, neighbours);
     for (size_t i = 0; i < fish.size(); ++i) {
         Fish& f = fish[i];
         const int id = static_cast<int>(i);
         f.uncatchable_s = std::max(0.0f, f.uncatchable_s - kDt);
-        f.frightRest_s = std::max(0.0f, f.frightRest_s - kDt);
-        if (f.state == Fish::State::Held) struggle(f, s.hands[f.heldBy], random);
+        f.flight.rest_s = std::max(0.0f, f.flight.rest_s - kDt);
+        if (f.state == Fish::State::Held) struggle(f, in.state.hands[f.heldBy], random);
         if (!f.free()) continue;
-        countDown(f);
-        chooseRoute(f, id, fish, s.dive.schools[f.school], s.species[f.species], random);
-        swim(f, id, neighbours[i], s);
+        advanceFlight(f);
+        chooseRoute(f, id, fish, in, random);
+        swim(f, id, neighbours[i], in);
     }
 }
 

@@ -5,21 +5,15 @@
 // and forces add, so that headings do not jump as a neighbour crosses an edge.
 #pragma once
 
-#include "engine/core/Random.h"
-#include "game/rules/Creatures.h"
-#include "game/rules/DiveFile.h"
+#include "game/rules/DiveState.h"
 #include "game/rules/Events.h"
-#include "game/rules/FilmSpace.h"
-#include "game/rules/Hand.h"
 
 #include <span>
 
 namespace shoal::game {
 
-void spawnFish(const DiveFiles&, Random&, std::vector<Fish>& out); // at the beginning of a dive
-
-// Moves fish that would be behind a surface of the film towards the player, before they are first seen.
-void startInRoom(std::span<Fish>, const SpeciesTable&, const FilmMoment&);
+// Moves fish that would be behind a surface of the film towards the camera, before they are first seen.
+void startInRoom(std::span<Fish>, const DiveContext&);
 
 // Influence of the other fish on one, gathered once a tick.
 struct Neighbours {
@@ -33,26 +27,14 @@ struct Neighbours {
 // Fills out with one entry for each fish.
 void gatherNeighbours(std::span<const Fish>, const SpeciesTable&, std::span<Neighbours> out);
 
-// Renews the fish's wandering and route when their time is up. Companions take their leader's route.
-void chooseRoute(Fish&, int id, std::span<const Fish>, const School&, const Species&, Random&);
-
-// All that a fish reacts to besides other fish.
-struct Surroundings {
-    const DiveFile& dive;
-    const SpeciesTable& species;
-    const Hands& hands;
-    const Shark& shark;
-    const FilmMoment& film;
-};
-
 // Advances all fish by a tick: free fish swim, held ones struggle.
-void swimFish(std::span<Fish>, const Surroundings&, std::span<Neighbours> neighbours, Random&);
+void swimFish(std::span<Fish>, const DiveContext&, std::span<Neighbours>, Random&);
 
 // Makes the fish flee from a place and away from the player, with one Startle event per fright. A fish in a
 // hand or a mouth is not affected.
-void startle(Fish&, int id, glm::vec3 from, Random&, Events&);
+void startle(Fish&, int id, glm::vec3 from, const DiveContext&, Random&, Events&);
 
 // Startles fish that a fast hand comes upon.
-void frightenByHands(const Hands&, const SpeciesTable&, std::span<Fish>, Random&, Events&);
+void frightenByHands(std::span<Fish>, const DiveContext&, Random&, Events&);
 
 } // namespace shoal::game

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/physics/Capsule.h"
+#include "engine/physics/ContactModel.h"
 #include "engine/physics/Grip.h"
 #include "engine/scene/HandPose.h"
 #include "game/rules/Snapshot.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 namespace shoal::game {
 
@@ -23,8 +23,6 @@ struct Grasp {
     int window = 0;      // ticks left to take hold of what is between the fingers
     int holds = -1;      // index of the held fish, -1 none
     int encloses = -1;   // index of the fish its fingers close around: held, or about to be
-
-    auto fields() const { return std::tie(firmest, closed, window, holds, encloses); }
 };
 
 // The fish that the hand reaches for, and the help that it gets to take it; see game/rules/Intent.h.
@@ -37,10 +35,6 @@ struct Intent {
     float closing_Hz = 0;   // growth of the grip a second, smoothed over about 30 ms
     float fastest_mps = 0;  // greatest speed of the hand since it began to close
     Miss miss = Miss::None; // reason why it takes nothing, if so, decided when the grip closed
-
-    auto fields() const {
-        return std::tie(fish, inRange, unseen_s, helps, movedView, closing_Hz, fastest_mps, miss);
-    }
 };
 
 // Fingers that rest on the fish they close around instead of entering it.
@@ -51,14 +45,11 @@ struct FingerWrap {
     struct Lift {
         glm::vec3 move{0};
         glm::quat turn{1, 0, 0, 0};
-        auto fields() const { return std::tie(move, turn); }
     };
     std::array<Lift, hands::kJointCount> lifts{};
     // Forces of the fingers on that fish in this tick; the first pressCount count.
     std::array<physics::Press, hands::kJointCount> presses{};
     int pressCount = 0;
-
-    auto fields() const { return std::tie(shown, lifts, presses, pressCount); }
 };
 
 struct Hand {
@@ -75,7 +66,7 @@ struct Hand {
     glm::vec3 ownVelocity{0};      // the same relative to the head, without the help's part
     glm::vec3 calmAcceleration{0}; // derivative of calmVelocity, smoothed, m/s2
     float grip = 0;                // 0 open to 1 fist
-    std::array<TouchView, hands::kHandParts> touching{}; // what each finger and the palm feel
+    std::array<TouchView, hands::kHandParts> touching{}; // felt by each finger and the palm
     Grasp grasp;
     Intent intent;
     FingerWrap fingers;
@@ -87,11 +78,10 @@ struct Hand {
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
     glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
-
-    auto fields() const {
-        return std::tie(visible, known, lastGood, untrackedTicks, solid, joints, before, velocities,
-                        graspCentre, velocity, calmVelocity, ownVelocity, calmAcceleration, grip, touching,
-                        grasp, intent, fingers, lastMiss, sinceMiss_s, stung_s, rested_s, nextVisit_s);
+    // Returns where a fish of that radius lies in the hand; of a thicker one the flesh gives way.
+    glm::vec3 hollow(float radius_m) const {
+        const float radius = std::min(radius_m, physics::kEnclosed_m);
+        return palm().position + palm().orientation * glm::vec3(0, -0.008f - radius, -0.030f);
     }
 };
 using Hands = std::array<Hand, 2>; // left, right
@@ -117,17 +107,12 @@ inline physics::Capsule bone(const std::array<hands::Joint, hands::kJointCount>&
     return {from.position, to.position, std::min(from.radius, to.radius)};
 }
 
-// Returns where a fish of that radius lies in a hand with that palm joint.
-inline glm::vec3 hollowOf(const hands::Joint& palm, float radius_m) {
-    return palm.position + palm.orientation * glm::vec3(0, -0.008f - radius_m, -0.030f);
-}
-
 // Position and direction of the player's head.
 struct Viewpoint {
     glm::quat worldFromView{1, 0, 0, 0};
     glm::vec3 headWorld{0}; // between the eyes
 
-    auto fields() const { return std::tie(worldFromView, headWorld); }
+    glm::vec3 ahead() const { return worldFromView * glm::vec3(0, 0, -1); }
 };
 
 // Updates view and hands from the tick's input. Values that are not finite or not plausible are ignored: the

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/physics/ContactWorld.h"
-#include "game/rules/Creatures.h"
-#include "game/rules/FishBehaviour.h"
+#include "game/rules/DiveState.h"
+#include "game/rules/Events.h"
 
 #include <algorithm>
 #include <span>
@@ -15,13 +15,10 @@ namespace shoal::game {
 class HandContacts {
   public:
     // Replaces the last tick's contacts by this tick's, sorted by creature id, hand and joint. The shark's id
-    // is fish.size(). Resets the parting velocities of all fish and counts down their loose_s.
-    void collide(const Hands&, const SpeciesTable&, std::span<Fish> fish, const Shark&,
-                 std::vector<physics::Contact>& contacts);
+    // is fish.size(). Resets the separation velocities of all fish and counts down their noPush_s.
+    void collide(std::span<Fish>, const DiveContext&, std::vector<physics::Contact>& contacts);
 
   private:
-    void addBody(const Swimmer&, int id, const Species&, const Hands&);
-
     std::vector<physics::Body> bodies_;
     std::vector<physics::Mover> movers_;
     std::vector<physics::Contact> last_;
@@ -41,7 +38,6 @@ template <class Visit> void forEachCreature(std::span<const physics::Contact> co
 void feel(const physics::Contact&, const Fish&, Hands&);
 
 // Pushes a fish that no hand holds, by all contacts with it, and startles it when they are too rough.
-void pushFish(Fish&, int id, const Species&, std::span<const physics::Contact>, const Hands&, uint32_t tick,
-              Random&, Events&);
+void pushFish(Fish&, int id, std::span<const physics::Contact>, const DiveContext&, Random&, Events&);
 
 } // namespace shoal::game

@@ -1,7 +1,6 @@
 #include "game/rules/Intent.h"
 
 #include "engine/physics/ContactModel.h"
-#include "game/rules/Catching.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -39,23 +38,23 @@ constexpr float kShow_Hz = 12;         // easing rate of Fish::catchable
 
 // Returns the distance of the fish from the hand, now or soon, in units of the range: 0 in the hand, 1 at the
 // range's edge, more beyond; very large where the hand cannot mean it.
-float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpoint& view, const Help& help,
-              const FilmMoment& film) {
+float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
     constexpr float kNever = std::numeric_limits<float>::max();
-    if (!f.free() || f.uncatchable_s > 0 || kind.stings) return kNever;
+    const Help& help = kHelp[static_cast<size_t>(in.assist)];
+    if (!in.mayBeTaken(f)) return kNever;
     const glm::vec3 apart = f.velocity - hand.calmVelocity;
     const float speed = glm::length(apart);
     if (speed > kTooFast_mps) return kNever;
     const float behindPalm = 2 * help.moveHand_m; // hand and fish meet half way
     if (glm::dot(f.position - hand.palm().position, hand.outOfPalm()) < -behindPalm) return kNever;
-    if (film.hides(view.headWorld, f.position)) return kNever;
+    if (in.hides(f.position)) return kNever;
     const auto gapAt = [&](glm::vec3 centre) {
-        const physics::Capsule body = capsuleOf(f, kind);
+        const physics::Capsule body = capsuleOf(f, in.kindOf(f));
         const physics::Nearest at = physics::nearest({centre, centre, 0}, body);
         const glm::vec3 way = at.onSecond - centre;
         const float distance = glm::length(way);
         const glm::vec3 gap = way * (std::max(0.0f, distance - body.radius) / std::max(distance, 1e-6f));
-        const glm::vec3 sight = normalizedOr(hand.graspCentre - view.headWorld, {0, 0, -1});
+        const glm::vec3 sight = normalizedOr(hand.graspCentre - in.head(), {0, 0, -1});
         const float along = glm::dot(gap, sight);
         const float across = glm::length(gap - along * sight);
         return std::sqrt(along * along / (help.along_m * help.along_m) +
@@ -66,18 +65,14 @@ float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpo
     return std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
 }
 
-void readIntent(Hand& hand, const Viewpoint& view, const SpeciesTable& species, std::span<const Fish> fish,
-                const Help& help, const FilmMoment& film) {
+void readIntent(Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     Intent& intent = hand.intent;
     intent.inRange = false;
-    const bool hidden = film.hides(view.headWorld, hand.graspCentre);
-    if (!hand.solid || hand.stung_s > 0 || hand.grasp.holds >= 0 || hidden) {
+    if (!hand.solid || hand.stung_s > 0 || hand.grasp.holds >= 0 || in.hides(hand.graspCentre)) {
         intent.fish = -1;
         return;
     }
-    const auto reach = [&](int id) {
-        return reachOf(fish[id], species[fish[id].species], hand, view, help, film);
-    };
+    const auto reach = [&](int id) { return reachOf(fish[id], hand, in); };
     const float kept = intent.fish >= 0 ? reach(intent.fish) : 1e9f;
     intent.unseen_s = kept < 1 ? 0 : intent.unseen_s + kDt;
     if (kept > kKeep || intent.unseen_s > kForget_s) intent.fish = -1;
@@ -108,14 +103,21 @@ void moveBack(Hand& hand) {
 
 } // namespace
 
-void readIntents(Hands& hands, const Viewpoint& view, const SpeciesTable& species, std::span<Fish> fish,
-                 Assist assist, const FilmMoment& film) {
+float graspGap(const Fish& f, const Species& kind, const Hand& hand) {
+    return physics::separation({hand.graspCentre, hand.graspCentre, 0}, capsuleOf(f, kind));
+}
+
+bool onPalmSide(const Fish& f, const Hand& hand) {
+    return glm::dot(f.position - hand.palm().position, hand.outOfPalm()) > 0;
+}
+
+void readIntents(Hands& hands, std::span<Fish> fish, const DiveContext& in) {
     std::array<int, 2> meant{};
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         hand.stung_s = std::max(0.0f, hand.stung_s - kDt);
         hand.sinceMiss_s += kDt;
-        readIntent(hand, view, species, fish, kHelp[static_cast<size_t>(assist)], film);
+        readIntent(hand, fish, in);
         moveBack(hand);
         meant[h] = hand.intent.inRange ? hand.intent.fish : -1;
     }
@@ -129,18 +131,20 @@ void readIntents(Hands& hands, const Viewpoint& view, const SpeciesTable& specie
     }
 }
 
-void helpClosing(Fish& f, const Species& kind, Hand& hand, const Viewpoint& view, Assist assist) {
+glm::vec3 pushIntoHollow(const Fish& f, const Species& kind, const Hand& hand) {
+    const glm::vec3 way = hand.hollow(kind.bodyRadius_m) - f.position;
+    const glm::vec3 wanted = hand.calmVelocity + limited(way * physics::kDrawRate_Hz, physics::kDrawMax_mps);
+    return limited(wanted, kMaxSpeed_mps) - f.forward * f.speed;
+}
+
+void helpClosing(Fish& f, Hand& hand, const DiveContext& in) {
     Intent& intent = hand.intent;
     intent.helps = true;
-    const glm::vec3 hollow = hollowOf(hand.palm(), std::min(kind.bodyRadius_m, physics::kEnclosed_m));
-    const glm::vec3 apart = f.position - hollow;
+    const glm::vec3 apart = f.position - hand.hollow(in.kindOf(f).bodyRadius_m);
     const glm::vec3 step = limited(apart, kMoveHand_mps * kDt);
-    intent.movedView = limited(intent.movedView + glm::conjugate(view.worldFromView) * step,
-                               kHelp[static_cast<size_t>(assist)].moveHand_m);
-    const glm::vec3 wanted = limited(
-        hand.calmVelocity + limited(-apart * physics::kDrawRate_Hz, physics::kDrawMax_mps), kMaxSpeed_mps);
-    const glm::vec3 push = wanted - f.forward * f.speed;
-    f.push += limited(push - f.push, kPull_mps2 * kDt);
+    intent.movedView = limited(intent.movedView + glm::conjugate(in.state.view.worldFromView) * step,
+                               kHelp[static_cast<size_t>(in.assist)].moveHand_m);
+    f.push += limited(pushIntoHollow(f, in.kindOf(f), hand) - f.push, kPull_mps2 * kDt);
 }
 
 bool isClosing(const Hand& hand) {
@@ -148,56 +152,5 @@ bool isClosing(const Hand& hand) {
 }
 
 bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.intent.fish == fish; }
-
-Miss missOf(const Hand& hand, const Viewpoint& view, const SpeciesTable& species, std::span<const Fish> fish,
-            const FilmMoment& film) {
-    constexpr float kCone = 0.12f, kBeside_m = 0.12f; // room beside the line of sight: tangent, and metres
-    constexpr float kFarthest_m = 3;
-    const glm::vec3 sight = normalizedOr(hand.graspCentre - view.headWorld, {0, 0, -1});
-    const Fish* meant = nullptr;
-    float nearest = 1, depth = 0; // depth: beyond the hand, metres
-    glm::vec3 beside(0);
-    for (const Fish& f : fish) {
-        if (!f.free() || f.uncatchable_s > 0) continue;
-        const glm::vec3 fromHead = f.position - view.headWorld;
-        const float along = glm::dot(fromHead, sight);
-        if (along < 0.2f || along > kFarthest_m) continue;
-        const glm::vec3 across = fromHead - along * sight;
-        const float room = kBeside_m + 0.5f * species[f.species].length_m + kCone * along;
-        const float beyond = along - glm::length(hand.graspCentre - view.headWorld);
-        // Depth counts a little: of two fish beside the line the nearer one was meant.
-        const float cost = glm::length(across) / room + 0.15f * std::fabs(beyond);
-        if (cost >= nearest || glm::length(across) > room) continue;
-        if (film.hides(view.headWorld, f.position)) continue;
-        nearest = cost;
-        meant = &f;
-        depth = beyond;
-        beside = across;
-    }
-    if (!meant) return Miss::Nothing;
-    if (hand.intent.fastest_mps > kFastHand_mps || meant->state == Fish::State::Dart) return Miss::TooFast;
-    const float reach = kGraspRadius_m + species[meant->species].bodyRadius_m;
-    if (depth > reach) return Miss::TooFar;
-    const bool leaves = glm::dot(meant->velocity, beside) > 0;
-    if (depth < -reach || (leaves && glm::length(beside) > reach)) return Miss::Behind;
-    return Miss::TooEarly;
-}
-
-EventKind eventOf(Miss miss) {
-    switch (miss) {
-    case Miss::TooFar:
-        return EventKind::MissTooFar;
-    case Miss::TooFast:
-        return EventKind::MissTooFast;
-    case Miss::TooEarly:
-        return EventKind::MissTooEarly;
-    case Miss::Behind:
-        return EventKind::MissBehind;
-    case Miss::None:
-    case Miss::Nothing:
-        break;
-    }
-    return EventKind::Miss;
-}
 
 } // namespace shoal::game

@@ -18,47 +18,34 @@ constexpr float kKeptTo = 0.06f;      // advantage of the present target, a tang
 constexpr float kNearerPer_m = 0.08f; // ...and of each metre nearer
 constexpr float kLead_s = 0.15f;      // delay of the hand behind the fish that it follows
 
-struct Seen {
-    float beside; // angle between ray and body outline, tangent
-    float along_m;
-};
-
-std::optional<Seen> seen(const CreatureView& creature, const Snapshot& now, const SpeciesTable& species,
-                         glm::vec3 ray) {
-    const Species& kind = species[static_cast<size_t>(creature.species)];
-    const bool free = creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
-    if (!isCatchable(kind) || !free || creature.hidden) return std::nullopt;
-    const glm::vec3 fromHead = creature.position - now.headWorld;
-    const float along = glm::dot(fromHead, ray);
-    if (along < kNear_m || along > kFar_m) return std::nullopt;
-    const float across = glm::length(fromHead - ray * along);
-    return Seen{std::max(0.0f, across - 0.3f * creature.length) / along, along};
-}
-
 } // namespace
 
 std::optional<float> ReachHelp::update(const Snapshot& now, const SpeciesTable& species, glm::vec3 rayView,
                                        float hand_m) {
     const glm::vec3 ray = now.worldFromView * rayView;
-    std::optional<Seen> best;
-    float bestCost = 0;
-    int target = -1;
+    const CreatureView* target = nullptr;
+    float leastCost = 0, targetBeside = 0, targetAlong_m = 0; // beside: angle from ray to outline, a tangent
     for (const CreatureView& creature : now.creatures) {
-        const auto here = seen(creature, now, species, ray);
-        if (!here || here->beside >= kNone) continue;
-        const int id = static_cast<int>(creature.id);
-        const float cost = here->beside + kNearerPer_m * here->along_m - (id == target_ ? kKeptTo : 0);
-        if (best && cost >= bestCost) continue;
-        best = here;
-        bestCost = cost;
-        target = id;
+        const bool free = creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
+        if (!isCatchable(species[static_cast<size_t>(creature.species)]) || !free || creature.hidden)
+            continue;
+        const glm::vec3 fromHead = creature.position - now.headWorld;
+        const float along_m = glm::dot(fromHead, ray);
+        if (along_m < kNear_m || along_m > kFar_m) continue;
+        const float across_m = glm::length(fromHead - ray * along_m);
+        const float beside = std::max(0.0f, across_m - 0.3f * creature.length) / along_m;
+        const bool kept = static_cast<int>(creature.id) == target_;
+        const float cost = beside + kNearerPer_m * along_m - (kept ? kKeptTo : 0);
+        if (beside >= kNone || (target && cost >= leastCost)) continue;
+        target = &creature;
+        leastCost = cost;
+        targetBeside = beside;
+        targetAlong_m = along_m;
     }
-    target_ = target;
-    if (!best) return std::nullopt;
-    const CreatureView& creature = now.creatures[static_cast<size_t>(target)];
-    const float goal =
-        std::clamp(best->along_m + kLead_s * glm::dot(creature.velocity, ray), kNear_m, kFar_m);
-    const float edge = std::clamp((kNone - best->beside) / (kNone - kFull), 0.0f, 1.0f);
+    target_ = target ? static_cast<int>(target->id) : -1;
+    if (!target) return std::nullopt;
+    const float goal = std::clamp(targetAlong_m + kLead_s * glm::dot(target->velocity, ray), kNear_m, kFar_m);
+    const float edge = std::clamp((kNone - targetBeside) / (kNone - kFull), 0.0f, 1.0f);
     return hand_m + (goal - hand_m) * edge * edge * (3 - 2 * edge);
 }
 

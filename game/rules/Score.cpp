@@ -32,16 +32,12 @@ Score newScore(const SpeciesTable& species, const DiveFile& dive) {
 }
 
 int progressOf(const Goal& goal, const Score& score) {
-    const auto different = [&] {
-        return static_cast<int>(
-            std::ranges::count_if(score.species, [](const SpeciesTally& t) { return t.caught > 0; }));
-    };
-    const auto progress = [&] {
+    const auto progress = [&]() -> int {
         switch (goal.kind) {
         case GoalKind::Catch:
             return goal.species < 0 ? score.caught : score.species[static_cast<size_t>(goal.species)].caught;
         case GoalKind::Different:
-            return different();
+            return static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));
         case GoalKind::Score:
             return score.points;
         case GoalKind::NoLoss:

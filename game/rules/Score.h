@@ -4,7 +4,6 @@
 #include "game/rules/DiveFile.h"
 
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace shoal::game {
@@ -12,8 +11,6 @@ namespace shoal::game {
 struct SpeciesTally {
     int caught = 0, lost = 0; // lost: to the shark
     bool touched = false;     // by a hand, in this dive
-
-    auto fields() const { return std::tie(caught, lost, touched); }
 };
 
 // A catch gives its species' points times the combo: how many different species, this one included, have been
@@ -30,8 +27,6 @@ struct Score {
     int combo() const;                       // of the last catch; 0: no run
     int countCatch(int species, int points); // returns the points that it gave
     void countLoss(int species);
-
-    auto fields() const { return std::tie(points, caught, lost, run, bestCombo, species, reached); }
 };
 
 Score newScore(const SpeciesTable&, const DiveFile&);

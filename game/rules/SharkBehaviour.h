@@ -1,14 +1,8 @@
 // Behaviour of the shark: it circles far out, visits, threatens and strikes at held fish; and how it swims.
 #pragma once
 
-#include "engine/core/Random.h"
-#include "engine/physics/ContactWorld.h"
-#include "game/rules/Catching.h"
-#include "game/rules/Creatures.h"
-#include "game/rules/DiveFile.h"
+#include "game/rules/DiveState.h"
 #include "game/rules/Events.h"
-#include "game/rules/FilmSpace.h"
-#include "game/rules/Hand.h"
 
 #include <span>
 
@@ -35,37 +29,24 @@ constexpr float kSoon_s = 1.2f, kLater_s = 3; // look-aheads for walls that come
 constexpr float kVisitRoom_m = 2.2f;          // room below which the visit's clock stops
 constexpr float kWide_m = 2.6f;               // radius from which it begins the next approach
 
-Shark spawnShark(const DiveFiles&, Random&); // at the beginning of a dive
-
 // Returns the radius, at most the plan's, up to which its body fits along a circle at the bearing of the
 // place.
 float openRadius(glm::vec3 place, const SharkPlan&, const Species&, const FilmMoment&);
 
-// The dive as the shark sees it.
-struct SharkView {
-    const DiveFile& dive;
-    const SpeciesTable& species;
-    const Hands& hands;
-    std::span<const Fish> fish;
-    float time_s;                               // since the dive began
-    bool diveIsOver;                            // it begins no new visits
-    FilmMoment film{}, filmSoon{}, filmLater{}; // the film now, in kSoon_s and in kLater_s
-};
-
 // Places the shark where the film leaves room for it, before it is first seen.
-void startInRoom(Shark&, const SharkView&);
+void startInRoom(Shark&, const DiveContext&);
 
-// Chooses its state.
-void decide(Shark&, const SharkView&, Events&);
+// Chooses its state. Once the dive is over it begins no visit.
+void decide(Shark&, const DiveContext&, Events&);
 
 // Swims for a tick as its state demands.
-void swimShark(Shark&, const SharkView&);
+void swimShark(Shark&, const DiveContext&);
 
 // Takes the prey out of the hand at the end of a strike, carries it off and loses it far out.
-void bite(Shark&, const SharkView&, Hands&, std::span<Fish>, Score&, Events&);
+void bite(Shark&, Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
 
 // Bumps the hands that its body meets; they drop what they hold.
-void bumpHands(Shark&, const SpeciesTable&, std::span<const physics::Contact>, Hands&, std::span<Fish>,
+void bumpHands(Shark&, std::span<const physics::Contact>, Hands&, std::span<Fish>, const DiveContext&,
                Events&);
 
 } // namespace shoal::game

@@ -1,5 +1,6 @@
 // Makes the snapshots of a dive and interpolates between them.
 #include "game/rules/Dive.h"
+#include "game/rules/Grasping.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -18,28 +19,7 @@ void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
     view.lastMiss = hand.lastMiss;
     view.sinceMiss_s = hand.sinceMiss_s;
     view.stung_s = hand.stung_s;
-    view.holdProgress = view.holds < 0 ? 0 : std::min(1.0f, fish[view.holds].held_s / kHoldToCatch_s);
-}
-
-void showCreature(const Swimmer& from, size_t id, int species, float length_m, int heldBy,
-                  CreatureView& view) {
-    view.id = static_cast<uint32_t>(id);
-    view.species = species;
-    view.position = from.position;
-    view.worldFromBody = from.worldFromBody;
-    view.velocity = from.velocity;
-    view.length = length_m;
-    view.gait = from.gait;
-    view.shape = from.shape;
-    view.heldBy = heldBy;
-}
-
-void showScore(const Score& score, const std::vector<Goal>& goals, Snapshot& out) {
-    out.combo = score.combo();
-    out.bestCombo = score.bestCombo;
-    out.tally = score.species;
-    out.goals.resize(goals.size());
-    for (size_t i = 0; i < goals.size(); ++i) out.goals[i] = {progressOf(goals[i], score), score.reached[i]};
+    view.holdProgress = view.holds < 0 ? 0 : std::min(1.0f, fish[view.holds].hold.time_s / kHoldToCatch_s);
 }
 
 // Returns the weight of a mark at a time: 1 within it, down to 0 over kRamp_s on both sides.
@@ -78,24 +58,40 @@ void Dive::snapshot(Snapshot& out) const {
     out.score = s.score.points;
     out.caught = s.score.caught;
     out.lost = s.score.lost;
-    showScore(s.score, dive.goals, out);
+    out.combo = s.score.combo();
+    out.bestCombo = s.score.bestCombo;
+    out.tally = s.score.species;
+    out.goals.resize(dive.goals.size());
+    for (size_t i = 0; i < dive.goals.size(); ++i)
+        out.goals[i] = {progressOf(dive.goals[i], s.score), s.score.reached[i]};
     out.worldFromView = s.view.worldFromView;
     out.headWorld = s.view.headWorld;
     for (size_t h = 0; h < s.hands.size(); ++h) showHand(s.hands[h], s.fish, out.hands[h]);
     const bool passing = s.passer.state == Passer::State::Passing;
     out.creatures.resize(static_cast<size_t>(passerId()) + (passing ? 1 : 0));
-    const auto show = [&](size_t id, const Swimmer& from, int species, int heldBy) {
-        showCreature(from, id, species, files_.species[species].length_m, heldBy, out.creatures[id]);
+    const auto show = [&](size_t id, const Swimmer& from, int species) -> CreatureView& {
+        CreatureView& view = out.creatures[id];
+        view = {.id = static_cast<uint32_t>(id),
+                .species = species,
+                .position = from.position,
+                .worldFromBody = from.worldFromBody,
+                .velocity = from.velocity,
+                .length = files_.species[species].length_m,
+                .gait = from.gait,
+                .shape = from.shape};
+        return view;
     };
-    const FilmMoment now = film();
+    const DiveContext in = context();
     for (size_t i = 0; i < s.fish.size(); ++i) {
-        show(i, s.fish[i], s.fish[i].species, s.fish[i].heldBy);
-        out.creatures[i].catchable = s.fish[i].catchable;
-        out.creatures[i].catchableBy = s.fish[i].catchableBy;
-        out.creatures[i].hidden = now.hides(s.view.headWorld, s.fish[i].position);
+        const Fish& fish = s.fish[i];
+        CreatureView& view = show(i, fish, fish.species);
+        view.heldBy = fish.heldBy;
+        view.catchable = fish.catchable;
+        view.catchableBy = fish.catchableBy;
+        view.hidden = in.hides(fish.position);
     }
-    if (s.shark.present) show(s.fish.size(), s.shark, s.shark.species, -1);
-    if (passing) show(static_cast<size_t>(passerId()), s.passer, dive.encounter.species, -1);
+    if (s.shark.present) show(s.fish.size(), s.shark, s.shark.species);
+    if (passing) show(static_cast<size_t>(passerId()), s.passer, dive.encounter.species);
 }
 
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out) {
@@ -104,39 +100,36 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
     if (before.creatures.size() != after.creatures.size() || after.tick != before.tick + 1 ||
         after.time_s < before.time_s)
         return;
+    // Moves the value, which is the one after, back towards the one before.
+    const auto mix = [&](const auto& from, auto& to) { to = from + (to - from) * alpha; };
+    const auto turn = [&](const glm::quat& from, glm::quat& to) { to = blended(from, to, alpha); };
     out.time_s = before.time_s + (after.time_s - before.time_s) * static_cast<double>(alpha);
-    out.timeLeft_s = before.timeLeft_s + (after.timeLeft_s - before.timeLeft_s) * alpha;
-    out.worldFromView = blended(before.worldFromView, after.worldFromView, alpha);
-    out.headWorld = glm::mix(before.headWorld, after.headWorld, alpha);
+    mix(before.timeLeft_s, out.timeLeft_s);
+    turn(before.worldFromView, out.worldFromView);
+    mix(before.headWorld, out.headWorld);
     for (int h = 0; h < 2; ++h) {
-        const HandView& a = before.hands[h];
-        const HandView& b = after.hands[h];
-        if (!a.visible || !b.visible) continue;
-        out.hands[h].grip = a.grip + (b.grip - a.grip) * alpha;
+        const HandView& from = before.hands[h];
+        HandView& to = out.hands[h];
+        if (!from.visible || !to.visible) continue;
+        mix(from.grip, to.grip);
         for (int j = 0; j < hands::kJointCount; ++j) {
-            out.hands[h].joints[j].position = glm::mix(a.joints[j].position, b.joints[j].position, alpha);
-            out.hands[h].joints[j].orientation =
-                blended(a.joints[j].orientation, b.joints[j].orientation, alpha);
+            mix(from.joints[j].position, to.joints[j].position);
+            turn(from.joints[j].orientation, to.joints[j].orientation);
         }
     }
     for (size_t i = 0; i < out.creatures.size(); ++i) {
-        const CreatureView& a = before.creatures[i];
-        const CreatureView& b = after.creatures[i];
-        if (glm::distance(a.position, b.position) > kJump_m) continue;
-        CreatureView& c = out.creatures[i];
-        c.position = glm::mix(a.position, b.position, alpha);
-        c.velocity = glm::mix(a.velocity, b.velocity, alpha);
-        c.catchable = a.catchable + (b.catchable - a.catchable) * alpha;
-        c.worldFromBody = blended(a.worldFromBody, b.worldFromBody, alpha);
-        c.gait.phase_s = a.gait.phase_s + (b.gait.phase_s - a.gait.phase_s) * alpha;
-        const auto between = [&](float BodyShape::*part) {
-            c.shape.*part = a.shape.*part + (b.shape.*part - a.shape.*part) * alpha;
-        };
+        const CreatureView& from = before.creatures[i];
+        CreatureView& to = out.creatures[i];
+        if (glm::distance(from.position, to.position) > kJump_m) continue;
+        mix(from.position, to.position);
+        mix(from.velocity, to.velocity);
+        mix(from.catchable, to.catchable);
+        turn(from.worldFromBody, to.worldFromBody);
+        mix(from.gait.phase_s, to.gait.phase_s);
+        if (from.gait.motion == to.gait.motion) mix(from.gait.blend, to.gait.blend);
         for (auto part : {&BodyShape::beats, &BodyShape::amplitude, &BodyShape::bendLeft, &BodyShape::bendUp,
                           &BodyShape::finsDown})
-            between(part);
-        if (a.gait.motion == b.gait.motion)
-            c.gait.blend = a.gait.blend + (b.gait.blend - a.gait.blend) * alpha;
+            mix(from.shape.*part, to.shape.*part);
     }
 }
 

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace shoal::game {
@@ -31,8 +30,6 @@ struct BodyShape {
     float bendLeft = 0;
     float bendUp = 0;   // the same, both ends up
     float finsDown = 0; // how far the pectoral fins are lowered, radians
-
-    auto fields() const { return std::tie(beats, amplitude, bendLeft, bendUp, finsDown); }
 };
 
 // Which animation clip plays, and which one it blends from.
@@ -43,7 +40,6 @@ struct Gait {
 
     void set(Motion next);
     void advance(float rate); // rate 1: at the clip's own pace
-    auto fields() const { return std::tie(motion, before, blend, phase_s); }
 };
 
 struct CreatureView {
@@ -72,8 +68,6 @@ struct TouchView {
     float press_mps = 0; // how fast it presses in
     float slide_mps = 0; // how fast it strokes along
     float struggle = 0;  // 0 to 1: how hard a held fish wriggles under it
-
-    auto fields() const { return std::tie(touches, depth_m, press_mps, slide_mps, struggle); }
 };
 
 struct HandView {

@@ -1,5 +1,5 @@
-// Hash of simulation state, generated from the same list of fields as the state itself. A state struct has a
-// member fields() that ties all its fields; one that forgets a field does not compile.
+// Hash of simulation state: of all fields in the order of their declarations. A struct with a base ties the
+// base and its own fields in a member fields(); one that forgets a field does not compile.
 #pragma once
 
 #include "engine/core/Hash.h"
@@ -29,24 +29,33 @@ template <class T, size_t N = 1> consteval size_t fieldCount() {
         return N - 1;
 }
 
-// The fields of the engine's types that are part of the state.
 inline auto fieldsOf(const glm::vec3& v) { return std::tie(v.x, v.y, v.z); }
 inline auto fieldsOf(const glm::quat& q) { return std::tie(q.w, q.x, q.y, q.z); }
-inline auto fieldsOf(const hands::Joint& joint) {
-    return std::tie(joint.position, joint.orientation, joint.radius);
-}
-inline auto fieldsOf(const hands::HandPose& hand) {
-    return std::tie(hand.tracked, hand.confidence, hand.grip, hand.pinch, hand.solid, hand.time_us,
-                    hand.joints);
-}
-inline auto fieldsOf(const physics::Press& press) { return std::tie(press.normal, press.force_N); }
-inline auto fieldsOf(const physics::Contact& c) {
-    return std::tie(c.body, c.group, c.tag, c.fresh, c.lasting, c.point, c.normal, c.depth, c.closingSpeed,
-                    c.moverVelocity, c.time);
-}
 template <class T>
 requires requires(const T& state) { state.fields(); }
 auto fieldsOf(const T& state) { return state.fields(); }
+
+// Ties the fields of an aggregate, for the numbers of fields that there are.
+template <class T> auto fieldsOf(const T& state) {
+#define SHOAL_TIE(number, ...)                                                                               \
+    if constexpr (fieldCount<T>() == number) {                                                               \
+        const auto& [__VA_ARGS__] = state;                                                                   \
+        return std::tie(__VA_ARGS__);                                                                        \
+    }
+    SHOAL_TIE(2, a, b);
+    SHOAL_TIE(3, a, b, c);
+    SHOAL_TIE(4, a, b, c, d);
+    SHOAL_TIE(5, a, b, c, d, e);
+    SHOAL_TIE(6, a, b, c, d, e, f);
+    SHOAL_TIE(7, a, b, c, d, e, f, g);
+    SHOAL_TIE(8, a, b, c, d, e, f, g, h);
+    SHOAL_TIE(9, a, b, c, d, e, f, g, h, i);
+    SHOAL_TIE(11, a, b, c, d, e, f, g, h, i, j, k);
+    SHOAL_TIE(12, a, b, c, d, e, f, g, h, i, j, k, l);
+    SHOAL_TIE(15, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+    SHOAL_TIE(23, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w);
+#undef SHOAL_TIE
+}
 
 template <class T> void addState(Hash& hash, const T& value);
 inline void addState(Hash& hash, const Random& random) { hash.add(random.state()); }

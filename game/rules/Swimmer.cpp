@@ -41,25 +41,11 @@ float eased(float value, float goal, float rate) {
     return value + (goal - value) * std::min(1.0f, rate * kDt);
 }
 
-namespace {
-
-// The curvature is the desired turning rate over the speed, for which at least this many lengths a second are
-// taken: a hovering body would curl up.
-constexpr float kMinSpeed_lps = 1.5f;
-
-float bendFor(float rate_radps, float speed_mps, float length_m, float maximum) {
-    return std::clamp(rate_radps * length_m / std::max(speed_mps, kMinSpeed_lps * length_m), -maximum,
-                      maximum);
-}
-
-} // namespace
-
-float bendLeftFor(const Swimmer& s, glm::vec3 desiredSpin, float length_m, float maximum) {
-    return bendFor(glm::dot(desiredSpin, kUp), s.speed, length_m, maximum);
-}
-
-float bendUpFor(const Swimmer& s, glm::vec3 desiredSpin, float length_m, float maximum) {
-    return bendFor(-glm::dot(desiredSpin, leftOf(s.forward)), s.speed, length_m, maximum);
+float bendFor(const Swimmer& s, float rate_radps, float length_m, float maximum) {
+    // The curvature is the turning rate over the speed, for which at least this many lengths a second are
+    // taken: a hovering body would curl up.
+    constexpr float kMinSpeed_lps = 1.5f;
+    return std::clamp(rate_radps * length_m / std::max(s.speed, kMinSpeed_lps * length_m), -maximum, maximum);
 }
 
 void beatTail(Swimmer& s, const Species& kind, float minBeat_Hz) {

@@ -11,8 +11,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-#include <tuple>
-
 namespace shoal::game {
 
 constexpr float kDt = sim::kTick_s;
@@ -27,10 +25,6 @@ struct Swimmer {
     glm::quat worldFromBody{1, 0, 0, 0};
     Gait gait;
     BodyShape shape;
-
-    auto fields() const {
-        return std::tie(position, forward, spin, bank, speed, velocity, worldFromBody, gait, shape);
-    }
 };
 
 // The body's collision shape, no thicker than maxRadius_m.
@@ -46,10 +40,9 @@ void bankIntoTurn(Swimmer&, float gain, float maxBank, float rate);
 // Returns the value moved towards the goal by the share `rate` times the tick.
 float eased(float value, float goal, float rate);
 
-// Return the angle between head and tail, radians, of a body bent along its path, for the desired spin: to
-// the left, and with the head up. The body bends before its heading turns.
-float bendLeftFor(const Swimmer&, glm::vec3 desiredSpin, float length_m, float maximum);
-float bendUpFor(const Swimmer&, glm::vec3 desiredSpin, float length_m, float maximum);
+// Returns the angle between head and tail, radians, of a body bent along its path, for the desired turning
+// rate about one axis. The body bends before its heading turns.
+float bendFor(const Swimmer&, float rate_radps, float length_m, float maximum);
 constexpr float kMaxBendLeft = 0.9f; // radians between head and tail, swimming
 
 // Muscles of small fish twitch faster (Wardle 1975, "Limit of fish swimming speed"); displays show no more.

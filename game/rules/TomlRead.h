@@ -1,6 +1,5 @@
 // Reading our small TOML files strictly: every key known, every value of its type and in its range, or an
-// error with its line. The first mistake is kept; later reads still return defaults, so callers check once at
-// the end.
+// error with its line.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -18,23 +17,17 @@
 
 namespace shoal::game {
 
-// The error of the first mistake in a file.
-struct TomlMistake {
-    Path file;
-    std::optional<Error> first;
-
-    void complain(const toml::node* where, std::string reason);
-};
-
 // Returns the node's number; empty: it is none, or out of the range.
 std::optional<float> numberIn(const toml::node& node, float low, float high);
 
-// One table of the file. Optional keys keep the default.
+// One table of the file. Optional keys keep the default. The first mistake ends the reading: it is thrown as
+// an Error, which readToml() returns.
 class TomlTable {
   public:
     using Read = std::function<void(TomlTable&)>;
 
-    TomlTable(TomlMistake& mistake, const toml::table& table) : mistake_(mistake), table_(table) {}
+    // Reads a table, and complains about keys that `read` has not read.
+    static void readTable(const toml::table& table, const Read& read);
 
     bool has(std::string_view key) const { return table_.contains(key); }
     int line() const { return static_cast<int>(table_.source().begin.line); }
@@ -47,8 +40,14 @@ class TomlTable {
     void text(std::string_view key, std::string& value);
     // Reads a list of as many texts as there are values, or fewer.
     void texts(std::string_view key, std::span<std::string> values);
-    // Returns the index of the key's text in names; empty: the key is missing, or its text is none of them.
-    std::optional<size_t> choice(std::string_view key, std::span<const char* const> names);
+    // One of the names, as a value that counts them from 0.
+    template <class E> void choice(std::string_view key, std::span<const char* const> names, E& value) {
+        if (const auto index = readChoice(key, names)) value = static_cast<E>(*index);
+    }
+    template <class E>
+    void choice(std::string_view key, std::span<const char* const> names, std::optional<E>& value) {
+        if (has(key)) choice(key, names, value.emplace());
+    }
     // [low, high], low <= high
     void range(std::string_view key, float& first, float& second, float low, float high);
     // [x, y, z], each from low to high
@@ -58,22 +57,20 @@ class TomlTable {
     void table(std::string_view key, const Read& read);
     void tables(std::string_view key, size_t maximum, const Read& read);
 
-    template <class... Key> void need(Key... keys) {
+    template <class... Key> void need(Key... keys) const {
         for (const std::string_view key : {std::string_view(keys)...})
             if (!has(key)) complain(key, "is missing");
     }
-    void complain(std::string_view key, std::string reason);
-    // Complains about keys that no call has read.
-    void finish();
+    [[noreturn]] void complain(std::string_view key, std::string_view reason) const;
 
   private:
+    explicit TomlTable(const toml::table& table) : table_(table) {}
     const toml::node* at(std::string_view key);
-    // Returns the key's value; empty if it is missing, or, with a complaint, if it is no T or not `good`.
-    template <class T, class Good>
-    std::optional<T> read(std::string_view key, const std::string& mustBe, const Good& good);
+    // Returns the key's value; empty if it is missing.
+    template <class T> std::optional<T> read(std::string_view key, std::string_view mustBe);
     std::optional<int64_t> readWhole(std::string_view key, int64_t low, int64_t high);
+    std::optional<size_t> readChoice(std::string_view key, std::span<const char* const> names);
 
-    TomlMistake& mistake_;
     const toml::table& table_;
     std::set<std::string, std::less<>> read_;
 };

@@ -1,4 +1,4 @@
-// Spaces of films that nobody made, for tests. Arithmetic and roots alone: equal on every machine.
+// Made spaces of films, for tests. Arithmetic and roots alone: equal on every machine.
 #pragma once
 
 #include "game/rules/FilmSpace.h"
@@ -24,7 +24,7 @@ std::shared_ptr<const FilmSpace> madeSpace(double length_s, int steps, const Dis
     return std::make_shared<const FilmSpace>(length_s, std::move(surface_mm));
 }
 
-// From the middle of a tunnel along Z to its wall.
+// Returns the distance from the middle of a tunnel along Z to its wall.
 inline float toTunnel_m(glm::vec3 dir, float radius_m) {
     return radius_m / std::max(glm::length(glm::vec2(dir)), 1e-3f);
 }

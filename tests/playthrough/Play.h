@@ -3,16 +3,34 @@
 
 #include "game/playthrough/Script.h"
 #include "tests/Recorded.h"
+#include "tests/playthrough/Rooms.h"
 
 #include <functional>
 
 namespace shoal::game {
 
+// A script and the files of its dive.
+struct ScriptedDive {
+    Script script;
+    DiveFiles files;
+};
+
+// inFilm: in the room of its film, else in open water.
+inline Result<ScriptedDive> loadScriptedDive(const Path& file, bool inFilm) {
+    const auto script = loadScript(file);
+    if (!script) return script.error();
+    auto files = loadDiveFiles(*script);
+    if (!files) return files.error();
+    if (inFilm)
+        if (Status found = roomOf(files->dive.video).moveTo(files->dive.space); !found) return found.error();
+    return ScriptedDive{*script, *std::move(files)};
+}
+
 struct Played {
     tests::Recorded recording;
     Status verdict;
     Snapshot end;
-    uint64_t hash = 0; // of all states
+    uint64_t hash = 0; // hash of all states
 };
 // Both see every tick, and may be empty.
 using Watch = std::function<void(const Snapshot&, const Events&)>;

@@ -3,8 +3,8 @@
 // replays tick for tick.
 #include "engine/sim/FixedStep.h"
 #include "tests/TestPaths.h"
+#include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
-#include "tests/playthrough/Rooms.h"
 
 #include <gtest/gtest.h>
 
@@ -24,30 +24,11 @@ std::vector<Path> scripts() {
     return files;
 }
 
-// What a script is played with, or a failure.
-struct Setup {
-    Script script;
-    DiveFiles files;
-    hands::HandRig rig;
-};
-
-Result<Setup> setUp(const Path& file, bool inFilm) {
-    const auto script = loadScript(file);
-    if (!script) return script.error();
-    auto files = loadDiveFiles(*script);
-    if (!files) return files.error();
-    if (inFilm)
-        if (Status found = roomOf(files->dive.video).moveTo(files->dive.space); !found) return found.error();
-    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    if (!rig) return rig.error();
-    return Setup{*script, *std::move(files), *rig};
-}
-
 // The same player before a display of that speed, which stumbles over a frame of 300 ms once.
-std::pair<uint64_t, Status> playAt(int framesPerSecond, const Setup& setup) {
-    const auto& [script, files, rig] = setup;
+std::pair<uint64_t, Status> playAt(int framesPerSecond, const ScriptedDive& dived) {
+    const auto& [script, files] = dived;
     Dive dive(files.species, files.dive, script.seed, script.rules);
-    ScriptRun run(script, rig, files.species, files.dive.space != nullptr);
+    ScriptRun run(script, tests::rig(), files.species, files.dive.space != nullptr);
     sim::FixedStep clock;
     Snapshot before, now, shown;
     Events events;
@@ -63,7 +44,7 @@ std::pair<uint64_t, Status> playAt(int framesPerSecond, const Setup& setup) {
             dive.snapshot(now);
             run.observe(events, 0, now);
         }
-        if (!before.creatures.empty()) interpolate(before, now, clock.alpha(), shown); // what a display does
+        if (!before.creatures.empty()) interpolate(before, now, clock.alpha(), shown); // as a display does
     }
     return {dive.stateHash(), run.verdict()};
 }
@@ -84,7 +65,7 @@ class Playthrough : public testing::TestWithParam<std::tuple<Path, bool>> {
 };
 
 TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
-    const auto setup = setUp(file(), inFilm());
+    const auto setup = loadScriptedDive(file(), inFilm());
     ASSERT_TRUE(setup) << setup.error().message();
 
     std::string story;
@@ -93,7 +74,7 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
         for (const Event& event : events) {
             if (event.kind == EventKind::DiveStart) sharkNear_s = -1e9;
             if (event.kind == EventKind::SharkNear) sharkNear_s = now.time_s;
-            // Nobody is taken by surprise: a second's notice, of this visit.
+            // The shark gives a second's notice in each visit.
             if (event.kind == EventKind::SharkSteal || event.kind == EventKind::SharkBump) {
                 EXPECT_GE(now.time_s - sharkNear_s, 1);
                 EXPECT_LE(now.time_s - sharkNear_s, setup->files.dive.shark.visitLength_s + 15);
@@ -104,7 +85,7 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
                 story += std::to_string(now.time_s) + " " + rowOf(event.kind).name + " hand " +
                          std::to_string(event.hand) + "\n";
     };
-    const Played played = playScript(setup->script, setup->rig, setup->files, watch);
+    const Played played = playScript(setup->script, tests::rig(), setup->files, watch);
     if (std::getenv("SHOAL_STORY")) std::puts(story.c_str());
     EXPECT_TRUE(played.verdict) << played.verdict.error().message() << "\nwhat happened:\n" << story;
     EXPECT_EQ(played.hash, storedHash(file().stem(), inFilm()))
@@ -126,7 +107,7 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
 }
 
 TEST_P(Playthrough, MeetsItsExpectationsAtEveryDisplayRate) {
-    const auto setup = setUp(file(), inFilm());
+    const auto setup = loadScriptedDive(file(), inFilm());
     ASSERT_TRUE(setup) << setup.error().message();
     std::optional<uint64_t> reference;
     for (int fps : {24, 60, 144}) {

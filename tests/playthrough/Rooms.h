@@ -7,7 +7,6 @@
 #pragma once
 
 #include "engine/core/Files.h"
-#include "game/rules/DiveFile.h"
 #include "game/rules/FilmSpace.h"
 
 #include <zlib.h>
@@ -19,7 +18,7 @@ namespace shoal::game {
 
 struct Room {
     double length_s = 1;
-    std::vector<uint16_t> surface_mm; // as FilmSpace takes them
+    std::vector<uint16_t> surface_mm; // in the form that FilmSpace takes
 };
 
 inline Result<Room> readRoom(const Path& file) {
@@ -52,7 +51,7 @@ inline bool writeRoom(const Path& file, const Room& room) {
     return to && gzclose(to) == Z_OK && written;
 }
 
-// Of a film below content/, "video/NAME.mp4": tests/playthrough/rooms/NAME.room.
+// Returns tests/playthrough/rooms/NAME.room for a film below content/, "video/NAME.mp4".
 inline Path roomFileOf(const std::string& video) {
     return dataRoot() / "tests/playthrough/rooms" / (Path(video).stem().string() + ".room");
 }

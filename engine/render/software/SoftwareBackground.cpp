@@ -62,7 +62,7 @@ void SoftwareBackground::SampleRow::operator()(int row) const {
 }
 
 void SoftwareBackground::classify(const EyePicture& picture) {
-    grid_.make(picture.view, shown_.envFromRay, shown_.size, picture.filmSpace());
+    grid_.make(picture.view, shown_.envFromRay, shown_.size, picture.filmParallax());
     const glm::vec2 texels(shown_.frame.width, shown_.frame.height);
     states_.clear();
     for (const BackgroundCell& cell : grid_.all()) {
@@ -84,7 +84,7 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
                       picture.view.shift,
                       picture.envFromEye(),
                       picture.size(),
-                      picture.filmSpace().eyeInFilm};
+                      picture.filmParallax().eyeInFilm};
     const bool same = !states_.empty() && shown == shown_;
     shown_ = shown;
     if (!same) classify(picture);

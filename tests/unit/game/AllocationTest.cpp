@@ -1,4 +1,4 @@
-// In steady state a tick takes no memory from the heap.
+// A tick takes no memory from the heap once its scratch memory has its size.
 #include "Fixture.h"
 #include "tests/unit/Heap.h"
 
@@ -17,7 +17,7 @@ TEST(Allocation, ATickTakesNoMemory) {
     dive.snapshot(b);
     interpolate(a, b, 0.5f, shown);
     for (int i = 0; i < 6000; ++i) {
-        if (i == 120) heap::counting = true; // our scratch has its size
+        if (i == 120) heap::counting = true;
         events.clear();
         // Hands that swing and close, so that contacts and grabs happen; one of them gets lost at times.
         const float x = static_cast<float>(i % 240) / 240 - 0.5f;

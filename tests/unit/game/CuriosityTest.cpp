@@ -13,23 +13,18 @@ namespace {
 using test::cove;
 using test::handAt;
 
-// The cove without its shark, a right hand that rests in view from the start, and who visits it.
+// The cove without its shark, and a right hand that rests in view from the start.
 struct RestingHand {
     test::OpenDive world;
     TickInput input;
     Events events;
 
-    explicit RestingHand(uint64_t seed) : world(cove().species, calm(), seed) {
+    explicit RestingHand(uint64_t seed) : world(cove().species, test::calmCove(), seed) {
         input.hands[1] = handAt({0.05f, -0.1f, -0.7f});
-    }
-    static DiveFile calm() {
-        DiveFile file = cove().dive;
-        file.shark.species = -1;
-        return file;
     }
     int visitors() const {
         return static_cast<int>(
-            std::ranges::count_if(world.fish, [](const Fish& f) { return f.visits == 1; }));
+            std::ranges::count_if(world.fish, [](const Fish& f) { return f.visit.hand == 1; }));
     }
     float nearest() const {
         float least = 10;
@@ -52,7 +47,7 @@ TEST(Curiosity, FishComeOneOrTwoAtATimeLingerAndLeave) {
             one.step(1);
             most = std::max(most, one.visitors());
             there += one.nearest() < 0.1f;
-            for (size_t f = 0; f < came.size(); ++f) came[f] = came[f] || one.world.fish[f].visits == 1;
+            for (size_t f = 0; f < came.size(); ++f) came[f] = came[f] || one.world.fish[f].visit.hand == 1;
             if (i == 100) {
                 EXPECT_EQ(most, 0) << "nobody comes within the first second";
             }
@@ -86,25 +81,11 @@ TEST(Curiosity, OnlyAnOpenHandInViewIsVisitedAndOnlyByTheCurious) {
     }
     SpeciesTable dull = cove().species;
     for (Species& kind : dull) kind.curiosity = 0;
-    test::OpenDive world(dull, RestingHand::calm(), 3);
+    test::OpenDive world(dull, test::calmCove(), 3);
     TickInput input;
-    Events events;
     input.hands[1] = handAt({0.05f, -0.1f, -0.7f});
-    for (int i = 0; i < 10 * 120; ++i) world.step(input, events);
-    for (const Fish& f : world.fish) EXPECT_EQ(f.visits, -1);
-}
-
-// A head that turns takes the hand along: fish do not mind, as they would a hand as fast.
-TEST(Fright, AHeadThatTurnsFrightensNobody) {
-    test::OneFish one;
-    for (int i = 0; i < 30; ++i) { // 3.6 rad/s at 0.6 m: 2.2 m/s
-        const float yaw = 0.03f * static_cast<float>(20 - i);
-        one.input.hands[1] = handAt(test::kPlace);
-        one.input.worldFromView = glm::angleAxis(yaw, glm::vec3(0, 1, 0));
-        one.rest({-0.02f, -0.1f, -0.7f});
-        one.step();
-    }
-    EXPECT_EQ(test::count<EventKind::Startle>(one.events), 0);
+    world.run(10, input);
+    for (const Fish& f : world.fish) EXPECT_EQ(f.visit.hand, -1);
 }
 
 } // namespace

@@ -28,6 +28,8 @@ TEST(Determinism, TwoDivesWithTheSameSeedAgreeAtEveryTickAndOthersDoNot) {
         TickInput input;
         input.hands[1] =
             test::handAt({0.3f * static_cast<float>(i % 100) / 100, 0, -0.6f}, i % 60 < 30 ? 0.0f : 1.0f);
+        input.hands[0] = test::handAt({-0.2f, 0, -0.6f}, i % 80 < 40 ? 0.0f : 1.0f, 0);
+        input.hands[0].solid = i % 700 > 40;
         a.step(input, events);
         b.step(input, events);
         c.step(input, events);

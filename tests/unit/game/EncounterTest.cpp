@@ -1,4 +1,4 @@
-// What passes once goes its way, whatever the player does.
+// A giant passes once, whatever the player does.
 #include "Fixture.h"
 
 #include <gmock/gmock.h>

@@ -14,7 +14,6 @@ using testing::HasSubstr;
 
 class GameFiles : public testing::Test {
   protected:
-    void TearDown() override { std::filesystem::remove(file_); }
     const Path& write(const std::string& text) {
         EXPECT_TRUE(writeFileWhole(file_, text));
         return file_;
@@ -23,15 +22,16 @@ class GameFiles : public testing::Test {
     Path file_ = folder_ / "a.toml";
 };
 
+template <class T> std::string reasonOf(const Result<T>& read) {
+    return read ? "accepted" : read.error().message();
+}
+
 const std::string kSpecies = "[[species]]\nname = \"perch\"\nmodel = \"models/perch.glb\"\nlength = 0.2\n";
 
 TEST_F(GameFiles, SpeciesErrorsNameTheLine) {
     ASSERT_TRUE(loadSpecies(write(kSpecies)));
     EXPECT_EQ(loadSpecies(file_)->at(0).name, "perch");
-    const auto reason = [&](const std::string& text) {
-        const auto read = loadSpecies(write(text));
-        return read ? std::string("accepted") : read.error().message();
-    };
+    const auto reason = [&](const std::string& text) { return reasonOf(loadSpecies(write(text))); };
     EXPECT_THAT(reason(kSpecies + "shape = 3\n"),
                 AllOf(HasSubstr("line 5"), HasSubstr("unknown key \"shape\"")));
     EXPECT_THAT(reason(kSpecies + "colour = [0, 1, 2]\n"), AllOf(HasSubstr("line 5"), HasSubstr("0 to 1")));
@@ -55,10 +55,7 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     const SpeciesTable& known = test::cove().species;
     const std::string good = "duration = 30\n[[school]]\nspecies = \"snapper\"\ncount = 3\n";
     ASSERT_TRUE(loadDive(write(good), known));
-    const auto reason = [&](const std::string& text) {
-        const auto read = loadDive(write(text), known);
-        return read ? std::string("accepted") : read.error().message();
-    };
+    const auto reason = [&](const std::string& text) { return reasonOf(loadDive(write(text), known)); };
     EXPECT_THAT(reason(good + "radius = [2, 1]\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(good + "radius = [0.1, 1]\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(good + "radius = [1, 2, 3]\n"), HasSubstr("line 5"));
@@ -72,9 +69,8 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     SpeciesTable withWhale = known;
     withWhale.push_back({.name = "whale", .giant = true});
     const auto encounter = [&](const std::string& species, const std::string& rest) {
-        const auto read =
-            loadDive(write(good + "[encounter]\nspecies = \"" + species + "\"\nat = 9\n" + rest), withWhale);
-        return read ? std::string("accepted") : read.error().message();
+        return reasonOf(
+            loadDive(write(good + "[encounter]\nspecies = \"" + species + "\"\nat = 9\n" + rest), withWhale));
     };
     const std::string way = "from = [-9, 3, 0]\nto = [9, 3, 0]\n";
     EXPECT_EQ(encounter("whale", way), "accepted");
@@ -97,10 +93,7 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
 TEST_F(GameFiles, ScriptErrorsNameTheLine) {
     const std::string good = "seed = 4\n[[step]]\ndo = \"wait\"\nseconds = 1\n";
     ASSERT_TRUE(loadScript(write(good)));
-    const auto reason = [&](const std::string& text) {
-        const auto read = loadScript(write(text));
-        return read ? std::string("accepted") : read.error().message();
-    };
+    const auto reason = [&](const std::string& text) { return reasonOf(loadScript(write(text))); };
     EXPECT_THAT(reason(good + "[[step]]\ndo = \"fly\"\n"),
                 AllOf(HasSubstr("line 6"), HasSubstr("reach, move")));
     EXPECT_THAT(reason(good + "until = \"dinner\"\n"), HasSubstr("line 5"));

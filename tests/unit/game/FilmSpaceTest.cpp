@@ -93,13 +93,13 @@ TEST(FilmSpace, RoomIsInFrontOfTheSurfaceAndNarrowsSlowly) {
 }
 
 struct Kept {
-    float deepest_m = 0; // of any fish's body behind the surface
+    float deepest_m = 0; // greatest depth of a fish's body behind the surface
     float sharkDeepest_m = 0;
-    float longestStep_m = 0;   // of a free animal in a tick
-    float nearestEyes_m = 100; // of any fish's middle
+    float longestStep_m = 0;   // longest way of a free animal in a tick
+    float nearestEyes_m = 100; // least distance of a fish's middle from the eyes
 };
 
-// Nobody is there; distance_m: of the true surface.
+// Runs a dive without hands for a minute. distance_m returns the distance of the true surface.
 template <class Distance>
 Kept watch(std::shared_ptr<const FilmSpace> space, double length_s, const Distance& distance_m, uint64_t seed,
            bool withShark = true) {
@@ -135,31 +135,25 @@ Kept watch(std::shared_ptr<const FilmSpace> space, double length_s, const Distan
     return kept;
 }
 
-constexpr float kDeepest_m = 0.02f; // what counts as a penetration
+constexpr float kDeepest_m = 0.02f; // a body deeper than this is behind the surface
 // The shark's room narrows as fast as it can follow, and no slower: where it turns beside a wall, or passes a
 // pillar, its nose or tail enters it for a moment. Measured: 0.05 m in the tunnel, 0.2 m at the pillar.
 constexpr float kSharkDeepest_m = 0.06f, kSharkDeepestAtPillar_m = 0.25f;
 constexpr float kLongestStep_m = (3 + 2) * kDt + 1e-4f; // the fastest swimming and the fastest giving way
 
-TEST(FilmSpace, AnimalsKeepInFrontOfAWall) {
-    const auto space = madeSpace(1, 1, toWall_m);
-    EXPECT_GT(watch(nullptr, 1, toWall_m, 5).sharkDeepest_m, 0.3f); // so there is something to keep
-    for (uint64_t seed : {5, 6}) {
-        const Kept kept = watch(space, 1, toWall_m, seed);
-        EXPECT_LT(kept.deepest_m, kDeepest_m) << seed;
-        EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << seed;
-        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << seed;
-    }
+void expectKept(const Kept& kept, const std::string& name) {
+    EXPECT_LT(kept.deepest_m, kDeepest_m) << name;
+    EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << name;
+    EXPECT_LT(kept.longestStep_m, kLongestStep_m) << name;
+    EXPECT_GT(kept.nearestEyes_m, 0.35f) << name; // the room around the eyes
 }
 
-TEST(FilmSpace, AnimalsKeepInATunnel) {
-    const auto tunnel = [](glm::vec3 dir, double) { return toTunnel_m(dir, 2); };
+TEST(FilmSpace, AnimalsKeepInFrontOfAWallAndInATunnel) {
+    EXPECT_GT(watch(nullptr, 1, toWall_m, 5).sharkDeepest_m, 0.3f); // so there is something to keep
+    const auto toTunnel = [](glm::vec3 dir, double) { return toTunnel_m(dir, 2); };
     for (uint64_t seed : {5, 6}) {
-        const Kept kept = watch(madeSpace(1, 1, tunnel), 1, tunnel, seed);
-        EXPECT_LT(kept.deepest_m, kDeepest_m) << seed;
-        EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << seed;
-        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << seed;
-        EXPECT_GT(kept.nearestEyes_m, 0.35f) << seed; // the room around the eyes
+        expectKept(watch(madeSpace(1, 1, toWall_m), 1, toWall_m, seed), "wall");
+        expectKept(watch(madeSpace(1, 1, toTunnel), 1, toTunnel, seed), "tunnel");
     }
 }
 
@@ -167,13 +161,10 @@ TEST(FilmSpace, AWallThatComesNearerPushesThemAsideWithoutAJump) {
     // A shark that looks at the eyes from 0.55 m off takes up to 2.49 m: half of 0.92 of its length of 2.2 m,
     // half its core and its radius beyond that. Where there is less, the room around the eyes comes first.
     for (const bool shark : {true, false}) {
-        const float least_m = shark ? 2.5f : 1.4f;
-        const auto surface_m = [&](glm::vec3, double time_s) { return toShrinking_m(time_s, least_m); };
-        const Kept kept = watch(madeSpace(16, 64, surface_m), 16, surface_m, 5, shark);
-        EXPECT_LT(kept.deepest_m, kDeepest_m) << least_m;
-        EXPECT_LT(kept.sharkDeepest_m, kSharkDeepest_m) << least_m;
-        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << least_m;
-        EXPECT_GT(kept.nearestEyes_m, 0.35f) << least_m;
+        const auto surface_m = [&](glm::vec3, double time_s) {
+            return toShrinking_m(time_s, shark ? 2.5f : 1.4f);
+        };
+        expectKept(watch(madeSpace(16, 64, surface_m), 16, surface_m, 5, shark), shark ? "shark" : "fish");
     }
 }
 
@@ -188,7 +179,7 @@ TEST(FilmSpace, APillarIsPassedAndNobodyStaysAtIt) {
 }
 
 TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
-    constexpr float kParted = 3.5f; // in the open these stay below 2.7
+    constexpr float kParted = 3.5f; // shoals in open water stay below 2.7
     int parted = 0;
     for (uint64_t seed = 5; seed < 11; ++seed) {
         DiveFile file = cove().dive;
@@ -225,8 +216,7 @@ TEST(FilmSpace, WhatTheFilmHidesIsNeitherShownNorHelpedToNorTaken) {
                 test::handAt(behind, i < 30 ? 0.0f : std::min(1.0f, static_cast<float>(i - 30) / 15));
             one.step();
         }
-        Snapshot now;
-        one.world.snapshot(now);
+        Snapshot now = one.shown();
         EXPECT_EQ(one.world.hands[1].intent.fish >= 0 || one.fish().heldBy >= 0, !hidden);
         EXPECT_EQ(one.fish().catchable > 0 || one.fish().heldBy >= 0, !hidden);
         EXPECT_EQ(one.fish().heldBy, hidden ? -1 : 1);

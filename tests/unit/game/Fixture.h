@@ -3,6 +3,7 @@
 
 #include "game/rules/Dive.h"
 #include "game/rules/FishBehaviour.h"
+#include "game/rules/Grasping.h"
 #include "game/rules/Steering.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestRig.h"
@@ -55,9 +56,20 @@ struct OpenDive : Dive {
     const Score& score = state().score;
 
     void startle(int id, glm::vec3 from, Events& events) {
-        game::startle(fish[id], id, from, state().random, events);
+        game::startle(fish[id], id, from, context(), state().random, events);
+    }
+    void run(float seconds, const TickInput& input = {}) {
+        Events events;
+        for (int i = 0; i < static_cast<int>(seconds * 120); ++i) step(input, events);
     }
 };
+
+// The cove with nothing to fear.
+inline DiveFile calmCove() {
+    DiveFile file = cove().dive;
+    file.shark.species = -1;
+    return file;
+}
 
 // A dive with one resting fish 0.6 m ahead and no shark: rules can be watched one at a time.
 struct OneFish {
@@ -88,11 +100,11 @@ struct OneFish {
     void rest(glm::vec3 at = kPlace) {
         fish().position = at;
         fish().forward = {1, 0, 0};
-        fish().speed = fish().cruise = 0;
+        fish().speed = fish().route.cruise_mps = 0;
         fish().push = fish().velocity = glm::vec3(0);
-        fish().wander = fish().wanderGoal = glm::vec3(0);
-        fish().radius = std::sqrt(at.x * at.x + at.z * at.z);
-        fish().height = at.y;
+        fish().route.wander = fish().route.wanderGoal = glm::vec3(0);
+        fish().route.radius = std::sqrt(at.x * at.x + at.z * at.z);
+        fish().route.height = at.y;
     }
     void step(int ticks = 1) {
         for (int i = 0; i < ticks; ++i) {
@@ -106,22 +118,44 @@ struct OneFish {
             if (events[i].kind == K) return eventTicks[i];
         return 0;
     }
+    // Brings the right hand to a place for a tick.
+    void hand(glm::vec3 at, float closed = 0) {
+        input.hands[1] = handAt(at, closed);
+        step();
+    }
     // Opens the right hand around the resting fish and closes it there.
     void closeOn(float closed = 1) {
         moveGrip(kPlace, 0, 0);
         rest();
         moveGrip(kPlace, 0, closed);
     }
+    // The same; the hand must hold the fish afterwards.
+    void takeFish(float closed = 1) {
+        closeOn(closed);
+        ASSERT_EQ(held(), 0);
+        ASSERT_EQ(count<EventKind::Grab>(events), 1);
+    }
+    // Shows the hand, open, at a place and the fish, resting, at another.
+    void show(glm::vec3 at, glm::vec3 fishAt, int ticks = 30) {
+        for (int i = 0; i < ticks; ++i) {
+            rest(fishAt);
+            hand(at);
+        }
+    }
+    int held() const { return world.hands[1].grasp.holds; }
+    bool took() const { return count<EventKind::Grab>(events) > 0; }
+    Snapshot shown() const {
+        Snapshot now;
+        world.snapshot(now);
+        return now;
+    }
     // Closes (or opens) the right hand over 0.12 s at a place.
     void moveGrip(glm::vec3 at, float from, float to) {
-        for (int i = 1; i <= 15; ++i) {
-            input.hands[1] = handAt(at, from + (to - from) * static_cast<float>(i) / 15);
-            step();
-        }
+        for (int i = 1; i <= 15; ++i) hand(at, from + (to - from) * static_cast<float>(i) / 15);
     }
 };
 
-// Of a school: from its middle to the fish farthest from it, body lengths.
+// Returns the distance from a school's middle to the fish farthest from it, body lengths.
 inline float spreadOf(const OpenDive& dive, int school) {
     glm::vec3 middle(0);
     float count = 0, farthest_m = 0, length_m = 1;

@@ -1,7 +1,7 @@
 // Hands that are nearly right: which fish they mean, how they are helped, and why they missed.
 #include "Fixture.h"
 
-#include "game/rules/Intent.h"
+#include "game/rules/Misses.h"
 
 #include <gtest/gtest.h>
 
@@ -11,29 +11,20 @@ namespace shoal::game {
 namespace {
 
 using test::count;
-using test::first;
 using test::handAt;
 using test::kPlace;
 
-// One resting fish, and a right hand that is open at a place for a moment and then closes there in 0.12 s.
+// A dive in which a right hand closes beside one fish, with that help.
 struct OneClosing : test::OneFish {
     explicit OneClosing(Assist assist) : OneFish(false, {assist}) {}
 
-    void open(glm::vec3 hand, glm::vec3 fish, int ticks = 30) {
-        for (int i = 0; i < ticks; ++i) {
-            input.hands[1] = handAt(hand);
-            rest(fish);
-            step();
-        }
-    }
-    void close(glm::vec3 hand, int ticks = 30) {
-        moveGrip(hand, 0, 1);
+    void close(glm::vec3 at, int ticks = 30) {
+        moveGrip(at, 0, 1);
         step(ticks);
     }
-    bool took() { return count<EventKind::Grab>(events) > 0; }
 };
 
-// By how far fish are beside the hand: those that show as catchable are caught, by every strength of help.
+// Fish at all places around the hand: those that show as catchable are caught, with every strength of help.
 TEST(Intent, WhatIsShownAsCatchableIsCaughtByAHandThatCloses) {
     int shown = 0, caught = 0;
     for (Assist assist : {Assist::Normal, Assist::Strong})
@@ -41,14 +32,13 @@ TEST(Intent, WhatIsShownAsCatchableIsCaughtByAHandThatCloses) {
             for (float y = -0.2f; y <= 0.2f; y += 0.1f)
                 for (float z = -0.3f; z <= 0.31f; z += 0.1f) {
                     OneClosing one(assist);
-                    one.open(kPlace, kPlace + glm::vec3(x, y, z));
+                    one.show(kPlace, kPlace + glm::vec3(x, y, z));
                     if (one.fish().catchable < 0.5f) continue;
                     EXPECT_EQ(one.fish().catchableBy, 1);
                     ++shown;
                     one.close(kPlace);
                     caught += one.took();
                 }
-    std::printf("%d of %d caught\n", caught, shown);
     EXPECT_GT(shown, 60);
     EXPECT_EQ(caught, shown);
 }
@@ -58,7 +48,7 @@ TEST(Intent, TheHelpReachesFartherWithEachStrengthAndNotAtAllWithNone) {
         float farthest = 0;
         for (float beyond = 0; beyond < 0.5f; beyond += 0.01f) {
             OneClosing one(assist);
-            one.open(kPlace, kPlace * (1 + beyond / glm::length(kPlace)));
+            one.show(kPlace, kPlace * (1 + beyond / glm::length(kPlace)));
             one.close(kPlace);
             if (one.took()) farthest = beyond;
         }
@@ -66,7 +56,8 @@ TEST(Intent, TheHelpReachesFartherWithEachStrengthAndNotAtAllWithNone) {
     };
     const float none = reachAlong(Assist::None), normal = reachAlong(Assist::Normal),
                 strong = reachAlong(Assist::Strong);
-    // Of the grasp centre from the body's middle: the range along the line of sight plus the body's radius.
+    // The grasp centre is as far from the body's middle as the range along the line of sight and the body's
+    // radius allow.
     EXPECT_LT(none, 0.11f);
     EXPECT_GT(normal, 0.15f);
     EXPECT_LT(normal, 0.25f);
@@ -76,13 +67,12 @@ TEST(Intent, TheHelpReachesFartherWithEachStrengthAndNotAtAllWithNone) {
 TEST(Intent, TheHelpMovesNothingByMuchOrFast) {
     OneClosing one(Assist::Normal);
     const glm::vec3 fish = kPlace + glm::vec3(0.09f, 0, -0.09f);
-    one.open(kPlace, fish);
+    one.show(kPlace, fish);
     const glm::vec3 alone = hands::graspCentre(handAt(kPlace).joints);
     float farthest = 0;
     for (int i = 1; i <= 45; ++i) {
         const glm::vec3 before = one.world.hands[1].graspCentre;
-        one.input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
-        one.step();
+        one.hand(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
         // The fingers' bending leaves the grasp centre where it is; a micrometre of rounding a tick.
         EXPECT_LE(glm::distance(one.world.hands[1].graspCentre, before) * 120, 0.8f + 2e-3f);
         farthest = std::max(farthest, glm::distance(one.world.hands[1].graspCentre, alone));
@@ -95,8 +85,7 @@ TEST(Intent, TheHelpMovesNothingByMuchOrFast) {
     EXPECT_LE(farthest, 0.05f + 1e-4f);
     // Open and empty again, it goes back to where the player has it.
     for (int i = 0; i < 60; ++i) {
-        one.input.hands[1] = handAt(kPlace);
-        one.step();
+        one.hand(kPlace);
     }
     EXPECT_LT(glm::distance(one.world.hands[1].graspCentre, alone), 1e-4f);
 }
@@ -104,13 +93,13 @@ TEST(Intent, TheHelpMovesNothingByMuchOrFast) {
 TEST(Intent, AFishOnceMeantIsStillMeantWhenItHasJustSlippedOutOfRange) {
     const glm::vec3 edge = kPlace + glm::vec3(0.11f, 0, 0), beyond = kPlace + glm::vec3(0.165f, 0, 0);
     OneClosing meant(Assist::Normal);
-    meant.open(kPlace, edge);
+    meant.show(kPlace, edge);
     ASSERT_GT(meant.fish().catchable, 0.5f);
-    meant.open(kPlace, beyond, 20);
+    meant.show(kPlace, beyond, 20);
     meant.close(kPlace);
     EXPECT_TRUE(meant.took());
     OneClosing stranger(Assist::Normal);
-    stranger.open(kPlace, beyond, 60);
+    stranger.show(kPlace, beyond, 60);
     EXPECT_LT(stranger.fish().catchable, 0.5f);
     stranger.close(kPlace);
     EXPECT_FALSE(stranger.took());
@@ -118,7 +107,7 @@ TEST(Intent, AFishOnceMeantIsStillMeantWhenItHasJustSlippedOutOfRange) {
 
 TEST(Intent, NothingIsCatchableWithoutAHandOrInAFist) {
     OneClosing one(Assist::Strong);
-    one.open(kPlace, kPlace);
+    one.show(kPlace, kPlace);
     EXPECT_GT(one.fish().catchable, 0.9f);
     one.input.hands[1].tracked = false;
     one.step(60);
@@ -137,7 +126,7 @@ TEST(Misses, SayWhy) {
     struct Case {
         const char* what;
         glm::vec3 fish;     // against the hand
-        glm::vec3 velocity; // of the fish as the hand closes, m/s
+        glm::vec3 velocity; // velocity of the fish as the hand closes, m/s
         EventKind says;
     };
     const glm::vec3 sight = glm::normalize(kPlace);
@@ -151,18 +140,16 @@ TEST(Misses, SayWhy) {
     };
     for (const Case& c : cases) {
         OneClosing one(Assist::None);
-        one.open(kPlace, kPlace + c.fish, 10);
+        one.show(kPlace, kPlace + c.fish, 10);
         for (int i = 1; i <= 30; ++i) {
             one.rest(kPlace + c.fish);
             one.fish().velocity = c.velocity;
-            one.input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
-            one.step();
+            one.hand(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
         }
         EXPECT_EQ(std::ranges::count(one.events, c.says, &Event::kind), 1) << c.what;
-        Snapshot now;
-        one.world.snapshot(now);
-        EXPECT_EQ(eventOf(now.hands[1].lastMiss), c.says) << c.what;
-        EXPECT_LT(now.hands[1].sinceMiss_s, 0.3f);
+        const HandView hand = one.shown().hands[1];
+        EXPECT_EQ(eventOf(hand.lastMiss), c.says) << c.what;
+        EXPECT_LT(hand.sinceMiss_s, 0.3f);
     }
 }
 

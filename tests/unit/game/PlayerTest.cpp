@@ -29,9 +29,6 @@ TEST_P(Players, CatchAsManyAsTheyShould) {
         PlayerSetup setup = kind.setup;
         setup.seed = seed;
         const PlayedDive dive = play(*files, tests::rig(), setup);
-        std::printf("seed %d: %d caught, the first after %.1f s, %d lost, %d escaped\n",
-                    static_cast<int>(seed), dive.caught, static_cast<double>(dive.firstCatch_s), dive.lost,
-                    dive.escapes);
         met += dive.caught >= kind.atLeast && dive.caught <= kind.atMost;
         inTime += dive.firstCatch_s <= kind.firstBefore_s;
     }

@@ -68,8 +68,7 @@ TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
     const Event* goal = first<EventKind::Goal>(one.events);
     ASSERT_NE(goal, nullptr);
     EXPECT_EQ(goal->goal, 1);
-    Snapshot now;
-    one.world.snapshot(now);
+    const Snapshot now = one.shown();
     ASSERT_EQ(now.goals.size(), 3u);
     EXPECT_TRUE(now.goals[1].reached);
     EXPECT_FALSE(now.goals[0].reached || now.goals[2].reached);
@@ -84,8 +83,7 @@ TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
 TEST(FreeSwim, HasNoClockAndNoShark) {
     test::OneFish one(true, {.freeSwim = true});
     one.step(static_cast<int>(2 * one.world.file().duration_s * 120));
-    Snapshot now;
-    one.world.snapshot(now);
+    const Snapshot now = one.shown();
     EXPECT_EQ(now.phase, Phase::Diving);
     EXPECT_TRUE(now.freeSwim);
     EXPECT_EQ(now.timeLeft_s, one.world.file().duration_s);

@@ -29,10 +29,10 @@ TEST(SharkRoom, ItStealsKeepsItsDistanceAndSwimsFartherOutThanFish) {
     for (const char* film : {"reef", "night", "kelp"}) {
         ASSERT_TRUE(game::roomOf(film).moveTo(files.dive.space)) << film;
         const SharkWatch w = watched();
-        // In 32 dives it stole in 72 to 94 %: of eight, fewer than four in one set of fifty.
+        // It stole in 72 to 94 % of 32 dives; one set of eight dives in fifty has fewer than four thefts.
         EXPECT_GE(w.steals, 4) << film;
         EXPECT_GE(w.fartherWithRoom, 0.85 * w.roomTicks) << film;
-        EXPECT_LE(w.middleNear, 0.05 * w.ticks) << film; // where the reef's tunnel leaves no other place
+        EXPECT_LE(w.middleNear, 0.05 * w.ticks) << film; // the reef's tunnel leaves no other place at times
     }
 }
 

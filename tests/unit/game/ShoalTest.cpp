@@ -1,23 +1,22 @@
-// Who keeps company: shoals, pairs and those who live alone, told apart by what can be measured in a tank.
+// Company of fish: shoals, pairs and solitary fish, told apart by quantities that biologists measure in a
+// tank.
 #include "Fixture.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
-#include <cstdio>
-
 namespace shoal::game {
 namespace {
 
 using test::cove;
 
-// Of one school at one moment. Lengths in body lengths.
+// Order of one school at one moment. Lengths in body lengths.
 struct Order {
     float polarisation = 0; // length of the mean heading: 1 all alike, 0 all ways (Couzin et al. 2002)
     float nearest = 1e9f;   // neighbour, centre to centre, of any fish
-    float meanNearest = 0;  // of all
-    float farthest = 0;     // from the school's middle
+    float meanNearest = 0;  // mean over all fish
+    float farthest = 0;     // greatest distance from the school's middle
 };
 
 Order orderOf(const test::OpenDive& world, int school) {
@@ -44,27 +43,16 @@ Order orderOf(const test::OpenDive& world, int school) {
     return order;
 }
 
-DiveFile calm() { // nothing to fear
-    DiveFile file = cove().dive;
-    file.shark.species = -1;
-    return file;
-}
-
-void run(test::OpenDive& world, float seconds, const TickInput& input = {}) {
-    Events events;
-    for (int i = 0; i < static_cast<int>(seconds * 120); ++i) world.step(input, events);
-}
-
 class Companions : public testing::TestWithParam<uint64_t> {};
 
-TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
-    test::OpenDive world(cove().species, calm(), GetParam());
-    run(world, 20);
+TEST_P(Companions, ShoalsAlignAndPairsStayTogether) {
+    test::OpenDive world(cove().species, test::calmCove(), GetParam());
+    world.run(20);
     const auto& schools = world.file().schools;
     std::vector<double> polarisation(schools.size(), 0), nearest(schools.size(), 0);
-    int samples = 0, shoals = 0;
+    int samples = 0, shoals = 0, pairs = 0, nearPairs = 0;
     for (; samples < 200; ++samples) {
-        run(world, 0.2f);
+        world.run(0.2f);
         for (size_t s = 0; s < schools.size(); ++s) {
             const Order order = orderOf(world, static_cast<int>(s));
             polarisation[s] += order.polarisation;
@@ -74,12 +62,20 @@ TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
             // One that turns as a whole is out of order for a moment, but together.
             EXPECT_LT(order.farthest, 6);
         }
+        for (const Fish& fish : world.fish) {
+            const Species& kind = world.species()[fish.species];
+            const Fish& partner = world.fish[static_cast<size_t>(fish.route.leader)];
+            if (kind.company != Company::Pair || &partner == &fish) continue;
+            EXPECT_EQ(partner.species, fish.species);
+            ++pairs;
+            nearPairs += glm::distance(fish.position, partner.position) < 3 * kind.length_m;
+        }
     }
+    EXPECT_GT(pairs, 0);
+    EXPECT_GT(nearPairs, 0.9 * pairs);
     for (size_t s = 0; s < schools.size(); ++s) {
         const Species& kind = world.species()[schools[s].species];
         const double order = polarisation[s] / samples, apart = nearest[s] / samples;
-        std::printf("seed %d, %s: polarisation %.3f, nearest neighbour %.2f body lengths\n",
-                    static_cast<int>(GetParam()), kind.name.c_str(), order, apart);
         if (kind.company == Company::Shoal) {
             ++shoals;
             EXPECT_GT(order, 0.9) << kind.name;
@@ -94,53 +90,33 @@ TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
     EXPECT_GE(shoals, 2);
 }
 
-TEST_P(Companions, PairsKeepTogetherTwoByTwo) {
-    test::OpenDive world(cove().species, calm(), GetParam());
-    run(world, 20);
-    int near = 0, all = 0;
-    for (int i = 0; i < 100; ++i) {
-        run(world, 0.2f);
-        for (size_t a = 0; a < world.fish.size(); ++a) {
-            const Fish& fish = world.fish[a];
-            const Species& kind = world.species()[fish.species];
-            if (kind.company != Company::Pair || fish.leader == static_cast<int>(a)) continue;
-            const Fish& partner = world.fish[static_cast<size_t>(fish.leader)];
-            EXPECT_EQ(partner.species, fish.species);
-            ++all;
-            near += glm::distance(fish.position, partner.position) < 3 * kind.length_m;
-        }
-    }
-    ASSERT_GT(all, 0);
-    EXPECT_GT(near, 0.9 * all);
-}
-
 INSTANTIATE_TEST_SUITE_P(Seeds, Companions, testing::Values(1, 2, 3));
 
 TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
-    test::OpenDive world(cove().species, calm(), 4);
-    run(world, 5);
+    test::OpenDive world(cove().species, test::calmCove(), 4);
+    world.run(5);
     Events events;
     int school = 0;
     for (size_t i = 0; i < world.fish.size(); ++i) {
         const Fish& fish = world.fish[i];
         if (world.species()[fish.species].company != Company::Shoal) continue;
         school = fish.school;
-        // From its own side each: they burst apart.
+        // Each is frightened from another side, so that they burst apart.
         const glm::vec3 from(i % 3 ? 0.2f : -0.2f, 0, i % 2 ? 0.2f : -0.2f);
         world.startle(static_cast<int>(i), fish.position + from, events);
     }
     float widest = 0;
     for (int i = 0; i < 20; ++i) {
-        run(world, 0.1f);
+        world.run(0.1f);
         widest = std::max(widest, orderOf(world, school).farthest);
     }
-    run(world, 18);
+    world.run(18);
     EXPECT_GT(widest, 4);
     EXPECT_LT(orderOf(world, school).farthest, 4);
     EXPECT_GT(orderOf(world, school).polarisation, 0.8f);
 }
 
-// As full as a dive may get: seven kinds, two shoals and a ray, and more of the rest: forty fish.
+// A dive as full as it may get: forty fish of seven kinds, with two shoals and a ray.
 TEST(Shoal, OfSevenKindsAndFortyFishKeepsApart) {
     const SpeciesTable& species = cove().species;
     DiveFile file = cove().dive;
@@ -151,24 +127,17 @@ TEST(Shoal, OfSevenKindsAndFortyFishKeepsApart) {
     EXPECT_EQ(file.schools.size(), 7u);
     test::OpenDive world(species, file, 8);
     EXPECT_EQ(world.fish.size(), 40u);
-    float nearest = 1;
     int touching = 0, pairs = 0;
     for (int i = 0; i < 600; ++i) {
-        run(world, 0.1f);
+        world.run(0.1f);
         for (size_t a = 0; a < world.fish.size(); ++a)
             for (size_t b = 0; b < a; ++b) {
-                const auto body = [&](const Fish& f) {
-                    const Species& kind = species[f.species];
-                    const glm::vec3 half = f.forward * kind.bodyHalf_m;
-                    return physics::Capsule{f.position - half, f.position + half, kind.bodyRadius_m};
-                };
-                const float gap = physics::separation(body(world.fish[a]), body(world.fish[b]));
-                nearest = std::min(nearest, gap);
-                touching += gap < 0;
+                const Fish &first = world.fish[a], &second = world.fish[b];
+                touching += physics::separation(capsuleOf(first, species[first.species]),
+                                                capsuleOf(second, species[second.species])) < 0;
                 ++pairs;
             }
     }
-    std::printf("nearest %.3f m, touching %.4f %%\n", nearest, 100.0 * touching / pairs);
     EXPECT_LT(touching, pairs / 5000);
 }
 

@@ -24,7 +24,7 @@ TEST(Push, ABoneTakesAlongWhatItMeetsAndDoesNotBounceIt) {
     EXPECT_NEAR(v.x, 2, 3 * kSoftness); // all but the softness of it: a change of 3 m/s
     EXPECT_LE(v.x, 2);
     EXPECT_EQ(v.y, 0.3f) << "no friction on what swims free";
-    // What leaves already is left alone.
+    // A body that leaves already is not pushed.
     EXPECT_EQ(pushed({3, 0, 0}, {&c, 1}), glm::vec3(3, 0, 0));
 }
 
@@ -50,14 +50,14 @@ TEST(Push, BetweenTwoHandsThatCloseItComesToRest) {
     const Contact both[] = {against({1, 0, 0}, {1, 0, 0}, 0.01f), against({-1, 0, 0}, {-1, 0, 0}, 0.01f)};
     const glm::vec3 v = pushed({0.4f, 0, 0}, both);
     EXPECT_LT(glm::length(v), 0.5f) << "neither wins";
-    EXPECT_LT(glm::length(parting(both)), 0.1f) << "and it is not spat out";
+    EXPECT_LT(glm::length(separating(both)), 0.1f) << "and it is not spat out";
 }
 
-TEST(Parting, IsGentleAndFadesWithTheOverlap) {
+TEST(Separating, IsGentleAndFadesWithTheOverlap) {
     float before = 10;
     for (float depth : {0.06f, 0.03f, 0.01f, 0.002f, 0.0005f}) {
         const Contact c = against({0, 1, 0}, {0, 20, 0}, depth);
-        const float speed = glm::length(parting({&c, 1}));
+        const float speed = glm::length(separating({&c, 1}));
         EXPECT_LE(speed, kPartMax_mps) << depth;
         EXPECT_LE(speed, before);
         before = speed;
@@ -65,13 +65,13 @@ TEST(Parting, IsGentleAndFadesWithTheOverlap) {
     EXPECT_EQ(before, 0) << "what hardly overlaps is let be";
 }
 
-// From an overlap of 5 cm to none: no tick moves it farther than kPartMax_mps, none moves it back.
-TEST(Parting, ResolvesAnOverlapWithoutPopping) {
+// An overlap of 5 cm resolves: no tick moves the body faster than kPartMax_mps, and none moves it back.
+TEST(Separating, ResolvesAnOverlapWithoutPopping) {
     float depth = 0.05f, slowest = 1;
     int ticks = 0;
     while (depth > kPartSlop_m + 1e-4f && ticks < 600) {
         const Contact c = against({0, 0, 1}, glm::vec3(0), depth);
-        const float step = parting({&c, 1}).z / 120;
+        const float step = separating({&c, 1}).z / 120;
         EXPECT_GE(step, 0);
         EXPECT_LE(step, kPartMax_mps / 120);
         slowest = std::min(slowest, step);

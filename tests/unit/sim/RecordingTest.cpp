@@ -170,7 +170,7 @@ TEST_F(RecordingFile, AFullDiskIsSaidAndWhatIsWholeIsRead) {
     }
 }
 
-// Nor may whole numbers be negative, too large or fractions.
+// Whole numbers that are negative, too large or fractions are refused too.
 TEST_F(RecordingFile, NumbersOfItsHeaderThatAreNoneAreRefused) {
     const auto with = [&](const std::string& number, const std::string& inputBytes = "64") {
         const std::string text = R"({"version":3,"tick_rate_Hz":120,"seed":)" + number +

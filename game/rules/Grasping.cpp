@@ -1,0 +1,335 @@
+#include "game/rules/Grasping.h"
+
+#include "engine/physics/ContactModel.h"
+#include "game/rules/HandContacts.h"
+#include "game/rules/Holding.h"
+#include "game/rules/Intent.h"
+#include "game/rules/Misses.h"
+#include "game/rules/Steering.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace shoal::game {
+
+namespace {
+
+// Returns the direction from a bone into a body, unit length.
+glm::vec3 into(const physics::Capsule& bone, const physics::Capsule& body) {
+    const physics::Nearest at = physics::nearest(bone, body);
+    return normalizedOr(at.onSecond - at.onFirst, kUp);
+}
+
+void press(Hand& hand, int part, const physics::Press& one, float depth_m) {
+    hand.fingers.presses[hand.fingers.pressCount++] = one;
+    hand.touching[part].touches = true;
+    hand.touching[part].depth_m = std::max(hand.touching[part].depth_m, depth_m);
+}
+
+void pressPalm(const physics::Capsule& body, Hand& hand) { // the palm is rigid
+    for (int j = 0; j < hands::kJointCount; ++j) {
+        if (j == hands::kWristJoint || partOfBone(j) != hands::kPalmPart) continue;
+        const physics::Capsule at = bone(hand.joints, j);
+        const float gap = physics::separation(at, body);
+        if (gap > physics::kLift_m) continue;
+        const float depth = std::max(0.0f, -gap);
+        press(hand, hands::kPalmPart,
+              {into(at, body), std::min(physics::kPalmForce_N, physics::kPalmStiffness_Npm * depth)}, depth);
+    }
+}
+
+void wrapFinger(int finger, const physics::Capsule& body, Hand& hand) {
+    const int first = hands::kFingerJoints[finger].metacarpal;
+    physics::Finger given;
+    given.count = hands::kFingerJoints[finger].count();
+    for (int i = 0; i < given.count; ++i) {
+        given.joints[i] = hand.joints[first + i].position;
+        given.radii[i] = i == 0 ? 0 : bone(hand.joints, first + i).radius;
+    }
+    const physics::Finger rests = physics::wrapped(given, body);
+    for (int i = 1; i < given.count; ++i) {
+        hands::Joint& shown = hand.fingers.shown[first + i];
+        shown.position = rests.joints[i];
+        shown.orientation = rests.turned[std::min(i + 1, given.count - 1)] * shown.orientation;
+        if (!rests.touches[i]) continue;
+        const physics::Capsule here{rests.joints[i - 1], rests.joints[i], given.radii[i]};
+        const glm::vec3 would = 0.5f * (given.joints[i - 1] + given.joints[i]);
+        const float depth =
+            glm::distance(would, 0.5f * (here.a + here.b)) + std::max(0.0f, -physics::separation(here, body));
+        press(hand, finger, {into(here, body), physics::pressForce_N(depth)}, depth);
+    }
+}
+
+} // namespace
+
+void wrapFingers(const physics::Capsule& body, Hand& hand) {
+    hand.fingers.pressCount = 0;
+    pressPalm(body, hand);
+    for (int finger = 0; finger < hands::kFingerCount; ++finger) wrapFinger(finger, body, hand);
+}
+
+physics::Hold holdOn(int fish, const Hands& hands, std::span<const physics::Contact> contacts,
+                     glm::vec3 asked_N) {
+    std::array<physics::Press, 2 * hands::kJointCount> presses;
+    size_t count = 0;
+    for (const Hand& hand : hands)
+        if (hand.grasp.encloses == fish)
+            for (int i = 0; i < hand.fingers.pressCount; ++i) presses[count++] = hand.fingers.presses[i];
+    for (const physics::Contact& contact : contacts) // of a hand that only presses on it
+        if (static_cast<int>(contact.body) == fish && contact.lasting &&
+            hands[contact.group].grasp.encloses != fish && count < presses.size())
+            presses[count++] = {contact.normal, physics::pressForce_N(contact.depth)};
+    return physics::hold({presses.data(), count}, asked_N);
+}
+
+namespace {
+
+bool graspable(const Fish& f, const Hand& hand, int h, const DiveContext& in) {
+    if (!in.mayBeTaken(f) || in.hides(f.position) || in.hides(hand.graspCentre) || !onPalmSide(f, hand))
+        return false;
+    const float gap = graspGap(f, in.kindOf(f), hand);
+    const auto touched = [&](int part) { return f.touchedUntil[h][part] > in.state.tick; };
+    const bool pinched =
+        (touched(0) || touched(hands::kPalmPart)) && (touched(1) || touched(2) || touched(3) || touched(4));
+    return gap < (pinched ? 2 : 1) * kGraspRadius_m;
+}
+
+// Returns the graspable fish nearest to the grasp centre, or -1.
+int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in) {
+    int nearest = -1;
+    float gap = std::numeric_limits<float>::max();
+    for (size_t i = 0; i < fish.size(); ++i) {
+        if (!graspable(fish[i], hand, h, in)) continue;
+        const float distance = graspGap(fish[i], in.kindOf(fish[i]), hand);
+        if (distance < gap) gap = distance, nearest = static_cast<int>(i);
+    }
+    return nearest;
+}
+
+void wrapAround(const Fish& f, Hand& hand, const DiveContext& in) {
+    wrapFingers(capsuleOf(f, in.kindOf(f), physics::kEnclosed_m), hand);
+}
+
+void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
+    hand.grasp.holds = hand.grasp.encloses = id;
+    hand.grasp.window = 0;
+    hand.grasp.firmest = 1; // it takes hold again only after it has opened
+    hand.lastMiss = Miss::None;
+    f.state = Fish::State::Held;
+    f.heldBy = h;
+    f.push = glm::vec3(0);
+    f.gait.set(Motion::Struggle);
+    f.hold = {};
+    const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
+    f.hold.palmFromBody = palmFromWorld * f.worldFromBody;
+    f.hold.palmOffset = palmFromWorld * (f.position - hand.graspCentre);
+    // A fish in a fist lies across the palm: its head out at the side it was heading for, its back towards
+    // wrist or fingers.
+    const glm::vec3 heading = f.hold.palmFromBody * glm::vec3(0, 0, 1), back = f.hold.palmFromBody * kUp;
+    const glm::vec3 z(heading.x < 0 ? -1.0f : 1.0f, 0, 0), y(0, 0, back.z < 0 ? -1.0f : 1.0f);
+    f.hold.palmFromBodyGoal = glm::quat_cast(glm::mat3(glm::cross(y, z), y, z));
+    events.push_back({EventKind::Grab, id, h, f.position});
+}
+
+// Starts the flight of a released fish: away from the player and roughly the way it looks.
+void swimOff(Fish& f, const Hand& hand, const DiveContext& in) {
+    f.hold.struggle = 0;
+    f.hold.noPush_s = physics::kLoose_s;
+    f.heldBy = -1;
+    f.state = Fish::State::Dart;
+    f.flight.left_s = 1.2f;
+    f.flight.rest_s = 1.5f;
+    f.uncatchable_s = f.hold.counted ? kUncatchable_s : 0.6f;
+    const glm::vec3 outward = normalizedOr(f.position - in.head() - 0.2f * kUp, {0, 0, -1});
+    const glm::vec3 looks = f.worldFromBody * glm::vec3(0, 0, 1);
+    f.flight.heading =
+        normalizedOr(glm::vec3(outward.x, 0.2f * outward.y, outward.z) * 0.7f + looks * 0.5f, outward);
+    f.forward = levelled(normalizedOr(looks, f.flight.heading), 0.6f);
+    f.speed = std::min(0.5f, in.kindOf(f).dart_mps);
+    f.push = limited(0.3f * hand.calmVelocity, 0.6f);
+    f.velocity = f.forward * f.speed + f.push;
+}
+
+// Updates whether the hand is closed, and for how many ticks it may still take hold.
+void readGrip(Hand& hand) {
+    Grasp& grasp = hand.grasp;
+    const bool helped = hand.intent.helps && hand.intent.fish >= 0;
+    if (hand.grip < kGripOpens) {
+        grasp.closed = false;
+        grasp.firmest = kGripOpens;
+        grasp.window = 0;
+        hand.intent.fastest_mps = 0;
+    } else if (hand.grip > grasp.firmest + physics::kFirmer) {
+        grasp.firmest = hand.grip;
+        grasp.window = helped ? kHelpedWindow : kCloseWindow;
+    }
+    if (grasp.window > 0)
+        hand.intent.fastest_mps = std::max(hand.intent.fastest_mps, glm::length(hand.calmVelocity));
+    grasp.closed = grasp.closed || hand.grip > kGripCloses;
+}
+
+// Takes hold of a fish that both hands press on from opposing sides.
+void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveContext& in, Events& events) {
+    if (hands[0].grasp.holds >= 0 || hands[1].grasp.holds >= 0) return;
+    bool taken = false;
+    forEachCreature(in.state.contacts, [&](int id, std::span<const physics::Contact> own) {
+        if (taken || own.front().group == own.back().group || id >= static_cast<int>(fish.size())) return;
+        Fish& f = fish[id];
+        if (!in.mayBeTaken(f) || in.hides(f.position)) return;
+        if (holdOn(id, hands, in.state.contacts, glm::vec3(0)).margin_N < physics::kFirm_N) return;
+        const Species& kind = in.kindOf(f);
+        const int h = graspGap(f, kind, hands[0]) < graspGap(f, kind, hands[1]) ? 0 : 1;
+        grab(f, id, hands[h], h, events);
+        taken = true;
+    });
+}
+
+// Takes hold of the fish between the fingers, or draws it in. Returns whether it is held.
+bool takeHold(Hands& hands, int h, int id, Fish& f, const DiveContext& in, Events& events) {
+    Hand& hand = hands[h];
+    wrapAround(f, hand, in);
+    hand.grasp.encloses = id;
+    if (holdOn(id, hands, in.state.contacts, glm::vec3(0)).margin_N > physics::kFirm_N) {
+        grab(f, id, hand, h, events);
+        return true;
+    }
+    if (id == hand.intent.fish && in.assist != Assist::None)
+        helpClosing(f, hand, in);
+    else
+        f.push = pushIntoHollow(f, in.kindOf(f), hand);
+    return false;
+}
+
+// Stings a hand that closes on a stinging species. Returns whether it did.
+bool sting(Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in, Events& events) {
+    const auto stings = [&](const Fish& f) {
+        const Species& kind = in.kindOf(f);
+        return kind.stings && onPalmSide(f, hand) && graspGap(f, kind, hand) <= kGraspRadius_m;
+    };
+    const auto found = std::ranges::find_if(fish, stings);
+    if (found == fish.end()) return false;
+    hand.stung_s = kSting_s;
+    events.push_back({EventKind::Sting, static_cast<int>(found - fish.begin()), h, found->position});
+    return true;
+}
+
+void closeHand(Hands& hands, int h, std::span<Fish> fish, const DiveContext& in, Events& events) {
+    Hand& hand = hands[h];
+    Grasp& grasp = hand.grasp;
+    const bool wasClosed = grasp.closed;
+    readGrip(hand);
+    if (grasp.closed && !wasClosed) hand.intent.miss = missOf(hand, fish, in);
+    grasp.encloses = grasp.holds;
+    if (grasp.holds >= 0) return wrapAround(fish[grasp.holds], hand, in);
+    if (in.state.phase != Phase::Diving) return;
+    if (hand.stung_s > 0) {
+        grasp.window = 0;
+        return;
+    }
+    const bool helped = in.assist != Assist::None && hand.intent.fish >= 0;
+    if (grasp.window == 0) {
+        if (helped && isClosing(hand)) helpClosing(fish[hand.intent.fish], hand, in);
+        return;
+    }
+    if (sting(hand, h, fish, in, events)) return;
+    const int id = helped ? hand.intent.fish : nearestGraspable(hand, h, fish, in);
+    if (id >= 0 && takeHold(hands, h, id, fish[id], in, events)) return;
+    if (--grasp.window > 0 || !grasp.closed) return;
+    hand.lastMiss = hand.intent.miss;
+    hand.sinceMiss_s = 0;
+    events.push_back({.kind = eventOf(hand.lastMiss), .hand = h, .position = hand.graspCentre});
+}
+
+// Returns the force that a held fish asks of the grip.
+glm::vec3 askedForce_N(Fish& f, const Species& kind, const Hand& hand) {
+    const float mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
+    const float beat = tailBeat(f);
+    f.hold.struggle = tired(f.hold.time_s) * (0.6f + 0.4f * beat);
+    const glm::vec3 thrust =
+        (f.forward + 0.5f * beat * leftOf(f.forward)) * (mass * physics::kStruggle_mps2 * f.hold.struggle);
+    const float side = 2 * kind.bodyRadius_m * 2 * (kind.bodyHalf_m + kind.bodyRadius_m);
+    const glm::vec3 drag = hand.calmVelocity * (0.5f * physics::kWater_kgpm3 * physics::kDragShape * side *
+                                                glm::length(hand.calmVelocity));
+    return thrust - drag - mass * hand.calmAcceleration;
+}
+
+// Advances how fish `id` lies in the hand: friction against its struggle, the water's drag and the hand's
+// acceleration. Returns false once it has slipped out.
+bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) {
+    const Species& kind = in.kindOf(f);
+    const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
+    const auto holds = [&](glm::vec3 asked_N) {
+        return holdOn(id, in.state.hands, in.state.contacts, asked_N);
+    };
+    FishHold& hold = f.hold;
+    // The fish is drawn into the hollow of the hand at first; then friction keeps it where it lies.
+    if (hold.time_s < physics::kSettle_s) {
+        const glm::vec3 hollow = palmFromWorld * (hand.hollow(kind.bodyRadius_m) - hand.graspCentre);
+        hold.palmOffset += (hollow - hold.palmOffset) * (20 * kDt);
+    }
+    const physics::Hold grip = holds(askedForce_N(f, kind, hand));
+    if (grip.margin_N < 0) {
+        const float mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
+        hold.slide += palmFromWorld * grip.gives * (-grip.margin_N / mass * kDt);
+        hold.slide = limited(hold.slide, physics::kSlideMax_mps);
+    } else {
+        hold.slide *= physics::kSlideGrip;
+        if (glm::dot(hold.slide, hold.slide) < 1e-6f) hold.slid_m = 0;
+    }
+    hold.palmOffset += hold.slide * kDt;
+    hold.slid_m += glm::length(hold.slide) * kDt;
+    hold.unopposed = holds(glm::vec3(0)).margin_N > 0 ? 0 : hold.unopposed + 1;
+    return hold.slid_m < physics::kSlideOut_m && hold.unopposed < physics::kUnopposed;
+}
+
+} // namespace
+
+void closeHands(Hands& hands, std::span<Fish> fish, const DiveContext& in, Events& events) {
+    for (int h = 0; h < 2; ++h) {
+        Hand& hand = hands[h];
+        if (hand.solid)
+            closeHand(hands, h, fish, in, events);
+        else if (!hand.visible && hand.grasp.holds >= 0 && hand.untrackedTicks > kHandDropTicks)
+            drop(hand, h, fish, in, events);
+    }
+    if (in.state.phase == Phase::Diving) takeBetweenHands(hands, fish, in, events);
+}
+
+void drop(Hand& hand, int h, std::span<Fish> fish, const DiveContext& in, Events& events) {
+    const int id = hand.grasp.holds;
+    hand.grasp.holds = hand.grasp.encloses = -1;
+    Fish& f = fish[id];
+    swimOff(f, hand, in);
+    events.push_back({f.hold.counted ? EventKind::Release : EventKind::Escape, id, h, f.position});
+}
+
+void countCatches(Hands& hands, std::span<Fish> fish, Score& score, const DiveContext& in, Events& events) {
+    for (int h = 0; h < 2; ++h) {
+        Hand& hand = hands[h];
+        const int id = hand.grasp.holds;
+        if (id < 0) continue;
+        Fish& f = fish[id];
+        f.hold.time_s += kDt;
+        f.bank = f.speed = 0;
+        f.gait.set(Motion::Struggle);
+        f.gait.advance(1.6f);
+        if (hand.solid && !keepsHold(f, id, hand, in)) {
+            drop(hand, h, fish, in, events);
+            continue;
+        }
+        if (!f.hold.counted && f.hold.time_s >= kHoldToCatch_s + 0.5f * kDt) {
+            f.hold.counted = true;
+            const int points = score.countCatch(f.species, in.kindOf(f).points);
+            events.push_back({.kind = EventKind::Catch,
+                              .creature = id,
+                              .hand = h,
+                              .position = f.position,
+                              .species = f.species,
+                              .points = points,
+                              .combo = score.combo()});
+        }
+        if (f.hold.counted && f.hold.time_s >= kHoldToCatch_s + kShowCatch_s) drop(hand, h, fish, in, events);
+    }
+}
+
+} // namespace shoal::game

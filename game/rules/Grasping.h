@@ -1,0 +1,37 @@
+// Decides which fish a closing hand takes hold of, whether the hand keeps it, and when it counts as a catch.
+// How fingers lie on a fish and what force they bear: engine/physics/ContactModel.h, steps 4 and 5.
+#pragma once
+
+#include "engine/physics/Grip.h"
+#include "game/rules/DiveState.h"
+#include "game/rules/Events.h"
+
+#include <span>
+
+namespace shoal::game {
+
+constexpr int kCloseWindow = 12;  // ticks after it has stopped closing in which a hand still takes hold
+constexpr int kHelpedWindow = 22; // the same for a hand that is helped to a fish
+constexpr float kHoldToCatch_s = 1;
+constexpr float kShowCatch_s = 0.2f; // time from the catch to the release
+constexpr float kUncatchable_s = 2;  // time before a fish can be caught again, after a catch or the shark
+constexpr float kSting_s = 1;        // time in which a stung hand cannot hold
+
+// Wraps the hand's fingers around the body: sets the shown joints and the presses.
+void wrapFingers(const physics::Capsule& body, Hand&);
+
+// Returns whether the contacts of both hands with the fish can bear the force asked_N.
+physics::Hold holdOn(int fish, const Hands&, std::span<const physics::Contact>, glm::vec3 asked_N);
+
+// Updates each hand's closing and opening. A closing hand takes hold of a fish that its fingers, or both
+// hands, press from opposing sides; it is helped to the fish it reaches for, and stung by one that stings.
+// Once the dive is over, hands take nothing.
+void closeHands(Hands&, std::span<Fish>, const DiveContext&, Events&);
+
+// Lets the held fish go: with a Release if it has counted as a catch, else an Escape. h: 0 left, 1 right.
+void drop(Hand&, int h, std::span<Fish>, const DiveContext&, Events&);
+
+// Advances all holds, after everything has moved: a held fish may slip out, or is caught and then let go.
+void countCatches(Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
+
+} // namespace shoal::game
