@@ -64,8 +64,8 @@ class EquirectComposite {
 
     // Writes the wanted tiles (indices as FrameTiles counts them). layer: a texture of display values,
     // premultiplied, seen by layerView; only the chosen tiles have objects in it. Leaves another framebuffer
-    // bound. Display-coded frames only. shadows: ShadowTexture's; 0: none. filmed: null paints the layer
-    // unchanged.
+    // bound. Display-coded frames only. shadows: a texture of FilmShadows::left(); 0: none. filmed: null
+    // paints the layer unchanged.
     void paint(const EnvironmentGpu& environment, const FrameTiles& tiles, const std::vector<bool>& wanted,
                GLuint layer, const View& layerView, const glm::mat3& envFromWorld,
                const FilmedFrame* filmed = nullptr, GLuint shadows = 0);

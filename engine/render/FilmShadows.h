@@ -61,7 +61,7 @@ class FilmShadows {
 
   private:
     void findOccluders(const CastingLight& light);
-    void reachTiles(const CastingLight& light, std::span<const View> eyes);
+    void findTiles(const CastingLight& light, std::span<const View> eyes);
     // A box in the light's frame.
     struct Extent {
         glm::vec3 low, high;
@@ -69,9 +69,7 @@ class FilmShadows {
     // Returns a box around all places of a tile.
     Extent extentOf(const glm::ivec2& low, const glm::ivec2& high) const;
     static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
-    bool hideInTile(const CastingLight& light); // returns whether anything is hidden
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
-    void chooseAround(const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high);
     // Both are from the film's camera, env frame; a place of unknown distance is far away.
     glm::vec3 directionAt(int x, int y) const;
@@ -93,9 +91,7 @@ class FilmShadows {
     std::vector<FlatPiece> pieces_;        // scratch: of one body
     std::vector<Spot> spots_;
     std::vector<Occluder> occluders_;
-    std::vector<glm::ivec2> reached_; // tiles that the body being added reaches
-    std::vector<uint32_t> reachedBy_; // by tile: the last body that reached it, counted by bodies_
-    uint32_t bodies_ = 0;
+    std::vector<size_t> reached_; // tiles that the shadow of the body being added may reach
     std::vector<float> along_, aside_, up_, hidden_; // of a tile's texels, in the light's frame
 };
 

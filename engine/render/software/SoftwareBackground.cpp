@@ -19,15 +19,9 @@ bool canSample(const EyePicture& picture) {
            picture.canvas.samples() == 1;
 }
 
-using Texels = Image<uint8_t, 4>;
-
-DisplayFrame frameOf(const Texels& texels) {
-    return {texels.pixels.data(), texels.width, texels.height, texels.width};
-}
-
 // Writes the factors of FilmShadows::left(), enlarged linearly, for texels low to high - 1 of a frame. Where
 // these reach half a texel beyond the map's edge, its outermost texels count.
-void enlarge(const Texels& left, const glm::ivec2& low, const glm::ivec2& high, const glm::ivec2& frameSize,
+void enlarge(const Image<uint8_t, 4>& left, const glm::ivec2& low, const glm::ivec2& high, const glm::ivec2& frameSize,
              std::vector<uint32_t>& out) {
     constexpr float kInside = 1 / 32.0f;
     const glm::vec2 mapSize(left.width, left.height), scale = mapSize / glm::vec2(frameSize);
