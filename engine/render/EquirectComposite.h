@@ -1,9 +1,10 @@
-// Puts a layer of objects, as an eye sees them, into the texels of the video's frame: a copy of the frame's
-// tiles with the objects in them, which the background then shows instead of the frame. Pairs with
-// shaders/render/EquirectComposite.
+// Puts a layer of objects, as an eye sees them, into a copy of the frame's tiles, which the background then
+// shows instead of the frame. Each texel takes what the layer shows in the direction of its middle, so that
+// seam and poles need no care. Pairs with shaders/render/EquirectComposite.
 //
-// Each texel takes what the layer shows in its middle's direction, so that no triangle is ever drawn in the
-// equirectangular map, where straight edges bend and a pole tears them apart: seam and poles need no care.
+// Objects are painted as the video's own camera would have filmed them: where they cover a part of a texel,
+// light is mixed, not coded values; port and lens scatter the light around onto them; then come levels,
+// shared colours and the frame's own grain.
 #pragma once
 
 #include "engine/camera/CameraResponse.h"
@@ -21,10 +22,6 @@
 #include <vector>
 
 namespace shoal::render {
-
-// Objects are painted as the video's own camera would have filmed them: where they cover a part of a texel,
-// light is mixed, not coded values; port and lens scatter the light around onto them; then come levels,
-// shared colours and the frame's own grain.
 
 // Returns how many texels of the video a pixel of the layer spans so that objects' edges are as soft as the
 // film's.

@@ -1,12 +1,12 @@
 // Shadows of bodies on what a film shows, by direction from the film's camera.
 //
-// The place of each texel of a film's distances is known, and what a body hides of the light from a place is
-// a closed form (CastShadow.h). So shadows are not drawn but computed at these places, once for both eyes;
-// the passes that draw the film multiply its texels by what is left, before they draw objects over them.
+// The place of each texel of a film's distances is known, and the light that a body hides from a place is a
+// closed form (CastShadow.h). So shadows are computed at these places, once for both eyes; the passes that
+// draw the film multiply its texels by what is left, before they draw objects over them.
 //
-// Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the film is
-// multiplied by what the surface reflects in shadow over what it reflects without, at most 1, so that a wrong
-// guess at the surface or the light is a faint mistake.
+// Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the factor is what
+// the surface reflects in shadow over what it reflects without, so that a wrong guess at the surface or the
+// light is a faint mistake.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -23,10 +23,9 @@
 namespace shoal::render {
 
 // Returns the factor for a surface's display values where shadows take `taken` (0 to 1) of its irradiance.
-// Display values are taken for square roots of light (water/Water.h), except in frames coded as in the
-// thesis, whose radiance is proportional to display values where it is not bright (light/InverseToneMap.h).
-// The water between mixes squares; arrives: the share that comes through it. The water's own light, which
-// shadows do not dim, is taken to be as bright as the surface.
+// Display values are square roots of light (water/Water.h), except in frames coded as in the thesis, whose
+// radiance is proportional to them (light/InverseToneMap.h). arrives: the share of squares that comes through
+// the water, whose own light, which shadows do not dim, is taken to be as bright as the surface.
 glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
 
 class FilmShadows {
