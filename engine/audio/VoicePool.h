@@ -17,7 +17,7 @@ class VoicePool {
     void setUp();
     void tearDown();
 
-    // By Sound::clip. update() is called once a frame; now_s: the device's clock, minus the time paused.
+    // Indexed by Sound::clip. update() is called once a frame; now_s: the device's clock, minus the time paused.
     struct Clips {
         std::span<const ALuint> buffers;
         std::span<const Clip> clips;

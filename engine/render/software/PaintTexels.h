@@ -3,12 +3,10 @@
 
 #include "engine/core/Image.h"
 #include "engine/render/EquirectComposite.h"
-#include "engine/render/View.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace shoal::render {
@@ -26,10 +24,9 @@ struct TexelPaint {
     const ImageRgbF* scattered = nullptr; // squares of display values, lat-long
 };
 
-// Writes texels low to high - 1 of the frame, with the layer over them, into `out`, whose rows are outStride
-// texels apart. They are so few that rays are nearly linear among them: a tile of FrameTiles. Needs
-// canSampleFrames().
-void paintTexels(const DisplayFrame& frame, const TexelPaint& paint, const glm::ivec2& low,
-                 const glm::ivec2& high, uint32_t* out, ptrdiff_t outStride);
+// Paints the layer over texels low to high - 1 of a frame without gaps. They are so few that rays are nearly
+// linear among them: a tile of FrameTiles.
+void paintTexels(const TexelPaint& paint, const glm::ivec2& low, const glm::ivec2& high,
+                 const glm::ivec2& frameSize, uint32_t* frame);
 
 } // namespace shoal::render

@@ -21,8 +21,8 @@ bool canSample(const EyePicture& picture) {
 
 // Writes the factors of FilmShadows::left(), enlarged linearly, for texels low to high - 1 of a frame. Where
 // these reach half a texel beyond the map's edge, its outermost texels count.
-void enlarge(const Image<uint8_t, 4>& left, const glm::ivec2& low, const glm::ivec2& high, const glm::ivec2& frameSize,
-             std::vector<uint32_t>& out) {
+void enlarge(const Image<uint8_t, 4>& left, const glm::ivec2& low, const glm::ivec2& high,
+             const glm::ivec2& frameSize, std::vector<uint32_t>& out) {
     constexpr float kInside = 1 / 32.0f;
     const glm::vec2 mapSize(left.width, left.height), scale = mapSize / glm::vec2(frameSize);
     const auto placeOf = [&](const glm::ivec2& texel) {
@@ -181,8 +181,7 @@ void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer*
             else
                 std::copy_n(from, 4 * width, to);
         }
-        if (layer && layer->tiles.chosen()[number])
-            paintTexels(painted(), paint, low, high, texels_.get(), size.x);
+        if (layer && layer->tiles.chosen()[number]) paintTexels(paint, low, high, size, texels_.get());
     });
 }
 

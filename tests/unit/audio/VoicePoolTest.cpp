@@ -1,4 +1,4 @@
-// Who sounds, for how long, and who gives way.
+// Which sounds play, for how long, and which make room for others.
 #include "Heard.h"
 
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ struct Wall {
                 *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(std::clamp(
                     std::max(direction(x, y, 1024).x, 0.0f) / distance * DepthMap::kSteps * kNearest_m, 0.0f,
                     255.0f)));
-        // Of 16 x 16 looks in each texel, so that its edge is smooth.
+        // Each texel is the mean of 16 x 16 looks, so that its edge is smooth.
         for (int y = 0; y < 512; ++y)
             for (int x = 0; x < 1024; ++x) {
                 const glm::vec3 dir = direction(x, y, 1024);

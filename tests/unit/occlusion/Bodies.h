@@ -192,7 +192,7 @@ inline glm::vec3 anyDirection(Random& random) {
     return {r * std::cos(a), r * std::sin(a), z};
 }
 
-// From outside, through anywhere in the bounding sphere.
+// A ray from outside, through anywhere in the bounding sphere.
 inline Ray chord(Random& random, const Sphere& sphere) {
     glm::vec3 in;
     do in = glm::vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
@@ -201,7 +201,7 @@ inline Ray chord(Random& random, const Sphere& sphere) {
     return {sphere.centre + sphere.radius * (in - 3.0f * d), d};
 }
 
-// What a random eye's look becomes at a random place of the surface.
+// A random ray to the eye, mirrored at a random place of the surface.
 inline Ray reflection(Random& random, const Body& body) {
     std::vector<float> sums;
     float sum = 0;

@@ -1,4 +1,4 @@
-// What the cure is worth, against exact rays: gaps, depth, and the picture of a mirror that shows itself.
+// Our layers and the thesis' against exact rays: gaps, depth, and the picture of a mirror that shows itself.
 #include "Animals.h"
 #include "Measure.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
