@@ -32,8 +32,8 @@ struct CastingLight {
     glm::vec3 share{0};         // share of level ground's irradiance that it gives, 0 to 1
     float presence = 1;         // factor for what shadows take, 0 to 1
 
-    // Returns 1 where the light's lower edge is well above the horizon, falling to 0: a lower light's share on
-    // level ground does not tell its share on other surfaces.
+    // Returns 1 where the light's lower edge is well above the horizon, falling to 0: a lower light's share
+    // on level ground does not tell its share on other surfaces.
     float raised() const;
     // At least about twice the sun's.
     float discTangent() const { return std::max(tangent, 0.01f); }

@@ -251,7 +251,7 @@ void Environment::uploadPicture(size_t slot) {
         if (!depths_[slot].map.inverse.empty())
             on.setDepth(&depths_[slot].map, &depths_[slot].widened, &depths_[slot].range);
     }
-    beside_ = gpu_[0].depth() ? &depths_[slot].light : nullptr;
+    lightDifference_ = gpu_[0].depth() ? &depths_[slot].light : nullptr;
     uploadLight(found_[slot]);
 }
 

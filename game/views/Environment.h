@@ -4,7 +4,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/depth/DepthRange.h"
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 #include "engine/light/LightOverTime.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
@@ -69,7 +69,7 @@ class Environment {
     // Distances to what the frame shows; null: unknown. For a stereo film, those of the left picture.
     const depth::DepthMap* depth() const { return gpu_[0].depth(); }
     // Light at places beside the camera; null if depth() is.
-    const depth::LightBeside* lightBeside() const { return beside_; }
+    const depth::LightDifference* lightDifference() const { return lightDifference_; }
     // Whether a depth track comes with the film.
     bool hasDepthTrack() const { return depthTrack_.has_value(); }
     // Number of the video's frame, which counts on as the video repeats; -1: a still.
@@ -138,10 +138,10 @@ class Environment {
     struct Depth {
         depth::DepthMap map, widened;
         depth::DepthRange range;
-        depth::LightBeside light;
+        depth::LightDifference light;
     };
     std::vector<Depth> depths_;
-    const depth::LightBeside* beside_ = nullptr; // of the frame shown
+    const depth::LightDifference* lightDifference_ = nullptr; // of the frame shown
     std::optional<media::DepthTrack> depthTrack_;
     media::DepthFrame trackFrame_; // the last one decoded
     int trackFrameNumber_ = -1;

@@ -50,7 +50,8 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     floorIsShaded_ = false;
     if (!passes_.compositor.drawsObjects()) return;
     const bool bounces = setup_.skip != render::SkippedPass::Bounce;
-    animalLight_.follow(snapshot, bounces ? environment.lightBeside() : nullptr, environment.envFromWorld());
+    animalLight_.follow(snapshot, bounces ? environment.lightDifference() : nullptr,
+                        environment.envFromWorld());
     creatureModels_.show(snapshot, animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }

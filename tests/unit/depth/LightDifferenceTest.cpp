@@ -1,4 +1,4 @@
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 
 #include "engine/math/LatLong.h"
 
@@ -45,9 +45,9 @@ struct Wall {
 
 constexpr float kY00 = 0.282095f;
 
-TEST(LightBeside, NearASunlitWallThereIsMoreOfItsLight) {
+TEST(LightDifference, NearASunlitWallThereIsMoreOfItsLight) {
     const Wall wall(1, 1);
-    LightBeside light;
+    LightDifference light;
     light.make(wall.radiance, wall.map);
     for (const float towards_m : {-0.7f, 0.3f, 0.5f}) {
         const LightHarmonics beyond = light.at({towards_m, 0, 0});
@@ -61,16 +61,16 @@ TEST(LightBeside, NearASunlitWallThereIsMoreOfItsLight) {
     }
 }
 
-TEST(LightBeside, WhatIsFarGivesTheCamerasLight) {
-    const Wall wall(LightBeside::kFar_m + 0.5f, 4);
-    LightBeside light;
+TEST(LightDifference, WhatIsFarGivesTheCamerasLight) {
+    const Wall wall(LightDifference::kFar_m + 0.5f, 4);
+    LightDifference light;
     light.make(wall.radiance, wall.map);
     for (const glm::vec3& harmonic : light.at({1, 0.5f, -1})) EXPECT_EQ(harmonic, glm::vec3(0));
 }
 
-TEST(LightBeside, AtTheCameraThereIsItsLight) {
+TEST(LightDifference, AtTheCameraThereIsItsLight) {
     const Wall wall(1, 1);
-    LightBeside light;
+    LightDifference light;
     light.make(wall.radiance, wall.map);
     for (const glm::vec3& harmonic : light.at(glm::vec3(0))) EXPECT_EQ(harmonic, glm::vec3(0));
 }
