@@ -36,7 +36,7 @@ float layerTexels(const camera::CameraResponse& response, int samples);
 // 2; 0.5 is none, the standard deviation is kGrainDeviation.
 constexpr float kGrainDeviation = 0.125f;
 constexpr int kGrainSize = 256;
-std::vector<uint8_t> makeGrain();
+const std::vector<uint8_t>& grains();
 
 // The response of a frame's camera, which is applied to what is painted into the frame.
 struct FilmedFrame {

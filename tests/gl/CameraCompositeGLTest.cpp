@@ -48,13 +48,10 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
         std::vector<uint32_t> pixels(size_t{kSize} * kSize);
         layer.bind();
         glReadPixels(0, 0, kSize, kSize, GL_BGRA, GL_UNSIGNED_BYTE, pixels.data());
-        const std::vector<uint8_t> grain = render::makeGrain();
-        const render::CameraUniforms numbers = render::cameraUniforms(filmed);
         const render::TexelPaint paint{.layer = pixels.data(),
                                        .layerSize = {kSize, kSize},
                                        .rayScale = view.halfExtent(),
-                                       .filmed = &numbers,
-                                       .grain = grain.data(),
+                                       .filmed = render::cameraUniforms(filmed),
                                        .scattered = &environment.scatteredLight()};
         all = frame;
         for (int k = 0; k < render::FrameTiles::kCount.x * render::FrameTiles::kCount.y; ++k) {

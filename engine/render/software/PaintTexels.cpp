@@ -1,6 +1,7 @@
 #include "engine/render/software/PaintTexels.h"
 
 #include "engine/core/Vectorise.h"
+#include "engine/light/Lookup.h"
 #include "engine/math/LatLong.h"
 
 #include <glm/common.hpp>
@@ -28,19 +29,6 @@ struct Patch {
     glm::vec3 at(const glm::vec2& place) const { return first + place.y * down + place.x * stepAt(place.y); }
     glm::vec3 stepAt(float y) const { return right + y * both; }
 };
-
-glm::vec3 scatteredAt(const ImageRgbF& light, const glm::vec2& uv) {
-    const glm::ivec2 size(light.width, light.height);
-    const glm::vec2 at = uv * glm::vec2(size) - 0.5f, low = glm::floor(at), share = at - low;
-    const auto texel = [&](int right, int down) {
-        const int x = (static_cast<int>(low.x) + right + size.x) % size.x;
-        const int y = std::clamp(static_cast<int>(low.y) + down, 0, size.y - 1);
-        const float* c = light.at(x, y);
-        return glm::vec3(c[0], c[1], c[2]);
-    };
-    return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x),
-                    share.y);
-}
 
 inline float mix(float a, float b, float share) { return a + share * (b - a); }
 inline float bounded(float value, float low, float high) {
@@ -112,7 +100,7 @@ SHOAL_VECTORISE void film(const TexelPaint& paint, const Colours& c, const Colou
     }
     int fine[kLanes], coarse[kLanes]; // grain, 0 to 255
     const glm::ivec2 shifted = place + n.grainShift;
-    const uint8_t* grainRow = paint.grain + 2 * kGrainSize * (shifted.y & (kGrainSize - 1));
+    const uint8_t* grainRow = grains().data() + 2 * kGrainSize * (shifted.y & (kGrainSize - 1));
     for (int k = 0; k < kLanes; ++k) {
         const uint8_t* grain = grainRow + 2 * ((shifted.x + k) & (kGrainSize - 1));
         fine[k] = grain[0], coarse[k] = grain[1];
@@ -174,8 +162,9 @@ void paintTexels(const TexelPaint& paint, const glm::ivec2& low, const glm::ivec
     for (size_t k = 0; k < 4; ++k) {
         const glm::vec2 uv =
             glm::vec2(k & 1 ? high.x : low.x, k >> 1 ? high.y : low.y) / glm::vec2(frameSize);
-        rays[k] = paint.eyeFromEnv * directionFromLatLong(uv);
-        if (paint.filmed) glows[k] = scatteredAt(*paint.scattered, uv);
+        const glm::vec3 dirEnv = directionFromLatLong(uv);
+        rays[k] = paint.eyeFromEnv * dirEnv;
+        if (paint.filmed) glows[k] = light::lookUp(*paint.scattered, dirEnv);
     }
     const Patch ray(rays), glow(glows);
     const glm::vec2 perTexel = 1.0f / glm::vec2(high - low);

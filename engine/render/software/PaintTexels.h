@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <optional>
 
 namespace shoal::render {
 
@@ -17,10 +18,8 @@ struct TexelPaint {
     const uint32_t* layer = nullptr;
     glm::ivec2 layerSize{0}; // at least 2 x 2
     glm::mat3 eyeFromEnv{1};
-    glm::vec2 rayScale{1}, rayShift{0}; // half the layer's image plane's extent at distance 1; its centre
-    // Null: the layer is painted unchanged, and what follows is not used.
-    const CameraUniforms* filmed = nullptr;
-    const uint8_t* grain = nullptr;       // makeGrain()
+    glm::vec2 rayScale{1}, rayShift{0};   // half the layer's image plane's extent at distance 1; its centre
+    std::optional<CameraUniforms> filmed; // empty: the layer is painted unchanged, without scattered light
     const ImageRgbF* scattered = nullptr; // squares of display values, lat-long
 };
 

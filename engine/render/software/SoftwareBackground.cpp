@@ -137,10 +137,7 @@ TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLay
                      .rayScale = layer.view.halfExtent(),
                      .rayShift = layer.view.shift};
     if (layer.filmed) {
-        if (grain_.empty()) grain_ = makeGrain();
-        uniforms_ = cameraUniforms(picture.filmed);
-        paint.filmed = &uniforms_;
-        paint.grain = grain_.data();
+        paint.filmed = cameraUniforms(picture.filmed);
         paint.scattered = &picture.environment.scatteredLight();
     }
     return paint;

@@ -57,8 +57,6 @@ class SoftwareBackground final : public BackgroundPass {
     BackgroundCells grid_;
     std::vector<State> states_;     // of the grid's cells
     std::vector<uint32_t> picture_; // rows from the bottom
-    std::vector<uint8_t> grain_;    // made once something is filmed
-    CameraUniforms uniforms_;       // of the frame, if it is filmed
     // A copy of the frame with shadows and objects in its texels, of which only the wanted tiles are written.
     // Not a vector, which would touch all of its memory: objects are in few places.
     std::unique_ptr<uint32_t[]> texels_;
