@@ -158,15 +158,6 @@ TEST(VoicePool, APauseIsSilenceAndDoesNotClick) {
     EXPECT_EQ(scene.audio.sounding(), 1);
 }
 
-TEST(VoicePool, AReopenedDeviceGoesOnWithWhatIsListed) {
-    LoopbackScene scene;
-    scene.frame({&kAhead, 1});
-    ASSERT_TRUE(scene.audio.reopen());
-    for (int i = 0; i < 5; ++i) scene.frame({&kAhead, 1});
-    EXPECT_EQ(scene.audio.sounding(), 1);
-    EXPECT_GT(scene.level(), 0.1);
-}
-
 TEST(VoicePool, ItsDeviceIsLostAndReopenedAThousandTimes) {
     LoopbackScene scene;
     scene.frame({&kAhead, 1});
