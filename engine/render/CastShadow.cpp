@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace shoal::render {
@@ -143,21 +142,17 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
     return std::min(hidden, 1.0f);
 }
 
-namespace {
-
-constexpr float kHit_m = 0.004f; // gap that counts as a hit: less than the map's steps from 0.8 m on
-
-// Returns how many metres along a ray it first meets what the film shows; negative if it meets nothing known
-// within reach. Behind a depth edge of the film nothing is known, and the ray goes on. A ray that
-// begins inside the surface, as from a hand that touches it, meets it at once.
-float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld) {
+// Behind a depth edge of the film nothing is known, and the ray goes on. A ray that begins inside the
+// surface, as from a hand that touches it, meets it at once.
+float fallOf(const FilmSurface& film, const glm::vec3& placeWorld, const CastingLight& light) {
+    constexpr float kHit_m = 0.004f; // gap that counts as a hit: less than the map's steps from 0.8 m on
     constexpr float kMinStep_m = 0.1f, kMaxStep_m = 0.5f;
     constexpr float kTouch_m = 0.3f; // greatest depth inside a surface at which a ray begins on it
     // At an edge the gap changes by more than this per metre of ray, as on a surface seen at 4 degrees.
     constexpr float kEdge = 16;
     constexpr int kHalvings = 10;
-    const glm::vec3 from = film.envFromWorld * (fromWorld - film.cameraWorld);
-    const glm::vec3 dir = film.envFromWorld * dirWorld;
+    const glm::vec3 from = film.envFromWorld * (placeWorld - film.cameraWorld);
+    const glm::vec3 dir = film.envFromWorld * -light.towards;
     // Returns by how many metres the surface lies behind the point at s, seen from the film's camera.
     const auto gapAt = [&](float s) {
         const glm::vec3 place = from + s * dir;
@@ -183,31 +178,6 @@ float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3&
         if (gapLow - gapHigh < kEdge * (high - low)) return low + (high - low) * gapLow / (gapLow - gapHigh);
     }
     return -1;
-}
-
-} // namespace
-
-void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
-               std::vector<Spot>& out) {
-    out.clear();
-    for (const FlatPiece& piece : body) {
-        const float fall = meet(film, piece.middle, -light.towards);
-        if (fall < 0) continue;
-        const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
-        const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
-        out.push_back({piece, fall, std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc, fade});
-    }
-}
-
-float darkest(std::span<const Spot> spots, const CastingLight& light) {
-    float hidden = 0;
-    for (const Spot& spot : spots) {
-        const float disc = std::max(light.discTangent() * spot.fall_m, kMinDisc_m);
-        // The spot's area by the disc's; 1.27: density of the product of strips where it is densest.
-        const float flat = 4 * spot.piece.halfAlong_m * spot.piece.halfAside_m;
-        hidden += spot.fade * std::min(1.0f, flat * 1.27f / (std::numbers::pi_v<float> * disc * disc));
-    }
-    return std::min(hidden, 1.0f);
 }
 
 } // namespace shoal::render

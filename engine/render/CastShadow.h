@@ -75,22 +75,8 @@ constexpr float kMinShadow = 0.012f; // least share of light that is drawn: thre
 
 constexpr float kShadowReach_m = 8; // how far shadows fall; they fade over the last third
 
-// The place where the shadow of a body's piece falls on what a film shows.
-struct Spot {
-    FlatPiece piece;
-    float fall_m = 0;   // distance from the piece, in the direction of the light
-    float radius_m = 0; // at right angles to that, with the penumbra
-    float fade = 1;     // factor for what the piece hides: shadows fade where they have fallen far
-
-    glm::vec3 middle(const CastingLight& light) const { return piece.middle - fall_m * light.towards; }
-};
-
-// Replaces out. A piece has no spot if the film shows nothing below it, or nothing near enough. body:
-// flattened for this light.
-void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
-               std::vector<Spot>& out);
-
-// Returns an upper bound of the share of the light's disc that a body hides where its shadow is darkest.
-float darkest(std::span<const Spot> spots, const CastingLight& light);
+// Returns how many metres the shadow of a place falls, along the light, to the first surface that the film
+// shows; negative if it meets nothing known within kShadowReach_m.
+float fallOf(const FilmSurface& film, const glm::vec3& placeWorld, const CastingLight& light);
 
 } // namespace shoal::render

@@ -103,14 +103,12 @@ void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingL
                       std::span<const View> eyes) {
     if (light.share == glm::vec3(0) || !mayBeSeen(sphereAround(body), light, eyes)) return;
     flatten(body, light, pieces_);
-    findSpots(film_, pieces_, light, spots_);
     const glm::vec3 most = light.presence * light.share;
-    const float taken = darkest(spots_, light) * std::max({most.x, most.y, most.z});
+    const float taken = findOccluders(light) * std::max({most.x, most.y, most.z});
     if (taken <= kMinShadow) return;
-    lightFromEnv_ = glm::transpose(film_.envFromWorld *
-                                   glm::mat3(spots_[0].piece.along, spots_[0].piece.aside, light.towards));
-    findOccluders(light);
-    findTiles(light, eyes);
+    lightFromEnv_ =
+        glm::transpose(film_.envFromWorld * glm::mat3(pieces_[0].along, pieces_[0].aside, light.towards));
+    findTiles(eyes);
     // The shadow of a body that takes little more than kMinShadow is faint, so that it does not pop in.
     const float strength = light.presence * glm::smoothstep(kMinShadow, 2 * kMinShadow, taken);
     for (const size_t tile : reached_)
@@ -118,10 +116,10 @@ void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingL
 }
 
 // Finds the tiles around the spots; a spot on a surface that slopes by 45 degrees is longer by sqrt(2).
-void FilmShadows::findTiles(const CastingLight& light, std::span<const View> eyes) {
+void FilmShadows::findTiles(std::span<const View> eyes) {
     reached_.clear();
-    for (const Spot& spot : spots_) {
-        const Sphere around{spot.middle(light), std::numbers::sqrt2_v<float> * spot.radius_m};
+    for (const Occluder& piece : occluders_) {
+        const Sphere around{piece.spotWorld, std::numbers::sqrt2_v<float> * piece.spotRadius_m};
         if (std::ranges::none_of(eyes, [&](const View& eye) { return sees(eye, around); })) continue;
         tiles_.eachOfSphere(
             film_.envFromWorld * (around.centre - film_.cameraWorld), around.radius,
@@ -191,21 +189,34 @@ float FilmShadows::cosineAt(int x, int y, const glm::vec3& towardsEnv) const {
     return length > 1e-9f ? std::abs(glm::dot(normal, towardsEnv)) / length : towardsEnv.y;
 }
 
-void FilmShadows::findOccluders(const CastingLight& light) {
+// A piece casts no shadow if the film shows nothing below it, or nothing near enough.
+float FilmShadows::findOccluders(const CastingLight& light) {
     occluders_.clear();
-    for (const Spot& spot : spots_) {
-        const glm::vec3 middle = spot.piece.middle - film_.cameraWorld;
+    float darkest = 0;
+    for (const FlatPiece& piece : pieces_) {
+        const float fall = fallOf(film_, piece.middle, light);
+        if (fall < 0) continue;
+        const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
+        const float radius = std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc;
+        const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
+        // The piece's area by the disc's; 1.27: density of the product of strips where it is densest.
+        darkest += fade * std::min(1.0f, 4 * piece.halfAlong_m * piece.halfAside_m * 1.27f /
+                                             (std::numbers::pi_v<float> * disc * disc));
+        const glm::vec3 middle = piece.middle - film_.cameraWorld;
         // The lower end is a little below where the shadow meets the surface, which may slope.
-        const float up = glm::dot(middle, light.towards), margin = 0.5f * spot.radius_m + 0.05f;
-        occluders_.push_back({.along = glm::dot(middle, spot.piece.along),
-                              .aside = glm::dot(middle, spot.piece.aside),
+        const float up = glm::dot(middle, light.towards), margin = 0.5f * radius + 0.05f;
+        occluders_.push_back({.along = glm::dot(middle, piece.along),
+                              .aside = glm::dot(middle, piece.aside),
                               .up = up,
-                              .halfAlong = spot.piece.halfAlong_m,
-                              .halfAside = spot.piece.halfAside_m,
-                              .lowest = up - spot.fall_m - spot.radius_m - margin,
-                              .perFade = spot.fade / margin,
-                              .share = spot.fade});
+                              .halfAlong = piece.halfAlong_m,
+                              .halfAside = piece.halfAside_m,
+                              .lowest = up - fall - radius - margin,
+                              .perFade = fade / margin,
+                              .share = fade,
+                              .spotWorld = piece.middle - fall * light.towards,
+                              .spotRadius_m = radius});
     }
+    return std::min(darkest, 1.0f);
 }
 
 // Uses the nearest and the farthest of the tile's texels: most tiles that a spot's sphere reaches lie before

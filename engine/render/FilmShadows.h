@@ -55,12 +55,16 @@ class FilmShadows {
     struct Occluder {
         float along, aside, up, halfAlong, halfAside;
         float lowest, perFade; // places below `lowest` are beyond the surface that the shadow falls on
-        float share;
+        float share;           // fades where the shadow has fallen far
+        glm::vec3 spotWorld;   // where its shadow falls on the film's surface, with the penumbra
+        float spotRadius_m;
     };
 
   private:
-    void findOccluders(const CastingLight& light);
-    void findTiles(const CastingLight& light, std::span<const View> eyes);
+    // Returns an upper bound of the share of the light's disc that the body hides where its shadow is
+    // darkest.
+    float findOccluders(const CastingLight& light);
+    void findTiles(std::span<const View> eyes);
     // A box in the light's frame.
     struct Extent {
         glm::vec3 low, high;
@@ -88,7 +92,6 @@ class FilmShadows {
     std::array<glm::vec3, 256> arrives_{}; // by code: share of light that the water lets through
     glm::mat3 lightFromEnv_{1};            // for the body being added: along, aside, up
     std::vector<FlatPiece> pieces_;        // scratch: of one body
-    std::vector<Spot> spots_;
     std::vector<Occluder> occluders_;
     std::vector<size_t> reached_; // tiles that the shadow of the body being added may reach
     std::vector<float> along_, aside_, up_, hidden_; // of a tile's texels, in the light's frame
