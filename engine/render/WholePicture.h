@@ -16,8 +16,8 @@ class WholePicture {
     }
 
   private:
-    gl::VertexArray noAttributes_ =
-        gl::VertexArray::make(); // the shader makes the corners; OpenGL wants one bound
+    // The shader makes the corners; OpenGL wants an array bound.
+    gl::VertexArray noAttributes_ = gl::VertexArray::make();
 };
 
 } // namespace shoal::render
