@@ -33,8 +33,12 @@ constexpr float kHighFade_m = 4;                           // distance over whic
 // above and below, which an equal filter on both ears leaves intact as long as they are audible.
 constexpr float kHighMin = 0.16f;
 
-// Gain of a sound at a distance: OpenAL's AL_INVERSE_DISTANCE_CLAMPED with a roll-off of 1.
-float distanceGain(float distance_m) { return kReference_m / std::max(distance_m, kReference_m); }
+// Returns the gain at the ear, by OpenAL's AL_INVERSE_DISTANCE_CLAMPED with a roll-off of 1.
+float loudnessOf(const Sound& sound, const glm::vec3& listener) {
+    return sound.everywhere
+               ? kAmbientLoudness + sound.gain
+               : sound.gain * kReference_m / std::max(glm::distance(sound.position, listener), kReference_m);
+}
 
 bool plays(ALuint source) {
     ALint state = AL_STOPPED;
@@ -43,20 +47,6 @@ bool plays(ALuint source) {
 }
 
 } // namespace
-
-void VoicePool::setUpEffects() {
-    alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
-    alSpeedOfSound(kSpeed_mps);
-    alDopplerFactor(kDopplerAsInAir);
-    alGenEffects(1, &reverb_);
-    alEffecti(reverb_, AL_EFFECT_TYPE, AL_EFFECT_REVERB);
-    alEffectf(reverb_, AL_REVERB_DECAY_TIME, 2.2f);
-    alEffectf(reverb_, AL_REVERB_DECAY_HFRATIO, 0.3f);
-    alEffectf(reverb_, AL_REVERB_GAINHF, 0.15f);
-    alGenAuxiliaryEffectSlots(1, &slot_);
-    alAuxiliaryEffectSloti(slot_, AL_EFFECTSLOT_EFFECT, static_cast<ALint>(reverb_));
-    applyReverbGain();
-}
 
 // Interpolates geometrically, because loudness is perceived on a logarithmic scale.
 void VoicePool::applyReverbGain() const {
@@ -88,7 +78,17 @@ void VoicePool::applyWater(const Voice& voice, float distance_m) const {
 }
 
 void VoicePool::setUp() {
-    setUpEffects();
+    alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
+    alSpeedOfSound(kSpeed_mps);
+    alDopplerFactor(kDopplerAsInAir);
+    alGenEffects(1, &reverb_);
+    alEffecti(reverb_, AL_EFFECT_TYPE, AL_EFFECT_REVERB);
+    alEffectf(reverb_, AL_REVERB_DECAY_TIME, 2.2f);
+    alEffectf(reverb_, AL_REVERB_DECAY_HFRATIO, 0.3f);
+    alEffectf(reverb_, AL_REVERB_GAINHF, 0.15f);
+    alGenAuxiliaryEffectSlots(1, &slot_);
+    alAuxiliaryEffectSloti(slot_, AL_EFFECTSLOT_EFFECT, static_cast<ALint>(reverb_));
+    applyReverbGain();
     for (Voice& voice : voices_) {
         alGetError();
         alGenSources(1, &voice.source);
@@ -118,11 +118,6 @@ int VoicePool::sounding() const {
     return static_cast<int>(std::count_if(voices_.begin(), voices_.end(), [](const Voice& voice) {
         return voice.use != Use::Free && plays(voice.source);
     }));
-}
-
-float VoicePool::loudnessOf(const Sound& shot, const glm::vec3& listener) {
-    return shot.everywhere ? kAmbientLoudness + shot.gain
-                           : shot.gain * distanceGain(glm::distance(shot.position, listener));
 }
 
 void VoicePool::release(Voice& voice) {

@@ -17,7 +17,8 @@ class VoicePool {
     void setUp();
     void tearDown();
 
-    // By Sound::clip. update() is called once a frame; now_s: the device's clock, minus the time paused.
+    // Indexed by Sound::clip. update() is called once a frame; now_s: the device's clock, minus the time
+    // paused.
     struct Clips {
         std::span<const ALuint> buffers;
         std::span<const Clip> clips;
@@ -47,9 +48,6 @@ class VoicePool {
     void place(Voice& voice, const glm::vec3& listener, double age_s);
     void start(Voice& voice, const Clips& clips, bool loop);
     Voice* voiceFor(float loudness);
-    static float loudnessOf(const Sound& shot, const glm::vec3& listener);
-
-    void setUpEffects();
     void applyReverbGain() const;
     void applyWater(const Voice& voice, float distance_m) const;
 

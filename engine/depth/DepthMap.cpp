@@ -179,7 +179,8 @@ void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
         }
 }
 
-DepthRefiner::Between DepthRefiner::between(int fine, int fineCount, int coarseCount, bool repeats) {
+DepthRefiner::Interpolation DepthRefiner::interpolationOf(int fine, int fineCount, int coarseCount,
+                                                          bool repeats) {
     const float at =
         (static_cast<float>(fine) + 0.5f) * static_cast<float>(coarseCount) / static_cast<float>(fineCount) -
         0.5f;
@@ -194,7 +195,7 @@ void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
     out.inverse.fit(mapWidth_, mapWidth_ / 2);
     columns_.resize(static_cast<size_t>(mapWidth_));
     for (int x = 0; x < mapWidth_; ++x)
-        columns_[static_cast<size_t>(x)] = between(x, mapWidth_, coarse_.width, true);
+        columns_[static_cast<size_t>(x)] = interpolationOf(x, mapWidth_, coarse_.width, true);
     wide_.fit(mapWidth_, coarse_.height);
     for (int y = 0; y < coarse_.height; ++y) {
         const uint8_t* from = coarse_.at(0, y);
@@ -205,7 +206,7 @@ void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
         }
     }
     for (int y = 0; y < mapWidth_ / 2; ++y) {
-        const auto [top, bottom, down] = between(y, mapWidth_ / 2, coarse_.height, false);
+        const auto [top, bottom, down] = interpolationOf(y, mapWidth_ / 2, coarse_.height, false);
         blend(wide_.at(0, top), wide_.at(0, bottom), down, out.inverse.at(0, y), columns_.size());
     }
 }

@@ -63,10 +63,10 @@ class DepthRefiner {
 
   private:
     // A position between texels of the track: the first of two, and the second's weight in 256ths.
-    struct Between {
+    struct Interpolation {
         int first, second, weight;
     };
-    static Between between(int fine, int fineCount, int coarseCount, bool repeats);
+    static Interpolation interpolationOf(int fine, int fineCount, int coarseCount, bool repeats);
 
     // A texel of the track where near and far meet, and those around it.
     struct Edge {
@@ -84,15 +84,15 @@ class DepthRefiner {
     Image<uint8_t, 1> coarse_; // inverse distances in DepthMap's steps, less where confidence is low
     // Scratch.
     std::vector<Edge> edges_;
-    int placedScale_ = 0;          // the scale that nearness_ was made for
-    size_t padded_ = 0;            // texels of the map in one of the track, rounded up to kLanes
-    std::vector<Between> columns_; // by column of the map
-    Image<uint16_t, 1> wide_;      // the track as wide as the map, in 256ths
-    std::vector<int> filmColumns_; // by column of the map: its first byte in the film
-    std::vector<float> nearness_;  // see placeTexels()
-    Image<uint8_t, 1> wanted_;     // texels of the track whose colours are needed
-    std::vector<uint8_t> colours_; // by texel of the map, see readColours()
-    Image<float, 3> means_;        // mean colours of the track's texels
+    int placedScale_ = 0;                // the scale that nearness_ was made for
+    size_t padded_ = 0;                  // texels of the map in one of the track, rounded up to kLanes
+    std::vector<Interpolation> columns_; // by column of the map
+    Image<uint16_t, 1> wide_;            // the track as wide as the map, in 256ths
+    std::vector<int> filmColumns_;       // by column of the map: its first byte in the film
+    std::vector<float> nearness_;        // see placeTexels()
+    Image<uint8_t, 1> wanted_;           // texels of the track whose colours are needed
+    std::vector<uint8_t> colours_;       // by texel of the map, see readColours()
+    Image<float, 3> means_;              // mean colours of the track's texels
 };
 
 } // namespace shoal::depth

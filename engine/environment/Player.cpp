@@ -140,7 +140,7 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
     depthRefiner_.refine(trackFrame_, leftEye, made.depth);
     depth::widenNear(made.depth, made.widened);
     made.depthRange.make(made.depth);
-    made.lightBeside.make(made.found.radianceLin, made.depth);
+    made.lightDifference.make(made.found.radianceLin, made.depth);
 }
 
 // Analyses a frame; on the decode thread.

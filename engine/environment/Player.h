@@ -4,7 +4,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/depth/DepthRange.h"
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 #include "engine/environment/FrameAnalysis.h"
 #include "engine/light/LightOverTime.h"
 #include "engine/media/VideoPlayer.h"
@@ -55,7 +55,7 @@ struct Frame {
     FrameFindings found;
     depth::DepthMap depth, widened; // empty: unknown. For a stereo film, those of the left picture
     depth::DepthRange depthRange;
-    depth::LightBeside lightBeside;
+    depth::LightDifference lightDifference;
 };
 
 class Player {

@@ -14,7 +14,7 @@ inline constexpr size_t kAxisCount = 24;
 // Unit vectors; these and their opposites are spread evenly over the sphere. shaders/occlusion/Axes.glsl.
 extern const std::array<glm::vec3, kAxisCount> kAxes;
 
-// In the frame of the map that it is made from, in which the axes are given.
+// The light of a map, in the frame of the map and of the axes.
 struct SmoothLight {
     // Radiance from the direction of each axis, and from the opposite one, without the dominant light.
     std::array<glm::vec3, kAxisCount> ahead{}, behind{};

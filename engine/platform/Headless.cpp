@@ -1,7 +1,5 @@
 #include "engine/platform/Headless.h"
 
-#include "engine/platform/GlVersions.h"
-
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 

@@ -7,6 +7,13 @@
 
 namespace shoal::platform {
 
+// The versions of OpenGL that are requested, best first. Some drivers (NVIDIA's) give exactly the requested
+// version, not their newest: with 3.3 alone layers, which need 4.3, would never be available.
+struct GlVersion {
+    int major, minor;
+};
+inline constexpr GlVersion kGlVersions[] = {{4, 3}, {3, 3}};
+
 class Headless {
   public:
     // Makes the context current on the calling thread. OpenGL 3.3 core or newer.

@@ -1,6 +1,6 @@
 #include "engine/platform/Window.h"
 
-#include "engine/platform/GlVersions.h"
+#include "engine/platform/Headless.h"
 
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>

@@ -76,36 +76,38 @@ BackgroundCell BackgroundCells::cellOf(const Corners& corners, glm::ivec2 low, g
     return cell;
 }
 
-// Returns whether the direction that the film gives in the cell's middle is the mean of its corners'.
-bool BackgroundCells::isStraight(const BackgroundCell& cell, const Rays& rays) const {
-    const glm::vec3 expected =
-        0.25f * (cell.directions[0] + cell.directions[1] + cell.directions[2] + cell.directions[3]);
-    const glm::vec3 found = rays.at(0.5f * glm::vec2(cell.low + cell.high)).directionEnv;
-    return glm::distance(expected, found) < kCrooked_rad;
+// Calls visit(corners, low, high) for each cell between these edges, row by row. all: scratch.
+template <class Visit>
+void BackgroundCells::eachCell(const Edges& edges, const Rays& rays, std::vector<Corner>& all,
+                               Visit&& visit) {
+    const auto& [columns, rows] = edges;
+    all.clear();
+    for (const int y : rows)
+        for (const int x : columns) all.push_back(rays.at({x, y}));
+    for (size_t y = 0; y + 1 < rows.size(); ++y)
+        for (size_t x = 0; x + 1 < columns.size(); ++x) {
+            const size_t at = y * columns.size() + x, above = at + columns.size();
+            visit(Corners{all[at], all[at + 1], all[above], all[above + 1]}, glm::ivec2(columns[x], rows[y]),
+                  glm::ivec2(columns[x + 1], rows[y + 1]));
+        }
 }
 
 void BackgroundCells::divide(const BackgroundCell& cell, const Rays& rays) {
-    const glm::ivec2 size = cell.high - cell.low, parts = glm::max((size + kSmallCell - 1) / kSmallCell, 1);
-    const auto edge = [&](int i, int axis) {
-        return std::min(cell.low[axis] + i * kSmallCell, cell.high[axis]);
-    };
-    within_.clear();
-    for (int y = 0; y <= parts.y; ++y)
-        for (int x = 0; x <= parts.x; ++x) within_.push_back(rays.at({edge(x, 0), edge(y, 1)}));
-    for (int y = 0; y < parts.y; ++y)
-        for (int x = 0; x < parts.x; ++x) {
-            const size_t at = static_cast<size_t>(y * (parts.x + 1) + x),
-                         above = at + static_cast<size_t>(parts.x) + 1;
-            const Corners corners{within_[at], within_[at + 1], within_[above], within_[above + 1]};
-            const glm::ivec2 low(edge(x, 0), edge(y, 1)), high(edge(x + 1, 0), edge(y + 1, 1));
-            const bool torn = std::ranges::any_of(corners, [&](const Corner& corner) {
-                return glm::distance(corner.parallax, corners[0].parallax) > kTorn_rad;
-            });
-            if (torn)
-                addPieces(low, high, rays);
-            else
-                cells_.push_back(cellOf(corners, low, high));
-        }
+    for (const int axis : {0, 1}) {
+        parts_[static_cast<size_t>(axis)].clear();
+        for (int at = cell.low[axis]; at < cell.high[axis]; at += kSmallCell)
+            parts_[static_cast<size_t>(axis)].push_back(at);
+        parts_[static_cast<size_t>(axis)].push_back(cell.high[axis]);
+    }
+    eachCell(parts_, rays, within_, [&](const Corners& corners, glm::ivec2 low, glm::ivec2 high) {
+        const bool torn = std::ranges::any_of(corners, [&](const Corner& corner) {
+            return glm::distance(corner.parallax, corners[0].parallax) > kTorn_rad;
+        });
+        if (torn)
+            addPieces(low, high, rays);
+        else
+            cells_.push_back(cellOf(corners, low, high));
+    });
 }
 
 void BackgroundCells::addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& rays) {
@@ -122,26 +124,22 @@ void BackgroundCells::addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& ray
 void BackgroundCells::make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size,
                            const FilmParallax& film) {
     const Rays rays{view.halfExtent(), view.shift, envFromRay, size, film};
-    findEdges(rays.half.x, size.x, columns_);
-    findEdges(rays.half.y, size.y, rows_);
-    corners_.clear();
-    for (const int y : rows_)
-        for (const int x : columns_) corners_.push_back(rays.at({x, y}));
+    findEdges(rays.half.x, size.x, edges_[0]);
+    findEdges(rays.half.y, size.y, edges_[1]);
     cells_.clear();
     rowBegins_.clear();
-    for (size_t y = 0; y + 1 < rows_.size(); ++y) {
-        rowBegins_.push_back(cells_.size());
-        for (size_t x = 0; x + 1 < columns_.size(); ++x) {
-            const size_t at = y * columns_.size() + x, above = at + columns_.size();
-            const BackgroundCell cell =
-                cellOf({corners_[at], corners_[at + 1], corners_[above], corners_[above + 1]},
-                       {columns_[x], rows_[y]}, {columns_[x + 1], rows_[y + 1]});
-            if (film.depth && !isStraight(cell, rays))
-                divide(cell, rays);
-            else
-                cells_.push_back(cell);
-        }
-    }
+    eachCell(edges_, rays, corners_, [&](const Corners& corners, glm::ivec2 low, glm::ivec2 high) {
+        if (low.x == 0) rowBegins_.push_back(cells_.size());
+        const BackgroundCell cell = cellOf(corners, low, high);
+        // A cell is straight if the direction that the film gives in its middle is the mean of its corners'.
+        const glm::vec3 mean =
+            0.25f * (cell.directions[0] + cell.directions[1] + cell.directions[2] + cell.directions[3]);
+        if (film.depth &&
+            glm::distance(mean, rays.at(0.5f * glm::vec2(low + high)).directionEnv) >= kCrooked_rad)
+            divide(cell, rays);
+        else
+            cells_.push_back(cell);
+    });
     rowBegins_.push_back(cells_.size());
 }
 

@@ -55,8 +55,9 @@ class BackgroundCells {
         glm::vec2 uv{0};
         glm::vec3 parallax{0}; // offset of the direction that the film's distance causes
     };
-    using Corners = std::array<Corner, 4>; // lower left, lower right, upper left, upper right
-    struct Rays {                          // the picture being made
+    using Edges = std::array<std::vector<int>, 2>; // of columns and rows, in pixels
+    using Corners = std::array<Corner, 4>;         // lower left, lower right, upper left, upper right
+    struct Rays {                                  // the picture being made
         glm::vec2 half{1}, shift{0};
         glm::mat3 envFromRay{1};
         glm::vec2 size{1};
@@ -66,13 +67,14 @@ class BackgroundCells {
         Corner at(const glm::vec2& pixel, const glm::vec3& parallax) const;
     };
     static BackgroundCell cellOf(const Corners& corners, glm::ivec2 low, glm::ivec2 high);
-    bool isStraight(const BackgroundCell& cell, const Rays& rays) const;
+    template <class Visit>
+    void eachCell(const Edges& edges, const Rays& rays, std::vector<Corner>& all, Visit&& visit);
     void divide(const BackgroundCell& cell, const Rays& rays);
     void addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& rays);
 
     std::vector<BackgroundCell> cells_;
     std::vector<size_t> rowBegins_;
-    std::vector<int> columns_, rows_;      // edges, in pixels
+    Edges edges_, parts_;                  // of the grid's cells; of a divided cell's parts
     std::vector<Corner> corners_, within_; // scratch: of the grid's corners; of a divided cell's corners
 };
 

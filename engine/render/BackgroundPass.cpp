@@ -51,6 +51,7 @@ Status BackgroundPass::setUp(bool withLayers) {
         if (!composite) return composite.error();
         composite_ = std::move(*composite);
     }
+    shadowTexture_ = makeLatLongTexture();
     rectangles_ = TriangleBatch::make({{ATTRIBUTE_POSITION, 2}, {ATTRIBUTE_UV0, 2}, {ATTRIBUTE_NORMAL, 3}});
     return Done{};
 }
@@ -67,13 +68,21 @@ Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) 
     return drawCells(picture, layer);
 }
 
+// Uploads new shadows first.
+GLuint BackgroundPass::textureOf(const FilmShadows& shadows) {
+    if (uploadedShadows_ != shadows.version())
+        uploadTexels(shadowTexture_, frameOf(shadows.left()), shadowSize_);
+    uploadedShadows_ = shadows.version();
+    return shadowTexture_.name();
+}
+
 Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* layer) {
     if (drawn_.empty()) return Done{};
     wanted_.assign(FrameTiles::kAll, false);
     for (const auto& [cell, isPainted] : drawn_)
         if (isPainted) want(layer->tiles, *cell);
     const FilmShadows* seen = picture.seenShadows();
-    const GLuint shadows = seen ? shadowTexture_.update(*seen) : 0;
+    const GLuint shadows = seen ? textureOf(*seen) : 0;
     if (std::ranges::find(wanted_, true) != wanted_.end()) {
         const FilmedFrame* filmed = layer->filmed ? &picture.filmed : nullptr;
         composite_.paint(picture.environment, layer->tiles, wanted_, layer->layer.layer().texture(),

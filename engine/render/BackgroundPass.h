@@ -9,7 +9,6 @@
 #include "engine/render/EquirectComposite.h"
 #include "engine/render/EyePicture.h"
 #include "engine/render/LayerPass.h"
-#include "engine/render/ShadowTexture.h"
 #include "engine/render/TriangleBatch.h"
 
 #include <memory>
@@ -56,13 +55,16 @@ class BackgroundPass {
         glm::vec3 directionEnv;
     };
     Status setUp(bool withLayers);
+    GLuint textureOf(const FilmShadows& shadows);
 
     gl::Variants programs_;
     TriangleBatch rectangles_;
     BackgroundCells cells_;
     std::vector<Corner> corners_; // scratch
     EquirectComposite composite_;
-    ShadowTexture shadowTexture_;
+    gl::Texture shadowTexture_; // of FilmShadows::left()
+    glm::ivec2 shadowSize_{0};
+    FilmShadows::Version uploadedShadows_;
 };
 
 // Returns whether the frame is displayed exactly as it is coded: no curve, no exposure.

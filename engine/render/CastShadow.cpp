@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace shoal::render {
@@ -143,49 +142,35 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
     return std::min(hidden, 1.0f);
 }
 
-namespace {
-
-constexpr float kLevel = 1;      // steepest slope between two pieces' shadows that a guess allows for
-constexpr float kHit_m = 0.004f; // gap that counts as a hit: less than the map's steps from 0.8 m on
-
-// A ray in the space that a film shows.
-struct FilmRay {
-    const depth::DepthMap& map;
-    glm::vec3 from, dir; // frame of the film
-
-    FilmRay(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld)
-        : map(*film.map), from(film.envFromWorld * (fromWorld - film.cameraWorld)),
-          dir(film.envFromWorld * dirWorld) {}
-
-    // Returns by how many metres the surface lies behind the point at s, seen from the film's camera.
-    float gapAt(float s) const {
-        const glm::vec3 place = from + s * dir;
-        const float distance = glm::length(place);
-        return distance > 1e-4f ? map.distance_m(place / distance) - distance : INFINITY;
-    }
-};
-
-// Returns how many metres along the ray it first meets what the film shows; negative if it meets nothing
-// known up to reach_m. Behind a depth edge of the film nothing is known, and the ray goes on. A ray that
-// begins inside the surface, as from a hand that touches it, meets it at once.
-float meet(const FilmRay& ray, float reach_m) {
+// Behind a depth edge of the film nothing is known, and the ray goes on. A ray that begins inside the
+// surface, as from a hand that touches it, meets it at once.
+float fallOf(const FilmSurface& film, const glm::vec3& placeWorld, const CastingLight& light) {
+    constexpr float kHit_m = 0.004f; // gap that counts as a hit: less than the map's steps from 0.8 m on
     constexpr float kMinStep_m = 0.1f, kMaxStep_m = 0.5f;
     constexpr float kTouch_m = 0.3f; // greatest depth inside a surface at which a ray begins on it
     // At an edge the gap changes by more than this per metre of ray, as on a surface seen at 4 degrees.
     constexpr float kEdge = 16;
     constexpr int kHalvings = 10;
-    float before = 0, gapBefore = ray.gapAt(0);
+    const glm::vec3 from = film.envFromWorld * (placeWorld - film.cameraWorld);
+    const glm::vec3 dir = film.envFromWorld * -light.towards;
+    // Returns by how many metres the surface lies behind the point at s, seen from the film's camera.
+    const auto gapAt = [&](float s) {
+        const glm::vec3 place = from + s * dir;
+        const float distance = glm::length(place);
+        return distance > 1e-4f ? film.map->distance_m(place / distance) - distance : INFINITY;
+    };
+    float before = 0, gapBefore = gapAt(0);
     if (gapBefore <= 0 && gapBefore > -kTouch_m) return 0;
-    while (before < reach_m) {
+    while (before < kShadowReach_m) {
         float low = before, high = before + std::clamp(0.5f * gapBefore, kMinStep_m, kMaxStep_m);
-        float gapLow = gapBefore, gapHigh = ray.gapAt(high);
+        float gapLow = gapBefore, gapHigh = gapAt(high);
         before = high, gapBefore = gapHigh;
         if (!(gapLow > 0 && gapHigh <= 0)) continue;
         // False position, which finds a smooth surface at once, takes turns with halving, which finds an edge
         // and the border of what is known.
         for (int k = 0; k < kHalvings; ++k) {
             const float part = k % 2 == 0 && std::isfinite(gapLow) ? gapLow / (gapLow - gapHigh) : 0.5f;
-            const float middle = low + part * (high - low), gap = ray.gapAt(middle);
+            const float middle = low + part * (high - low), gap = gapAt(middle);
             if (std::abs(gap) < kHit_m) return middle;
             (gap > 0 ? low : high) = middle;
             (gap > 0 ? gapLow : gapHigh) = gap;
@@ -193,56 +178,6 @@ float meet(const FilmRay& ray, float reach_m) {
         if (gapLow - gapHigh < kEdge * (high - low)) return low + (high - low) * gapLow / (gapLow - gapHigh);
     }
     return -1;
-}
-
-// As meet(), for a ray beside one that meets the surface at guess: looks there first, at most within_m away,
-// and ignores what only this ray meets before that.
-float meetNear(const FilmRay& ray, float guess, float within_m, float reach_m) {
-    constexpr int kLooks = 4;
-    float at = guess, gap = ray.gapAt(at), next = at + gap;
-    for (int k = 1; k < kLooks && std::abs(gap) >= kHit_m && std::abs(next - guess) < within_m; ++k) {
-        // The secant method.
-        const float gapNext = ray.gapAt(next);
-        const float after = next - gapNext * (next - at) / (gapNext - gap);
-        at = next, gap = gapNext, next = after;
-    }
-    return std::abs(gap) < kHit_m && at >= 0 ? at : meet(ray, reach_m);
-}
-
-// Returns how far a piece's shadow falls, negative if it meets nothing. groundBefore: where the shadow of the
-// piece beside it fell, along the light's direction.
-float fallOf(const FilmSurface& film, const FlatPiece& piece, const CastingLight& light, float groundBefore) {
-    const FilmRay ray(film, piece.middle, -light.towards);
-    const float guess = groundBefore + glm::dot(piece.middle, light.towards);
-    return guess > 0 ? meetNear(ray, guess, kLevel * 2 * piece.halfAlong_m, kShadowReach_m)
-                     : meet(ray, kShadowReach_m);
-}
-
-} // namespace
-
-void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
-               std::vector<Spot>& out) {
-    out.clear();
-    float ground = -INFINITY; // height at which the last piece's shadow falls, along the light's direction
-    for (const FlatPiece& piece : body) {
-        const float fall = fallOf(film, piece, light, ground);
-        if (fall < 0) continue;
-        ground = fall - glm::dot(piece.middle, light.towards);
-        const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
-        const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
-        out.push_back({piece, fall, std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc, fade});
-    }
-}
-
-float darkest(std::span<const Spot> spots, const CastingLight& light) {
-    float hidden = 0;
-    for (const Spot& spot : spots) {
-        const float disc = std::max(light.discTangent() * spot.fall_m, kMinDisc_m);
-        // The spot's area by the disc's; 1.27: density of the product of strips where it is densest.
-        const float flat = 4 * spot.piece.halfAlong_m * spot.piece.halfAside_m;
-        hidden += spot.fade * std::min(1.0f, flat * 1.27f / (std::numbers::pi_v<float> * disc * disc));
-    }
-    return std::min(hidden, 1.0f);
 }
 
 } // namespace shoal::render

@@ -1,21 +1,15 @@
 // The soft shadow that a body of ellipsoids casts on what a film shows; no OpenGL.
 //
-// How much of the light a body hides from a place is a closed form. Seen from the place the light is a cap of
-// even radiance. On the plane through an ellipsoid's centre at right angles to the way to the light, the cap
-// is a disc and the ellipsoid casts an ellipse. The share of a disc that lies beyond a line at t of its
-// radius is
+// Seen from a place the light is a cap of even radiance. On the plane through an ellipsoid's centre at right
+// angles to the way to the light, the cap is a disc and the ellipsoid casts an ellipse. The share of a disc
+// that lies beyond a line at t of its radius is
 //     C(t) = 1/2 + (t sqrt(1 - t^2) + asin t) / pi,
-// so that a strip hides C(t1) - C(t0) of it, exactly. discBefore() is C within 0.003. The ellipse is taken
-// for a rectangle of the same area and axes, which is taken to hide the product of what the two strips hide
-// that it lies in: integrated over level ground a body takes no more light than its silhouette does.
+// so that a strip hides C(t1) - C(t0) of it, exactly. The ellipse is taken for a rectangle of the same area
+// and axes, which hides the product of what its two strips hide: integrated over level ground a body takes no
+// more light than its silhouette does.
 //
-// Shafts are not dimmed. Single scattering in the film's water, under the light that open frames of it were
-// filmed in, integrated along every ray around a shark, all that it sends itself left out, loses at most 9 %
-// of the luminance at 1.5 m, 6 at 3 m, 5 at 6 m (6, 4 and 3 of 255), around a hand at 0.5 m 3 % (1.3), half
-// of it over 6 to 30 degrees. As wide as that, on an even field, the eye sees something like a tenth (Yang
-// and Makous 1997, "Implicit masking constrained by spatial inhomogeneities": 1.5 log units above its best
-// threshold), and the film is not even: means over 8 degrees of it around the horizon change by 10 to 20 %
-// (root mean square) in half a second.
+// Shafts in the water are not dimmed: single scattering loses at most 9 % of the luminance around a shark at
+// 1.5 m, over 6 to 30 degrees, where the film itself changes by 10 to 20 % in half a second.
 #pragma once
 
 #include "engine/depth/DepthMap.h"
@@ -38,10 +32,10 @@ struct CastingLight {
     glm::vec3 share{0};         // share of level ground's irradiance that it gives, 0 to 1
     float presence = 1;         // factor for what shadows take, 0 to 1
 
-    // Returns 1 where the light's lower edge is well above the horizon, falling to 0: the share of a lower
-    // light on level ground is too small to tell its share on other surfaces.
+    // Returns 1 where the light's lower edge is well above the horizon, falling to 0: a lower light's share
+    // on level ground does not tell its share on other surfaces.
     float raised() const;
-    // Tangent of the radius that shadows are computed with: at least 0.01, about twice the sun's.
+    // At least about twice the sun's.
     float discTangent() const { return std::max(tangent, 0.01f); }
     // Returns the light's share of the irradiance of a surface; cosine: between the surface's normal and the
     // direction to the light. All other light is taken to be the same as on level ground.
@@ -55,7 +49,7 @@ struct FilmSurface {
     glm::vec3 cameraWorld{0.0f};          // position of the film's camera
 };
 
-// Returns C(t) as above, the share of a unit disc before a line at t: a polynomial, without calls.
+// Returns C(t) as above within 0.003: a polynomial, without calls.
 inline float discBefore(float t) {
     const float c = std::min(std::max(t, -1.0f), 1.0f), c2 = c * c;
     return 0.5f + c * (0.65733645f + c2 * (-0.27372406f + c2 * (0.32543878f - c2 * 0.20905117f)));
@@ -81,22 +75,8 @@ constexpr float kMinShadow = 0.012f; // least share of light that is drawn: thre
 
 constexpr float kShadowReach_m = 8; // how far shadows fall; they fade over the last third
 
-// The place where the shadow of a body's piece falls on what a film shows.
-struct Spot {
-    FlatPiece piece;
-    float fall_m = 0;   // distance from the piece, in the direction of the light
-    float radius_m = 0; // at right angles to that, with the penumbra
-    float fade = 1;     // factor for what the piece hides: shadows fade where they have fallen far
-
-    glm::vec3 middle(const CastingLight& light) const { return piece.middle - fall_m * light.towards; }
-};
-
-// Replaces out. A piece has no spot if the film shows nothing below it, or nothing near enough. body:
-// flattened for this light.
-void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
-               std::vector<Spot>& out);
-
-// Returns an upper bound of the share of the light's disc that a body hides where its shadow is darkest.
-float darkest(std::span<const Spot> spots, const CastingLight& light);
+// Returns how many metres the shadow of a place falls, along the light, to the first surface that the film
+// shows; negative if it meets nothing known within kShadowReach_m.
+float fallOf(const FilmSurface& film, const glm::vec3& placeWorld, const CastingLight& light);
 
 } // namespace shoal::render

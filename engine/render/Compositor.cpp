@@ -141,12 +141,10 @@ Status Compositor::drawDepth(const EyePicture& picture, GLuint into) {
     }
     if (!depth_)
         if (Status s = DepthPass::make().moveTo(depth_); !s) return s;
-    const bool inTexels = drawsIntoTexels(picture);
-    const bool filmHasDepth =
+    const bool film =
         showsFilm(picture) && picture.skip != SkippedPass::Background && picture.environment.depth();
-    const DepthPass::Film film{picture.environment, picture.view, picture.envFromEye(), picture.eyeInFilm};
     depth_->draw(usesLayer(picture) ? layerOf(picture).layer() : picture.canvas,
-                 inTexels ? 1 / kLayerWidth : 1.0f, into, picture.size(), filmHasDepth ? &film : nullptr);
+                 drawsIntoTexels(picture) ? 1 / kLayerWidth : 1.0f, into, picture, film);
     return Done{};
 }
 

@@ -6,12 +6,11 @@ Result<DepthPass> DepthPass::make() {
     DepthPass pass;
     if (Status s = gl::Program::load("render/Depth").moveTo(pass.plain_); !s) return s.error();
     if (Status s = gl::Program::load("render/Depth", {"FILM"}).moveTo(pass.filmed_); !s) return s.error();
-    pass.picture_ = WholePicture::make();
     pass.copyTarget_ = gl::Framebuffer::make();
     return pass;
 }
 
-void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size, const Film* film) {
+void DepthPass::draw(const gl::Target& from, float part, GLuint into, const EyePicture& picture, bool film) {
     const glm::ivec2 fromSize(from.width(), from.height());
     glBindFramebuffer(GL_FRAMEBUFFER, copyTarget_.name());
     if (copySize_ != fromSize) {
@@ -28,17 +27,17 @@ void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2
     glBlitFramebuffer(0, 0, fromSize.x, fromSize.y, 0, 0, fromSize.x, fromSize.y, GL_DEPTH_BUFFER_BIT,
                       GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, into);
-    glViewport(0, 0, size.x, size.y);
+    glViewport(0, 0, picture.size().x, picture.size().y);
     const gl::Program& program = film ? filmed_ : plain_;
     program.use();
     program.setTexture("depth", 0, copy_.name());
     program.set("part", part);
     if (film) {
-        film->environment.bindDepth(program, film->eyeInFilm);
-        program.set("envFromEye", film->envFromEye);
-        program.set("rayScale", film->view.halfExtent());
-        program.set("rayShift", film->view.shift);
-        program.set("planes", glm::vec2(film->view.near_m, film->view.far_m));
+        picture.environment.bindDepth(program, picture.eyeInFilm);
+        program.set("envFromEye", picture.envFromEye());
+        program.set("rayScale", picture.view.halfExtent());
+        program.set("rayShift", picture.view.shift);
+        program.set("planes", glm::vec2(picture.view.near_m, picture.view.far_m));
     }
     glEnable(GL_DEPTH_TEST); // depth is written only while it is tested
     glDepthFunc(GL_ALWAYS);

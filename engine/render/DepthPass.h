@@ -3,12 +3,8 @@
 #pragma once
 
 #include "engine/gl/Program.h"
-#include "engine/gl/Target.h"
-#include "engine/render/EnvironmentGpu.h"
-#include "engine/render/View.h"
+#include "engine/render/EyePicture.h"
 #include "engine/render/WholePicture.h"
-
-#include <glm/vec2.hpp>
 
 namespace shoal::render {
 
@@ -16,17 +12,10 @@ class DepthPass {
   public:
     static Result<DepthPass> make();
 
-    // A film with distances, as an eye sees it.
-    struct Film {
-        const EnvironmentGpu& environment;
-        const View& view;
-        glm::mat3 envFromEye;
-        glm::vec3 eyeInFilm; // as in EyePicture
-    };
-
-    // Copies each pixel's nearest sample, unfiltered. part: of the target's width and height, about its
-    // middle. Fills the lowest left `size` pixels of `into`, which has depth. film: null without distances.
-    void draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size, const Film* film = nullptr);
+    // Copies each pixel's nearest sample, unfiltered, into a framebuffer with depth of the picture's size.
+    // part: of the target's width and height, about its middle. film: whether the picture shows a film with
+    // distances, whose depth counts where it is nearer.
+    void draw(const gl::Target& from, float part, GLuint into, const EyePicture& picture, bool film);
 
   private:
     gl::Program plain_, filmed_;

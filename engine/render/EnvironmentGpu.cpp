@@ -22,6 +22,20 @@ gl::Texture makeLatLongTexture() {
     return gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE);
 }
 
+void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::ivec2& size) {
+    const glm::ivec2 newSize(texels.width, texels.height);
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, texels.rowPixels);
+    if (newSize != size)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, newSize.x, newSize.y, 0, GL_BGRA, GL_UNSIGNED_BYTE,
+                     texels.pixels);
+    else
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, texels.pixels);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    size = newSize;
+}
+
 EnvironmentGpu::EnvironmentGpu()
     : frame_(makeLatLongTexture()), light_(makeLatLongTexture()), mirrors_(makeLatLongTexture()),
       scattered_(makeLatLongTexture()), depth_(makeLatLongTexture()) {
@@ -38,21 +52,10 @@ void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
     frameHeight_ = frame.height;
 }
 
-// Uploads a new frame first; storage is reused while the size stays.
+// Uploads a new frame first.
 GLuint EnvironmentGpu::frameTexture() const {
-    if (uploaded_) return frame_.name();
+    if (!uploaded_) uploadTexels(frame_, displayFrame_, codedSize_);
     uploaded_ = true;
-    const DisplayFrame& frame = displayFrame_;
-    const glm::ivec2 size(frame.width, frame.height);
-    glBindTexture(GL_TEXTURE_2D, frame_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, frame.rowPixels);
-    if (size != codedSize_)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, frame.pixels);
-    else
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, frame.pixels);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    codedSize_ = size;
     return frame_.name();
 }
 

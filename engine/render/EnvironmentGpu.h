@@ -16,6 +16,8 @@ namespace shoal::render {
 
 // Returns a bound texture without storage, sampled as a map of the sphere: columns repeat.
 gl::Texture makeLatLongTexture();
+// Uploads texels to such a texture. size: of its storage, which is reused while it fits.
+void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::ivec2& size);
 
 class EnvironmentGpu {
   public:

@@ -28,22 +28,26 @@ float layerTexels(const camera::CameraResponse& response, int samples) {
     return samples > 1 ? std::max(std::sqrt(4 * blur2), kFinest) : std::max(std::sqrt(6 * blur2), 1.0f);
 }
 
-std::vector<uint8_t> makeGrain() {
-    Random random(29, 7);
-    const auto value = [&] {
-        const float radius = std::sqrt(-2 * std::log(std::max(random.unit(), 1e-7f)));
-        const float normal =
-            radius * std::cos(2 * std::numbers::pi_v<float> * random.unit()); // Box, Muller 1958
-        return static_cast<uint8_t>(std::clamp(255 * (0.5f + kGrainDeviation * normal) + 0.5f, 0.0f, 255.0f));
-    };
-    std::vector<uint8_t> grains(size_t{2} * kGrainSize * kGrainSize);
-    for (int y = 0; y < kGrainSize; ++y)
-        for (int x = 0; x < kGrainSize; ++x) {
-            const auto at = [&](int i, int j) { return 2 * static_cast<size_t>(j * kGrainSize + i); };
-            grains[at(x, y)] = value();
-            grains[at(x, y) + 1] = x % 2 || y % 2 ? grains[at(x & ~1, y & ~1) + 1] : value();
-        }
-    return grains;
+const std::vector<uint8_t>& grains() {
+    static const auto made = [] {
+        Random random(29, 7);
+        const auto value = [&] {
+            const float radius = std::sqrt(-2 * std::log(std::max(random.unit(), 1e-7f)));
+            const float normal =
+                radius * std::cos(2 * std::numbers::pi_v<float> * random.unit()); // Box, Muller 1958
+            return static_cast<uint8_t>(
+                std::clamp(255 * (0.5f + kGrainDeviation * normal) + 0.5f, 0.0f, 255.0f));
+        };
+        std::vector<uint8_t> all(size_t{2} * kGrainSize * kGrainSize);
+        for (int y = 0; y < kGrainSize; ++y)
+            for (int x = 0; x < kGrainSize; ++x) {
+                const auto at = [&](int i, int j) { return 2 * static_cast<size_t>(j * kGrainSize + i); };
+                all[at(x, y)] = value();
+                all[at(x, y) + 1] = x % 2 || y % 2 ? all[at(x & ~1, y & ~1) + 1] : value();
+            }
+        return all;
+    }();
+    return made;
 }
 
 CameraUniforms cameraUniforms(const FilmedFrame& filmed) {
@@ -67,18 +71,6 @@ CameraUniforms cameraUniforms(const FilmedFrame& filmed) {
             grainy ? 0.5f / kGrainDeviation : 0};
 }
 
-namespace {
-
-gl::Texture makeGrainTexture() {
-    const std::vector<uint8_t> grains = makeGrain();
-    gl::Texture texture = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_REPEAT, GL_REPEAT);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kGrainSize, kGrainSize, 0, GL_RG, GL_UNSIGNED_BYTE, grains.data());
-    return texture;
-}
-
-} // namespace
-
 Result<EquirectComposite> EquirectComposite::make() {
     EquirectComposite pass;
     for (unsigned features = 0; features < pass.programs_.size(); ++features) {
@@ -90,7 +82,10 @@ Result<EquirectComposite> EquirectComposite::make() {
             !s)
             return s.error();
     }
-    pass.grain_ = makeGrainTexture();
+    pass.grain_ = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_REPEAT, GL_REPEAT);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kGrainSize, kGrainSize, 0, GL_RG, GL_UNSIGNED_BYTE,
+                 grains().data());
     pass.drawn_ = TriangleBatch::make();
     pass.framebuffer_ = gl::Framebuffer::make();
     return pass;

@@ -1,9 +1,10 @@
-// Puts a layer of objects, as an eye sees them, into the texels of the video's frame: a copy of the frame's
-// tiles with the objects in them, which the background then shows instead of the frame. Pairs with
-// shaders/render/EquirectComposite.
+// Puts a layer of objects, as an eye sees them, into a copy of the frame's tiles, which the background then
+// shows instead of the frame. Each texel takes what the layer shows in the direction of its middle, so that
+// seam and poles need no care. Pairs with shaders/render/EquirectComposite.
 //
-// Each texel takes what the layer shows in its middle's direction, so that no triangle is ever drawn in the
-// equirectangular map, where straight edges bend and a pole tears them apart: seam and poles need no care.
+// Objects are painted as the video's own camera would have filmed them: where they cover a part of a texel,
+// light is mixed, not coded values; port and lens scatter the light around onto them; then come levels,
+// shared colours and the frame's own grain.
 #pragma once
 
 #include "engine/camera/CameraResponse.h"
@@ -22,10 +23,6 @@
 
 namespace shoal::render {
 
-// Objects are painted as the video's own camera would have filmed them: where they cover a part of a texel,
-// light is mixed, not coded values; port and lens scatter the light around onto them; then come levels,
-// shared colours and the frame's own grain.
-
 // Returns how many texels of the video a pixel of the layer spans so that objects' edges are as soft as the
 // film's.
 //
@@ -39,7 +36,7 @@ float layerTexels(const camera::CameraResponse& response, int samples);
 // 2; 0.5 is none, the standard deviation is kGrainDeviation.
 constexpr float kGrainDeviation = 0.125f;
 constexpr int kGrainSize = 256;
-std::vector<uint8_t> makeGrain();
+const std::vector<uint8_t>& grains();
 
 // The response of a frame's camera, which is applied to what is painted into the frame.
 struct FilmedFrame {
@@ -64,8 +61,8 @@ class EquirectComposite {
 
     // Writes the wanted tiles (indices as FrameTiles counts them). layer: a texture of display values,
     // premultiplied, seen by layerView; only the chosen tiles have objects in it. Leaves another framebuffer
-    // bound. Display-coded frames only. shadows: ShadowTexture's; 0: none. filmed: null paints the layer
-    // unchanged.
+    // bound. Display-coded frames only. shadows: a texture of FilmShadows::left(); 0: none. filmed: null
+    // paints the layer unchanged.
     void paint(const EnvironmentGpu& environment, const FrameTiles& tiles, const std::vector<bool>& wanted,
                GLuint layer, const View& layerView, const glm::mat3& envFromWorld,
                const FilmedFrame* filmed = nullptr, GLuint shadows = 0);

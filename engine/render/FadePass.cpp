@@ -7,7 +7,6 @@ namespace shoal::render {
 Result<FadePass> FadePass::make() {
     FadePass pass;
     if (Status s = gl::Program::load("render/Fade").moveTo(pass.program_); !s) return s.error();
-    pass.picture_ = WholePicture::make();
     return pass;
 }
 

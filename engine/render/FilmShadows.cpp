@@ -47,7 +47,7 @@ Sphere sphereAround(std::span<const occlusion::Ellipsoid> body) {
 bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const View> eyes) {
     constexpr int kSteps = 8;
     constexpr float kStep_m = kShadowReach_m / kSteps;
-    // A piece's middle is off by at most one radius along each axis; its spot is as in reachTiles().
+    // A piece's middle is off by at most one radius along each axis; its spot is as in findTiles().
     constexpr float kOff = std::numbers::sqrt3_v<float> + 2;
     for (int k = 0; k < kSteps; ++k) {
         const float end = static_cast<float>(k + 1) * kStep_m;
@@ -103,34 +103,30 @@ void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingL
                       std::span<const View> eyes) {
     if (light.share == glm::vec3(0) || !mayBeSeen(sphereAround(body), light, eyes)) return;
     flatten(body, light, pieces_);
-    findSpots(film_, pieces_, light, spots_);
     const glm::vec3 most = light.presence * light.share;
-    const float taken = darkest(spots_, light) * std::max({most.x, most.y, most.z});
+    const float taken = findOccluders(light) * std::max({most.x, most.y, most.z});
     if (taken <= kMinShadow) return;
-    lightFromEnv_ = glm::transpose(film_.envFromWorld *
-                                   glm::mat3(spots_[0].piece.along, spots_[0].piece.aside, light.towards));
-    findOccluders(light);
-    reachTiles(light, eyes);
+    lightFromEnv_ =
+        glm::transpose(film_.envFromWorld * glm::mat3(pieces_[0].along, pieces_[0].aside, light.towards));
+    findTiles(eyes);
     // The shadow of a body that takes little more than kMinShadow is faint, so that it does not pop in.
     const float strength = light.presence * glm::smoothstep(kMinShadow, 2 * kMinShadow, taken);
-    for (const glm::ivec2& tile : reached_) shadeTile(light, strength, tile);
+    for (const size_t tile : reached_)
+        shadeTile(light, strength, glm::ivec2(tile % FrameTiles::kCount.x, tile / FrameTiles::kCount.x));
 }
 
 // Finds the tiles around the spots; a spot on a surface that slopes by 45 degrees is longer by sqrt(2).
-void FilmShadows::reachTiles(const CastingLight& light, std::span<const View> eyes) {
+void FilmShadows::findTiles(std::span<const View> eyes) {
     reached_.clear();
-    reachedBy_.resize(FrameTiles::kAll);
-    ++bodies_;
-    for (const Spot& spot : spots_) {
-        const Sphere around{spot.middle(light), std::numbers::sqrt2_v<float> * spot.radius_m};
+    for (const Occluder& piece : occluders_) {
+        const Sphere around{piece.spotWorld, std::numbers::sqrt2_v<float> * piece.spotRadius_m};
         if (std::ranges::none_of(eyes, [&](const View& eye) { return sees(eye, around); })) continue;
-        tiles_.eachOfSphere(film_.envFromWorld * (around.centre - film_.cameraWorld), around.radius,
-                            [&](const glm::ivec2& tile) {
-                                uint32_t& by = reachedBy_[FrameTiles::indexOf(tile.x, tile.y)];
-                                if (by != bodies_) reached_.push_back(tile);
-                                by = bodies_;
-                            });
+        tiles_.eachOfSphere(
+            film_.envFromWorld * (around.centre - film_.cameraWorld), around.radius,
+            [&](const glm::ivec2& tile) { reached_.push_back(FrameTiles::indexOf(tile.x, tile.y)); });
     }
+    std::ranges::sort(reached_);
+    reached_.erase(std::unique(reached_.begin(), reached_.end()), reached_.end());
 }
 
 // Computes the texels' places in the light's frame. Codes are averaged over neighbours that are nearly equal:
@@ -193,21 +189,34 @@ float FilmShadows::cosineAt(int x, int y, const glm::vec3& towardsEnv) const {
     return length > 1e-9f ? std::abs(glm::dot(normal, towardsEnv)) / length : towardsEnv.y;
 }
 
-void FilmShadows::findOccluders(const CastingLight& light) {
+// A piece casts no shadow if the film shows nothing below it, or nothing near enough.
+float FilmShadows::findOccluders(const CastingLight& light) {
     occluders_.clear();
-    for (const Spot& spot : spots_) {
-        const glm::vec3 middle = spot.piece.middle - film_.cameraWorld;
+    float darkest = 0;
+    for (const FlatPiece& piece : pieces_) {
+        const float fall = fallOf(film_, piece.middle, light);
+        if (fall < 0) continue;
+        const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
+        const float radius = std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc;
+        const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
+        // The piece's area by the disc's; 1.27: density of the product of strips where it is densest.
+        darkest += fade * std::min(1.0f, 4 * piece.halfAlong_m * piece.halfAside_m * 1.27f /
+                                             (std::numbers::pi_v<float> * disc * disc));
+        const glm::vec3 middle = piece.middle - film_.cameraWorld;
         // The lower end is a little below where the shadow meets the surface, which may slope.
-        const float up = glm::dot(middle, light.towards), margin = 0.5f * spot.radius_m + 0.05f;
-        occluders_.push_back({.along = glm::dot(middle, spot.piece.along),
-                              .aside = glm::dot(middle, spot.piece.aside),
+        const float up = glm::dot(middle, light.towards), margin = 0.5f * radius + 0.05f;
+        occluders_.push_back({.along = glm::dot(middle, piece.along),
+                              .aside = glm::dot(middle, piece.aside),
                               .up = up,
-                              .halfAlong = spot.piece.halfAlong_m,
-                              .halfAside = spot.piece.halfAside_m,
-                              .lowest = up - spot.fall_m - spot.radius_m - margin,
-                              .perFade = spot.fade / margin,
-                              .share = spot.fade});
+                              .halfAlong = piece.halfAlong_m,
+                              .halfAside = piece.halfAside_m,
+                              .lowest = up - fall - radius - margin,
+                              .perFade = fade / margin,
+                              .share = fade,
+                              .spotWorld = piece.middle - fall * light.towards,
+                              .spotRadius_m = radius});
     }
+    return std::min(darkest, 1.0f);
 }
 
 // Uses the nearest and the farthest of the tile's texels: most tiles that a spot's sphere reaches lie before
@@ -238,28 +247,17 @@ bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float dis
            high.z > piece.lowest && low.z < piece.up;
 }
 
-bool FilmShadows::hideInTile(const CastingLight& light) {
-    const auto [left, right] = std::ranges::minmax(along_);
-    const auto [front, back] = std::ranges::minmax(aside_);
-    const auto [bottom, top] = std::ranges::minmax(up_);
-    bool any = false;
-    for (const Occluder& piece : occluders_) {
-        if (!reaches(piece, {{left, front, bottom}, {right, back, top}}, light.discTangent())) continue;
-        any = true;
-        hide(piece, light.discTangent(), along_.data(), aside_.data(), up_.data(), hidden_.size(),
-             hidden_.data());
-    }
-    return any;
-}
-
 void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile) {
     const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
     const Extent extent = extentOf(low, high);
-    if (std::ranges::none_of(
-            occluders_, [&](const Occluder& piece) { return reaches(piece, extent, light.discTangent()); }))
-        return;
-    findPlaces(low, high);
-    if (!hideInTile(light)) return;
+    hidden_.clear();
+    for (const Occluder& piece : occluders_) {
+        if (!reaches(piece, extent, light.discTangent())) continue;
+        if (hidden_.empty()) findPlaces(low, high);
+        hide(piece, light.discTangent(), along_.data(), aside_.data(), up_.data(), hidden_.size(),
+             hidden_.data());
+    }
+    if (hidden_.empty()) return;
     bool any = false;
     const glm::vec3 towardsEnv = film_.envFromWorld * light.towards;
     size_t i = 0;
@@ -276,11 +274,7 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
         }
     if (!any) return;
     empty_ = false;
-    chooseAround(tile);
-}
-
-// Chooses a tile and its neighbours, whose outermost texels are mixed with its own where the map is enlarged.
-void FilmShadows::chooseAround(const glm::ivec2& tile) {
+    // Neighbours are chosen too: where the map is enlarged, their outermost texels are mixed with the tile's.
     for (int y = std::max(tile.y - 1, 0); y <= std::min(tile.y + 1, FrameTiles::kCount.y - 1); ++y)
         for (int x = tile.x - 1; x <= tile.x + 1; ++x) tiles_.choose({x, y});
 }

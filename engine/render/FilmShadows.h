@@ -1,12 +1,12 @@
 // Shadows of bodies on what a film shows, by direction from the film's camera.
 //
-// The place of each texel of a film's distances is known, and what a body hides of the light from a place is
-// a closed form (CastShadow.h). So shadows are not drawn but computed at these places, once for both eyes;
-// the passes that draw the film multiply its texels by what is left, before they draw objects over them.
+// The place of each texel of a film's distances is known, and the light that a body hides from a place is a
+// closed form (CastShadow.h). So shadows are computed at these places, once for both eyes; the passes that
+// draw the film multiply its texels by what is left, before they draw objects over them.
 //
-// Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the film is
-// multiplied by what the surface reflects in shadow over what it reflects without, at most 1, so that a wrong
-// guess at the surface or the light is a faint mistake.
+// Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the factor is what
+// the surface reflects in shadow over what it reflects without, so that a wrong guess at the surface or the
+// light is a faint mistake.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -23,10 +23,9 @@
 namespace shoal::render {
 
 // Returns the factor for a surface's display values where shadows take `taken` (0 to 1) of its irradiance.
-// Display values are taken for square roots of light (water/Water.h), except in frames coded as in the
-// thesis, whose radiance is proportional to display values where it is not bright (light/InverseToneMap.h).
-// The water between mixes squares; arrives: the share that comes through it. The water's own light, which
-// shadows do not dim, is taken to be as bright as the surface.
+// Display values are square roots of light (water/Water.h), except in frames coded as in the thesis, whose
+// radiance is proportional to them (light/InverseToneMap.h). arrives: the share of squares that comes through
+// the water, whose own light, which shadows do not dim, is taken to be as bright as the surface.
 glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
 
 class FilmShadows {
@@ -56,12 +55,16 @@ class FilmShadows {
     struct Occluder {
         float along, aside, up, halfAlong, halfAside;
         float lowest, perFade; // places below `lowest` are beyond the surface that the shadow falls on
-        float share;
+        float share;           // fades where the shadow has fallen far
+        glm::vec3 spotWorld;   // where its shadow falls on the film's surface, with the penumbra
+        float spotRadius_m;
     };
 
   private:
-    void findOccluders(const CastingLight& light);
-    void reachTiles(const CastingLight& light, std::span<const View> eyes);
+    // Returns an upper bound of the share of the light's disc that the body hides where its shadow is
+    // darkest.
+    float findOccluders(const CastingLight& light);
+    void findTiles(std::span<const View> eyes);
     // A box in the light's frame.
     struct Extent {
         glm::vec3 low, high;
@@ -69,9 +72,7 @@ class FilmShadows {
     // Returns a box around all places of a tile.
     Extent extentOf(const glm::ivec2& low, const glm::ivec2& high) const;
     static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
-    bool hideInTile(const CastingLight& light); // returns whether anything is hidden
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
-    void chooseAround(const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high);
     // Both are from the film's camera, env frame; a place of unknown distance is far away.
     glm::vec3 directionAt(int x, int y) const;
@@ -91,11 +92,8 @@ class FilmShadows {
     std::array<glm::vec3, 256> arrives_{}; // by code: share of light that the water lets through
     glm::mat3 lightFromEnv_{1};            // for the body being added: along, aside, up
     std::vector<FlatPiece> pieces_;        // scratch: of one body
-    std::vector<Spot> spots_;
     std::vector<Occluder> occluders_;
-    std::vector<glm::ivec2> reached_; // tiles that the body being added reaches
-    std::vector<uint32_t> reachedBy_; // by tile: the last body that reached it, counted by bodies_
-    uint32_t bodies_ = 0;
+    std::vector<size_t> reached_; // tiles that the shadow of the body being added may reach
     std::vector<float> along_, aside_, up_, hidden_; // of a tile's texels, in the light's frame
 };
 

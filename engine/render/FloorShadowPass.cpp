@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 
 namespace shoal::render {
 
@@ -16,30 +16,6 @@ namespace {
 constexpr int kMaxCells = 28; // most cells along a shadow
 constexpr float kFinest_m = 0.03f;
 constexpr glm::vec3 kLuminance(0.2126f, 0.7152f, 0.0722f);
-
-// The part of the floor that a body may shade: x and z, world.
-struct Footprint {
-    glm::vec2 low{INFINITY}, high{-INFINITY};
-    float softness_m = INFINITY; // least width of a penumbra
-};
-
-std::optional<Footprint> footprintOf(std::span<const FlatPiece> body, const CastingLight& light,
-                                     float floor_m) {
-    Footprint found;
-    for (const FlatPiece& piece : body) {
-        const float fall = (piece.middle.y - floor_m) / light.towards.y;
-        if (!(fall > 0)) continue;
-        const glm::vec3 place = piece.middle - light.towards * fall;
-        const float softness = std::max(light.tangent * fall, kFinest_m);
-        // A disc at right angles to the light is an ellipse on the floor, longer by the cosine.
-        const float reach = (std::hypot(piece.halfAlong_m, piece.halfAside_m) + softness) / light.towards.y;
-        found.low = glm::min(found.low, glm::vec2(place.x, place.z) - reach);
-        found.high = glm::max(found.high, glm::vec2(place.x, place.z) + reach);
-        found.softness_m = std::min(found.softness_m, softness);
-    }
-    if (!(found.low.x < found.high.x)) return std::nullopt;
-    return found;
-}
 
 // Returns the taken share of the light's luminance. Radiance of frames coded as in the thesis is proportional
 // to display values, the square roots of light (see leftOf()).
@@ -66,17 +42,29 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
                           float floor_m, FrameCoding frames) {
     if (!(light.towards.y > 0)) return;
     flatten(body, light, body_);
-    const auto footprint = footprintOf(body_, light, floor_m);
-    if (!footprint) return;
-    const glm::vec2 size = footprint->high - footprint->low;
+    glm::vec2 low(INFINITY), high(-INFINITY); // x and z of the floor that the body may shade
+    float softness_m = INFINITY;              // least width of a penumbra
+    for (const FlatPiece& piece : body_) {
+        const float fall = (piece.middle.y - floor_m) / light.towards.y;
+        if (!(fall > 0)) continue;
+        const glm::vec3 place = piece.middle - light.towards * fall;
+        const float softness = std::max(light.tangent * fall, kFinest_m);
+        // A disc at right angles to the light is an ellipse on the floor, longer by the cosine.
+        const float reach = (std::hypot(piece.halfAlong_m, piece.halfAside_m) + softness) / light.towards.y;
+        low = glm::min(low, glm::vec2(place.x, place.z) - reach);
+        high = glm::max(high, glm::vec2(place.x, place.z) + reach);
+        softness_m = std::min(softness_m, softness);
+    }
+    if (!(low.x < high.x)) return;
     // Three nodes to a penumbra: between them the taken share is nearly linear.
-    const glm::ivec2 cells = glm::clamp(glm::ivec2(glm::ceil(3.0f * size / footprint->softness_m)),
-                                        glm::ivec2(1), glm::ivec2(kMaxCells));
+    const glm::vec2 size = high - low;
+    const glm::ivec2 cells =
+        glm::clamp(glm::ivec2(glm::ceil(3.0f * size / softness_m)), glm::ivec2(1), glm::ivec2(kMaxCells));
     nodes_.clear();
     float most = 0;
     for (int y = 0; y <= cells.y; ++y)
         for (int x = 0; x <= cells.x; ++x) {
-            const glm::vec2 at = footprint->low + size * glm::vec2(x, y) / glm::vec2(cells);
+            const glm::vec2 at = low + size * glm::vec2(x, y) / glm::vec2(cells);
             const glm::vec3 place(at.x, floor_m, at.y);
             const float hidden = light.presence * covered(body_, light, place);
             nodes_.push_back({place, hidden > 0 ? takenOf(hidden * light.share, frames) : 0});
@@ -85,19 +73,18 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
     if (most <= kMinShadow) return;
     const float strength = glm::smoothstep(kMinShadow, 2 * kMinShadow, most); // faint at first
     for (Node& node : nodes_) node.taken *= strength;
-    const auto triangle = [&](int a, int b, int c) {
-        const Node corners[] = {nodes_[static_cast<size_t>(a)], nodes_[static_cast<size_t>(b)],
-                                nodes_[static_cast<size_t>(c)]};
-        if (corners[0].taken + corners[1].taken + corners[2].taken > 0)
-            triangles_.insert(triangles_.end(), std::begin(corners), std::end(corners));
-    };
-    const int stride = cells.x + 1;
-    for (int row = 0; row < cells.y; ++row)
-        for (int cell = row * stride; cell < row * stride + cells.x; ++cell) {
-            triangle(cell, cell + 1, cell + stride);
-            triangle(cell + stride, cell + 1, cell + stride + 1);
+    const size_t stride = static_cast<size_t>(cells.x) + 1;
+    for (size_t node = 0; node + stride + 1 < nodes_.size(); ++node) {
+        if (node % stride == stride - 1) continue; // the row's end begins no cell
+        for (const std::array<size_t, 3>& offsets :
+             {std::array<size_t, 3>{0, 1, stride}, {stride, 1, stride + 1}}) {
+            float taken = 0;
+            for (const size_t offset : offsets) taken += nodes_[node + offset].taken;
+            for (const size_t offset : offsets)
+                if (taken > 0) triangles_.push_back(nodes_[node + offset]);
         }
-    const glm::vec2 middle = footprint->low + size / 2.0f;
+    }
+    const glm::vec2 middle = low + size / 2.0f;
     spheres_.push_back({{middle.x, floor_m, middle.y}, glm::length(size) / 2});
 }
 

@@ -1,5 +1,7 @@
 #include "engine/render/LayerPass.h"
 
+#include "engine/render/software/SmoothOutlines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,26 +70,14 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void LayerPass::read() {
-    if (areRead_) return;
-    layer_->readBgra(pixels_);
-    coverage_.find(pixels_, size());
+std::vector<uint32_t>& LayerPass::pixels() {
+    if (!areRead_) layer_->readBgra(pixels_);
     areRead_ = true;
-}
-
-const std::vector<uint32_t>& LayerPass::pixels() {
-    read();
     return pixels_;
 }
 
-const Coverage& LayerPass::coverage() {
-    read();
-    return coverage_;
-}
-
 void LayerPass::smoothOutlines() {
-    read();
-    smoother_.smooth(pixels_, size(), coverage_);
+    render::smoothOutlines(pixels(), size());
     areNewer_ = true;
 }
 
@@ -103,7 +93,19 @@ const gl::Target& LayerPass::layer() {
     return *layer_;
 }
 
-void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& view) {
+bool LayerPass::isEmpty(const glm::ivec2& cell) const {
+    const glm::ivec2 size = this->size();
+    // The range has a texel more on each side, which the filter reaches.
+    const glm::ivec2 low = glm::max(cell * size / kCells - 1, 0);
+    const glm::ivec2 high = glm::min((cell + 1) * size / kCells + 2, size);
+    for (int y = low.y; y < high.y; ++y) {
+        const uint32_t* row = pixels_.data() + ptrdiff_t{y} * size.x;
+        if (std::any_of(row + low.x, row + high.x, [](uint32_t pixel) { return pixel != 0; })) return false;
+    }
+    return true;
+}
+
+void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
     for (const scene::Sphere& sphere : spheres) {
         const Box box = boxAround(sphere.centre, sphere.radius, view);
@@ -117,31 +119,10 @@ void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& 
         for (int y = first.y; y <= last.y; ++y)
             for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
     }
-}
-
-void LayerPass::unmarkEmpty() {
-    const glm::ivec2 size = this->size();
-    const auto isEmpty = [&](const glm::ivec2& cell) {
-        // The range has a texel more on each side, which the filter reaches.
-        const glm::ivec2 low = glm::max(cell * size / kCells - 1, 0);
-        const glm::ivec2 high = glm::min((cell + 1) * size / kCells + 2, size);
-        for (int y = low.y; y < high.y; ++y) {
-            const uint32_t* row = pixels_.data() + ptrdiff_t{y} * size.x;
-            if (std::any_of(row + low.x, row + high.x, [](uint32_t pixel) { return pixel != 0; }))
-                return false;
-        }
-        return true;
-    };
-    for (int y = 0; y < kCells.y; ++y)
-        for (int x = 0; x < kCells.x; ++x) {
-            const auto cell = static_cast<size_t>(y * kCells.x + x);
-            if (marked_[cell]) marked_[cell] = !isEmpty({x, y});
-        }
-}
-
-void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
-    markSpheres(spheres, view);
-    if (areRead_) unmarkEmpty();
+    if (areRead_)
+        for (int cell = 0; cell < kCells.x * kCells.y; ++cell)
+            if (marked_[static_cast<size_t>(cell)] && isEmpty({cell % kCells.x, cell / kCells.x}))
+                marked_[static_cast<size_t>(cell)] = false;
     corners_.clear();
     eachRun(marked_, kCells, [&](int first, int end, int row) {
         const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };

@@ -6,7 +6,6 @@
 #include "engine/gl/Target.h"
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
-#include "engine/render/software/SmoothOutlines.h"
 #include "engine/scene/Model.h"
 
 #include <optional>
@@ -53,21 +52,16 @@ class LayerPass {
     glm::ivec2 size() const { return {layer_->width(), layer_->height()}; }
     const gl::Target& layer();
     // Returns the pixels after end(), blue first, from the lowest row; waits for them on the first call.
-    const std::vector<uint32_t>& pixels();
-    const Coverage& coverage(); // of the pixels; smoothed outlines reach one pixel further
+    std::vector<uint32_t>& pixels();
 
   private:
-    void read();
-    void markSpheres(std::span<const scene::Sphere> spheres, const View& view);
-    void unmarkEmpty(); // needs the pixels
+    bool isEmpty(const glm::ivec2& cell) const; // of pixels_, and beside it
 
     gl::Program program_;
     TriangleBatch drawn_;
     std::optional<gl::Target> layer_;
     int samples_ = 0;
-    OutlineSmoother smoother_;
     std::vector<uint32_t> pixels_;   // of the layer
-    Coverage coverage_;              // of pixels_
     bool areRead_ = false;           // whether pixels_ has been read since begin()
     bool areNewer_ = false;          // whether pixels_ is newer than the layer's texture
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture

@@ -43,6 +43,13 @@ glm::vec4 coded(const glm::vec4& lin) {
     return {glm::pow(glm::max(glm::vec3(lin), 0.0f), glm::vec3(1 / 2.2f)), lin.a};
 }
 
+template <class T> gl::Buffer bufferOf(GLenum target, std::span<const T> values, GLenum usage) {
+    gl::Buffer buffer = gl::Buffer::make();
+    glBindBuffer(target, buffer.name());
+    glBufferData(target, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
+    return buffer;
+}
+
 // vertices: indices of the primitive's vertices to upload, in this order.
 DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectance,
                        std::span<const uint32_t> vertices, std::span<const uint32_t> indices) {
@@ -54,10 +61,8 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     const std::vector<MorphVertex> all = morphed(primitive, {});
     std::vector<MorphVertex> moving;
     for (const uint32_t v : vertices) moving.push_back(all[v]);
-    gpu.morphable = gl::Buffer::make();
-    glBindBuffer(GL_ARRAY_BUFFER, gpu.morphable.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(moving.size() * sizeof(MorphVertex)), moving.data(),
-                 primitive.morphTargets.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
+    gpu.morphable = bufferOf<MorphVertex>(GL_ARRAY_BUFFER, moving,
+                                          primitive.morphTargets.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
     gl::setAttribute(ATTRIBUTE_POSITION, 3, sizeof(MorphVertex), offsetof(MorphVertex, position));
     gl::setAttribute(ATTRIBUTE_NORMAL, 3, sizeof(MorphVertex), offsetof(MorphVertex, normal));
 
@@ -78,10 +83,7 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
         if (!primitive.selfOcclusionBesideOwn.empty())
             fixed[i].selfOcclusionBesideOwn = primitive.selfOcclusionBesideOwn[v];
     }
-    gpu.vertices = gl::Buffer::make();
-    glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(fixed.size() * sizeof(FixedVertex)), fixed.data(),
-                 GL_STATIC_DRAW);
+    gpu.vertices = bufferOf<FixedVertex>(GL_ARRAY_BUFFER, fixed, GL_STATIC_DRAW);
     constexpr size_t kStride = sizeof(FixedVertex);
     gl::setAttribute(ATTRIBUTE_TANGENT, 4, kStride, offsetof(FixedVertex, tangent));
     gl::setAttribute(ATTRIBUTE_UV0, 2, kStride, offsetof(FixedVertex, uv0));
@@ -95,10 +97,7 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     glVertexAttribIPointer(ATTRIBUTE_JOINTS, 4, GL_UNSIGNED_SHORT, kStride,
                            reinterpret_cast<const void*>(offsetof(FixedVertex, joints)));
 
-    gpu.indices = gl::Buffer::make();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.name());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
-                 GL_STATIC_DRAW);
+    gpu.indices = bufferOf(GL_ELEMENT_ARRAY_BUFFER, indices, GL_STATIC_DRAW);
     glBindVertexArray(0);
     return gpu;
 }

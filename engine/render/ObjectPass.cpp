@@ -148,7 +148,7 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity
 void ObjectPass::begin() {
     items_.clear();
     bounds_.clear();
-    matteBeside_.clear();
+    matteDifferences_.clear();
     matrices_.clear();
     near_.clear();
     inRoom_.clear();
@@ -157,7 +157,8 @@ void ObjectPass::begin() {
 
 void ObjectPass::add(const Object& object) {
     const size_t objectIndex = bounds_.add(object.bound, object.parts);
-    matteBeside_.push_back(object.beside ? matteFactors(*object.beside) : depth::LightHarmonics{});
+    matteDifferences_.push_back(object.lightDifference ? matteFactors(*object.lightDifference)
+                                                       : depth::LightHarmonics{});
     int body = -1;
     if (object.body) {
         const size_t added = near_.add(*object.body, object.pose, object.worldFromModel, object.bound);
@@ -351,7 +352,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
             packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
         program.setArray("phongRings_angleWeight[0]", packed);
     }
-    program.setArray("lightBeside[0]", inRoom ? kNone : matteBeside_[item.object]);
+    program.setArray("lightDifference[0]", inRoom ? kNone : matteDifferences_[item.object]);
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);

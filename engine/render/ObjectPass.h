@@ -4,7 +4,7 @@
 // have grown.
 #pragma once
 
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 #include "engine/gl/Program.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
 #include "engine/render/BodyOccluders.h"
@@ -42,7 +42,7 @@ class ObjectPass {
         float highlight = 0;                 // strength of a rim that marks it for the player, 0 to 1
         bool isInRoom = false; // whether it stands for something in the player's room, such as a hand
         // Its light minus that at the film's camera; null: none. Not used in the player's room.
-        const depth::LightHarmonics* beside = nullptr;
+        const depth::LightHarmonics* lightDifference = nullptr;
     };
 
     void begin();
@@ -119,8 +119,8 @@ class ObjectPass {
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
     ObjectBounds bounds_;
-    std::vector<depth::LightHarmonics> matteBeside_; // by object, for render/LightBeside.glsl
-    std::vector<ObjectBounds::Seen> seen_;           // scratch: by object, in the view that is drawn
+    std::vector<depth::LightHarmonics> matteDifferences_; // by object, for render/LightDifference.glsl
+    std::vector<ObjectBounds::Seen> seen_;                // scratch: by object, in the view that is drawn
     int drawCount_ = 0, triangleCount_ = 0;
 };
 

@@ -5,7 +5,6 @@ namespace shoal::render {
 Result<PremultiplyPass> PremultiplyPass::make() {
     PremultiplyPass pass;
     if (Status s = gl::Program::load("render/Premultiply").moveTo(pass.program_); !s) return s.error();
-    pass.picture_ = WholePicture::make();
     return pass;
 }
 

@@ -1,6 +1,7 @@
 // An eye's position, direction and field of view; and the choices of how its picture is drawn.
 #pragma once
 
+#include "engine/core/Image.h"
 #include "engine/math/Sphere.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -125,5 +126,9 @@ struct DisplayFrame {
 
     bool operator==(const DisplayFrame&) const = default;
 };
+
+inline DisplayFrame frameOf(const Image<uint8_t, 4>& texels) {
+    return {texels.pixels.data(), texels.width, texels.height, texels.width};
+}
 
 } // namespace shoal::render

@@ -7,12 +7,6 @@ namespace shoal::render {
 
 class WholePicture {
   public:
-    static WholePicture make() {
-        WholePicture made;
-        made.noAttributes_ = gl::VertexArray::make();
-        return made;
-    }
-
     // Draws with the program in use; depth is 0.5 everywhere, tested and blended as the caller has set.
     void draw() const {
         glDisable(GL_CULL_FACE);
@@ -22,7 +16,8 @@ class WholePicture {
     }
 
   private:
-    gl::VertexArray noAttributes_; // the shader makes the corners; OpenGL wants one bound
+    // The shader makes the corners; OpenGL wants an array bound.
+    gl::VertexArray noAttributes_ = gl::VertexArray::make();
 };
 
 } // namespace shoal::render

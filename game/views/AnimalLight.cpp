@@ -14,7 +14,7 @@ constexpr float kFollow_s = 0.25f;
 constexpr float kJump_m = 0.5f; // movement between two pictures that means another animal or dive
 } // namespace
 
-void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightBeside* light,
+void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
                          const glm::mat3& envFromWorld) {
     if (!light) {
         animals_.clear();

@@ -2,7 +2,7 @@
 // time. Only on the rendering thread.
 #pragma once
 
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 #include "game/rules/Snapshot.h"
 
 #include <glm/mat3x3.hpp>
@@ -16,7 +16,7 @@ class AnimalLight {
     // Updates the light of all animals, once for each picture. Each call looks up a few animals in turn, and
     // all follow their last look-up with a time constant of 0.25 s. light: null for a film without distances.
     // Allocates nothing once it has grown.
-    void follow(const game::Snapshot& snapshot, const depth::LightBeside* light,
+    void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
                 const glm::mat3& envFromWorld);
 
     // Returns the light by index in Snapshot::creatures; null: only the camera's light.

@@ -188,7 +188,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                   .parts = spheres_,
                   .body = &instance.body,
                   .highlight = creature.catchable,
-                  .beside = light.of(i)});
+                  .lightDifference = light.of(i)});
     }
     const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {

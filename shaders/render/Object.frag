@@ -4,7 +4,7 @@ uniform mat3 envFromWorld;
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
 #include "light/Surface.glsl"
-#include "render/LightBeside.glsl"
+#include "render/LightDifference.glsl"
 #ifdef CLEARCOAT
 #include "render/Clearcoat.glsl"
 #endif
@@ -160,7 +160,7 @@ Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough,
 #ifdef VERTEX_DIFFUSE
     light.around = diffuseLin;
 #else
-    light.around = diffuseRadianceBeside(envFromWorld * n);
+    light.around = diffuseRadianceAtObject(envFromWorld * n);
 #endif
     light.unoccluded = light.around;
 #ifdef CLEARCOAT

@@ -28,7 +28,7 @@ uniform mat3 envFromWorld;
 #if defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
-#include "render/LightBeside.glsl"
+#include "render/LightDifference.glsl"
 #endif
 #if defined(OCCLUDED) && (defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT))
 #include "occlusion/Bodies.glsl"
@@ -146,7 +146,7 @@ void main() {
 #endif
 #endif
 #ifdef VERTEX_DIFFUSE
-    diffuseLin = diffuseRadianceBeside(envFromWorld * n);
+    diffuseLin = diffuseRadianceAtObject(envFromWorld * n);
 #ifdef OCCLUDED
     Shaded shaded = occludeByEllipsoids(envFromWorld * world.xyz, envFromWorld * n,
                                   envFromWorld * reflect(normalize(world.xyz - eyeWorld), n), roughness, selfOcclusion);

@@ -1,6 +1,6 @@
 // Computes the light that a vertex sends to the eye, for objects that do not fill the picture where the processor draws: the sums
 // of Object.frag without relief, written so that they are linear in the base colour, which the pixel adds. A metal's further
-// bounces are assumed to have the base colour once. A clearcoat does not dim emitted light. Needs render/LightBeside.glsl.
+// bounces are assumed to have the base colour once. A clearcoat does not dim emitted light. Needs render/LightDifference.glsl.
 uniform sampler2D dfgTable;
 uniform float metallic, roughness;
 #ifdef DIELECTRIC
@@ -22,7 +22,7 @@ void lightVertex(vec3 p, vec3 n, vec3 v, vec4 selfOcclusion, out vec3 perBaseLin
     vec3 average = dielectricF0 + (dielectricF90 - dielectricF0) / 21.0;
     vec3 single = dielectricF0 * dfg.x + dielectricF90 * dfg.y, multiple = single * average / (1.0 - lost * average) * lost;
     vec3 kept = single + multiple;
-    vec3 around = diffuseRadianceBeside(envFromWorld * n);
+    vec3 around = diffuseRadianceAtObject(envFromWorld * n);
     vec3 mirrored = glossyRadiance(envFromWorld * reflect(-v, n), roughness);
 #ifdef OCCLUDED
     Shaded shaded = occludeByEllipsoids(envFromWorld * p, envFromWorld * n, envFromWorld * reflect(-v, n), roughness, selfOcclusion);

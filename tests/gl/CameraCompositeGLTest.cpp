@@ -48,20 +48,17 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
         std::vector<uint32_t> pixels(size_t{kSize} * kSize);
         layer.bind();
         glReadPixels(0, 0, kSize, kSize, GL_BGRA, GL_UNSIGNED_BYTE, pixels.data());
-        const std::vector<uint8_t> grain = render::makeGrain();
-        const render::CameraUniforms numbers = render::cameraUniforms(filmed);
         const render::TexelPaint paint{.layer = pixels.data(),
                                        .layerSize = {kSize, kSize},
                                        .rayScale = view.halfExtent(),
-                                       .filmed = &numbers,
-                                       .grain = grain.data(),
+                                       .filmed = render::cameraUniforms(filmed),
                                        .scattered = &environment.scatteredLight()};
-        auto* out = reinterpret_cast<uint32_t*>(all.pixels.data());
+        all = frame;
         for (int k = 0; k < render::FrameTiles::kCount.x * render::FrameTiles::kCount.y; ++k) {
             const glm::ivec2 tile(k % render::FrameTiles::kCount.x, k / render::FrameTiles::kCount.x);
             if (tiles.chosen()[static_cast<size_t>(k)])
-                render::paintTexels({frame.pixels.data(), kWidth, kHeight, kWidth}, paint, tiles.lowOf(tile),
-                                    tiles.lowOf(tile + 1), out, kWidth);
+                render::paintTexels(paint, tiles.lowOf(tile), tiles.lowOf(tile + 1), {kWidth, kHeight},
+                                    reinterpret_cast<uint32_t*>(all.pixels.data()));
         }
         for (size_t k = 0; k < all.pixels.size(); k += 4) std::swap(all.pixels[k], all.pixels[k + 2]);
     } else {

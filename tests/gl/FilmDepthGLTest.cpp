@@ -127,8 +127,9 @@ TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
             glClearDepth(static_cast<double>(depthOf(drawn_m)));
             glClear(GL_DEPTH_BUFFER_BIT);
             glClearDepth(1);
-            const render::DepthPass::Film film{environment, seen, glm::mat3(1), eye};
-            pass->draw(drawn, 1, into.framebuffer(), {64, 64}, &film);
+            const render::EyePicture picture{
+                .environment = environment, .view = seen, .canvas = drawn, .eyeInFilm = eye};
+            pass->draw(drawn, 1, into.framebuffer(), picture, true);
             std::vector<float> values(64 * 64);
             glBindFramebuffer(GL_READ_FRAMEBUFFER, into.framebuffer());
             glReadPixels(0, 0, 64, 64, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());

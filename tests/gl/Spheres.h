@@ -94,7 +94,7 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
                .pose = pose,
                .bound = {{}, 1},
                .highlight = look.highlight,
-               .beside = look.beside});
+               .lightDifference = look.beside});
     pass->upload(glm::mat3(1));
     const Status drawn = pass->draw({.environment = environment,
                                      .view = view,

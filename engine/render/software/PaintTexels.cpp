@@ -1,8 +1,8 @@
 #include "engine/render/software/PaintTexels.h"
 
 #include "engine/core/Vectorise.h"
+#include "engine/light/Lookup.h"
 #include "engine/math/LatLong.h"
-#include "engine/render/software/FrameSampler.h"
 
 #include <glm/common.hpp>
 
@@ -15,237 +15,187 @@ namespace shoal::render {
 
 namespace {
 
+constexpr int kLanes = 16; // texels of a row that are painted at once: loops of this length become vectors
+using Lanes = std::array<float, kLanes>;
+using Colours = std::array<Lanes, 4>; // blue, green, red, alpha: 0 to 255, premultiplied
+
 // A bilinear function over a tile: its value at the first texel's corner, and differences to the others.
-template <class V> struct Patch {
-    V first, right, down, both;
+struct Patch {
+    glm::vec3 first, right, down, both;
 
-    V rowStart(float y) const { return first + y * down; }
-    V rowStep(float y) const { return right + y * both; }
+    explicit Patch(const std::array<glm::vec3, 4>& corners)
+        : first(corners[0]), right(corners[1] - corners[0]), down(corners[2] - corners[0]),
+          both(corners[0] - corners[1] - corners[2] + corners[3]) {}
+    glm::vec3 at(const glm::vec2& place) const { return first + place.y * down + place.x * stepAt(place.y); }
+    glm::vec3 stepAt(float y) const { return right + y * both; }
 };
 
-template <class V> Patch<V> patchOf(const std::array<V, 4>& corners) {
-    return {corners[0], corners[1] - corners[0], corners[2] - corners[0],
-            corners[0] - corners[1] - corners[2] + corners[3]};
+inline float mix(float a, float b, float share) { return a + share * (b - a); }
+inline float bounded(float value, float low, float high) {
+    value = value < low ? low : value;
+    return value > high ? high : value;
+}
+inline float luma(float b, float g, float r) { return 0.2126f * r + (0.7152f * g + 0.0722f * b); }
+inline float channel(uint32_t texel, int c) {
+    return static_cast<float>(static_cast<int>(texel >> (8 * c) & 255));
+}
+inline float signedOf(int grain) { return static_cast<float>(grain) * (2 / 255.0f) - 1; }
+inline uint32_t byte(float value) {
+    return static_cast<uint32_t>(static_cast<int>(bounded(value, 0, 255) + 0.5f));
+}
+inline uint32_t packed(float b, float g, float r) {
+    return byte(b) | byte(g) << 8 | byte(r) << 16 | 0xff000000u;
 }
 
-glm::vec3 scatteredAt(const ImageRgbF& light, const glm::vec2& uv) {
-    const glm::ivec2 size(light.width, light.height);
-    const glm::vec2 at = uv * glm::vec2(size) - 0.5f, low = glm::floor(at), share = at - low;
-    const auto texel = [&](int right, int down) {
-        const int x = (static_cast<int>(low.x) + right + size.x) % size.x;
-        const int y = std::clamp(static_cast<int>(low.y) + down, 0, size.y - 1);
-        const float* c = light.at(x, y);
-        return glm::vec3(c[0], c[1], c[2]);
-    };
-    return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x),
-                    share.y);
-}
-
-#ifdef SHOAL_AVX2
-
-struct Colours { // of eight texels
-    __m256 b, g, r, a;
-};
-
-SHOAL_AVX2 __m256 all(float value) { return _mm256_set1_ps(value); }
-SHOAL_AVX2 __m256 mix(__m256 a, __m256 b, __m256 share) { return a + share * (b - a); }
-SHOAL_AVX2 __m256 channel(__m256i pixels, int shift) {
-    return _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(pixels, shift), _mm256_set1_epi32(0xff)));
-}
-SHOAL_AVX2 __m256 luma(__m256 b, __m256 g, __m256 r) { return 0.2126f * r + (0.7152f * g + 0.0722f * b); }
-
-// Samples the layer along eight rays, from `ray` on; 0 to 255. Returns false if all of it is empty.
-SHOAL_AVX2 bool seen(const TexelPaint& paint, const glm::vec3& ray, const glm::vec3& step, Colours& out) {
-    const __m256 k = _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7);
-    const auto along = [&](int axis) SHOAL_AVX2 { return ray[axis] + k * step[axis]; };
-    const __m256 perAhead = 1.0f / _mm256_max_ps(-along(2), all(1e-4f));
-    const auto place = [&](int axis) SHOAL_AVX2 {
-        return (along(axis) * perAhead - paint.rayShift[axis]) * (1 / paint.rayScale[axis]);
-    };
-    const __m256 x = place(0), y = place(1);
-    const __m256 positive = _mm256_castsi256_ps(_mm256_set1_epi32(0x7fffffff));
-    const __m256 inside = _mm256_cmp_ps(_mm256_max_ps(_mm256_and_ps(x, positive), _mm256_and_ps(y, positive)),
-                                        all(1), _CMP_LE_OQ);
-    if (_mm256_testz_ps(inside, inside)) return false;
-    const auto texels = [&](__m256 at, int size) SHOAL_AVX2 {
-        const __m256 t = (at + 1.0f) * (0.5f * static_cast<float>(size)) - 0.5f;
-        return _mm256_min_ps(_mm256_max_ps(t, all(0)), all(static_cast<float>(size - 1)));
-    };
-    const auto floorOf = [&](__m256 t, int size) SHOAL_AVX2 {
-        return _mm256_min_epi32(_mm256_cvttps_epi32(t), _mm256_set1_epi32(size - 2));
-    };
-    const __m256 s = texels(x, paint.layerSize.x), t = texels(y, paint.layerSize.y);
-    const __m256i column = floorOf(s, paint.layerSize.x), row = floorOf(t, paint.layerSize.y);
-    const __m256i at =
-        _mm256_add_epi32(_mm256_mullo_epi32(row, _mm256_set1_epi32(paint.layerSize.x)), column);
-    const auto* layer = reinterpret_cast<const int*>(paint.layer);
-    const auto fetch = [&](int offset) SHOAL_AVX2 { return _mm256_i32gather_epi32(layer + offset, at, 4); };
-    const __m256i corners[4] = {fetch(0), fetch(1), fetch(paint.layerSize.x), fetch(paint.layerSize.x + 1)};
-    const __m256i any = _mm256_and_si256(
-        _mm256_castps_si256(inside),
-        _mm256_or_si256(_mm256_or_si256(corners[0], corners[1]), _mm256_or_si256(corners[2], corners[3])));
-    if (_mm256_testz_si256(any, _mm256_set1_epi32(static_cast<int>(0xff000000u)))) return false;
-    const __m256 u = s - _mm256_cvtepi32_ps(column), v = t - _mm256_cvtepi32_ps(row);
-    const auto mixed = [&](int shift) SHOAL_AVX2 {
-        return _mm256_and_ps(inside, mix(mix(channel(corners[0], shift), channel(corners[1], shift), u),
-                                         mix(channel(corners[2], shift), channel(corners[3], shift), u), v));
-    };
-    out = {mixed(0), mixed(8), mixed(16), mixed(24)};
+// Samples the layer along rays from `ray` on. Returns false if all of it is empty.
+SHOAL_VECTORISE bool sampleLayer(const TexelPaint& paint, const glm::vec3& ray, const glm::vec3& step,
+                                 Colours& out) {
+    const int width = paint.layerSize.x, lastColumn = width - 2, lastRow = paint.layerSize.y - 2;
+    const glm::vec2 perScale = 1.0f / paint.rayScale, half = 0.5f * glm::vec2(paint.layerSize);
+    std::array<int, kLanes> at;
+    Lanes inside, u, v;
+    for (int k = 0; k < kLanes; ++k) {
+        const auto n = static_cast<float>(k);
+        const float ahead = -(ray.z + n * step.z), perAhead = 1 / (ahead > 1e-4f ? ahead : 1e-4f);
+        const float x = ((ray.x + n * step.x) * perAhead - paint.rayShift.x) * perScale.x;
+        const float y = ((ray.y + n * step.y) * perAhead - paint.rayShift.y) * perScale.y;
+        inside[k] = (std::abs(x) > std::abs(y) ? std::abs(x) : std::abs(y)) <= 1 ? 1.0f : 0.0f;
+        const float s = bounded((x + 1) * half.x - 0.5f, 0, 2 * half.x - 1);
+        const float t = bounded((y + 1) * half.y - 0.5f, 0, 2 * half.y - 1);
+        int column = static_cast<int>(s), row = static_cast<int>(t);
+        column = column < lastColumn ? column : lastColumn;
+        row = row < lastRow ? row : lastRow;
+        at[k] = row * width + column;
+        u[k] = s - static_cast<float>(column);
+        v[k] = t - static_cast<float>(row);
+    }
+    using Texels = std::array<uint32_t, kLanes>;
+    Texels a, b, c, d;
+    const uint32_t* layer = paint.layer;
+    for (int k = 0; k < kLanes; ++k) a[k] = layer[at[k]];
+    for (int k = 0; k < kLanes; ++k) b[k] = layer[at[k] + 1];
+    for (int k = 0; k < kLanes; ++k) c[k] = layer[at[k] + width];
+    for (int k = 0; k < kLanes; ++k) d[k] = layer[at[k] + width + 1];
+    uint32_t any = 0;
+    for (int k = 0; k < kLanes; ++k) any |= inside[k] > 0 ? a[k] | b[k] | c[k] | d[k] : 0;
+    if (any >> 24 == 0) return false;
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < kLanes; ++k)
+            out[i][k] = inside[k] * mix(mix(channel(a[k], i), channel(b[k], i), u[k]),
+                                        mix(channel(c[k], i), channel(d[k], i), u[k]), v[k]);
     return true;
 }
 
-SHOAL_AVX2 __m256 besideOf(__m256 c) { return _mm256_permute_ps(c, _MM_SHUFFLE(2, 3, 0, 1)); }
-
-// Returns the mean over the texels that share a colour, of two rows.
-SHOAL_AVX2 __m256 sharedBy(const glm::vec2& shares, __m256 row, __m256 otherRow) {
-    const __m256 down = mix(row, otherRow, all(0.5f * shares.y));
-    return mix(down, besideOf(down), all(0.5f * shares.x));
-}
-
-// Rounds to 0 to 255 and shifts into place.
-SHOAL_AVX2 __m256i byte(__m256 c, int shift) {
-    const __m256 bounded = _mm256_min_ps(_mm256_max_ps(c, all(0)), all(255));
-    return _mm256_slli_epi32(_mm256_cvtps_epi32(bounded), shift);
-}
-
-SHOAL_AVX2 __m256i packed(__m256 b, __m256 g, __m256 r) {
-    return _mm256_or_si256(_mm256_or_si256(byte(b, 0), byte(g, 8)),
-                           _mm256_or_si256(byte(r, 16), _mm256_set1_epi32(static_cast<int>(0xff000000u))));
-}
-
-// Interpolates noise's deviation by luma in a table of eight bands.
-SHOAL_AVX2 __m256 between(const std::array<float, 8>& table, __m256i below, __m256 share) {
-    const __m256 values = _mm256_loadu_ps(table.data());
-    return mix(_mm256_permutevar8x32_ps(values, below),
-               _mm256_permutevar8x32_ps(values, _mm256_add_epi32(below, _mm256_set1_epi32(1))), share);
-}
-
-// Returns the sum of both grains at eight texels from this one on.
-SHOAL_AVX2 __m256 grainAt(const TexelPaint& paint, int x, int y, __m256 light) {
-    const CameraUniforms& n = *paint.filmed;
-    const uint8_t* row = paint.grain + size_t{2} * kGrainSize * ((y + n.grainShift.y) & (kGrainSize - 1));
-    const __m256i columns = _mm256_and_si256(
-        _mm256_add_epi32(_mm256_set1_epi32(x + n.grainShift.x), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)),
-        _mm256_set1_epi32(kGrainSize - 1));
-    // Each load has two grains: the one asked for and its neighbour.
-    const __m256i pairs =
-        _mm256_i32gather_epi32(reinterpret_cast<const int*>(row), _mm256_srli_epi32(columns, 1), 4);
-    const __m256i grains =
-        _mm256_srlv_epi32(pairs, _mm256_slli_epi32(_mm256_and_si256(columns, _mm256_set1_epi32(1)), 4));
-    const auto signedOf = [&](int shift) SHOAL_AVX2 {
-        return (channel(grains, shift) * (2 / 255.0f) - 1.0f) * n.perGrain;
-    };
-    const __m256 band = _mm256_min_ps(_mm256_max_ps(light * 8.0f - 0.5f, all(0)), all(6.999f));
-    const __m256i below = _mm256_cvttps_epi32(band);
-    const __m256 share = band - _mm256_cvtepi32_ps(below);
-    return signedOf(0) * between(n.fineNoise, below, share) +
-           signedOf(8) * between(n.coarseNoise, below, share);
-}
-
-// Films eight texels from (x, y) on. c: of the layer, c2: of the row that it shares colours with.
-SHOAL_AVX2 __m256i filmed(const TexelPaint& paint, const Colours& c, const Colours& c2, __m256i behind, int x,
-                          int y, const glm::vec3& glow, const glm::vec3& glowStep) {
-    const CameraUniforms& n = *paint.filmed;
-    const __m256 covered = _mm256_cmp_ps(c.a, all(0.002f * 255), _CMP_GE_OQ);
-    const __m256 perAlpha = 1.0f / _mm256_max_ps(c.a, all(0.25f));
-    __m256 own[3] = {c.b * perAlpha, c.g * perAlpha, c.r * perAlpha};
-    if (n.shares != glm::vec2(0)) {
-        const __m256 alpha = sharedBy(n.shares, c.a, c2.a);
-        const __m256 square[3] = {sharedBy(n.shares, c.b, c2.b), sharedBy(n.shares, c.g, c2.g),
-                                  sharedBy(n.shares, c.r, c2.r)};
-        const __m256 enough = _mm256_cmp_ps(alpha, all(0.01f * 255), _CMP_GT_OQ);
-        const __m256 per = 1.0f / _mm256_max_ps(alpha, all(0.25f));
-        const __m256 ownLuma = luma(own[0], own[1], own[2]),
-                     squareLuma = luma(square[0], square[1], square[2]);
-        for (int k = 0; k < 3; ++k) {
-            const __m256 hue = (square[k] - squareLuma) * per;
-            own[k] = _mm256_blendv_ps(own[k], _mm256_max_ps(ownLuma + hue, all(0)), enough);
+// Lays the layer over texels as the video's camera would show it. c: of the layer; c2: of the row that it
+// shares colours with; place: of the first texel; glow: scattered light there.
+SHOAL_VECTORISE void film(const TexelPaint& paint, const Colours& c, const Colours& c2,
+                          const glm::ivec2& place, const glm::vec3& glow, const glm::vec3& glowStep,
+                          uint32_t* texels) {
+    const CameraUniforms n = *paint.filmed;
+    Colours square; // mean over the texels that share a colour, of two rows
+    for (int i = 0; i < 4; ++i) {
+        Lanes down;
+        for (int k = 0; k < kLanes; ++k) down[k] = mix(c[i][k], c2[i][k], 0.5f * n.shares.y);
+        for (int k = 0; k < kLanes; ++k) square[i][k] = mix(down[k], down[k ^ 1], 0.5f * n.shares.x);
+    }
+    int fine[kLanes], coarse[kLanes]; // grain, 0 to 255
+    const glm::ivec2 shifted = place + n.grainShift;
+    const uint8_t* grainRow = grains().data() + 2 * kGrainSize * (shifted.y & (kGrainSize - 1));
+    for (int k = 0; k < kLanes; ++k) {
+        const uint8_t* grain = grainRow + 2 * ((shifted.x + k) & (kGrainSize - 1));
+        fine[k] = grain[0], coarse[k] = grain[1];
+    }
+    Lanes ownLuma, squareLuma, perAlpha, perSquare;
+    for (int k = 0; k < kLanes; ++k) {
+        perAlpha[k] = 1 / (c[3][k] > 0.25f ? c[3][k] : 0.25f);
+        perSquare[k] = 1 / (square[3][k] > 0.25f ? square[3][k] : 0.25f);
+        ownLuma[k] = luma(c[0][k], c[1][k], c[2][k]) * perAlpha[k];
+        squareLuma[k] = luma(square[0][k], square[1][k], square[2][k]);
+    }
+    float shown[3][kLanes];
+    for (int i = 0; i < 3; ++i) { // blue first; vectors have red first
+        const float black = n.black[2 - i], range = n.range[2 - i], around = glow[2 - i],
+                    aroundStep = glowStep[2 - i];
+        for (int k = 0; k < kLanes; ++k) {
+            const float hue = (square[i][k] - squareLuma[k]) * perSquare[k], sum = ownLuma[k] + hue;
+            const float alone = c[i][k] * perAlpha[k], shared = sum > 0 ? sum : 0;
+            const float levelled = black + range * (square[3][k] > 2.55f ? shared : alone);
+            const float was = channel(texels[k], i) * (1 / 255.0f);
+            const float light =
+                mix(levelled * levelled, around + static_cast<float>(k) * aroundStep, n.glare);
+            const float mixed = mix(was * was, light, c[3][k] * (1 / 255.0f));
+            shown[i][k] = std::sqrt(mixed > 0 ? mixed : 0);
         }
     }
-    const __m256 alpha = c.a * (1 / 255.0f);
-    const __m256 steps = _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7);
-    __m256 shown[3];
-    for (int k = 0; k < 3; ++k) { // blue first; vectors have red first
-        const int rgb = 2 - k;
-        const __m256 levelled = n.black[rgb] + n.range[rgb] * own[k];
-        const __m256 around = glow[rgb] + steps * glowStep[rgb];
-        const __m256 light = mix(levelled * levelled, around, all(n.glare));
-        const __m256 was = channel(behind, 8 * k) * (1 / 255.0f);
-        shown[k] = _mm256_sqrt_ps(_mm256_max_ps(mix(was * was, light, alpha), all(0)));
+    const float* fineNoise = n.fineNoise.data();
+    const float* coarseNoise = n.coarseNoise.data();
+    const float perAlphaGrain = n.perGrain / 255;
+    for (int k = 0; k < kLanes; ++k) {
+        const float band = bounded(8 * luma(shown[0][k], shown[1][k], shown[2][k]) - 0.5f, 0, 6.999f);
+        const int below = static_cast<int>(band);
+        const float share = band - static_cast<float>(below), strength = c[3][k] * perAlphaGrain;
+        const float noise =
+            strength * (signedOf(fine[k]) * mix(fineNoise[below], fineNoise[below + 1], share) +
+                        signedOf(coarse[k]) * mix(coarseNoise[below], coarseNoise[below + 1], share));
+        for (int i = 0; i < 3; ++i) shown[i][k] += noise;
     }
-    if (n.perGrain > 0) {
-        const __m256 noise = alpha * grainAt(paint, x, y, luma(shown[0], shown[1], shown[2]));
-        for (__m256& value : shown) value += noise;
+    for (int k = 0; k < kLanes; ++k) {
+        const uint32_t now = packed(255 * shown[0][k], 255 * shown[1][k], 255 * shown[2][k]);
+        texels[k] = c[3][k] >= 0.002f * 255 ? now : texels[k];
     }
-    return _mm256_blendv_epi8(behind, packed(shown[0] * 255.0f, shown[1] * 255.0f, shown[2] * 255.0f),
-                              _mm256_castps_si256(covered));
 }
 
-SHOAL_AVX2 __m256i laidOver(const Colours& c, __m256i behind) {
-    const __m256 open = 1.0f - c.a * (1 / 255.0f);
-    const auto over = [&](__m256 own, int shift) SHOAL_AVX2 { return own + open * channel(behind, shift); };
-    return packed(over(c.b, 0), over(c.g, 8), over(c.r, 16));
+SHOAL_VECTORISE void layOver(const Colours& c, uint32_t* texels) {
+    for (int k = 0; k < kLanes; ++k) {
+        const float open = 1 - c[3][k] * (1 / 255.0f);
+        texels[k] = packed(c[0][k] + open * channel(texels[k], 0), c[1][k] + open * channel(texels[k], 1),
+                           c[2][k] + open * channel(texels[k], 2));
+    }
 }
 
 } // namespace
 
-SHOAL_AVX2 void paintTexels(const DisplayFrame& frame, const TexelPaint& paint, const glm::ivec2& low,
-                            const glm::ivec2& high, uint32_t* out, ptrdiff_t outStride) {
-    assert(canSampleFrames() && paint.layerSize.x >= 2 && paint.layerSize.y >= 2);
+void paintTexels(const TexelPaint& paint, const glm::ivec2& low, const glm::ivec2& high,
+                 const glm::ivec2& frameSize, uint32_t* frame) {
+    assert(paint.layerSize.x >= 2 && paint.layerSize.y >= 2);
     std::array<glm::vec3, 4> rays, glows{};
     for (size_t k = 0; k < 4; ++k) {
         const glm::vec2 uv =
-            glm::vec2(k & 1 ? high.x : low.x, k >> 1 ? high.y : low.y) / glm::vec2(frame.width, frame.height);
-        rays[k] = paint.eyeFromEnv * directionFromLatLong(uv);
-        if (paint.filmed) glows[k] = scatteredAt(*paint.scattered, uv);
+            glm::vec2(k & 1 ? high.x : low.x, k >> 1 ? high.y : low.y) / glm::vec2(frameSize);
+        const glm::vec3 dirEnv = directionFromLatLong(uv);
+        rays[k] = paint.eyeFromEnv * dirEnv;
+        if (paint.filmed) glows[k] = light::lookUp(*paint.scattered, dirEnv);
     }
-    const Patch<glm::vec3> ray = patchOf(rays), glow = patchOf(glows);
+    const Patch ray(rays), glow(glows);
     const glm::vec2 perTexel = 1.0f / glm::vec2(high - low);
-    const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
     // Squares of two by two texels share a colour: two rows at a time, from even ones.
     for (int y0 = low.y & ~1; y0 < high.y; y0 += 2)
-        for (int x0 = low.x & ~1; x0 < high.x; x0 += 8) {
-            const float x = (static_cast<float>(x0 - low.x) + 0.5f) * perTexel.x;
-            std::array<Colours, 2> rows;
+        for (int x0 = low.x & ~1; x0 < high.x; x0 += kLanes) {
+            const auto placeOf = [&](int row) {
+                return (glm::vec2(glm::ivec2(x0, y0 + row) - low) + 0.5f) * perTexel;
+            };
+            std::array<Colours, 2> rows{};
             bool any = false;
-            for (int k = 0; k < 2; ++k) {
-                const float y = (static_cast<float>(y0 + k - low.y) + 0.5f) * perTexel.y;
-                const glm::vec3 step = ray.rowStep(y);
-                Colours& c = rows[static_cast<size_t>(k)];
-                if (seen(paint, ray.rowStart(y) + x * step, perTexel.x * step, c))
-                    any = true;
-                else
-                    c = {all(0), all(0), all(0), all(0)};
+            for (const int k : {0, 1}) {
+                const glm::vec2 place = placeOf(k);
+                any |= sampleLayer(paint, ray.at(place), perTexel.x * ray.stepAt(place.y), rows[k]);
             }
-            const __m256i column = _mm256_add_epi32(_mm256_set1_epi32(x0), lanes);
-            const __m256i mine = _mm256_andnot_si256(_mm256_cmpgt_epi32(_mm256_set1_epi32(low.x), column),
-                                                     _mm256_cmpgt_epi32(_mm256_set1_epi32(high.x), column));
-            for (int k = 0; k < 2; ++k) {
-                const int at = y0 + k;
-                if (at < low.y || at >= high.y) continue;
-                const auto* from = reinterpret_cast<const int*>(frame.pixels);
-                __m256i texels = _mm256_maskload_epi32(from + ptrdiff_t{at} * frame.rowPixels + x0, mine);
-                const auto r = static_cast<size_t>(k);
-                if (any && paint.filmed) {
-                    const float y = (static_cast<float>(at - low.y) + 0.5f) * perTexel.y;
-                    const glm::vec3 step = glow.rowStep(y);
-                    texels = filmed(paint, rows[r], rows[1 - r], texels, x0, at, glow.rowStart(y) + x * step,
-                                    perTexel.x * step);
-                } else if (any) {
-                    texels = laidOver(rows[r], texels);
-                }
-                _mm256_maskstore_epi32(reinterpret_cast<int*>(out) + at * outStride + x0, mine, texels);
+            if (!any) continue;
+            const int first = std::max(low.x - x0, 0), end = std::min(high.x - x0, kLanes);
+            for (int y = std::max(y0, low.y); y < std::min(y0 + 2, high.y); ++y) {
+                const int row = y - y0;
+                uint32_t* line = frame + ptrdiff_t{y} * frameSize.x + x0;
+                std::array<uint32_t, kLanes> texels{};
+                std::copy(line + first, line + end, texels.begin() + first);
+                const glm::vec2 place = placeOf(row);
+                if (paint.filmed)
+                    film(paint, rows[row], rows[1 - row], {x0, y}, glow.at(place),
+                         perTexel.x * glow.stepAt(place.y), texels.data());
+                else
+                    layOver(rows[row], texels.data());
+                std::copy(texels.begin() + first, texels.begin() + end, line + first);
             }
         }
 }
-
-#else
-
-} // namespace
-
-void paintTexels(const DisplayFrame&, const TexelPaint&, const glm::ivec2&, const glm::ivec2&, uint32_t*,
-                 ptrdiff_t) {}
-
-#endif
 
 } // namespace shoal::render

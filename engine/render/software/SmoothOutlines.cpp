@@ -1,11 +1,10 @@
 #include "engine/render/software/SmoothOutlines.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <optional>
+#include <utility>
+#include <vector>
 
 namespace shoal::render {
 
@@ -13,44 +12,35 @@ namespace {
 
 constexpr int kStep = 64;     // least step of alpha, of 255, at an outline
 constexpr int kFurthest = 24; // pixels within which a step's end is looked for
+constexpr int kBlock = 16;    // pixels of a row that are compared together
 
-int alphaOf(uint32_t pixel) { return static_cast<int>(pixel >> 24); }
-bool differ(uint32_t a, uint32_t b) { return std::abs(alphaOf(a) - alphaOf(b)) >= kStep; }
-
-// An end of a step between two lines of pixels.
-struct End {
-    int away = 0;         // pixels from the one looked at to that end
-    bool bendsIn = false; // whether it bends to that pixel's side
-};
-
-// ahead: to the next pixel along the step; across: to the neighbour on its other side.
-std::optional<End> endOf(const uint32_t* pixel, ptrdiff_t ahead, ptrdiff_t across, int furthest) {
-    const uint32_t here = pixel[0], there = pixel[across];
-    for (int away = 0; away < furthest; ++away) {
-        pixel += ahead;
-        const bool own = differ(pixel[0], here), other = differ(pixel[across], there);
-        if (own || other) return End{away, own && !other};
-    }
-    return {};
+bool differ(uint32_t a, uint32_t b) {
+    return std::abs(static_cast<int>(a >> 24) - static_cast<int>(b >> 24)) >= kStep;
 }
 
-// Returns the share of a pixel beyond the line that begins half a pixel within it at one end of a step of
-// `length` pixels and leaves it in the step's middle. before: pixels between that end and this one.
-float shareBeyond(int before, int length) {
-    const auto from = static_cast<float>(before), whole = static_cast<float>(length);
-    const float to = std::min(from + 1, 0.5f * whole);
-    return to > from ? (to - from) * (0.5f - 0.5f * (from + to) / whole) : 0;
-}
-
-// Returns how much of the pixel its neighbour across covers. back, on: pixels that there are along the step.
-float shareOf(const uint32_t* pixel, ptrdiff_t along, ptrdiff_t across, int back, int on) {
-    const auto first = endOf(pixel, -along, across, std::min(back, kFurthest)),
-               last = endOf(pixel, along, across, std::min(on, kFurthest));
-    if (!first && !last) return 0;
-    const int length = (first ? first->away : kFurthest) + 1 + (last ? last->away : kFurthest);
+// Returns how much of a pixel its neighbour across the step covers. along: to the next pixel on the step's
+// side; before, after: pixels that there are along it.
+float shareOf(const uint32_t* pixel, ptrdiff_t along, ptrdiff_t across, int before, int after) {
+    struct End {
+        int away = kFurthest;
+        bool bendsIn = false; // to the pixel's side
+    };
+    const auto endOf = [&](ptrdiff_t ahead, int pixels) {
+        for (int away = 0; away < std::min(pixels, kFurthest); ++away) {
+            const uint32_t* next = pixel + (away + 1) * ahead;
+            const bool own = differ(next[0], pixel[0]), other = differ(next[across], pixel[across]);
+            if (own || other) return End{away, own && !other};
+        }
+        return End{};
+    };
+    const End first = endOf(-along, before), last = endOf(along, after);
+    const auto length = static_cast<float>(first.away + 1 + last.away);
     float share = 0;
-    if (first && first->bendsIn) share += shareBeyond(first->away, length);
-    if (last && last->bendsIn) share += shareBeyond(last->away, length);
+    for (const End& end : {first, last}) {
+        // The line begins half a pixel within the pixel's side, and leaves it in the step's middle.
+        const auto from = static_cast<float>(end.away), to = std::min(from + 1, 0.5f * length);
+        if (end.bendsIn && to > from) share += (to - from) * (0.5f - 0.5f * (from + to) / length);
+    }
     return share;
 }
 
@@ -67,55 +57,42 @@ uint32_t mixed(uint32_t own, const std::array<uint32_t, 4>& others, const std::a
     return result;
 }
 
-constexpr int kBlock = Coverage::kBlock; // pixels of a row that are compared together
-
 // Returns a nonzero highest byte where the alpha of a pixel differs from those beside it.
 uint32_t differenceBeside(const uint32_t* pixel, ptrdiff_t row) {
     return (pixel[-1] ^ *pixel) | (pixel[1] ^ *pixel) | (pixel[-row] ^ *pixel) | (pixel[row] ^ *pixel);
 }
 
-// Returns whether a block of pixels and those beside them all have one alpha.
-bool isEven(const uint32_t* block, ptrdiff_t row) {
-    uint32_t difference = 0;
-    for (int x = 0; x < kBlock; ++x) difference |= differenceBeside(block + x, row);
-    return difference >> 24 == 0;
+uint32_t smoothed(const uint32_t* pixel, const glm::ivec2& at, const glm::ivec2& size) {
+    const ptrdiff_t row = size.x;
+    const glm::ivec2 after = size - 1 - at;
+    const std::array<uint32_t, 4> beside{pixel[-1], pixel[1], pixel[-row], pixel[row]};
+    std::array<float, 4> shares{};
+    if (differ(*pixel, beside[0])) shares[0] = shareOf(pixel, row, -1, at.y, after.y);
+    if (differ(*pixel, beside[1])) shares[1] = shareOf(pixel, row, 1, at.y, after.y);
+    if (differ(*pixel, beside[2])) shares[2] = shareOf(pixel, 1, -row, at.x, after.x);
+    if (differ(*pixel, beside[3])) shares[3] = shareOf(pixel, 1, row, at.x, after.x);
+    return shares == std::array<float, 4>{} ? *pixel : mixed(*pixel, beside, shares);
 }
 
 } // namespace
 
-void OutlineSmoother::smoothBlock(std::span<const uint32_t> pixels, const glm::ivec2& size,
-                                  const glm::ivec2& low, const glm::ivec2& high) {
-    const ptrdiff_t row = size.x;
-    for (int y = low.y; y < high.y; ++y) {
-        if (high.x - low.x == kBlock && isEven(pixels.data() + y * row + low.x, row)) continue;
-        for (int x = low.x; x < high.x; ++x) {
-            const uint32_t* pixel = pixels.data() + y * row + x;
-            if (differenceBeside(pixel, row) >> 24 == 0) continue;
-            const std::array<uint32_t, 4> beside{pixel[-1], pixel[1], pixel[-row], pixel[row]};
-            std::array<float, 4> shares{};
-            const auto look = [&](size_t k, ptrdiff_t along, ptrdiff_t across, int back, int on) {
-                if (differ(*pixel, beside[k])) shares[k] = shareOf(pixel, along, across, back, on);
-            };
-            look(0, row, -1, y, size.y - 1 - y);
-            look(1, row, 1, y, size.y - 1 - y);
-            look(2, 1, -row, x, size.x - 1 - x);
-            look(3, 1, row, x, size.x - 1 - x);
-            if (shares == std::array<float, 4>{}) continue;
-            const uint32_t now = mixed(*pixel, beside, shares);
-            if (now != *pixel) changed_.emplace_back(pixel - pixels.data(), now);
+void smoothOutlines(std::span<uint32_t> pixels, const glm::ivec2& size) {
+    std::vector<std::pair<uint32_t*, uint32_t>> changed;
+    for (int y = 1; y + 1 < size.y; ++y) {
+        uint32_t* const line = pixels.data() + ptrdiff_t{y} * size.x;
+        for (int begin = 1; begin + 1 < size.x; begin += kBlock) {
+            const int end = std::min(begin + kBlock, size.x - 1);
+            uint32_t difference = 0;
+            for (int x = begin; x < end; ++x) difference |= differenceBeside(line + x, size.x);
+            if (difference >> 24 == 0) continue;
+            for (int x = begin; x < end; ++x) {
+                if (differenceBeside(line + x, size.x) >> 24 == 0) continue;
+                const uint32_t now = smoothed(line + x, {x, y}, size);
+                if (now != line[x]) changed.emplace_back(line + x, now);
+            }
         }
     }
-}
-
-void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size, const Coverage& coverage) {
-    changed_.clear();
-    for (int y = 0; y < coverage.blocks().y; ++y)
-        for (int x = 0; x < coverage.blocks().x; ++x) {
-            const glm::ivec2 begin = kBlock * glm::ivec2(x, y), end = begin + kBlock;
-            if (coverage.any(begin - 1, end))
-                smoothBlock(pixels, size, glm::max(begin, 1), glm::min(end, size - 1));
-        }
-    for (const auto& [index, value] : changed_) pixels[index] = value;
+    for (const auto& [pixel, value] : changed) *pixel = value;
 }
 
 } // namespace shoal::render

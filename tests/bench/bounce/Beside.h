@@ -1,8 +1,8 @@
 // Ways to have the light at a place beside a film's camera from the camera's light and distances, to be
-// measured beside the engine's (engine/depth/LightBeside.h).
+// measured beside the engine's (engine/depth/LightDifference.h).
 #pragma once
 
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/media/DepthTrack.h"
 

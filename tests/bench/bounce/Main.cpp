@@ -229,9 +229,9 @@ class Measuring {
             measure(fmt::format("{}\t{}\t{:.0f}", way.name, way.around, way.far_m), patches.atCamera(),
                     [&](const glm::vec3& place) { return (patches.*way.at)(place); });
         }
-        depth::LightBeside beside;
+        depth::LightDifference beside;
         beside.make(level(64), map_);
-        measure(fmt::format("rays\t64\t{:.0f}", depth::LightBeside::kFar_m), {},
+        measure(fmt::format("rays\t64\t{:.0f}", depth::LightDifference::kFar_m), {},
                 [&](const glm::vec3& place) { return beside.at(place); });
     }
 

@@ -32,7 +32,7 @@ Result<TracePass::Answers> run(const gl::Program& program, const LayersGpu& laye
     program.set("width", kWidth);
     program.set("rayCount", count);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OCCLUSION_RAYS, asked->name());
-    render::WholePicture::make().draw();
+    render::WholePicture().draw();
     std::vector<glm::vec4> pixels(static_cast<size_t>(kWidth) * static_cast<size_t>(height));
     glReadPixels(0, 0, kWidth, height, GL_RGBA, GL_FLOAT, pixels.data());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

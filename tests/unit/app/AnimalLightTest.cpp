@@ -11,7 +11,7 @@ constexpr double kPicture_s = 1.0 / 60;
 
 // White all around at 1 m but behind the viewer, where it is black.
 struct HalfWhiteRoom {
-    depth::LightBeside light;
+    depth::LightDifference light;
     HalfWhiteRoom() {
         depth::DepthMap map;
         map.inverse = Image<uint8_t, 1>(256, 128);

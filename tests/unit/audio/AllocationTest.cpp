@@ -1,4 +1,4 @@
-// In steady state an update takes no memory from the heap.
+// An update in steady state takes no memory from the heap.
 #include "Heard.h"
 #include "tests/unit/Heap.h"
 

@@ -64,7 +64,7 @@ TEST(Audio, WithinReachOfTheHeadASoundKeepsItsLevel) {
         const double level = hear(tone(200, 1), {.position = {0, 0, -distance_m}}).both();
         EXPECT_NEAR(20 * std::log10(level / at07), 0, 0.5) << distance_m; // dB
     }
-    // In the very head it has no direction: both ears, at most the 3 dB that panning law may differ by.
+    // A sound in the very head has no direction: both ears, at most the 3 dB that panning law may differ by.
     const Loudness inside = hear(tone(200, 1), {});
     EXPECT_NEAR(inside.left / inside.right, 1, 0.04); // the reverberation: OpenAL Soft 1.24 has 0.027
     EXPECT_NEAR(20 * std::log10(inside.both() / at07), 0, 3.1);
@@ -114,8 +114,8 @@ Clip chord(std::initializer_list<float> frequencies_Hz) {
 }
 
 TEST(Audio, WaterLeavesTheCuesOfDirection) {
-    // What tells directions in HRTF, at the same bearings near and far: how much louder the near ear is in
-    // the high tones, and how front and back differ there. The water's filter takes from all alike.
+    // Cues of direction in HRTF, at the same bearings near and far: how much louder the near ear is in the
+    // high tones, and how front and back differ there. The water's filter takes from all alike.
     const auto at = [](glm::vec3 direction, float distance_m) {
         const auto samples = render(chord({6000, 7000, 8000, 9000}), {.position = direction * distance_m}, {},
                                     {.headphones = true});
@@ -139,7 +139,7 @@ TEST(Audio, WaterLeavesTheCuesOfDirection) {
     EXPECT_GT(dB(bandOf(far, {8000}).both(), bandOf(far, {300}).both()), -33);
 }
 
-// What comes after a sound that lasts a tenth of a second, against the sound itself.
+// Returns the level after a sound that lasts a tenth of a second, by that of the sound itself.
 double echo(float enclosure) {
     auto audio = Audio::open({.loopback = true});
     EXPECT_TRUE(audio);
@@ -155,7 +155,7 @@ double echo(float enclosure) {
 TEST(Audio, ATunnelReverberatesAndOpenWaterHardly) {
     const double open = echo(0), half = echo(0.5f), tunnel = echo(1);
     EXPECT_NEAR(tunnel / open, 0.8 / 0.12,
-                0.15 * 0.8 / 0.12); // the sends of Medium.cpp; the sound itself is in both
+                0.15 * 0.8 / 0.12); // the gains of VoicePool.cpp; the sound itself is in both
     EXPECT_NEAR(half / open, std::sqrt(0.8 / 0.12), 0.15 * std::sqrt(0.8 / 0.12)); // geometrically between
     EXPECT_EQ(echo(7), tunnel);
     EXPECT_EQ(echo(-1), open);

@@ -1,4 +1,4 @@
-// What is heard of one sound, in numbers.
+// Measurements of one rendered sound.
 #pragma once
 
 #include "engine/audio/Audio.h"

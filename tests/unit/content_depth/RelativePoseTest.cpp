@@ -52,7 +52,7 @@ TEST(RelativePose, ExactDirectionsGiveTheMovementAndTheDistances) {
         for (const Correspondence& p : points) {
             const Triangulated t = triangulate(pose, p);
             if (t.sinToMovement < 0.2) continue;
-            // From the directions and the true movement: the law of sines.
+            // The law of sines, from the directions and the true movement.
             const glm::dvec3 back = glm::transpose(kTurned) * p.second;
             const double inverse =
                 glm::length(glm::cross(p.first, back)) / glm::length(glm::cross(back, axis));

@@ -136,8 +136,8 @@ TEST(DepthRefiner, ColoursAloneMakeNoEdges) {
     EXPECT_TRUE(std::ranges::all_of(map.inverse.pixels, [](uint8_t code) { return code == 100; }));
 }
 
-// Where what is near ends, by what the track and what the film say, in texels of the map: no more than half a
-// texel of the track lies between, as each of its texels is what most of it is.
+// Ends of a near surface in texels of the map, as the track and as the film have it: at most half a texel of
+// the track apart, as each of its texels is what most of it is.
 struct Displaced {
     int track, film;
     friend void PrintTo(const Displaced& edge, std::ostream* out) { *out << edge.track << " " << edge.film; }
@@ -190,7 +190,7 @@ TEST(DepthRefiner, MakesNoHalo) {
     EXPECT_LE(between, 1);
 }
 
-// Where the film shows no edge, it is where the track has it.
+// An edge that the film does not show is where the track has it.
 TEST(DepthRefiner, WithoutColoursTheEdgeIsTheTracks) {
     const auto track = trackOf([](int x, int) { return x < 100 ? kNear : kFar; });
     const DepthMap map = refined(track, filmOf([](int, int) { return false; }));

@@ -1,4 +1,4 @@
-// What an eye beside the camera sees of a film with distances, against geometry.
+// The view of a film with distances from beside its camera, against geometry.
 #include "engine/depth/DepthRange.h"
 #include "tests/unit/depth/MadeMap.h"
 
@@ -76,7 +76,7 @@ TEST(Search, SeesPastAnEdge) {
     }
 }
 
-// From the left the wall hides what the camera saw beside it.
+// Seen from the left, the wall hides what the camera saw beside it.
 TEST(Search, IsStoppedByAnEdgeThatComesBefore) {
     const DepthMap map = mapOf([](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : 0.1f; });
     const glm::vec3 eye(-0.1f, 0, 0);

@@ -57,41 +57,6 @@ TEST(Analytic, SphereIsHitWhereItIs) {
     EXPECT_LT(near, all); // else it would need no cure
 }
 
-TEST(Analytic, TorusIsHitWhereItIs) {
-    const double large = 1, small = 0.4;
-    const Body body = torus(1, 0.4f, 192, 96);
-    const TracedOllfb cured = TracedOllfb::make(body.mesh(), {.views = 150}).value();
-    Random random(2);
-    const double pixel = 2.8 / 63;
-    int hits = 0, compared = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const Ray ray = chord(random, {{0, 0, 0}, 1.4f});
-        const auto distanceTo = [&](double t) {
-            const glm::dvec3 p = glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction);
-            return std::hypot(std::hypot(p.x, p.z) - large, p.y) - small;
-        };
-        // Sphere tracing: the distance function is exact.
-        double t = 0;
-        for (int k = 0; k < 400 && t < 10; ++k) t += distanceTo(t);
-        if (t >= 10) continue;
-        const glm::vec3 p = ray.origin + static_cast<float>(t) * ray.direction;
-        const glm::vec3 ring = glm::normalize(glm::vec3(p.x, 0, p.z));
-        const glm::vec3 normal = (p - ring) / 0.4f;
-        if (glm::dot(normal, ray.direction) > -kSteepEnough) continue;
-        ++hits;
-        const auto hit = cured.trace(ray.origin, ray.direction, 0);
-        ASSERT_TRUE(hit);
-        // Where the body's far side or a nearer limb is met instead, in the width of a sample's silhouette.
-        if (std::abs(static_cast<double>(hit->distance) - t) > 0.2) continue;
-        ++compared;
-        EXPECT_NEAR(static_cast<double>(hit->distance), t,
-                    std::pow(M_PI / 96, 2) * small / static_cast<double>(kSteepEnough) + pixel / 4)
-            << i;
-    }
-    EXPECT_GT(hits, 500);
-    EXPECT_GE(compared, hits * 995 / 1000);
-}
-
 TEST(Analytic, NearestDirectionsAreNearest) {
     Random random(3);
     for (const int n : {3, 5, 9}) {

@@ -112,37 +112,6 @@ inline Body bunny() {
     });
 }
 
-// Teapot-like: a body of revolution with a knob, and a spout and a handle that stick in it.
-inline Body teapot() {
-    Body body;
-    const auto bent = [&](const std::function<glm::vec3(float)>& spine,
-                          const std::function<float(float)>& radius, int columns, int rows) {
-        addTube(body, columns, rows, false, [=](float u, float v) {
-            const glm::vec3 along = glm::normalize(spine(v + 0.01f) - spine(v - 0.01f));
-            const glm::vec3 side(0, 0, 1), up = glm::cross(along, side);
-            const float a = 2 * kPi * u;
-            return spine(v) + radius(v) * (std::cos(a) * side + std::sin(a) * up);
-        });
-    };
-    addTube(body, 48, 28, false, [](float u, float v) {
-        const float a = -2 * kPi * u, h = 2 * v - 1;
-        const float belly = 0.8f * std::sqrt(glm::max(0.0f, 1 - h * h)) * (1 - 0.15f * h) + 0.01f;
-        const float knob = v > 0.93f ? 0.06f : 0.0f;
-        return glm::vec3((belly + knob) * std::cos(a), 0.65f * h + 2 * knob * v,
-                         (belly + knob) * std::sin(a));
-    });
-    bent([](float v) { return glm::vec3(0.55f + 0.75f * v, -0.15f + 0.65f * v * v, 0); },
-         [](float v) { return 0.17f - 0.09f * v; }, 20, 14);
-    bent(
-        [](float v) {
-            const float a = kPi * (0.15f + 0.7f * v);
-            return glm::vec3(-0.55f - 0.65f * std::sin(a), 0.45f * std::cos(a), 0);
-        },
-        [](float) { return 0.07f; }, 16, 20);
-    addNormals(body);
-    return body;
-}
-
 // A blended normal may look away from the ray where it grazes what faces it: laid down until it does not.
 inline glm::vec3 towardsOrigin(const glm::vec3& outwards, const glm::vec3& direction, bool fromBehind) {
     const glm::vec3 n = fromBehind ? -outwards : outwards;
@@ -192,7 +161,7 @@ inline glm::vec3 anyDirection(Random& random) {
     return {r * std::cos(a), r * std::sin(a), z};
 }
 
-// From outside, through anywhere in the bounding sphere.
+// A ray from outside, through anywhere in the bounding sphere.
 inline Ray chord(Random& random, const Sphere& sphere) {
     glm::vec3 in;
     do in = glm::vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
@@ -201,7 +170,7 @@ inline Ray chord(Random& random, const Sphere& sphere) {
     return {sphere.centre + sphere.radius * (in - 3.0f * d), d};
 }
 
-// What a random eye's look becomes at a random place of the surface.
+// A random ray to the eye, mirrored at a random place of the surface.
 inline Ray reflection(Random& random, const Body& body) {
     std::vector<float> sums;
     float sum = 0;

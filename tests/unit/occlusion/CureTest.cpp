@@ -1,4 +1,4 @@
-// What the cure is worth, against exact rays: gaps, depth, and the picture of a mirror that shows itself.
+// Our layers and the thesis' against exact rays: gaps, depth, and the picture of a mirror that shows itself.
 #include "Animals.h"
 #include "Measure.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
@@ -65,7 +65,7 @@ TEST_P(Cure, ClosesGapsAndSmoothsThePicture) {
 
 INSTANTIATE_TEST_SUITE_P(Bodies, Cure,
                          testing::Values(Case{"Torus", [] { return torus(1, 0.4f, 64, 32); }, 8'000'000},
-                                         Case{"Bunny", bunny, 8'000'000}, Case{"Teapot", teapot, 8'000'000},
+                                         Case{"Bunny", bunny, 8'000'000},
                                          Case{"Clownfish", [] { return animal("clownfish"); }, 4'000'000},
                                          Case{"Angelfish", [] { return animal("angelfish"); }, 4'000'000}),
                          [](const auto& row) { return std::string(row.param.name); });

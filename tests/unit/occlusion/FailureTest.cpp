@@ -1,4 +1,4 @@
-// Where layers seen from a finite number of sides may fail, one case each.
+// Cases in which layers seen from a finite number of sides may fail.
 #include "Measure.h"
 #include "Odd.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
@@ -35,7 +35,7 @@ TEST(Failure, RaysAlongASurface) {
     }
 }
 
-// In the hole of a ring the surface curves towards those who look along it: rays that leave it at a few
+// The surface in the hole of a ring curves towards those who look along it: rays that leave it at a few
 // degrees dive under it again within a few pixels, where planes cannot tell yet that they have left.
 TEST(Failure, RaysThatDiveUnderTheSurfaceTheyBeganOn) {
     constexpr float kLarge = 1, kSmall = 0.4f;
@@ -79,7 +79,7 @@ TEST(Failure, ThinFinsSeenEdgeOn) {
         const Ray ray = chord(random, {{0, 0, 0}, 1.1f});
         const auto expected = truth(body, ray.origin, ray.direction, 0);
         const auto hit = cured.trace(ray.origin, ray.direction, 0);
-        // What passes the rim within a quarter of a pixel may be either.
+        // A ray that passes the rim within a quarter of a pixel may be either.
         const float t = -ray.origin.z / ray.direction.z;
         const glm::vec3 p = glm::abs(ray.origin + t * ray.direction);
         const float rim = std::min(std::abs(p.x - 1), std::abs(p.y - 0.5f));

@@ -86,8 +86,7 @@ inline glm::vec3 environment(const glm::vec3& d) {
            0.25f * d.y;
 }
 
-// What the pixels of a picture of the body as a mirror ask: rays that leave it towards where the eye's look
-// turns.
+// The rays of a picture of the body as a mirror: for each pixel, the eye's ray after its reflection.
 inline std::vector<Question> picture(const Body& body, int size) {
     const Sphere sphere = boundingSphere(body.mesh());
     const glm::vec3 back = glm::normalize(glm::vec3(0.5f, 0.7f, 0.8f));

@@ -1,4 +1,4 @@
-// What cannot be seen is refused with a reason, before memory is taken.
+// Meshes that cannot be seen are refused with a reason, before memory is taken.
 #include "Odd.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"

@@ -94,7 +94,7 @@ TEST(Transfer, WhiteEnvironmentGivesWhatIsFree) {
     EXPECT_NEAR(shadowed.radiance(0, environment).x, 0.75f, 0.003f);
 }
 
-// In the open the transfer is the clamped cosine's: Ramamoorthi and Hanrahan 2001, eq. 8.
+// The transfer in the open is the clamped cosine's: Ramamoorthi and Hanrahan 2001, eq. 8.
 TEST(Transfer, OpenIsTheCosineLobe) {
     const Transfer open = bakeTransfer(kFloorMesh, kOpen, 3, 4096, 0);
     const math::ShBasis basis = math::shBasis(glm::dvec3(kUp));
@@ -115,7 +115,7 @@ TEST(DirectedLight, SharesOutAllOfTheLight) {
     EXPECT_EQ(shareSeen(light, kUp, [](size_t) { return 0.0f; }), vec3(0));
 }
 
-// From the top of a small sphere up to a large one: a pixel is 0.03, and the outline may be off by two.
+// Rays from the top of a small sphere up to a large one: a pixel is 0.03, and the outline may be off by two.
 const vec3 kTop{0.3f, -2.2f, 0.1f};
 const SphereMesh kLarge(vec3(0), 1), kSmall(kTop - vec3(0, 0.3f, 0), 0.3f);
 const std::vector<Triangles> kBoth{kLarge.body(), kSmall.body()};

@@ -1,4 +1,4 @@
-// What ellipsoids hide, where it can be said on paper.
+// Occlusion by ellipsoids where it is known in closed form.
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -52,7 +52,7 @@ TEST(Ellipsoid, OfASphereAheadTakesTheSquareOfItsSine) {
     }
 }
 
-// From its skin it is a half space: facing it nothing is left, looking away hardly anything is taken, and
+// Seen from its skin it is a half space: facing it nothing is left, looking away hardly anything is taken, and
 // looking along it half.
 TEST(Ellipsoid, IsAHalfSpaceFromItsSkinAndWithin) {
     const glm::mat3 turn = glm::mat3_cast(glm::normalize(glm::quat(0.6f, 0.3f, -0.5f, 0.2f)));
@@ -99,7 +99,7 @@ TEST(Take, OfNothingIsExactlyNothing) {
     EXPECT_EQ(taken.radiance, glm::vec3(0));
 }
 
-// In a furnace, white walls all around send back what they take.
+// White walls all around, a furnace, send back what they take.
 TEST(Take, OfWhiteBodiesInEvenLightIsSmall) {
     SmoothLight light;
     light.ahead.fill(glm::vec3(1));

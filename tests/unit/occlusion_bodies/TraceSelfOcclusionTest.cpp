@@ -1,4 +1,4 @@
-// What a surface hides of itself, where it can be said on paper; and how several that hide join.
+// Self-occlusion of surfaces where it is known in closed form, and how several occluders join.
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
 
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
@@ -31,7 +31,7 @@ struct Sheets {
     SelfOccludingMesh body() const { return {positions, normals, indices}; }
 };
 
-// What is hidden of a surface by a self-occlusion after what others hide of it.
+// Returns the occlusion of a surface by itself and, before that, by others.
 glm::vec4 withSelfOcclusion(const glm::vec4& selfOcclusion, const glm::vec3& normal,
                             AxisOcclusion hidden = {}) {
     for (size_t k = 0; k < kAxisCount; ++k) {

@@ -47,12 +47,6 @@ double error(const std::vector<uint32_t>& pixels, const Inside& inside) {
     return count ? std::sqrt(sum / count) : 0;
 }
 
-void smooth(std::vector<uint32_t>& pixels, const glm::ivec2& size = kPictureSize) {
-    Coverage coverage;
-    coverage.find(pixels, size);
-    OutlineSmoother().smooth(pixels, size, coverage);
-}
-
 TEST(SmoothOutlines, OfHalfPlanesAreTheirCoverage) {
     double before = 0, after = 0;
     constexpr int kTurns = 72;
@@ -61,7 +55,7 @@ TEST(SmoothOutlines, OfHalfPlanesAreTheirCoverage) {
         const Inside inside = [&](double x, double y) { return a * (x - 47.7) + b * (y - 31.4) < 0; };
         std::vector<uint32_t> pixels = drawn(inside);
         before += error(pixels, inside) / kTurns;
-        smooth(pixels);
+        smoothOutlines(pixels, kPictureSize);
         EXPECT_LT(error(pixels, inside), 0.17) << "turned by " << turn; // worst: diagonals
         after += error(pixels, inside) / kTurns;
     }
@@ -74,7 +68,7 @@ TEST(SmoothOutlines, OfDiscsAreNearerToTheirCoverage) {
         const Inside inside = [&](double x, double y) { return std::hypot(x - 48.2, y - 32.3) < radius; };
         std::vector<uint32_t> pixels = drawn(inside);
         const double before = error(pixels, inside);
-        smooth(pixels);
+        smoothOutlines(pixels, kPictureSize);
         EXPECT_LT(error(pixels, inside), 0.75 * before) << radius;
     }
 }
@@ -84,7 +78,7 @@ TEST(SmoothOutlines, ChangeNothingButCoverage) {
     const Inside inside = [](double x, double y) { return x + 0.3 * y < 60; };
     const std::vector<uint32_t> before = drawn(inside);
     std::vector<uint32_t> after = before;
-    smooth(after);
+    smoothOutlines(after, kPictureSize);
     EXPECT_NE(after, before);
     for (size_t i = 0; i < after.size(); ++i) {
         const int x = static_cast<int>(i) % kPictureSize.x, y = static_cast<int>(i) / kPictureSize.x;
@@ -101,7 +95,7 @@ TEST(SmoothOutlines, SoftOutlinesStay) {
     for (int i = 0; i < kPictureSize.x * kPictureSize.y; ++i)
         pixels.push_back(static_cast<uint32_t>(2 * (i % kPictureSize.x)) << 24);
     const std::vector<uint32_t> before = pixels;
-    smooth(pixels);
+    smoothOutlines(pixels, kPictureSize);
     EXPECT_EQ(pixels, before);
 }
 
@@ -110,7 +104,7 @@ TEST(SmoothOutlines, PicturesOfAnySize) {
          {glm::ivec2(0), glm::ivec2(1, 5), glm::ivec2(2), glm::ivec2(3), glm::ivec2(40, 3)}) {
         std::vector<uint32_t> pixels(static_cast<size_t>(size.x * size.y));
         for (size_t i = 0; i < pixels.size(); i += 2) pixels[i] = kSolid;
-        smooth(pixels, size);
+        smoothOutlines(pixels, size);
     }
 }
 

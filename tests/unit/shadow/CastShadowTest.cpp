@@ -110,7 +110,7 @@ TEST(CastShadow, OfAShark) {
         }
 }
 
-// What lies behind another part of the same body hides nothing more, and parts that touch leave no gap.
+// A part behind another part of the same body hides nothing more, and parts that touch leave no gap.
 TEST(CastShadow, OfPartsIsThatOfTheirUnion) {
     const CastingLight light = lightAt(90, 10);
     const auto sphere = [](const glm::vec3& centre, float radius) {

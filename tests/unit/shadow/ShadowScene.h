@@ -18,7 +18,7 @@ inline depth::DepthMap levelGround(float height_m = kGround_m) {
     return depth::mapOf([&](const glm::vec3& dir) { return std::max(dir.y / height_m, 0.0f); });
 }
 
-// What a camera at the world's origin sees of a solid: its distance by direction.
+// The film of a camera at the world's origin, by the distance of a solid in each direction.
 template <class Distance> depth::DepthMap filmOf(const Distance& distance_m) {
     return depth::mapOf([&](const glm::vec3& dir) { return 1 / distance_m(dir); });
 }

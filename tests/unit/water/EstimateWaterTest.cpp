@@ -60,8 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Others, KnownSea, kOthers);
 // Water as attenuationFromVeil() takes it to be.
 class ClearCoast : public KnownSea {};
 
-// What it is all for: something drawn at a distance looks as something of the same colour that was filmed
-// there.
+// The purpose of it all: something drawn at a distance looks as something of the same colour filmed there.
 TEST_P(ClearCoast, AThingDrawnLooksAsAThingFilmed) {
     const Sea& sea = GetParam();
     const Water water = estimated(filmed(sea)).water;

@@ -25,7 +25,7 @@ struct Sea {
     float texture = 0; // relative, of sand and rock
 };
 
-// What a ray through the water brings: its own glow, and a share of what stands at its end.
+// A ray through water: the water's own glow, and the share of what stands at its end.
 struct Ray {
     glm::vec3 glowLin, left;
     glm::vec3 from(const glm::vec3& endLin) const { return glowLin + left * endLin; }

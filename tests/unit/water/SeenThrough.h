@@ -1,4 +1,4 @@
-// What shaders/render/Water.glsl computes, to be compared with it.
+// The formulas of shaders/render/Water.glsl, to be compared with it.
 #pragma once
 
 #include "engine/water/Water.h"

@@ -1,4 +1,4 @@
-// What water does to an object's light, and how it changes with time.
+// The effect of water on an object's light, and its change with time.
 #include "engine/water/EstimateWater.h"
 
 #include "tests/unit/water/SeenThrough.h"
@@ -27,7 +27,7 @@ TEST(Water, NothingBetweenChangesNothingAndEndlessWaterIsAllVeil) {
     }
 }
 
-// In the scene's light, about the square of display values: white at ln 2 / beta is half white, half veil.
+// Light is about the square of display values: white at ln 2 / beta is half white, half veil.
 TEST(Water, HalfTheLightIsLeftAtHalfTheDistance) {
     const glm::vec3 seen = seenThrough(evenWater(), glm::vec3(1), {0, 1, 0}, std::log(2.0f) / 0.1f);
     EXPECT_NEAR(seen.y * seen.y, 0.5f * 1 + 0.5f * 0.25f, 1e-5f);

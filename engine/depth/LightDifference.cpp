@@ -1,4 +1,4 @@
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 
 #include "engine/light/Lookup.h"
 #include "engine/math/Octahedron.h"
@@ -14,7 +14,8 @@
 namespace shoal::depth {
 
 // An octahedron's cell has a solid angle proportional to the inverse cube of its distance from the middle.
-const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>& LightBeside::rays() {
+const std::array<LightDifference::Ray, LightDifference::kCoarse * LightDifference::kCoarse>&
+LightDifference::rays() {
     static const auto made = [] {
         std::array<Ray, kCoarse * kCoarse> rays;
         std::array<double, kCoarse * kCoarse> shares;
@@ -35,7 +36,7 @@ const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>&
     return made;
 }
 
-const std::vector<glm::vec3>& LightBeside::fineDirections() {
+const std::vector<glm::vec3>& LightDifference::fineDirections() {
     static const auto made = [] {
         std::vector<glm::vec3> directions;
         for (int cell = 0; cell < kFine * kFine; ++cell)
@@ -45,7 +46,7 @@ const std::vector<glm::vec3>& LightBeside::fineDirections() {
     return made;
 }
 
-void LightBeside::make(const ImageRgbF& radianceLin, const DepthMap& map) {
+void LightDifference::make(const ImageRgbF& radianceLin, const DepthMap& map) {
     inverse_perM_.resize(kFine * kFine);
     near_.resize(kFine * kFine);
     radiance_.assign(kCoarse * kCoarse, glm::vec3(0));
@@ -59,7 +60,7 @@ void LightBeside::make(const ImageRgbF& radianceLin, const DepthMap& map) {
 }
 
 // Steps grow with the distance from the place; the step that passes the surface is halved repeatedly.
-int LightBeside::firstMet(const glm::vec3& place, const glm::vec3& dir) const {
+int LightDifference::firstMet(const glm::vec3& place, const glm::vec3& dir) const {
     const auto passed = [&](float t, int& cell) {
         const glm::vec3 there = place + dir * t;
         const float square = glm::dot(there, there);
@@ -84,7 +85,7 @@ int LightBeside::firstMet(const glm::vec3& place, const glm::vec3& dir) const {
     return met;
 }
 
-LightHarmonics LightBeside::at(const glm::vec3& placeEnv) const {
+LightHarmonics LightDifference::at(const glm::vec3& placeEnv) const {
     LightHarmonics beyond{};
     const float within = 1 - glm::smoothstep(kFar_m, 1.5f * kFar_m, glm::length(placeEnv));
     if (radiance_.empty() || within == 0) return beyond;

@@ -1,8 +1,8 @@
-// Light at places beside a film's camera: near a sunlit rock it takes the rock's colour, in a cave's mouth
-// there is less of the light that the camera sees outside. Each direction of the film has a distance; rays
-// are marched from the place to the first surface, as in parallax-corrected cube maps (Lagarde and Zanuttini
-// 2012, "Local Image-based Lighting With Parallax-corrected Cubemaps") with the film's distances in place of
-// a box. env frame, metres from the film's camera.
+// Difference of the light at a place from that at the film's camera: near a sunlit rock it has the rock's
+// colour, in a cave's mouth there is less of the light outside. Rays are marched from the place to the first
+// surface that the film shows, as in parallax-corrected cube maps (Lagarde and Zanuttini 2012, "Local
+// Image-based Lighting With Parallax-corrected Cubemaps") with the film's distances in place of a box. env
+// frame, metres from the film's camera.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -18,7 +18,7 @@ namespace shoal::depth {
 // Harmonics of radiance, bands 0 to 2, in the order of math::shBasis().
 using LightHarmonics = std::array<glm::vec3, 9>;
 
-class LightBeside {
+class LightDifference {
   public:
     // Surfaces beyond it count as infinitely far, from half of it on gradually. Places beyond it have less of
     // this light, from half as far again on none.

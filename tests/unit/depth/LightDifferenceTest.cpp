@@ -1,4 +1,4 @@
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 
 #include "engine/math/LatLong.h"
 
@@ -25,7 +25,7 @@ struct Wall {
                 *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(std::clamp(
                     std::max(direction(x, y, 1024).x, 0.0f) / distance * DepthMap::kSteps * kNearest_m, 0.0f,
                     255.0f)));
-        // Of 16 x 16 looks in each texel, so that its edge is smooth.
+        // Each texel is the mean of 16 x 16 looks, so that its edge is smooth.
         for (int y = 0; y < 512; ++y)
             for (int x = 0; x < 1024; ++x) {
                 const glm::vec3 dir = direction(x, y, 1024);
@@ -45,9 +45,9 @@ struct Wall {
 
 constexpr float kY00 = 0.282095f;
 
-TEST(LightBeside, NearASunlitWallThereIsMoreOfItsLight) {
+TEST(LightDifference, NearASunlitWallThereIsMoreOfItsLight) {
     const Wall wall(1, 1);
-    LightBeside light;
+    LightDifference light;
     light.make(wall.radiance, wall.map);
     for (const float towards_m : {-0.7f, 0.3f, 0.5f}) {
         const LightHarmonics beyond = light.at({towards_m, 0, 0});
@@ -61,16 +61,16 @@ TEST(LightBeside, NearASunlitWallThereIsMoreOfItsLight) {
     }
 }
 
-TEST(LightBeside, WhatIsFarGivesTheCamerasLight) {
-    const Wall wall(LightBeside::kFar_m + 0.5f, 4);
-    LightBeside light;
+TEST(LightDifference, WhatIsFarGivesTheCamerasLight) {
+    const Wall wall(LightDifference::kFar_m + 0.5f, 4);
+    LightDifference light;
     light.make(wall.radiance, wall.map);
     for (const glm::vec3& harmonic : light.at({1, 0.5f, -1})) EXPECT_EQ(harmonic, glm::vec3(0));
 }
 
-TEST(LightBeside, AtTheCameraThereIsItsLight) {
+TEST(LightDifference, AtTheCameraThereIsItsLight) {
     const Wall wall(1, 1);
-    LightBeside light;
+    LightDifference light;
     light.make(wall.radiance, wall.map);
     for (const glm::vec3& harmonic : light.at(glm::vec3(0))) EXPECT_EQ(harmonic, glm::vec3(0));
 }
