@@ -38,14 +38,11 @@ struct Driver {
     }
 };
 
-// Reads a feature report: the buffer's first byte is the id; how many bytes came, id counted, 0 on failure.
-using ReadFeature = std::function<size_t(std::span<uint8_t>)>;
-
-// The opened device that a driver is made for.
+// The device that a driver is made for.
 struct DeviceContext {
     uint16_t product;
     bool bluetooth;
-    const ReadFeature& readFeature;
+    HidDevice& device;
 };
 
 // Each in the file named beside it.

@@ -24,12 +24,12 @@ void addSonyChecksum(Report& report) {
 
 // From firmware 2.21 on, and on every Edge, vibration has another enabling bit. Feature report 20 tells the
 // version.
-bool hasNewVibration(const DeviceContext& device) {
+bool hasNewVibration(const DeviceContext& given) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;
-    if (device.product == kEdge) return true;
+    if (given.product == kEdge) return true;
     std::array<uint8_t, 64> bytes{0x20};
-    return device.readFeature(bytes) == bytes.size() &&
+    return given.device.readFeature(bytes) == bytes.size() &&
            (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
 }
 

@@ -40,24 +40,19 @@ std::string notLetIn(const HidInfo& info) {
 
 // Returns why the device cannot be used; empty: it can.
 std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double now_s) {
-    auto handle = bus_.open(info.path);
-    if (!handle) return notLetIn(info);
-    const ReadFeature readFeature = [&](std::span<uint8_t> report) {
-        return bus_.readFeature(*handle, report);
-    };
+    auto open = bus_.open(info.path);
+    if (!open) return notLetIn(info);
     Device device{.listed = {describe(row, info), info.path, row.motors, ""},
                   .physical = info.device,
                   .row = &row,
-                  .driver = row.driver({row.product, info.transport == Transport::Bluetooth, readFeature}),
-                  .handle = *handle};
+                  .driver = row.driver({row.product, info.transport == Transport::Bluetooth, *open}),
+                  .open = std::move(open)};
     device.stopped = device.sent = device.driver.encode({});
-    bus_.guard(device.handle, device.driver.sealed({}, 0).view());
-    for (Report initialReports : device.driver.initialReports) {
-        if (device.driver.seal) device.driver.seal(initialReports, device.sequence++);
+    device.open->stopAtCrash(device.driver.sealed({}, 0).view());
+    for (Report initialReport : device.driver.initialReports) {
+        if (device.driver.seal) device.driver.seal(initialReport, device.sequence++);
         device.sent_s = now_s;
-        if (bus_.write(device.handle, initialReports.view())) continue;
-        bus_.close(device.handle);
-        return "does not answer";
+        if (!device.open->write(initialReport.view())) return "does not answer";
     }
     devices_.push_back(std::move(device));
     return {};
@@ -92,7 +87,7 @@ bool HapticDevices::write(Device& device, const Report& unsealed, double now_s) 
     if (device.driver.seal) device.driver.seal(report, device.sequence++);
     device.sent = unsealed;
     device.sent_s = now_s;
-    return bus_.write(device.handle, report.view());
+    return device.open->write(report.view());
 }
 
 double HapticDevices::step(const HapticFrame& frame, double now_s) {
@@ -112,8 +107,7 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
             }
             if (!write(device, report, now_s)) {
                 // Gone, or deaf for the moment: if it still hears, let it be still.
-                bus_.write(device.handle, device.driver.sealed({}, device.sequence).view());
-                bus_.close(device.handle);
+                device.open->write(device.driver.sealed({}, device.sequence).view());
                 return true;
             }
         }
@@ -129,10 +123,8 @@ bool HapticDevices::allStopped() const {
 }
 
 void HapticDevices::stop() {
-    for (Device& device : devices_) {
+    for (Device& device : devices_)
         if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
-        bus_.close(device.handle);
-    }
     devices_.clear();
     found_s_ = -1e9; // those that are still there are found at the next step
 }

@@ -53,7 +53,7 @@ class HapticDevices {
         std::string physical; // HidInfo::device
         const DeviceRow* row;
         Driver driver;
-        int handle = -1;
+        std::unique_ptr<HidDevice> open;
         Report stopped; // unsealed
         Report sent;    // unsealed
         uint8_t sequence = 0;

@@ -4,6 +4,7 @@
 
 #include "game/rules/Catching.h"
 #include "game/rules/FishBehaviour.h"
+#include "game/rules/HandTracking.h"
 #include "game/rules/Holding.h"
 #include "game/rules/SharkBehaviour.h"
 #include "tests/TestPaths.h"

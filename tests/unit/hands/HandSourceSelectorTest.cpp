@@ -77,7 +77,7 @@ TEST(HandSourceSelector, AHandSeenTakesOverByGlidingAndTheMouseComesBackWhenItIs
         lost_s += 1.0f / 60;
         framesWithoutHands += !game.hands[1].tracked;
         ASSERT_LT(lost_s, 3);
-        if (lost_s < tuning::kBridge_s - 0.02f) {
+        if (lost_s < kHandLost_s - 0.02f) {
             EXPECT_TRUE(game.hands[1].tracked) << lost_s;
         }
     }

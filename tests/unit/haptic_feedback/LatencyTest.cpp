@@ -23,21 +23,21 @@ struct Stamped {
     std::mutex mutex;
     std::vector<Clock::time_point> written;
 
-    haptics::HidBus bus() {
-        haptics::HidBus made;
-        made.list = [] {
-            return std::vector<haptics::HidInfo>{{"x", 0x054c, 0x0ce6, haptics::Transport::Usb, ""}};
-        };
-        made.open = [](const std::string&) -> Result<int> { return 0; };
-        made.write = [this](int, std::span<const uint8_t>) {
-            const std::lock_guard lock(mutex);
-            written.push_back(Clock::now());
+    struct Device final : haptics::HidDevice {
+        explicit Device(Stamped& owner) : stamped(owner) {}
+        bool write(std::span<const uint8_t>) override {
+            const std::lock_guard lock(stamped.mutex);
+            stamped.written.push_back(Clock::now());
             return true;
-        };
-        made.readFeature = [](int, std::span<uint8_t>) { return size_t{0}; };
-        made.guard = [](int, std::span<const uint8_t>) {};
-        made.close = [](int) {};
-        return made;
+        }
+        Stamped& stamped;
+    };
+    haptics::HidBus bus() {
+        return {[] {
+                    return std::vector<haptics::HidInfo>{
+                        {"x", 0x054c, 0x0ce6, haptics::Transport::Usb, ""}};
+                },
+                [this](const std::string&) { return std::make_unique<Device>(*this); }};
     }
 };
 

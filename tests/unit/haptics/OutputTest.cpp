@@ -22,24 +22,23 @@ struct Watched {
     std::vector<int> strong;
     std::atomic<bool> slow{false}, entered{false};
 
+    struct Device final : HidDevice {
+        explicit Device(Watched& owner) : watched(owner) {}
+        bool write(std::span<const uint8_t> report) override {
+            watched.entered = true;
+            watched.slow.wait(true); // a device that takes its time
+            const std::lock_guard lock(watched.mutex);
+            watched.strong.push_back(report[4]);
+            watched.changed.notify_all();
+            return true;
+        }
+        Watched& watched;
+    };
     HidBus bus() {
-        return {.list =
-                    [] {
-                        return std::vector<HidInfo>{{"x", 0x054c, 0x0ce6, Transport::Usb, ""}};
-                    },
-                .open = [](const std::string&) -> Result<int> { return 0; },
-                .write =
-                    [this](int, std::span<const uint8_t> report) {
-                        entered = true;
-                        slow.wait(true); // a device that takes its time
-                        const std::lock_guard lock(mutex);
-                        strong.push_back(report[4]);
-                        changed.notify_all();
-                        return true;
-                    },
-                .readFeature = [](int, std::span<uint8_t>) { return size_t{0}; },
-                .guard = [](int, std::span<const uint8_t>) {},
-                .close = [](int) {}};
+        return {[] {
+                    return std::vector<HidInfo>{{"x", 0x054c, 0x0ce6, Transport::Usb, ""}};
+                },
+                [this](const std::string&) { return std::make_unique<Device>(*this); }};
     }
     std::vector<int> told() {
         const std::lock_guard lock(mutex);

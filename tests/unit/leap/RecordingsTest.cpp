@@ -242,9 +242,9 @@ TEST(MadeRecording, ShortLossesOfARealKindAreBridgedAndTheFistKept) {
         notSeen_s = filter.seen() ? 0 : notSeen_s + 0.01f;
         const HandPose& pose = hand.step(filter.pose(), filter.stretch(), notSeen_s, 0.01f);
         ASSERT_TRUE(pose.tracked) << i;
-        if (pose.grip > tuning::kGripCloses && fistBegan < 0) fistBegan = i;
+        if (pose.grip > kGripCloses && fistBegan < 0) fistBegan = i;
         if (fistBegan >= 0) {
-            EXPECT_GT(pose.grip, tuning::kGripCloses) << i;
+            EXPECT_GT(pose.grip, kGripCloses) << i;
         }
     }
     EXPECT_GT(fistBegan, 20);
