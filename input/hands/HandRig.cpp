@@ -112,8 +112,6 @@ Result<HandRig> HandRig::load(const Path& file) {
 }
 
 HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist) const {
-    // Parents first: the wrist, then every other joint in order but the palm and metacarpals hang from it
-    // too.
     std::array<Joint, kJointCount> rest;
     const auto place = [&](int i) {
         const int parent = kJointParent[i];
@@ -135,7 +133,7 @@ HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist
         if (bend != 0) joint.orientation = joint.orientation * math::rotationAbout(glm::vec3(1, 0, 0), bend);
         joint.orientation = glm::normalize(joint.orientation);
     };
-    place(kWristJoint);
+    place(kWristJoint); // parents first
     place(kPalmJoint);
     for (int i = kWristJoint + 1; i < kJointCount; ++i) place(i);
 

@@ -71,7 +71,7 @@ class EventNode final : public HidDevice {
     }
 
   private:
-    // Whether the device has this code among its events of the type.
+    // Returns whether the device has this code among its events of the type.
     template <int kType, int kMax> bool has(int code) const {
         std::array<uint8_t, kMax / 8 + 1> bits{};
         return ::ioctl(fd_, EVIOCGBIT(kType, bits.size()), bits.data()) >= 0 &&

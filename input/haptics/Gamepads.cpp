@@ -13,7 +13,7 @@ uint8_t scaled(float amplitude, float full) {
     return static_cast<uint8_t>(std::lround(driveOf(amplitude) * full));
 }
 
-// Over Bluetooth Sony wants a CRC-32 of the whole packet; A2 is the Bluetooth header of an output report.
+// Adds the CRC-32 of the whole packet that Sony wants over Bluetooth; A2 is the header of an output report.
 void addSonyChecksum(Report& report) {
     constexpr uint8_t kHeader = 0xA2;
     constexpr size_t kAt = 74;
@@ -22,8 +22,8 @@ void addSonyChecksum(Report& report) {
     for (size_t i = 0; i < 4; ++i) report.bytes[kAt + i] = static_cast<uint8_t>(crc >> (8 * i));
 }
 
-// From firmware 2.21 on, and on every Edge, vibration has another enabling bit. Feature report 20 tells the
-// version.
+// Returns whether vibration has another enabling bit: from firmware 2.21 on, and on every Edge. Feature
+// report 20 tells the version.
 bool hasNewVibration(const DeviceContext& given) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;

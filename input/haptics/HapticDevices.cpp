@@ -24,7 +24,7 @@ std::string describe(const DeviceRow& row, const HidInfo& info) {
                                                                                            : "");
 }
 
-// What a person must do to be let in, with the rule for just this device.
+// Returns what a person must do to get access, with the rule for this device.
 std::string notLetIn(const HidInfo& info) {
     if (info.transport == Transport::ForceFeedback) return "may not be opened";
     char rule[160];
@@ -64,7 +64,7 @@ void HapticDevices::findDevices(double now_s) {
         if (std::any_of(devices_.begin(), devices_.end(),
                         [&](const Device& device) { return device.listed.path == info.path; }))
             continue;
-        // A pad that moves already through its HID node is not moved twice.
+        // A pad that is open through its HID node is not opened twice.
         if (info.transport == Transport::ForceFeedback && !info.device.empty() &&
             std::any_of(devices_.begin(), devices_.end(),
                         [&](const Device& device) { return device.physical == info.device; }))
@@ -106,7 +106,7 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
                 return false;
             }
             if (!write(device, report, now_s)) {
-                // Gone, or deaf for the moment: if it still hears, let it be still.
+                // The device may still hear: one more report to stop it.
                 device.open->write(device.driver.sealed({}, device.sequence).view());
                 return true;
             }
@@ -126,7 +126,7 @@ void HapticDevices::stop() {
     for (Device& device : devices_)
         if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
     devices_.clear();
-    found_s_ = -1e9; // those that are still there are found at the next step
+    found_s_ = -1e9; // the next step looks for devices
 }
 
 std::vector<HapticDevices::Listed> HapticDevices::list() const {
@@ -146,7 +146,7 @@ void HapticOutput::submit(const HapticFrame& frame) {
     changed_.notify_one();
 }
 
-// The newest frame, once there is one or the time is over; empty when the output ends.
+// Returns the newest frame, once there is one or the time is over; empty when the output ends.
 std::optional<HapticOutput::Submitted> HapticOutput::wait(const std::stop_token& ending, double max_s) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, ending, std::chrono::duration<double>(max_s), [&] { return fresh_; });

@@ -9,8 +9,8 @@ namespace shoal::haptics {
 
 namespace {
 
-constexpr float kHighFrom_Hz = 160; // a hand's strongest actuation from there on is its high tone
-constexpr int kSafeIndex = 100;     // beyond it the tables warn of damage
+constexpr float kHighFrom_Hz = 160; // least frequency of the high tone
+constexpr int kSafeIndex = 100;     // the tables warn of damage beyond it
 
 int frequencyIndex(float frequency_Hz) {
     return static_cast<int>(std::lround(32 * std::log2(frequency_Hz / 10)));

@@ -1,4 +1,4 @@
-// Devices that come and go beside the mouse.
+// Tests of devices that come and go beside the mouse.
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
@@ -113,7 +113,7 @@ TEST(DeviceHands, ByTimeStampsTheGameGetsTheSameHoweverFramesArrive) {
         std::vector<float> xs;
         int pushed = 0;
         for (int tick = 0; tick < 60; ++tick) {
-            // In bursts, but never later than needed.
+            // Frames come in bursts, but never later than needed.
             while (pushed < 100 && pushed * 9000 <= (tick + 1) * 16667 + burst * 9000) {
                 stream.push(frameAt(5'000'000 + pushed * 9000, 0.001f * static_cast<float>(pushed)));
                 if (++pushed == 100) stream.close(); // nothing more is waited for

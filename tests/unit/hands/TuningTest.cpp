@@ -1,4 +1,4 @@
-// What each constant of HandFilter.h promises.
+// Tests of the constants of HandFilter.h.
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandSourceSelector.h"

@@ -1,4 +1,4 @@
-// A bus that notes what is done to it, and frames to send over it.
+// A bus of fake devices that keeps all reports, and frames to send over it.
 #pragma once
 
 #include "input/haptics/DeviceTable.h"

@@ -1,4 +1,4 @@
-// What is written to which device when.
+// Tests of the schedule: which report goes to which device, and when.
 #include "FakeBus.h"
 
 #include "input/haptics/HapticDevices.h"
@@ -94,24 +94,6 @@ TEST(HapticDevices, UnpluggedWhileWritingAndPluggedInElsewhere) {
     EXPECT_TRUE(fake.written["b"].empty());
     hapticDevices.step(frameOf(0.5f, 40), 1.1);
     EXPECT_EQ(fake.written["b"].size(), 1u);
-    EXPECT_TRUE(hapticDevices.takeWarnings().empty());
-}
-
-TEST(HapticDevices, UnpluggedAndPluggedInAThousandTimes) {
-    FakeBus fake;
-    HapticDevices hapticDevices(fake.bus());
-    double time_s = 0;
-    for (int i = 0; i < 1000; ++i) {
-        const std::string name = i % 3 == 0 ? "a" : "b";
-        fake.plug(name, kSony, kDualSense);
-        hapticDevices.step(frameOf(1, 40), time_s += 1.1);
-        ASSERT_EQ(hapticDevices.ready(), 1u) << i;
-        ASSERT_EQ(fake.opened, 1u) << i;
-        fake.unplug(name);
-        hapticDevices.step(frameOf(0.5f, 40), time_s += 0.1);
-        ASSERT_EQ(hapticDevices.ready(), 0u) << i;
-        ASSERT_EQ(fake.opened, 0u) << i;
-    }
     EXPECT_TRUE(hapticDevices.takeWarnings().empty());
 }
 

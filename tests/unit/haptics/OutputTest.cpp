@@ -1,4 +1,4 @@
-// The thread that writes.
+// Tests of the thread that writes to the devices.
 #include "FakeBus.h"
 
 #include "input/haptics/HapticDevices.h"
@@ -15,7 +15,7 @@
 namespace shoal::haptics {
 namespace {
 
-// A DualSense on USB that keeps what its strong motor was told, and that can be slow to write to.
+// A DualSense on USB that keeps the values of its strong motor, and that can be slow to write to.
 struct Watched {
     std::mutex mutex;
     std::condition_variable changed;
@@ -46,7 +46,7 @@ struct Watched {
     }
 };
 
-// Until that is so: on a busy machine a frame may be too old before it comes to the device, and is not felt.
+// Submits until a condition holds: on a busy machine a frame may be too old before it comes to the device.
 template <class Enough> void submitUntil(HapticOutput& output, float amplitude, Enough&& enough) {
     while (!enough()) {
         output.submit(frameOf(amplitude, 40));
