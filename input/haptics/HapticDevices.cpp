@@ -1,6 +1,7 @@
 #include "input/haptics/HapticDevices.h"
 
 #include "engine/core/Log.h"
+#include "input/haptics/GloveReport.h"
 #include "input/haptics/HapticFrame.h"
 
 #include <algorithm>
@@ -37,6 +38,16 @@ std::string notLetIn(const HidInfo& info) {
 }
 
 } // namespace
+
+const DeviceRow* recognise(const HidInfo& info) {
+    if (info.transport == Transport::ForceFeedback) return &kForceFeedback;
+    if (info.usagePage == glove::kUsagePage && info.usage == glove::kUsage) return &kGlove;
+    for (const DeviceRow& row : kDevices)
+        if (row.vendor == info.vendor && row.product == info.product &&
+            (row.transport == Transport::Any || row.transport == info.transport))
+            return &row;
+    return nullptr;
+}
 
 // Returns why the device cannot be used; empty: it can.
 std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double now_s) {

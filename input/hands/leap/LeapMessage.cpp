@@ -136,6 +136,16 @@ LeapFrame readFrame(const json& from) {
     return frame;
 }
 
+// Returns the unit vector from the wrist to the elbow, device's frame; 0 without an elbow at an arm's
+// distance.
+glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
+    constexpr float kShortest_m = 0.1f, kLongest_m = 0.5f;
+    if (!hand.elbow) return glm::vec3(0);
+    const glm::vec3 forearm = *hand.elbow - wrist;
+    const float length = glm::length(forearm);
+    return length > kShortest_m && length < kLongest_m ? forearm / length : glm::vec3(0);
+}
+
 } // namespace
 
 Result<LeapMessage> readLeapMessage(std::string_view text) {
@@ -166,20 +176,6 @@ Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
     const float viewerX = (placement_.mount().viewerFromDevice * hand.palm).x;
     return viewerX < 0 ? Side::Left : Side::Right;
 }
-
-namespace {
-
-// Returns the unit vector from the wrist to the elbow, device's frame; 0 without an elbow at an arm's
-// distance.
-glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
-    constexpr float kShortest_m = 0.1f, kLongest_m = 0.5f;
-    if (!hand.elbow) return glm::vec3(0);
-    const glm::vec3 forearm = *hand.elbow - wrist;
-    const float length = glm::length(forearm);
-    return length > kShortest_m && length < kLongest_m ? forearm / length : glm::vec3(0);
-}
-
-} // namespace
 
 HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
     HandFrame frame;
