@@ -47,10 +47,9 @@ struct DeviceContext {
 
 // Each is defined in the file named beside it.
 using MakeDriver = Driver(const DeviceContext&);
-MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia; // Gamepads.cpp
-MakeDriver makeSwitch;                                          // Switch.cpp
-MakeDriver makeGlove;                                           // Glove.cpp
-MakeDriver makeForceFeedback;                                   // ForceFeedback.cpp
+MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia, makeForceFeedback; // Gamepads.cpp
+MakeDriver makeSwitch;                                                             // Switch.cpp
+MakeDriver makeGlove;                                                              // Glove.cpp
 
 struct DeviceRow {
     uint16_t vendor, product;

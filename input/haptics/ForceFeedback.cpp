@@ -1,7 +1,6 @@
 #include "input/haptics/ForceFeedback.h"
 
 #include "input/haptics/DeviceFolder.h"
-#include "input/haptics/DeviceTable.h"
 
 #include <fcntl.h>
 #include <linux/input.h>
@@ -9,7 +8,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -83,22 +81,7 @@ class EventNode final : public HidDevice {
     int16_t effect_ = -1; // in the device; -1: none yet
 };
 
-uint16_t scaled16(float amplitude) { return static_cast<uint16_t>(std::lround(driveOf(amplitude) * 65535)); }
-
 } // namespace
-
-Driver makeForceFeedback(const DeviceContext&) {
-    return {.encode = [](const HapticFrame& frame) {
-        const Motors motors = motorsOf(frame);
-        const uint16_t strong = scaled16(motors.strong), weak = scaled16(motors.weak);
-        Report report{.size = 4};
-        report.bytes[0] = static_cast<uint8_t>(strong);
-        report.bytes[1] = static_cast<uint8_t>(strong >> 8);
-        report.bytes[2] = static_cast<uint8_t>(weak);
-        report.bytes[3] = static_cast<uint8_t>(weak >> 8);
-        return report;
-    }};
-}
 
 HidBus withForceFeedback(HidBus bus) {
     struct Nodes {
