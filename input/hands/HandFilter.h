@@ -57,8 +57,9 @@ constexpr float kAppear_s = 0.15f;  // a hand that was not there before is not s
 constexpr float kPinchCloses = 0.75f;
 constexpr float kPinchOpens = 0.55f;
 constexpr float kPinchToFist = 0.80f; // grip that turns a pinch into a fist without opening first
-constexpr float kClosedMin = 0.60f;   // least strength given out while closed
-constexpr float kOpenMax = 0.30f; // greatest while open, so that a pinch, or noise, does not close the fist
+// Least strength given out while closed, and greatest while open: beyond the thresholds, so that readers
+// decide alike.
+constexpr float kClosedMin = 0.60f, kOpenMax = 0.30f;
 constexpr float kStrengthTau_s = 0.01f; // smoothing of the strengths, time constant
 
 } // namespace tuning

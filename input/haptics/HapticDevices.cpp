@@ -4,8 +4,9 @@
 #include "input/haptics/GloveReport.h"
 #include "input/haptics/HapticFrame.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace shoal::haptics {
 
@@ -19,22 +20,20 @@ double secondsSince(std::chrono::steady_clock::time_point then) {
 
 std::string describe(const DeviceRow& row, const HidInfo& info) {
     const bool named = info.transport == Transport::ForceFeedback && !info.name.empty();
-    return (named ? info.name : row.name) + std::string(info.transport == Transport::Bluetooth
-                                                            ? " over Bluetooth"
-                                                        : info.transport == Transport::Usb ? " on USB"
-                                                                                           : "");
+    const char* way = info.transport == Transport::Bluetooth ? " over Bluetooth"
+                      : info.transport == Transport::Usb     ? " on USB"
+                                                             : "";
+    return (named ? info.name : row.name) + std::string(way);
 }
 
 // Returns what a person must do to get access, with the rule for this device.
 std::string notLetIn(const HidInfo& info) {
     if (info.transport == Transport::ForceFeedback) return "may not be opened";
-    char rule[160];
-    std::snprintf(rule, sizeof rule, "KERNEL==\"hidraw*\", KERNELS==\"*:%04X:%04X.*\", TAG+=\"uaccess\"",
-                  info.vendor, info.product);
-    return std::string(
-               "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev has "
-               "it for every device known) lets you in once it is plugged in again: ") +
-           rule;
+    return fmt::format(
+        "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev "
+        "has it for every device known) lets you in once it is plugged in again: "
+        "KERNEL==\"hidraw*\", KERNELS==\"*:{:04X}:{:04X}.*\", TAG+=\"uaccess\"",
+        info.vendor, info.product);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "input/hands/HandTracker.h"
 
+#include <fmt/ranges.h>
 #include <opencv2/imgproc.hpp>
 
 extern "C" {
@@ -41,12 +42,7 @@ std::string sha256(const std::vector<uint8_t>& bytes) {
     if (!sha || av_sha_init(sha.get(), 256) < 0) return {};
     av_sha_update(sha.get(), bytes.data(), bytes.size());
     av_sha_final(sha.get(), sum.data());
-    std::string text;
-    for (const uint8_t byte : sum) {
-        text += "0123456789abcdef"[byte >> 4];
-        text += "0123456789abcdef"[byte & 15];
-    }
-    return text;
+    return fmt::format("{:02x}", fmt::join(sum, ""));
 }
 
 Result<NeuralNet> loadNet(const Path& folder, const ModelFile& model, size_t picture,
