@@ -94,7 +94,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
     if (const auto begin = readFileBegin(file, 16); !begin) return begin.error();
     auto impl = makeHidden<Impl>();
-    impl->input = openInput(file, av_find_input_format("matroska"));
+    impl->input = openInput(file, "matroska");
     if (!impl->input || tagOf(*impl->input, depth_tags::kVersion).empty()) return failed("is no depth track");
     const AVFormatContext& input = *impl->input;
     if (tagOf(input, depth_tags::kVersion) != depth_tags::kVersionValue ||

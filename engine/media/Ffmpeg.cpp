@@ -25,11 +25,12 @@ void setUpDecoders() {
     });
 }
 
-Input openInput(const Path& file, const AVInputFormat* container) {
+Input openInput(const Path& file, const char* formats) {
     AVFormatContext* input = nullptr;
     AVDictionary* options = nullptr;
     av_dict_set(&options, "protocol_whitelist", "file", 0);
-    const int opened = avformat_open_input(&input, ("file:" + file.string()).c_str(), container, &options);
+    av_dict_set(&options, "format_whitelist", formats, 0);
+    const int opened = avformat_open_input(&input, ("file:" + file.string()).c_str(), nullptr, &options);
     av_dict_free(&options);
     return Input(opened < 0 ? nullptr : input);
 }

@@ -44,9 +44,9 @@ inline Frame makeFrame() { return Frame(av_frame_alloc()); }
 // threads read the environment.
 void setUpDecoders();
 
-// Opens a file and nothing else: neither its name nor a playlist may lead to a server. container: null
-// detects it. Returns null if it cannot be opened.
-Input openInput(const Path& file, const AVInputFormat* container = nullptr);
+// Opens a file and nothing else: neither its name nor a playlist may lead to a server. formats: FFmpeg's
+// names of the containers that are allowed, comma separated; null: all. Returns null if it cannot be opened.
+Input openInput(const Path& file, const char* formats = nullptr);
 
 // Returns side data of a stream; null if there is none, or too little. FFmpeg 6.1 moved it.
 template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType type, size_t count = 1) {

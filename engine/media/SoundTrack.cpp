@@ -179,33 +179,24 @@ int64_t SoundDecoder::next(std::vector<int16_t>& stereo) {
 
 struct SoundTrack::Impl {
     std::mutex mutex;
-    std::condition_variable changed;
+    std::condition_variable_any changed;
     // Guarded by mutex:
     std::deque<int16_t> ready; // interleaved; at most kSoundAhead frames
     int64_t wanted = 0;        // frame from which the thread continues when the generation changes
     int generation = 0;
     bool broken = false;
-    bool stop = false;
 
     int64_t pass = 0; // length in frames; constant
 
     SoundDecoder decoder; // used by the thread only
-    std::thread thread;
+    std::jthread thread;  // last: it uses all of the above
 
     explicit Impl(SoundDecoder opened) : decoder(std::move(opened)) {}
-    ~Impl() {
-        {
-            const std::lock_guard lock(mutex);
-            stop = true;
-        }
-        changed.notify_all();
-        if (thread.joinable()) thread.join();
-    }
 
     // Appends frames (null: silence) as room becomes free. Returns false if stopped or sought meanwhile.
-    bool put(const int16_t* stereo, int64_t frames, int mine) {
+    bool put(const std::stop_token& ending, const int16_t* stereo, int64_t frames, int mine) {
         std::unique_lock lock(mutex);
-        while (!stop && generation == mine) {
+        while (!ending.stop_requested() && generation == mine) {
             const auto room = kSoundAhead - static_cast<int64_t>(ready.size() / 2);
             const auto samples = static_cast<ptrdiff_t>(2 * std::min(frames, room));
             if (stereo)
@@ -214,13 +205,14 @@ struct SoundTrack::Impl {
                 ready.insert(ready.end(), static_cast<size_t>(samples), int16_t{0});
             frames -= samples / 2;
             if (frames == 0) return true;
-            changed.wait(lock);
+            changed.wait(lock, ending,
+                         [&] { return generation != mine || ready.size() < size_t{2} * kSoundAhead; });
         }
         return false;
     }
 
     // Decodes from this frame on, looping, until stopped or sought.
-    void decode(int64_t at, int mine) {
+    void decode(const std::stop_token& ending, int64_t at, int mine) {
         std::vector<int16_t> samples;
         while (decoder.seek(at)) {
             while (at < pass) {
@@ -229,30 +221,28 @@ struct SoundTrack::Impl {
                 const auto frames = static_cast<int64_t>(samples.size() / 2);
                 const int64_t hole = std::clamp<int64_t>(first - at, 0, pass - at);
                 const int64_t past = std::clamp<int64_t>(at - first, 0, frames); // before `at`
-                if (!put(nullptr, hole, mine)) return;
+                if (!put(ending, nullptr, hole, mine)) return;
                 at += hole;
                 const int64_t some = std::min(frames - past, pass - at);
-                if (!put(samples.data() + 2 * past, some, mine)) return;
+                if (!put(ending, samples.data() + 2 * past, some, mine)) return;
                 at += some;
             }
-            if (!put(nullptr, pass - at, mine)) return;
+            if (!put(ending, nullptr, pass - at, mine)) return;
             at = 0;
         }
         const std::lock_guard lock(mutex);
         broken = true;
     }
 
-    void run() {
+    void run(const std::stop_token& ending) {
         lowerThreadPriority();
         std::unique_lock lock(mutex);
         int done = 0; // nothing is read before the first seek()
-        while (true) {
-            changed.wait(lock, [&] { return stop || (generation != done && !broken); });
-            if (stop) return;
+        while (changed.wait(lock, ending, [&] { return generation != done && !broken; })) {
             done = generation;
             const int64_t at = wanted % pass;
             lock.unlock();
-            decode(at, done);
+            decode(ending, at, done);
             lock.lock();
         }
     }
@@ -265,7 +255,7 @@ Result<SoundTrack> SoundTrack::open(const Path& file, double passLength_s) {
     if (!(passLength_s > 0)) passLength_s = impl->decoder.length_s();
     if (!(passLength_s > 0)) passLength_s = kLongest_s;
     impl->pass = std::llround(std::clamp(passLength_s, kShortest_s, kLongest_s) * kSoundRate_Hz);
-    impl->thread = std::thread([raw = impl.get()] { raw->run(); });
+    impl->thread = std::jthread([raw = impl.get()](const std::stop_token& ending) { raw->run(ending); });
     return SoundTrack(std::move(impl));
 }
 

@@ -34,7 +34,7 @@ class SoundTrack {
   private:
     struct Impl;
     explicit SoundTrack(Hidden<Impl> impl) : impl_(std::move(impl)) {}
-    Hidden<Impl> impl_; // its destructor ends the thread, after at most the packet in work
+    Hidden<Impl> impl_; // its destructor ends the thread
 };
 
 } // namespace shoal::media

@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <atomic>
 #include <condition_variable>
 #include <future>
 #include <limits>
@@ -38,7 +37,7 @@ struct VideoPlayer::Impl {
     PlayerOptions options;
 
     std::mutex mutex;
-    std::condition_variable changed;
+    std::condition_variable_any changed;
     // Guarded by mutex:
     FrameSlots slots;       // the decode thread owns the one being filled; the others' frames are constant
     int64_t wanted = 0;     // unwrapped index that the frame's thread asked for last
@@ -50,20 +49,10 @@ struct VideoPlayer::Impl {
     bool damaged = false;
     std::string message;
 
-    std::atomic<bool> stop{false};
-    VideoSource source; // used by the decode thread only
-    std::thread thread;
+    VideoSource source;  // used by the decode thread only
+    std::jthread thread; // last: it uses all of the above
 
     explicit Impl(VideoSource opened) : source(std::move(opened)) {}
-
-    ~Impl() {
-        {
-            const std::lock_guard lock(mutex);
-            stop = true;
-        }
-        changed.notify_all();
-        if (thread.joinable()) thread.join();
-    }
 
     int64_t framesIn(double seconds) const { return static_cast<int64_t>(seconds * info.fps); }
 
@@ -106,28 +95,29 @@ struct VideoPlayer::Impl {
         return found;
     }
 
-    void run() {
+    void run(const std::stop_token& ending) {
         lowerThreadPriority();
         std::unique_lock lock(mutex);
-        while (!stop) {
-            const int64_t target = nextTarget();
-            Slot* slot = target < 0 ? nullptr : slotFor(target);
-            if (!slot) {
-                changed.wait(lock);
-                continue;
-            }
+        int64_t target = -1;
+        Slot* slot = nullptr;
+        const auto isNeeded = [&] {
+            target = nextTarget();
+            slot = target < 0 ? nullptr : slotFor(target);
+            return slot != nullptr;
+        };
+        while (changed.wait(lock, ending, isNeeded) && !ending.stop_requested()) {
             slot->state = State::Filling;
             slot->frame.index = target;
             slot->frame.number = passLength > 0 ? target % passLength : target;
             slot->frame.time_s = static_cast<double>(slot->frame.number) / info.fps;
             lock.unlock();
-            const int64_t had = fill(*slot);
+            const int64_t had = fill(*slot, ending);
             lock.lock();
             const bool filled = had > slot->frame.number;
             slot->state = filled ? State::Ready : State::Free;
             if (filled)
                 made = target;
-            else if (!stop)
+            else if (!ending.stop_requested())
                 ended(target - slot->frame.number, had);
             changed.notify_all();
         }
@@ -135,13 +125,13 @@ struct VideoPlayer::Impl {
 
     // Decodes the frame's picture. Returns how many pictures the video is known to have: more than
     // frame.number, or fewer if it ends before (or the thread is to stop).
-    int64_t fill(Slot& slot) {
+    int64_t fill(Slot& slot, const std::stop_token& ending) {
         const int64_t number = slot.frame.number;
         if (number < source.position() || number > source.position() + framesIn(kSeekAhead_s))
             if (!source.seek(number)) return 0;
         auto start = Clock::now();
         while (source.position() <= number) {
-            if (stop) return 0;
+            if (ending.stop_requested()) return 0;
             start = Clock::now();
             if (!source.grab()) return source.position();
         }
@@ -204,7 +194,7 @@ Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
         slot.frame.layout = info.layout;
         impl->slots.pixelsOf(slot, impl->options) = ImageRgb8(info.width, info.height);
     }
-    impl->thread = std::thread([raw = impl.get()] { raw->run(); });
+    impl->thread = std::jthread([raw = impl.get()](const std::stop_token& ending) { raw->run(ending); });
 
     std::unique_lock lock(impl->mutex);
     bool shown = false;

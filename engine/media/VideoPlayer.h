@@ -5,9 +5,7 @@
 // container's mean rate, also those of a variable rate.
 //
 // Threads: all methods belong to one thread, the frame's. `prepare` runs on the decode thread. Memory: the
-// slots, taken at open(); nothing per frame by us (FFmpeg's decoder has its own).
-//
-// Not done here: sound; conversion of wide-gamut or HDR video.
+// slots, taken at open(), and that of FFmpeg's decoder.
 #pragma once
 
 #include "engine/core/Hidden.h"

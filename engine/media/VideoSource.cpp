@@ -23,34 +23,8 @@ constexpr int kMaxThreads = 8;
 constexpr double kMaxStamp = 9e15;   // exact in double
 constexpr int kMaxBadPackets = 4096; // in a row, without a picture
 
-// Returns FFmpeg's name of a container, by the file's beginning; null: not supported. Its other formats
-// include playlists and scripts that name further files.
-const char* containerOf(ByteSpan b) {
-    for (const char* name : {"ftyp", "moov", "mdat", "wide", "free", "skip", "pnot", "styp", "moof"})
-        if (hasText(b, 4, name)) return "mov";
-    if (hasText(b, 0, "\x1A\x45\xDF\xA3")) return "matroska";
-    if (hasText(b, 0, "RIFF") && hasText(b, 8, "AVI ")) return "avi";
-    if (hasText(b, 0, "OggS")) return "ogg";
-    if (hasText(b, 0, "FLV")) return "flv";
-    if (hasText(b, 0, std::string_view("\0\0\1\xBA", 4))) return "mpeg"; // program stream
-    if (b.size() > 188 && b[0] == 0x47 && b[188] == 0x47) return "mpegts";
-    return nullptr;
-}
-
-// Returns the format to open the file with. Pictures are detected first, to give a better reason.
-Result<const AVInputFormat*> formatOf(const Path& file, ByteSpan fileBegin) {
-    if (fileBegin.empty()) return Error{file.string(), "is empty"};
-    if (const auto picture = readPictureHeader(fileBegin))
-        return Error{file.string(), std::string("is a ") + nameOf(picture->kind) +
-                                        " picture, not a video; give it as " +
-                                        (isHdr(picture->kind) ? "--env" : "--photo")};
-    const char* container = containerOf(fileBegin);
-    const AVInputFormat* format = container ? av_find_input_format(container) : nullptr;
-    if (!format)
-        return Error{file.string(),
-                     "is not a video of a known kind (MP4, MOV, WebM, MKV, AVI, MPEG, OGG, FLV)"};
-    return format;
-}
+// Containers of video. FFmpeg's other formats include playlists and scripts that name further files.
+constexpr const char* kContainers = "mov,matroska,avi,ogg,flv,mpeg,mpegts";
 
 double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
 
@@ -67,12 +41,13 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     setUpDecoders();
     const auto begin = readFileBegin(file, 64 << 10);
     if (!begin) return begin.error();
-    const auto format = formatOf(file, *begin);
-    if (!format) return format.error();
-
+    if (begin->empty()) return Error{file.string(), "is empty"};
+    if (const auto picture = readPictureHeader(*begin)) // a better reason than the decoder's
+        return Error{file.string(), std::string("is a ") + nameOf(picture->kind) +
+                                        " picture, not a video; give it as " +
+                                        (isHdr(picture->kind) ? "--env" : "--photo")};
     VideoSource source;
     source.file_ = file;
-    source.container_ = *format;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
     source.info_.metadata = sphericalMetadata(*source.input_, source.stream(), file);
     source.readInfo();
@@ -88,8 +63,10 @@ Status VideoSource::reopen() {
     input_.reset();
     position_ = 0;
     begun_ = held_ = drained_ = false;
-    input_ = openInput(file_, container_);
-    if (!input_) return undecodable;
+    input_ = openInput(file_, kContainers);
+    if (!input_)
+        return Error{"", "is not a video of a known kind (MP4, MOV, WebM, MKV, AVI, MPEG, OGG, FLV), or is "
+                         "damaged at its beginning"};
     // Checked before the decoder sees the stream, if the container states a size.
     for (unsigned i = 0; i < input_->nb_streams; ++i)
         if (const AVCodecParameters& stated = *input_->streams[i]->codecpar;

@@ -44,7 +44,6 @@ class VideoSource {
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
 
     Path file_;
-    const AVInputFormat* container_ = nullptr;
     Input input_;
     int stream_ = -1;
     PictureDecoder decoder_;

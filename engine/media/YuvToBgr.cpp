@@ -55,7 +55,7 @@ void levels(const uint8_t* __restrict luma, const int16_t* __restrict add, int w
     }
 }
 
-// With weights kr, kg, kb of luma and differences of +-1/2 (BT.601, BT.709 item 3):
+// The formula, with weights kr, kg, kb of luma and differences of +-1/2 (BT.601, BT.709 item 3):
 //   R = Y + (2 - 2 kr) Cr,  B = Y + (2 - 2 kb) Cb,
 //   G = (Y - kr R - kb B) / kg = Y - kb (2 - 2 kb) / kg Cb - kr (2 - 2 kr) / kg Cr.
 Factors factorsOf(ColourMatrix matrix, bool fullRange) {

@@ -95,6 +95,12 @@ struct HandPose {
     std::array<Joint, kJointCount> joints{};
 };
 
+// A hand closes when its grip rises through kGripCloses and opens when it falls through kGripOpens.
+constexpr float kGripCloses = 0.55f;
+constexpr float kGripOpens = 0.35f;
+// A hand that is not seen for longer is lost: it lets go of its fish. Devices give 5 to 200 frames a second.
+constexpr float kHandLost_s = 0.3f;
+
 // The middle of what a closing hand encloses: below the palm, between thumb and fingers. Same frame as the
 // joints.
 inline glm::vec3 graspCentre(const std::array<Joint, kJointCount>& joints) {

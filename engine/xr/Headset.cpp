@@ -25,8 +25,8 @@ Space makeSpace(XrSession session, const Pose& referenceFromSpace,
     return space;
 }
 
-// Returns a space with its origin on the floor: below LOCAL's, else that of the area that the player has set
-// up. Empty if the runtime has neither.
+// Returns a space with its origin on the floor, below LOCAL's or in the area that the player has set up.
+// Empty if the runtime has neither.
 Space makeFloor(XrSession session) {
     const auto offered = enumerate(XR_REFERENCE_SPACE_TYPE_LOCAL,
                                    [&](uint32_t capacity, uint32_t* count, XrReferenceSpaceType* items) {
@@ -57,8 +57,8 @@ class Swapchain {
     Swapchain() = default;
     // Makes one for display-coded values (sRGB's format, written raw).
     static Swapchain ofColour(XrSession session, glm::ivec2 size) {
-        // The picture is display-coded already and written unchanged (GL_FRAMEBUFFER_SRGB stays off): the
-        // first format tells the runtime so. Some runtimes take the second for linear, most for coded.
+        // The first format tells the runtime that the picture is display-coded; it is written unchanged
+        // (GL_FRAMEBUFFER_SRGB stays off). Some runtimes take the second for linear, most for coded.
         const int64_t format = formatOf(session, {GL_SRGB8_ALPHA8, GL_RGBA8});
         if (format == 0)
             throw Failure("the headset's runtime takes no pictures of 8 bits a colour (GL_SRGB8_ALPHA8)");
@@ -125,8 +125,8 @@ class Swapchain {
         return chain;
     }
 
-    // Finishes drawing first: pictures may be memory that is freed with the swapchain, and the driver's
-    // threads may still draw into it if the runtime was lost in mid-frame.
+    // Finishes drawing first: the driver's threads may still draw into pictures that are freed with the
+    // swapchain.
     static XrResult XRAPI_CALL destroyDrawn(XrSwapchain swapchain) {
         glFinish();
         return xrDestroySwapchain(swapchain);
@@ -141,7 +141,7 @@ class Swapchain {
 // Hands without controllers, tracked through XR_EXT_hand_tracking.
 class HandTrackers {
   public:
-    // Without the extension hands are never active.
+    // Hands are never active without the extension.
     static HandTrackers make(const Instance& instance, XrSession session) {
         HandTrackers made;
         if (!instance.bareHands) return made;
@@ -202,8 +202,7 @@ class HandTrackers {
     PFN_xrLocateHandJointsEXT locate_ = nullptr;
 };
 
-// Requests a higher refresh rate: some headsets begin with fewer pictures a second than they can show. Frames
-// tell their own length, whatever the runtime decides.
+// Requests a higher refresh rate: some headsets begin with fewer pictures a second than they can show.
 void askForRefreshRate(const Instance& instance, XrSession session) {
     constexpr float kWanted_Hz = 90, kSame_Hz = 0.5f;
     if (!instance.choosesRate) return;
@@ -230,7 +229,7 @@ void askForRefreshRate(const Instance& instance, XrSession session) {
 } // namespace
 
 struct Headset::State {
-    // In order of construction: members depend on earlier ones and are destroyed first.
+    // Members depend on earlier ones and are destroyed first.
     Instance instance;
     SessionHandle session;
     Space local, world, floor;
@@ -370,9 +369,9 @@ Result<Frame> Headset::waitFrame() {
     return s.frame;
 }
 
-// The pose is used wherever the runtime calls it valid: TRACKED says only that it is measured now, and some
-// headsets never claim that (Monado's simulated one). If a position that was tracked before is merely
-// guessed, or missing, the head keeps its position and turns.
+// Uses every pose that the runtime calls valid: TRACKED says only that it is measured now, and some headsets
+// never claim that (Monado's simulated one). If a position that was tracked before is merely guessed, or
+// missing, the head keeps its position and turns.
 void Headset::State::locateEyes() {
     std::array<Eye, 2> eyes;
     bool placed = false; // the eyes' positions are known

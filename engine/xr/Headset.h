@@ -29,12 +29,10 @@ struct Frame {
     bool drawn = false;     // whether it is visible and must be drawn
 };
 
-// Pictures released since begin(), which end() shows.
+// Pictures that end() shows: those released since begin().
 struct Shown {
     bool eyes = false;
-    // The pictures that end() shows: those released since begin().
-    // below 1.
-    bool room = false;
+    bool room = false;            // the room shows through the eyes' pictures where their alpha is below 1
     glm::ivec2 eyeSize{0};        // drawn part, from the lower left; at most eyeSize()
     std::optional<Planes> planes; // of the eyes' depths, 0 to 1 from near to far; empty: no depths
     bool panel = false;           // with premultiplied alpha

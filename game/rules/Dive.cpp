@@ -3,6 +3,7 @@
 #include "game/rules/Curiosity.h"
 #include "game/rules/Encounter.h"
 #include "game/rules/Grasping.h"
+#include "game/rules/HandTracking.h"
 #include "game/rules/Holding.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"

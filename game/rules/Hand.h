@@ -6,6 +6,7 @@
 #include "engine/physics/ContactModel.h"
 #include "engine/physics/Grip.h"
 #include "engine/scene/HandPose.h"
+#include "engine/sim/FixedStep.h"
 #include "game/rules/Snapshot.h"
 #include "game/rules/TickInput.h"
 
@@ -86,10 +87,9 @@ struct Hand {
 };
 using Hands = std::array<Hand, 2>; // left, right
 
-// A hand closes when its grip rises through kGripCloses and opens when it falls through kGripOpens.
-constexpr float kGripCloses = 0.55f;
-constexpr float kGripOpens = 0.35f;
-constexpr int kHandDropTicks = 36; // a hand untracked for longer lets go of its fish
+using hands::kGripCloses, hands::kGripOpens;
+// A hand untracked for longer lets go of its fish.
+constexpr auto kHandDropTicks = static_cast<int>(hands::kHandLost_s * sim::kTickRate_Hz + 0.5f);
 
 // Returns the finger, or hands::kPalmPart, of the bone from kJointParent[joint] to the joint. The bones of
 // the back of the hand belong to the palm.
@@ -114,9 +114,5 @@ struct Viewpoint {
 
     glm::vec3 ahead() const { return worldFromView * glm::vec3(0, 0, -1); }
 };
-
-// Updates view and hands from the tick's input. Values that are not finite or not plausible are ignored: the
-// last good ones stay.
-void trackHands(const TickInput&, Viewpoint&, Hands&);
 
 } // namespace shoal::game

@@ -1,4 +1,4 @@
-#include "game/rules/Hand.h"
+#include "game/rules/HandTracking.h"
 
 #include "engine/physics/ContactModel.h"
 #include "game/rules/Swimmer.h"

@@ -155,7 +155,7 @@ bool TrackedHands::look(ImageRgba8& out) {
 std::optional<float> TrackedHands::openHand_m() const {
     std::optional<float> found;
     for (int side = 0; side < 2; ++side) {
-        if (hands_.notSeen_s(side) > hands::tuning::kBridge_s) continue;
+        if (hands_.notSeen_s(side) > hands::kHandLost_s) continue;
         if (found || hands_.hand(side).gesture() != hands::Gesture::Open) return std::nullopt;
         found = hands_.asRig_m(side);
     }
@@ -165,7 +165,7 @@ std::optional<float> TrackedHands::openHand_m() const {
 std::array<hands::HandPose, 2> TrackedHands::seen() const {
     std::array<hands::HandPose, 2> poses{};
     for (int side = 0; side < 2; ++side)
-        if (hands_.notSeen_s(side) <= hands::tuning::kBridge_s)
+        if (hands_.notSeen_s(side) <= hands::kHandLost_s)
             poses[static_cast<size_t>(side)] = hands_.hand(side).pose();
     return poses;
 }

@@ -1,5 +1,5 @@
-// What a tracker's camera sees, small, so that a person can look at it. It is written by the tracker's thread
-// and read by the program's, and leaves the process nowhere.
+// A small copy of a camera's picture for the player. The tracker's thread writes it, the program's reads it;
+// it never leaves the process.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -13,7 +13,7 @@ class CameraPreview {
   public:
     static constexpr int kWidth = 240; // pixels
 
-    // The tracker's: whether somebody has looked since the last show(); else no picture is needed.
+    // Tracker's thread: whether a picture is needed, because look() was called since the last show().
     bool isWatched() const { return watched_; }
     void show(const ImageRgba8& picture) {
         const std::lock_guard lock(mutex_);
@@ -22,7 +22,8 @@ class CameraPreview {
         watched_ = false;
     }
 
-    // The program's, once a frame while the picture is on the screen. False: nothing new, out stays as it is.
+    // Program's thread, once a frame while the picture is on the screen. False: nothing new, out is
+    // unchanged.
     bool look(ImageRgba8& out) {
         const std::lock_guard lock(mutex_);
         watched_ = true;

@@ -12,13 +12,13 @@ namespace shoal::hands {
 namespace {
 
 constexpr float kSizeMin = 0.6f, kSizeMax = 1.5f; // of the rig's hand, a man's: a child's, a giant's
-constexpr float kBentWhenUnseen = 0.9f;           // curl of a finger that an old service no longer shows
+constexpr float kBentWhenUnseen = 0.9f;           // curl of a finger that an old service does not show
 
 glm::quat frameOf(glm::vec3 direction, glm::vec3 normal) {
     return glm::normalize(glm::quatLookAt(glm::normalize(direction), glm::normalize(-normal)));
 }
 
-// The smallest rotation from one direction to another.
+// Returns the smallest rotation from one direction to another.
 glm::quat rotationBetween(const glm::vec3& from, const glm::vec3& to) {
     return {glm::normalize(from), glm::normalize(to)};
 }
@@ -44,10 +44,8 @@ bool agreesWithJoints(PartialHand& hand) {
         }
         bend += glm::dot(glm::cross(bones[0], bones[1]) + glm::cross(bones[1], bones[2]), thumbwards);
     }
-    // Recorded flat hands have 0.12 and more: the service's model never straightens fingers quite.
-    constexpr float kTells = 0.1f;
-    // Against both, side and normal, it takes fingers clearly bent; 15 degrees a joint.
-    constexpr float kOverrules = 2;
+    constexpr float kTells = 0.1f;  // least bend that tells the side; recorded flat hands have 0.12 and more
+    constexpr float kOverrules = 2; // least bend against both side and normal: 15 degrees a joint
     const Side byBend = bend > 0 ? Side::Right : Side::Left;
     const Side byNormal =
         glm::dot(glm::cross(hand.direction, hand.normal), thumbwards) > 0 ? Side::Right : Side::Left;
@@ -65,11 +63,9 @@ HandCompleter::HandCompleter(const HandRig& rig)
 float HandCompleter::sizeOf(const PartialHand& hand) const {
     const JointPositions& at = hand.joints;
     float measured = 0, rigs = 0;
-    for (int i = 3; i < kJointCount;
-         ++i) { // of whole bones, without the carpus and without flesh at the tips
+    for (int i = 3; i < kJointCount; ++i) { // whole bones, without the carpus and the tips' flesh
         const int parent = kJointParent[i];
-        const bool tip = isTip(i);
-        if (parent < 2 || tip || !at[i] || !at[parent]) continue;
+        if (parent < 2 || isTip(i) || !at[i] || !at[parent]) continue;
         measured += glm::distance(*at[i], *at[parent]);
         rigs += rig_.boneLength(i);
     }
@@ -81,8 +77,8 @@ float HandCompleter::sizeOf(const PartialHand& hand) const {
     return std::clamp(size, kSizeMin, kSizeMax);
 }
 
-// Fingers keep their order across the hand; of the ways to leave some out, the one whose angles, seen from
-// the palm, are nearest to those of a flat hand.
+// Fingers keep their order across the hand. Among the choices of fingers, the best is the one whose angles,
+// seen from the palm, are nearest to those of a flat hand.
 HandCompleter::Fit HandCompleter::fitTips(const PartialHand& hand, Side side) const {
     const HandPose& rest = rest_[side == Side::Left ? 0 : 1];
     const float thumbwards = side == Side::Left ? 1.0f : -1.0f; // sign of x on the thumb's side
@@ -147,8 +143,7 @@ void HandCompleter::placeFinger(int finger, const Placement& placement,
         joints[i].position = at[i].value_or(rootAt);
     }
     if (!whole) {
-        // The finger of the rig, bent until its tip is as far from its root as the one seen, and rotated onto
-        // that.
+        // Bends the rig's finger until its tip is as far from its root as the one seen, and rotates it there.
         const auto bent = [&](float curl) {
             HandShape shape;
             shape.curl[finger] = curl;
@@ -203,8 +198,8 @@ HandPose HandCompleter::complete(const PartialHand& given, Side side) const {
     for (int finger = 0; finger < kFingerCount; ++finger) placeFinger(finger, placement, joints);
     for (int i = 0; i < kJointCount; ++i) joints[i].radius = rest.joints[i].radius * placement.size;
 
-    // Each joint as the rig would turn it after its parent, then by the smallest rotation onto its bone: the
-    // twist is anatomy's, and nothing flips when a finger is bent by a right angle.
+    // Turns each joint as the rig would after its parent, then by the smallest rotation onto its bone, so
+    // that nothing flips when a finger is bent by a right angle.
     joints[kPalmJoint].orientation = palmTurn;
     joints[kWristJoint].orientation = placement.deviceFromRest * rest.joints[kWristJoint].orientation;
     for (int i = 2; i < kJointCount; ++i) {

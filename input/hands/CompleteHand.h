@@ -15,34 +15,32 @@ struct PartialHand {
     int64_t identity = 0;
     std::optional<Side> side;
     glm::vec3 palm{0};
-    glm::vec3 normal{0, -1, 0};     // out of the palm; need not be of unit length, nor at a right angle to...
-    glm::vec3 direction{0, 0, -1};  // ...the way to the fingers, but not parallel to it
+    glm::vec3 normal{0, -1, 0};     // out of the palm, of any length
+    glm::vec3 direction{0, 0, -1};  // to the fingers, of any length, not parallel to the normal
     std::optional<glm::vec3> elbow; // as the joints
     std::optional<float> palmWidth_m;
     std::optional<float> grip, pinch, confidence;
-    JointPositions joints; // but the palm
-    // Fingertips of which the device does not say whose they are; no finger is then in `joints`.
+    JointPositions joints; // all but the palm
+    // Fingertips whose finger the device does not tell; no finger is then in `joints`.
     std::array<glm::vec3, kFingerCount> looseTips{};
     int looseTipCount = 0;
 };
 
-// Checks the hand's side and normal against its finger joints, where those are known: a service that takes
-// one hand for the other, or the palm for the back, would bend the fingers backwards. Index to little finger
-// run across the palm the way that side and normal say, and fingers bend towards the palm. Corrects what is
-// wrong; false where something is wrong and fingers too straight to tell what. The hand has a side.
+// Corrects the side and normal of a hand by its finger joints, where those are known: a service that takes
+// one hand for the other, or the palm for the back, would bend the fingers backwards. Returns false if they
+// disagree and the fingers are too straight to tell which is wrong. The hand has a side.
 bool agreesWithJoints(PartialHand& hand);
 
 class HandCompleter {
   public:
     explicit HandCompleter(const HandRig& rig);
 
-    // The joints sent stay where they are; the others are placed by the rig in the hand's own size. Every
-    // bone from the foot of a metacarpal to the tip keeps the length that was measured, or else the rig's. A
-    // finger of which nothing is sent is as bent as the grip. Same frame as what comes in. side: if the hand
-    // has none.
+    // Returns the whole hand, in the same frame. Joints that were sent stay where they are; the others are
+    // placed by the rig in the hand's own size. A finger of which nothing was sent is as bent as the grip.
+    // side: used if the hand has none.
     HandPose complete(const PartialHand& hand, Side side) const;
 
-    // The side that loose fingertips indicate, if they do.
+    // Returns the side that loose fingertips indicate, if they do.
     std::optional<Side> sideOfTips(const PartialHand& hand) const;
 
   private:
@@ -50,7 +48,7 @@ class HandCompleter {
         std::array<int, kFingerCount> fingerOfTip{};
         float cost = 0;
     };
-    struct Placement; // of the rig's hand where the palm is seen
+    struct Placement; // the rig's hand placed at the palm that is seen
     Fit fitTips(const PartialHand& hand, Side side) const;
     float sizeOf(const PartialHand& hand) const;
     void placeFinger(int finger, const Placement& placement, std::array<Joint, kJointCount>& joints) const;

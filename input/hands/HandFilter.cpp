@@ -13,7 +13,7 @@ namespace shoal::hands {
 
 namespace {
 
-// The way from a to b: of quaternions the shorter one, as axis times angle in a's frame.
+// Returns the way from a to b: of quaternions the shorter one, as axis times angle in a's frame.
 glm::vec3 wayBetween(const glm::vec3& a, const glm::vec3& b) { return b - a; }
 glm::vec3 wayBetween(const glm::quat& a, const glm::quat& b) {
     glm::quat d = glm::conjugate(a) * b;
@@ -128,7 +128,7 @@ Palm HandFilter::palm(float after_s) const {
 }
 
 bool HandFilter::continues(const HandPose& seen, int64_t identity, float dt_s) const {
-    return pose_.tracked && identity == identity_ && dt_s >= 0 && dt_s <= kGap_s &&
+    return pose_.tracked && identity == identity_ && dt_s >= 0 && dt_s <= kHandLost_s &&
            glm::distance(seen.joints[0].position, raw_.joints[0].position) < kJump_m + kFastest_mps * dt_s;
 }
 
@@ -171,7 +171,7 @@ void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
         pose_.joints[i].orientation =
             glm::normalize(palmTurn * filtered(palmFromJointTurn_[i], palmFromView * joint.orientation));
     }
-    // The filter cuts corners, and so bones. The palm stays; the wrist and what hangs from it follow.
+    // The filter shortens bones in curved motion. The palm stays; the wrist and the joints below it follow.
     const auto keepLength = [&](int from, int to) {
         const float length = glm::distance(seen.joints[from].position, seen.joints[to].position);
         const glm::vec3 bone = pose_.joints[to].position - pose_.joints[from].position;

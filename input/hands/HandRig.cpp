@@ -16,32 +16,19 @@ namespace {
 
 constexpr float kDegree = std::numbers::pi_v<float> / 180;
 
-// Bend of each joint at curl 1, radians about its own X; towards the palm. Ranges of a relaxed fist.
-constexpr std::array<float, kJointCount> kFullBend = [] {
-    std::array<float, kJointCount> bend{};
-    const int thumb = kFingerJoints[0].metacarpal;
-    bend[thumb] = 15 * kDegree;
-    bend[thumb + 1] = 40 * kDegree;
-    bend[thumb + 2] = 60 * kDegree;
-    for (int finger = 1; finger < kFingerCount; ++finger) {
-        const int proximal = kFingerJoints[finger].proximal;
-        bend[proximal] = 80 * kDegree;
-        bend[proximal + 1] = 95 * kDegree;
-        bend[proximal + 2] = 60 * kDegree;
-    }
-    return bend;
-}();
-
-// Turn about its own Y at spread 1, radians; positive towards the thumb's side of a right hand.
-constexpr std::array<float, kJointCount> kFullSpread = [] {
-    std::array<float, kJointCount> spread{};
-    spread[kFingerJoints[0].metacarpal] = 15 * kDegree;
-    spread[kFingerJoints[1].proximal] = 10 * kDegree;
-    spread[kFingerJoints[2].proximal] = 2 * kDegree;
-    spread[kFingerJoints[3].proximal] = -6 * kDegree;
-    spread[kFingerJoints[4].proximal] = -13 * kDegree;
-    return spread;
-}();
+// Bend of each joint at curl 1 about its own X, towards the palm: ranges of a relaxed fist. Spread: turn
+// about its own Y at spread 1; positive towards the thumb's side of a right hand.
+struct Range {
+    float bend_deg = 0, spread_deg = 0;
+};
+constexpr std::array<Range, kJointCount> kRanges = {{
+    {},       {},                        // palm, wrist
+    {15, 15}, {40},      {60}, {},       // thumb
+    {},       {80, 10},  {95}, {60}, {}, // index
+    {},       {80, 2},   {95}, {60}, {}, // middle
+    {},       {80, -6},  {95}, {60}, {}, // ring
+    {},       {80, -13}, {95}, {60}, {}, // little
+}};
 
 Joint mirrored(Joint joint) {
     joint.position.x = -joint.position.x;
@@ -112,8 +99,6 @@ Result<HandRig> HandRig::load(const Path& file) {
 }
 
 HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist) const {
-    // Parents first: the wrist, then every other joint in order but the palm and metacarpals hang from it
-    // too.
     std::array<Joint, kJointCount> rest;
     const auto place = [&](int i) {
         const int parent = kJointParent[i];
@@ -128,14 +113,14 @@ HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist
         joint.orientation = rest[parent].orientation * parentFromJointTurn_[i];
         const int finger = fingerOfJoint(i);
         if (finger < 0) return;
-        const float bend = -kFullBend[i] * std::clamp(shape.curl[finger], 0.0f, 1.0f);
-        const float spread = kFullSpread[i] * std::clamp(shape.spread, -1.0f, 1.0f);
+        const float bend = -(kRanges[i].bend_deg * kDegree) * std::clamp(shape.curl[finger], 0.0f, 1.0f);
+        const float spread = kRanges[i].spread_deg * kDegree * std::clamp(shape.spread, -1.0f, 1.0f);
         if (spread != 0)
             joint.orientation = joint.orientation * math::rotationAbout(glm::vec3(0, 1, 0), spread);
         if (bend != 0) joint.orientation = joint.orientation * math::rotationAbout(glm::vec3(1, 0, 0), bend);
         joint.orientation = glm::normalize(joint.orientation);
     };
-    place(kWristJoint);
+    place(kWristJoint); // parents first
     place(kPalmJoint);
     for (int i = kWristJoint + 1; i < kJointCount; ++i) place(i);
 

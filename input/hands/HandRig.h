@@ -19,7 +19,7 @@ struct HandShape {
     float spread = 0;                       // -1 fingers together, 0 as at rest, 1 fanned
 };
 
-// Of the wrist joint, viewer's frame.
+// Pose of the wrist joint, viewer's frame.
 struct WristPose {
     glm::vec3 position{0};
     glm::quat orientation{1, 0, 0, 0}; // -Z towards the fingers, +Y out of the back of the hand
@@ -30,11 +30,10 @@ class HandRig {
     // Reads content/models/hand_skeleton.json.
     static Result<HandRig> load(const Path& file);
 
-    // All 26 joints; tracked, confidence 1, grip and pinch as the joints show them. The left hand mirrors the
-    // right.
+    // Returns a tracked hand, with grip and pinch as the joints show them. The left hand mirrors the right.
     HandPose pose(Side, const HandShape&, const WristPose&) const;
 
-    // Rest length of the bone from kJointParent[joint] to the joint, metres; 0 for the wrist.
+    // Returns the length of the bone from kJointParent[joint] to the joint, metres; 0 for the wrist.
     float boneLength(int joint) const;
 
   private:
@@ -43,8 +42,8 @@ class HandRig {
     std::array<float, kJointCount> radius_{};
 };
 
-// Grip and pinch of any 26 joints, for sources that give none: grip from how far the four fingers are bent,
-// pinch from the gap between thumb tip and index tip. 0 to 1.
+// Estimate grip (from the bends of four fingers) and pinch (from the gap between thumb tip and index tip) for
+// sources that give none. 0 to 1.
 float gripOf(const std::array<Joint, kJointCount>&);
 float pinchOf(const std::array<Joint, kJointCount>&);
 

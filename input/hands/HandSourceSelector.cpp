@@ -1,7 +1,5 @@
 #include "input/hands/HandSourceSelector.h"
 
-#include "input/hands/HandFilter.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -66,7 +64,7 @@ HandPose between(const HandPose& a, const HandPose& b, float share) {
 }
 
 const HandPose& PoseBlend::step(const HandPose& seen, int stretch, float notSeen_s, float dt_s) {
-    const bool known = stretch != 0 && notSeen_s <= kBridge_s;
+    const bool known = stretch != 0 && notSeen_s <= kHandLost_s;
     if (!known) {
         pose_.tracked = false;
         pose_.confidence = 0;
@@ -94,7 +92,7 @@ const HandPose& PoseBlend::step(const HandPose& seen, int stretch, float notSeen
     }
     pose_.tracked = true;
     pose_.solid = seen.solid && appear_s_ <= 0 && (glide_s_ <= 0 || from_.solid);
-    pose_.confidence = seen.confidence * std::max(0.0f, 1 - notSeen_s / kBridge_s);
+    pose_.confidence = seen.confidence * std::max(0.0f, 1 - notSeen_s / kHandLost_s);
     return pose_;
 }
 
@@ -123,8 +121,7 @@ void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>
         const bool isNew = seen.pose().time_us != hand.target.time_us;
         hand.sinceFrame_s = isNew ? 0 : hand.sinceFrame_s + dt_s;
         if (seen.stretch() == hand.targetStretch) {
-            // A slow device's hands have nearly stopped when its next frame comes, or does not yet: they are
-            // to be on their way even then.
+            // The longer correction keeps the hands of a slow device on their way until its next frame comes.
             const float slow_s = std::max(0.0f, seen.interval_s() - kStops_s / 2);
             const float left_s = std::max(seen.interval_s(), kCorrect_s) + slow_s - hand.sinceFrame_s;
             hand.target = between(carried(hand.target, seen.palm(age_s - dt_s), palm), newest,

@@ -66,7 +66,7 @@ std::array<glm::vec3, 2> HandPlacement::shifts(const std::array<std::optional<gl
         shifts_ = {back, -back};
     }
     const float step = std::clamp(static_cast<float>(time_us - time_us_) * 1e-6f / kEase_s, 0.0f, 1.0f);
-    if (!seen_) // nobody sees a hand leap that was not there
+    if (!seen_) // a hand that was not there cannot leap
         share_ = both ? 1.0f : 0.0f;
     else
         share_ = std::clamp(share_ + (both ? step : -step), 0.0f, 1.0f);

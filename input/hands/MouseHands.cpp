@@ -16,11 +16,11 @@ namespace {
 constexpr float kCloseTime_s = 0.12f;
 constexpr float kFollow_s = 0.025f;   // the hand lags the cursor by about this: no jitter, no felt delay
 constexpr float kSwap_s = 0.09f;      // to the side and back
-constexpr float kReach_s = 0.12f;     // the help closes a gap in depth in about this...
-constexpr float kReach_mps = 0.55f;   // ...no faster: that would frighten what it reaches for...
-constexpr float kReachEase_s = 0.05f; // ...and changes its speed in this
-constexpr float kWheelRest_s = 1.2f;  // how long the wheel's word stands against the help with depth...
-constexpr float kWheelFades_s = 1;    // ...and in what time it fades then
+constexpr float kReach_s = 0.12f;     // time in which the help closes a gap in depth
+constexpr float kReach_mps = 0.55f;   // its greatest speed: a faster hand would frighten the fish
+constexpr float kReachEase_s = 0.05f; // time in which it changes its speed
+constexpr float kWheelRest_s = 1.2f;  // time for which the wheel's choice stands against the help...
+constexpr float kWheelFades_s = 1;    // ...and in which it fades then
 constexpr float kNotch = 1.06f;       // reach per notch
 
 glm::vec3 restingPlace(Side side, float tanX, float tanY) {
@@ -29,7 +29,7 @@ glm::vec3 restingPlace(Side side, float tanX, float tanY) {
     return {sign * z * std::min(0.62f * tanX, 0.6f), -z * 0.88f * tanY, -z};
 }
 
-// Upper right corner of the picture at a metre's distance.
+// Returns the upper right corner of the picture at a metre's distance.
 glm::vec2 cornerOf(const MouseInput& input) {
     const float half = 0.5f * std::clamp(input.fovY, 0.2f, 2.6f);
     const float tanY = math::sine(half) / math::cosine(half);

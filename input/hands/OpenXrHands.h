@@ -6,14 +6,14 @@
 
 namespace shoal::hands {
 
-// A bare hand as xr::Tracking has it.
+// Converts a bare hand of xr::Tracking.
 HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead);
 
-// A hand around a controller: the palm at the grip pose, the last three fingers as far bent as it is
-// squeezed, thumb and index finger by the trigger.
+// Returns a hand around a controller: the palm at the grip pose, the last three fingers bent by the squeeze,
+// thumb and index finger by the trigger.
 HandPose handFromController(const HandRig&, Side, const xr::Controller&, const xr::Pose& worldFromHead);
 
-// Left and right: bare where that hand is seen, else from its controller, else not tracked.
+// Returns left and right hand: bare if that hand is seen, else from its controller, else not tracked.
 std::array<HandPose, 2> openXrHands(const HandRig&, const xr::Tracking&);
 
 } // namespace shoal::hands

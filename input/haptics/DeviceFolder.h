@@ -1,4 +1,4 @@
-// Tells when device nodes came or went, so that a costly list of devices is made only then.
+// Detector of device nodes that came or went, so that a costly list of devices is made only then.
 #pragma once
 
 #include <chrono>
@@ -10,8 +10,8 @@ class DeviceFolder {
   public:
     explicit DeviceFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Whether a list that was made at the last call may be out of date. True for a while after a change too,
-    // because a device is not set up in one moment; and where the folder cannot be asked.
+    // Returns whether a list that was made at the last call may be out of date; also for a while after a
+    // change, because a device is not set up in one moment, and if the folder cannot be read.
     bool mayHaveChanged() {
         constexpr std::chrono::seconds kSettles{3};
         std::error_code code;

@@ -1,6 +1,6 @@
-// Drivers of haptic devices: how a frame becomes the bytes of a HID output report, pure functions of the
-// frame, used on the thread of HapticOutput; and the table of devices: identification, description, driver
-// and pace. Recognition, the list of `shoal devices` and the tests of bytes and of udev rules follow from it.
+// Drivers of haptic devices, which turn a frame into the bytes of an output report, on the thread of
+// HapticOutput; and the table of devices: identification, description, driver and pace. Recognition, the list
+// of `shoal devices` and the tests of bytes and of udev rules follow from it.
 #pragma once
 
 #include "input/haptics/HapticFrame.h"
@@ -15,7 +15,7 @@ namespace shoal::haptics {
 
 constexpr size_t kMaxReportBytes = 78;
 
-// As hidapi sends them: the report's id first.
+// A report as hidapi sends it: the id first.
 struct Report {
     std::array<uint8_t, kMaxReportBytes> bytes{};
     size_t size = 0;
@@ -25,8 +25,8 @@ struct Report {
 };
 
 struct Driver {
-    // Equal reports mean equal vibration: what differs from one write to the next (a sequence number, a
-    // checksum) is filled in by seal, if there is any.
+    // Equal reports mean equal vibration: seal fills in what differs from one write to the next (a sequence
+    // number, a checksum).
     std::function<Report(const HapticFrame&)> encode;
     void (*seal)(Report&, uint8_t sequence) = nullptr;
     std::vector<Report> initialReports; // written first, sealed likewise
@@ -38,22 +38,18 @@ struct Driver {
     }
 };
 
-// Reads a feature report: the buffer's first byte is the id; how many bytes came, id counted, 0 on failure.
-using ReadFeature = std::function<size_t(std::span<uint8_t>)>;
-
-// The opened device that a driver is made for.
+// The device that a driver is made for.
 struct DeviceContext {
     uint16_t product;
     bool bluetooth;
-    const ReadFeature& readFeature;
+    HidDevice& device;
 };
 
-// Each in the file named beside it.
+// Each is defined in the file named beside it.
 using MakeDriver = Driver(const DeviceContext&);
-MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia; // Gamepads.cpp
-MakeDriver makeSwitch;                                          // Switch.cpp
-MakeDriver makeGlove;                                           // Glove.cpp
-MakeDriver makeForceFeedback;                                   // ForceFeedback.cpp
+MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia, makeForceFeedback; // Gamepads.cpp
+MakeDriver makeSwitch;                                                             // Switch.cpp
+MakeDriver makeGlove;                                                              // Glove.cpp
 
 struct DeviceRow {
     uint16_t vendor, product;
@@ -61,12 +57,12 @@ struct DeviceRow {
     const char* name;
     const char* motors;
     MakeDriver* driver;
-    double minWrite_s; // between two writes
-    double refresh_s;  // a vibration is repeated after that: some devices stop by themselves
+    double minWrite_s; // least time between two writes
+    double refresh_s;  // time after which a vibration is repeated: some devices stop by themselves
 };
 
-// Pace. USB: the controller polls every 4 ms. Bluetooth: reports that come more often than every 10 ms queue
-// up before the radio. Nintendo: as documented; its voice coils fall silent after about 60 ms.
+// The pace on USB is that of the controllers' polling, 4 ms; over Bluetooth reports that come more often than
+// every 10 ms queue up before the radio. Nintendo's voice coils fall silent after about 60 ms.
 inline constexpr auto kDevices = [] {
     constexpr auto Usb = Transport::Usb, Bluetooth = Transport::Bluetooth, Any = Transport::Any;
     constexpr const char *kTwo = "a strong and a quick motor", *kCoils = "a voice coil in each hand",
@@ -96,21 +92,21 @@ inline constexpr auto kDevices = [] {
     });
 }();
 
-// Known by its usage, whoever built it. Its watchdog waits 0.1 s.
+// A glove is known by its usage, whoever built it. Its watchdog waits 0.1 s.
 inline constexpr DeviceRow kGlove = {
     0, 0, Transport::Any, "fingertip glove", "ten fingertips and two palms", makeGlove, 0.002, 0.040};
 
-// Gamepads that the kernel drives; motors with weights follow no faster than this.
+// Gamepads that the kernel drives. Motors with weights follow no faster than this.
 inline constexpr DeviceRow kForceFeedback = {
     0, 0, Transport::ForceFeedback, "gamepad", "a strong and a quick motor", makeForceFeedback, 0.010, 0.5};
 
-// Null for all that has no actuator: keyboards, mice.
+// Returns a device's row; null if it has no actuator, as keyboards and mice.
 const DeviceRow* recognise(const HidInfo& info);
 
-// The two tones of one side of Nintendo's controllers in four bytes, by the tables of dekuNukem's
+// Returns the four bytes of two tones of one side of Nintendo's controllers, by the tables of dekuNukem's
 // Nintendo_Switch_Reverse_Engineering (rumble_data_table.md): the high one 82 to 1253 Hz, the low one 41 to
-// 626 Hz, amplitudes up to the last that is safe for the coil. Frequencies out of range go to its end; of a
-// silent tone the frequency is the neutral one, 320 and 160 Hz.
+// 626 Hz, amplitudes up to the last that is safe for the coil. A silent tone gets the neutral frequency, 320
+// or 160 Hz.
 std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation& low);
 int switchAmplitudeIndex(float amplitude); // number of an amplitude in the table, 0 to 100
 

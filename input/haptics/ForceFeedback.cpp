@@ -1,16 +1,13 @@
 #include "input/haptics/ForceFeedback.h"
 
 #include "input/haptics/DeviceFolder.h"
-#include "input/haptics/DeviceTable.h"
 
 #include <fcntl.h>
 #include <linux/input.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -21,18 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFirstHandle = 1 << 16; // below are those of the bus behind
-constexpr uint16_t kPlay_ms = 1000;   // it is written again before; a program that hangs is felt no longer
+constexpr uint16_t kPlay_ms = 1000; // an effect ends by itself, unless it is written again before
 
-class EventNode {
+class EventNode final : public HidDevice {
   public:
     explicit EventNode(const std::string& path)
         : fd_(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC)), path_(path) {}
-    ~EventNode() {
+    ~EventNode() override {
         if (fd_ >= 0) ::close(fd_);
     }
-    EventNode(const EventNode&) = delete;
-    EventNode& operator=(const EventNode&) = delete;
 
     bool isOpen() const { return fd_ >= 0; }
 
@@ -52,7 +46,9 @@ class EventNode {
                 name.data(), fs::canonical(input, none).string()};
     }
 
-    bool play(uint16_t strong, uint16_t weak) {
+    bool write(std::span<const uint8_t> report) override {
+        const auto word = [&](size_t at) { return static_cast<uint16_t>(report[at] | report[at + 1] << 8); };
+        const uint16_t strong = word(0), weak = word(2);
         const bool stop = strong == 0 && weak == 0;
         if (stop && effect_ < 0) return true;
         if (!stop) {
@@ -73,7 +69,7 @@ class EventNode {
     }
 
   private:
-    // Whether the device has this code among its events of the type.
+    // Returns whether the device has this code among its events of the type.
     template <int kType, int kMax> bool has(int code) const {
         std::array<uint8_t, kMax / 8 + 1> bits{};
         return ::ioctl(fd_, EVIOCGBIT(kType, bits.size()), bits.data()) >= 0 &&
@@ -85,77 +81,33 @@ class EventNode {
     int16_t effect_ = -1; // in the device; -1: none yet
 };
 
-struct EventNodes {
-    DeviceFolder folder{"/dev/input"};
-    std::vector<HidInfo> found;
-    std::vector<std::unique_ptr<EventNode>> opened; // by handle; null: closed
-
-    EventNode& at(int handle) { return *opened[static_cast<size_t>(handle - kFirstHandle)]; }
-
-    void list() {
-        found.clear();
-        std::error_code none;
-        for (const fs::directory_entry& entry : fs::directory_iterator("/dev/input", none)) {
-            if (!entry.path().filename().string().starts_with("event")) continue;
-            const EventNode node(entry.path().string());
-            if (node.isOpen() && node.rumbles()) found.push_back(node.info());
-        }
-    }
-    Result<int> open(const std::string& path) {
-        auto node = std::make_unique<EventNode>(path);
-        if (!node->isOpen()) return Error{path, "may not be opened"};
-        auto free = std::find(opened.begin(), opened.end(), nullptr);
-        if (free == opened.end()) free = opened.emplace(free);
-        *free = std::move(node);
-        return kFirstHandle + static_cast<int>(free - opened.begin());
-    }
-};
-
-uint16_t scaled16(float amplitude) { return static_cast<uint16_t>(std::lround(driveOf(amplitude) * 65535)); }
-
 } // namespace
 
-Driver makeForceFeedback(const DeviceContext&) {
-    return {.encode = [](const HapticFrame& frame) {
-        const Motors motors = motorsOf(frame);
-        const uint16_t strong = scaled16(motors.strong), weak = scaled16(motors.weak);
-        Report report{.size = 4};
-        report.bytes[0] = static_cast<uint8_t>(strong);
-        report.bytes[1] = static_cast<uint8_t>(strong >> 8);
-        report.bytes[2] = static_cast<uint8_t>(weak);
-        report.bytes[3] = static_cast<uint8_t>(weak >> 8);
-        return report;
-    }};
-}
-
 HidBus withForceFeedback(HidBus bus) {
-    auto nodes = std::make_shared<EventNodes>();
-    HidBus both = bus;
-    both.list = [nodes, bus] {
-        std::vector<HidInfo> all = bus.list();
-        if (nodes->folder.mayHaveChanged()) nodes->list();
+    struct Nodes {
+        DeviceFolder folder{"/dev/input"};
+        std::vector<HidInfo> found;
+    };
+    const auto list = [nodes = std::make_shared<Nodes>(), other = bus.list] {
+        std::error_code none;
+        if (nodes->folder.mayHaveChanged()) {
+            nodes->found.clear();
+            for (const fs::directory_entry& entry : fs::directory_iterator("/dev/input", none)) {
+                if (!entry.path().filename().string().starts_with("event")) continue;
+                const EventNode node(entry.path().string());
+                if (node.isOpen() && node.rumbles()) nodes->found.push_back(node.info());
+            }
+        }
+        std::vector<HidInfo> all = other();
         all.insert(all.end(), nodes->found.begin(), nodes->found.end());
         return all;
     };
-    both.open = [nodes, bus](const std::string& path) {
-        return path.starts_with("/dev/input/") ? nodes->open(path) : bus.open(path);
+    const auto open = [other = bus.open](const std::string& path) -> std::unique_ptr<HidDevice> {
+        if (!path.starts_with("/dev/input/")) return other(path);
+        auto node = std::make_unique<EventNode>(path);
+        return node->isOpen() ? std::move(node) : nullptr;
     };
-    both.write = [nodes, bus](int handle, std::span<const uint8_t> report) {
-        if (handle < kFirstHandle) return bus.write(handle, report);
-        const auto word = [&](size_t at) { return static_cast<uint16_t>(report[at] | report[at + 1] << 8); };
-        return report.size() == 4 && nodes->at(handle).play(word(0), word(2));
-    };
-    both.readFeature = [bus](int handle, std::span<uint8_t> report) -> size_t {
-        return handle < kFirstHandle ? bus.readFeature(handle, report) : 0;
-    };
-    both.guard = [bus](int handle, std::span<const uint8_t> stop) {
-        if (handle < kFirstHandle) bus.guard(handle, stop);
-    };
-    both.close = [nodes, bus](int handle) {
-        if (handle < kFirstHandle) return bus.close(handle);
-        nodes->opened[static_cast<size_t>(handle - kFirstHandle)].reset();
-    };
-    return both;
+    return {list, open};
 }
 
 } // namespace shoal::haptics

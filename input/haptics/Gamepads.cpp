@@ -13,7 +13,7 @@ uint8_t scaled(float amplitude, float full) {
     return static_cast<uint8_t>(std::lround(driveOf(amplitude) * full));
 }
 
-// Over Bluetooth Sony wants a CRC-32 of the whole packet; A2 is the Bluetooth header of an output report.
+// Adds the CRC-32 of the whole packet that Sony wants over Bluetooth; A2 is the header of an output report.
 void addSonyChecksum(Report& report) {
     constexpr uint8_t kHeader = 0xA2;
     constexpr size_t kAt = 74;
@@ -22,14 +22,14 @@ void addSonyChecksum(Report& report) {
     for (size_t i = 0; i < 4; ++i) report.bytes[kAt + i] = static_cast<uint8_t>(crc >> (8 * i));
 }
 
-// From firmware 2.21 on, and on every Edge, vibration has another enabling bit. Feature report 20 tells the
-// version.
-bool hasNewVibration(const DeviceContext& device) {
+// Returns whether vibration has another enabling bit: from firmware 2.21 on, and on every Edge. Feature
+// report 20 tells the version.
+bool hasNewVibration(const DeviceContext& given) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;
-    if (device.product == kEdge) return true;
+    if (given.product == kEdge) return true;
     std::array<uint8_t, 64> bytes{0x20};
-    return device.readFeature(bytes) == bytes.size() &&
+    return given.device.readFeature(bytes) == bytes.size() &&
            (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
 }
 
@@ -74,32 +74,25 @@ void sealDualShock4Bluetooth(Report& report, uint8_t) { addSonyChecksum(report);
 // pause, repeated: it runs until it is told otherwise. The triggers' motors are for each hand's fingers.
 Report xbox(const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
-    Report report{.size = 9};
-    report.bytes[0] = 0x03;
-    report.bytes[1] = 0x0F;
-    report.bytes[2] = scaled(motorsOf(handOf(frame, 0)).weak, 100);
-    report.bytes[3] = scaled(motorsOf(handOf(frame, 1)).weak, 100);
-    report.bytes[4] = scaled(motors.strong, 100);
-    report.bytes[5] = scaled(motors.weak, 100);
-    report.bytes[6] = 0xFF;
-    report.bytes[8] = 0xEB;
+    return {{0x03, 0x0F, scaled(motorsOf(handOf(frame, 0)).weak, 100),
+             scaled(motorsOf(handOf(frame, 1)).weak, 100), scaled(motors.strong, 100),
+             scaled(motors.weak, 100), 0xFF, 0, 0xEB},
+            9};
+}
+
+// Adds the strengths of the strong and of the weak motor: 16 bits each, the low byte first.
+Report withMotors16(Report report, const HapticFrame& frame) {
+    const Motors motors = motorsOf(frame);
+    for (const float amplitude : {motors.strong, motors.weak}) {
+        const auto value = static_cast<uint16_t>(std::lround(driveOf(amplitude) * 65535));
+        report.bytes[report.size++] = static_cast<uint8_t>(value);
+        report.bytes[report.size++] = static_cast<uint8_t>(value >> 8);
+    }
     return report;
 }
 
-// id, strong, weak: 16 bits each, little end first.
-Report stadia(const HapticFrame& frame) {
-    const Motors motors = motorsOf(frame);
-    Report report{.size = 5};
-    report.bytes[0] = 0x05;
-    const auto put = [&](size_t at, float amplitude) {
-        const auto value = static_cast<uint16_t>(std::lround(driveOf(amplitude) * 65535));
-        report.bytes[at] = static_cast<uint8_t>(value);
-        report.bytes[at + 1] = static_cast<uint8_t>(value >> 8);
-    };
-    put(1, motors.strong);
-    put(3, motors.weak);
-    return report;
-}
+Report stadia(const HapticFrame& frame) { return withMotors16({{0x05}, 1}, frame); }
+Report forceFeedback(const HapticFrame& frame) { return withMotors16({}, frame); }
 
 } // namespace
 
@@ -117,5 +110,6 @@ Driver makeDualShock4(const DeviceContext& device) {
 
 Driver makeXbox(const DeviceContext&) { return {.encode = xbox}; }
 Driver makeStadia(const DeviceContext&) { return {.encode = stadia}; }
+Driver makeForceFeedback(const DeviceContext&) { return {.encode = forceFeedback}; }
 
 } // namespace shoal::haptics

@@ -14,7 +14,7 @@ namespace {
 
 // 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The body, for which a glove has no
 // actuator, goes to both palms.
-Report encode(const HapticFrame& frame) {
+Report gloveReport(const HapticFrame& frame) {
     Report report{.size = 1 + glove::kReportBytes};
     for (size_t i = 0; i < kActuatorCount; ++i) {
         Actuation felt = frame.actuators[i];
@@ -28,10 +28,10 @@ Report encode(const HapticFrame& frame) {
     return report;
 }
 
-void seal(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
+void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
 
 } // namespace
 
-Driver makeGlove(const DeviceContext&) { return {.encode = encode, .seal = seal}; }
+Driver makeGlove(const DeviceContext&) { return {.encode = gloveReport, .seal = sealGlove}; }
 
 } // namespace shoal::haptics

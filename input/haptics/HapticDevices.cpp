@@ -1,10 +1,12 @@
 #include "input/haptics/HapticDevices.h"
 
 #include "engine/core/Log.h"
+#include "input/haptics/GloveReport.h"
 #include "input/haptics/HapticFrame.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace shoal::haptics {
 
@@ -18,46 +20,49 @@ double secondsSince(std::chrono::steady_clock::time_point then) {
 
 std::string describe(const DeviceRow& row, const HidInfo& info) {
     const bool named = info.transport == Transport::ForceFeedback && !info.name.empty();
-    return (named ? info.name : row.name) + std::string(info.transport == Transport::Bluetooth
-                                                            ? " over Bluetooth"
-                                                        : info.transport == Transport::Usb ? " on USB"
-                                                                                           : "");
+    const char* way = info.transport == Transport::Bluetooth ? " over Bluetooth"
+                      : info.transport == Transport::Usb     ? " on USB"
+                                                             : "";
+    return (named ? info.name : row.name) + std::string(way);
 }
 
-// What a person must do to be let in, with the rule for just this device.
+// Returns what a person must do to get access, with the rule for this device.
 std::string notLetIn(const HidInfo& info) {
     if (info.transport == Transport::ForceFeedback) return "may not be opened";
-    char rule[160];
-    std::snprintf(rule, sizeof rule, "KERNEL==\"hidraw*\", KERNELS==\"*:%04X:%04X.*\", TAG+=\"uaccess\"",
-                  info.vendor, info.product);
-    return std::string(
-               "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev has "
-               "it for every device known) lets you in once it is plugged in again: ") +
-           rule;
+    return fmt::format(
+        "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev "
+        "has it for every device known) lets you in once it is plugged in again: "
+        "KERNEL==\"hidraw*\", KERNELS==\"*:{:04X}:{:04X}.*\", TAG+=\"uaccess\"",
+        info.vendor, info.product);
 }
 
 } // namespace
 
+const DeviceRow* recognise(const HidInfo& info) {
+    if (info.transport == Transport::ForceFeedback) return &kForceFeedback;
+    if (info.usagePage == glove::kUsagePage && info.usage == glove::kUsage) return &kGlove;
+    for (const DeviceRow& row : kDevices)
+        if (row.vendor == info.vendor && row.product == info.product &&
+            (row.transport == Transport::Any || row.transport == info.transport))
+            return &row;
+    return nullptr;
+}
+
 // Returns why the device cannot be used; empty: it can.
 std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double now_s) {
-    auto handle = bus_.open(info.path);
-    if (!handle) return notLetIn(info);
-    const ReadFeature readFeature = [&](std::span<uint8_t> report) {
-        return bus_.readFeature(*handle, report);
-    };
+    auto open = bus_.open(info.path);
+    if (!open) return notLetIn(info);
     Device device{.listed = {describe(row, info), info.path, row.motors, ""},
                   .physical = info.device,
                   .row = &row,
-                  .driver = row.driver({row.product, info.transport == Transport::Bluetooth, readFeature}),
-                  .handle = *handle};
+                  .driver = row.driver({row.product, info.transport == Transport::Bluetooth, *open}),
+                  .open = std::move(open)};
     device.stopped = device.sent = device.driver.encode({});
-    bus_.guard(device.handle, device.driver.sealed({}, 0).view());
-    for (Report initialReports : device.driver.initialReports) {
-        if (device.driver.seal) device.driver.seal(initialReports, device.sequence++);
+    device.open->stopAtCrash(device.driver.sealed({}, 0).view());
+    for (Report initialReport : device.driver.initialReports) {
+        if (device.driver.seal) device.driver.seal(initialReport, device.sequence++);
         device.sent_s = now_s;
-        if (bus_.write(device.handle, initialReports.view())) continue;
-        bus_.close(device.handle);
-        return "does not answer";
+        if (!device.open->write(initialReport.view())) return "does not answer";
     }
     devices_.push_back(std::move(device));
     return {};
@@ -69,7 +74,7 @@ void HapticDevices::findDevices(double now_s) {
         if (std::any_of(devices_.begin(), devices_.end(),
                         [&](const Device& device) { return device.listed.path == info.path; }))
             continue;
-        // A pad that moves already through its HID node is not moved twice.
+        // A pad that is open through its HID node is not opened twice.
         if (info.transport == Transport::ForceFeedback && !info.device.empty() &&
             std::any_of(devices_.begin(), devices_.end(),
                         [&](const Device& device) { return device.physical == info.device; }))
@@ -92,7 +97,7 @@ bool HapticDevices::write(Device& device, const Report& unsealed, double now_s) 
     if (device.driver.seal) device.driver.seal(report, device.sequence++);
     device.sent = unsealed;
     device.sent_s = now_s;
-    return bus_.write(device.handle, report.view());
+    return device.open->write(report.view());
 }
 
 double HapticDevices::step(const HapticFrame& frame, double now_s) {
@@ -111,9 +116,8 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
                 return false;
             }
             if (!write(device, report, now_s)) {
-                // Gone, or deaf for the moment: if it still hears, let it be still.
-                bus_.write(device.handle, device.driver.sealed({}, device.sequence).view());
-                bus_.close(device.handle);
+                // The device may still hear: one more report to stop it.
+                device.open->write(device.driver.sealed({}, device.sequence).view());
                 return true;
             }
         }
@@ -129,12 +133,10 @@ bool HapticDevices::allStopped() const {
 }
 
 void HapticDevices::stop() {
-    for (Device& device : devices_) {
+    for (Device& device : devices_)
         if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
-        bus_.close(device.handle);
-    }
     devices_.clear();
-    found_s_ = -1e9; // those that are still there are found at the next step
+    found_s_ = -1e9; // the next step looks for devices
 }
 
 std::vector<HapticDevices::Listed> HapticDevices::list() const {
@@ -154,7 +156,7 @@ void HapticOutput::submit(const HapticFrame& frame) {
     changed_.notify_one();
 }
 
-// The newest frame, once there is one or the time is over; empty when the output ends.
+// Returns the newest frame, once there is one or the time is over; empty when the output ends.
 std::optional<HapticOutput::Submitted> HapticOutput::wait(const std::stop_token& ending, double max_s) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, ending, std::chrono::duration<double>(max_s), [&] { return fresh_; });

@@ -1,5 +1,4 @@
-// The haptic devices that are plugged in, and the schedule of reports to each. Takes the time as an argument,
-// so that tests need not wait. One thread; HapticOutput has one of its own for them.
+// The haptic devices that are plugged in, and the schedule of reports to each.
 #pragma once
 
 #include "input/haptics/DeviceTable.h"
@@ -16,7 +15,7 @@
 
 namespace shoal::haptics {
 
-constexpr double kFindDevices_s = 1.0; // between two searches for new devices
+constexpr double kFindDevices_s = 1.0; // time between two searches for new devices
 
 class HapticDevices {
   public:
@@ -25,10 +24,10 @@ class HapticDevices {
     HapticDevices(const HapticDevices&) = delete;
     HapticDevices& operator=(const HapticDevices&) = delete;
 
-    // now_s: a monotonic clock. Looks for devices when due, and writes to each device what has changed or
-    // must be repeated, no more often than its minWrite_s; a frame that came too soon is written when its
-    // time comes, unless a newer one replaced it. A device that cannot be written to is dropped, and looked
-    // for again. Returns after how many seconds to call again at the latest.
+    // Looks for devices when due, and writes a changed or ongoing vibration to each, no more often than its
+    // minWrite_s; a frame that came too soon is written when its time comes, unless a newer one replaced it.
+    // A device that cannot be written to is dropped, and looked for again. Returns the longest time until the
+    // next call, seconds. now_s: a monotonic clock, an argument so that tests need not wait.
     double step(const HapticFrame& frame, double now_s);
 
     // Stops all motors at once and lets go of the devices.
@@ -44,7 +43,7 @@ class HapticDevices {
     std::vector<Listed> list() const; // as of the last search
     size_t ready() const { return devices_.size(); }
 
-    // Of the devices that cannot be used, each once.
+    // Returns a message for each device that cannot be used, once.
     std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
 
   private:
@@ -53,7 +52,7 @@ class HapticDevices {
         std::string physical; // HidInfo::device
         const DeviceRow* row;
         Driver driver;
-        int handle = -1;
+        std::unique_ptr<HidDevice> open;
         Report stopped; // unsealed
         Report sent;    // unsealed
         uint8_t sequence = 0;
@@ -71,18 +70,17 @@ class HapticDevices {
     double found_s_ = -1e9;
 };
 
-// Haptic output on a thread of its own, so that neither finding devices nor slow writes delay a picture.
-
 // A frame lasts that long unless a newer one comes: when the program stalls, the motors stop.
 constexpr double kFelt_s = 0.25;
 
-// At its end it stops every motor, which takes at most a few writings' time.
+// Haptic output on a thread of its own, so that neither finding devices nor slow writes delay a picture. The
+// destructor stops every motor, which takes the time of a few writes.
 class HapticOutput {
   public:
     explicit HapticOutput(HidBus bus);
 
-    // What to feel from now on; only the newest frame counts. Does not allocate, and waits at most for the
-    // copy of a frame. Written at once unless the device had its last report too short a time ago.
+    // Sets the vibration from now on; only the newest frame counts. Does not allocate, and waits at most for
+    // the copy of a frame.
     void submit(const HapticFrame& frame);
 
   private:

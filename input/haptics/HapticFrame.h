@@ -27,48 +27,45 @@ struct HapticFrame {
     Actuation body;
 };
 
-// Reduced to the few motors of a device. Pure, except VibrationTimer.
-
 // The two motors of a common controller, 0 to 1: a heavy slow one and a light quick one.
 struct Motors {
     float strong = 0, weak = 0;
 };
 
-// Each actuation goes to both by its frequency, all to the strong one up to 60 Hz and all to the weak one
-// from 200 Hz, and the strongest of them counts, so that many fingers are not felt as one blow. NaN is 0.
+// Distributes actuations by frequency: up to 60 Hz to the strong motor, from 200 Hz to the weak one. The
+// strongest of them counts, so that many fingers are not felt as one blow. NaN is 0.
 Motors motorsOf(std::span<const Actuation> actuations);
-Motors motorsOf(const HapticFrame& frame); // of everything, the body too
+Motors motorsOf(const HapticFrame& frame); // with the body
 
-// A hand's six actuators.
+// Returns a hand's six actuators.
 std::span<const Actuation> handOf(const HapticFrame& frame, int hand);
 
 inline Actuation stronger(const Actuation& a, const Actuation& b) {
     return b.amplitude > a.amplitude ? b : a;
 }
 
-// The strongest with a frequency of min_Hz or above and below limit_Hz; amplitude 0 if there is none.
+// Returns the strongest with a frequency of min_Hz or above and below limit_Hz; amplitude 0 if there is none.
 Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz = 0,
                       float limit_Hz = std::numeric_limits<float>::infinity());
 
-// What a motor with an eccentric weight is driven by, 0 to 1. Such motors start only at about a fifth of
-// their range; amplitudes are laid over what can be felt, and 0 stays 0.
+// Returns the drive of a motor with an eccentric weight, 0 to 1. Such motors start only at about a fifth of
+// their range, so amplitudes above 0 are mapped to the rest of it.
 float driveOf(float amplitude);
 
-// For a device with one motor a hand, such as a headset's controllers: the strongest of a hand's actuators
-// and the body's, so that many fingers are not felt as one blow. hand: 0 left, 1 right. Amplitude 0 to 1;
-// what is no number is nothing.
+// Returns the vibration of a device with one motor a hand, such as a headset's controllers: the strongest of
+// the hand's actuators and the body's. hand: 0 left, 1 right. Amplitude 0 to 1; NaN is 0.
 Actuation vibrationOf(const HapticFrame& frame, int hand);
 
-// When to write to such a motor: a change at once, an ongoing vibration again before it runs out.
+// Decides when to write to such a motor: a change at once, an ongoing vibration again before it runs out.
 class VibrationTimer {
   public:
-    // Whether to send `now`. now_s: any clock that rises.
+    // Returns whether to send `now`. now_s: any clock that rises.
     bool due(const Actuation& now, double now_s);
 
   private:
     Actuation sent_{};
     double sent_s_ = -1e9;
 };
-constexpr double kVibrationAgain_s = 0.05; // half of what a headset is asked to vibrate for
+constexpr double kVibrationAgain_s = 0.05; // half of the time for which a headset vibrates
 
 } // namespace shoal::haptics

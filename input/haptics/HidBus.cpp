@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
+#include <optional>
 
 namespace shoal::haptics {
 
@@ -15,16 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Opened {
-    hid_device* device = nullptr;
-    std::string path;
-    int guard = -1;
-
-    void close() {
-        if (guard >= 0) crash::unguard(guard);
-        if (device) hid_close(device);
-        *this = {};
+class HidapiDevice final : public HidDevice {
+  public:
+    HidapiDevice(const std::string& path, hid_device* device) : path_(path), device_(device, hid_close) {}
+    bool write(std::span<const uint8_t> report) override {
+        return hid_write(device_.get(), report.data(), report.size()) >= 0;
     }
+    size_t readFeature(std::span<uint8_t> report) override {
+        const int got = hid_get_feature_report(device_.get(), report.data(), report.size());
+        return got > 0 ? static_cast<size_t>(got) : 0;
+    }
+    void stopAtCrash(std::span<const uint8_t> stop) override { crashStop_.emplace(path_, stop); }
+
+  private:
+    std::string path_;
+    std::unique_ptr<hid_device, decltype(&hid_close)> device_;
+    std::optional<CrashStop> crashStop_;
 };
 
 // hidapi 0.13 has no call for this.
@@ -34,19 +40,11 @@ std::string deviceOf(const std::string& path) {
 }
 
 struct Hidapi {
-    std::vector<Opened> devices; // by handle
     std::vector<HidInfo> found;
     DeviceFolder folder{"/dev"};
 
-    Hidapi() {
-        hid_init();
-        crash::install();
-    }
-    ~Hidapi() {
-        for (Opened& opened : devices) opened.close();
-        hid_exit();
-    }
-    Opened& at(int handle) { return devices[static_cast<size_t>(handle)]; }
+    Hidapi() { hid_init(); }
+    ~Hidapi() { hid_exit(); }
 
     void list() {
         found.clear();
@@ -78,28 +76,10 @@ HidBus hidapiBus() {
         if (hidapi->folder.mayHaveChanged()) hidapi->list();
         return hidapi->found;
     };
-    bus.open = [hidapi](const std::string& path) -> Result<int> {
+    bus.open = [hidapi](const std::string& path) -> std::unique_ptr<HidDevice> {
         hid_device* device = hid_open_path(path.c_str());
-        if (!device) return Error{path, "may not be opened"};
-        auto& devices = hidapi->devices;
-        auto free = std::find_if(devices.begin(), devices.end(), [](const Opened& o) { return !o.device; });
-        if (free == devices.end()) free = devices.emplace(devices.end());
-        *free = {device, path};
-        return static_cast<int>(free - devices.begin());
+        return device ? std::make_unique<HidapiDevice>(path, device) : nullptr;
     };
-    bus.write = [hidapi](int handle, std::span<const uint8_t> report) {
-        const crash::Writing writing;
-        return writing.allowed() && hid_write(hidapi->at(handle).device, report.data(), report.size()) >= 0;
-    };
-    bus.readFeature = [hidapi](int handle, std::span<uint8_t> report) {
-        const int got = hid_get_feature_report(hidapi->at(handle).device, report.data(), report.size());
-        return got > 0 ? static_cast<size_t>(got) : 0;
-    };
-    bus.guard = [hidapi](int handle, std::span<const uint8_t> stop) {
-        Opened& opened = hidapi->at(handle);
-        opened.guard = crash::guard(opened.path, stop);
-    };
-    bus.close = [hidapi](int handle) { hidapi->at(handle).close(); };
     return bus;
 }
 

@@ -1,10 +1,9 @@
-// Access to haptic devices as a few functions: hidapi's, or a recording fake in tests.
+// Access to haptic devices: through hidapi, or a recording fake in tests.
 #pragma once
-
-#include "engine/core/Result.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +14,7 @@ namespace shoal::haptics {
 enum class Transport { Any, Usb, Bluetooth, ForceFeedback };
 
 struct HidInfo {
-    std::string path; // names it to open()
+    std::string path; // for HidBus::open()
     uint16_t vendor = 0, product = 0;
     Transport transport = Transport::Any;
     std::string name;   // as the device calls itself; may be empty
@@ -23,19 +22,25 @@ struct HidInfo {
     uint16_t usagePage = 0, usage = 0; // of its first collection of reports
 };
 
-struct HidBus {
-    // All devices, each path once; may take some milliseconds, unless nothing was plugged in or out.
-    std::function<std::vector<HidInfo>()> list;
-    std::function<Result<int>(const std::string& path)> open;               // a handle, 0 or above
-    std::function<bool(int handle, std::span<const uint8_t> report)> write; // false: the device is gone
-    // Fills the buffer, whose first byte is the report's id; how many bytes, id counted, or 0.
-    std::function<size_t(int handle, std::span<uint8_t> report)> readFeature;
-    // From now until close(): should the program die by a signal, this report is still written.
-    std::function<void(int handle, std::span<const uint8_t> stop)> guard;
-    std::function<void(int handle)> close;
+// An open device; its destructor closes it.
+class HidDevice {
+  public:
+    virtual ~HidDevice() = default;
+    virtual bool write(std::span<const uint8_t> report) = 0; // false: the device is gone
+    // Reads the feature report whose id is the buffer's first byte. Returns the number of bytes, with the id;
+    // 0 on failure.
+    virtual size_t readFeature(std::span<uint8_t>) { return 0; }
+    // Has this report written if the program dies while the device is open.
+    virtual void stopAtCrash(std::span<const uint8_t>) {}
 };
 
-// hidapi's. One thread at a time; lives until the last copy goes.
+struct HidBus {
+    // Lists all devices, each path once; takes some milliseconds if something was plugged in or out.
+    std::function<std::vector<HidInfo>()> list;
+    std::function<std::unique_ptr<HidDevice>(const std::string& path)> open; // null: it may not be opened
+};
+
+// Makes hidapi's bus. One thread at a time; lives until the last copy goes.
 HidBus hidapiBus();
 
 } // namespace shoal::haptics

@@ -9,8 +9,8 @@ namespace shoal::haptics {
 
 namespace {
 
-constexpr float kHighFrom_Hz = 160; // a hand's strongest actuation from there on is its high tone
-constexpr int kSafeIndex = 100;     // beyond it the tables warn of damage
+constexpr float kHighFrom_Hz = 160; // least frequency of the high tone
+constexpr int kSafeIndex = 100;     // the tables warn of damage beyond it
 
 int frequencyIndex(float frequency_Hz) {
     return static_cast<int>(std::lround(32 * std::log2(frequency_Hz / 10)));
@@ -41,7 +41,7 @@ Report enable(size_t size) {
     return report;
 }
 
-void seal(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
+void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
 
 } // namespace
 
@@ -74,7 +74,7 @@ std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation&
 Driver makeSwitch(const DeviceContext& device) {
     const size_t size = device.bluetooth ? 49 : 64;
     return {.encode = [=](const HapticFrame& frame) { return tones(frame, size); },
-            .seal = seal,
+            .seal = sealSwitch,
             .initialReports = {enable(size)}};
 }
 

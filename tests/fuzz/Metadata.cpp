@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         fuzz::expect(placement->height > 0 && placement->top + placement->height <= placement->fullHeight);
     }
     const bool matroska = size > 0 && data[0] == 0x1a;
-    const media::Input input = media::openInput(path, av_find_input_format(matroska ? "matroska" : "mov"));
+    const media::Input input = media::openInput(path, matroska ? "matroska" : "mov");
     if (input && input->nb_streams > 0) (void)media::sphericalMetadata(*input, *input->streams[0], path);
     return 0;
 }

@@ -122,7 +122,7 @@ Status keep(const Drawn& drawn, const Path& file) {
 
 Result<Drawn> recall(const Path& file, int width) {
     const Error failed{file.string(), "is no traced frame; remove it"};
-    const Input input = media::openInput(file, av_find_input_format("nut"));
+    const Input input = media::openInput(file, "nut");
     const Packet packet = media::makePacket();
     if (!input || input->nb_streams != 1 || av_read_frame(input.get(), packet.get()) < 0) return failed;
     const AVCodecParameters* about = input->streams[0]->codecpar;

@@ -15,61 +15,62 @@ namespace {
 // The camera gives the nearest size that it has.
 constexpr int kRequestedWidth = 3840, kRequestedHeight = 1920;
 
-Status openCamera(int index, CameraReader& camera) {
-    std::error_code code;
-    if (!std::filesystem::exists("/dev/video" + std::to_string(index), code))
-        return Error{"", "is not there; `shoal devices` lists the cameras that are"};
-    const auto with = codecs();
-    if (!with) return Error{"", "cannot be opened: " + with.error().message()};
-    try {
-        camera = nullptr;
-        // A short queue: waiting pictures grow old.
-        camera = (*with)->openCamera(
-            index, {.width = kRequestedWidth, .height = kRequestedHeight, .jpeg = true, .waiting = 2});
-        if (!camera) return Error{"", "cannot be opened, or is in use elsewhere"};
-    } catch (const std::exception&) {
-        return Error{"", "cannot be opened"};
-    }
-    return Done{};
-}
+class Camera final : public LiveFeed {
+  public:
+    explicit Camera(int index) : LiveFeed("camera:" + std::to_string(index), "camera"), index_(index) {}
 
-Result<LivePicture> readCamera(const CameraReader& camera, ImageRgb8& bgr) {
-    const Error silent{"", "sends no pictures any more"};
-    try {
-        if (!camera(nullptr)) return silent;
-        LivePicture picture;
-        picture.arrived_s = liveNow_s();
-        cv::Mat read(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
-        if (!camera(&read) || read.type() != CV_8UC3) return silent;
-        if (std::min(read.cols, read.rows) < 2 || std::max(read.cols, read.rows) > kMaxVideoSide)
-            return Error{"", "gives a picture of a size that is not played"};
-        if (read.data != bgr.pixels.data()) { // it has another size
-            bgr = ImageRgb8(read.cols, read.rows);
-            read.copyTo(cv::Mat(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data()));
+    Status open() override {
+        std::error_code code;
+        if (!std::filesystem::exists("/dev/video" + std::to_string(index_), code))
+            return Error{"", "is not there; `shoal devices` lists the cameras that are"};
+        const auto with = codecs();
+        if (!with) return Error{"", "cannot be opened: " + with.error().message()};
+        try {
+            reader_ = nullptr;
+            // A short queue: waiting pictures grow old.
+            reader_ = (*with)->openCamera(
+                index_, {.width = kRequestedWidth, .height = kRequestedHeight, .jpeg = true, .waiting = 2});
+            if (!reader_) return Error{"", "cannot be opened, or is in use elsewhere"};
+        } catch (const std::exception&) {
+            return Error{"", "cannot be opened"};
         }
-        picture.decode_ms = 1e3 * (liveNow_s() - picture.arrived_s);
-        return picture;
-    } catch (const std::exception&) {
-        return silent;
+        return Done{};
     }
-}
+
+    Result<LivePicture> read(ImageRgb8& bgr) override {
+        if (interrupted_) return Error{"", "was interrupted"};
+        const Error silent{"", "sends no pictures any more"};
+        try {
+            if (!reader_(nullptr)) return silent;
+            LivePicture picture;
+            picture.arrived_s = liveNow_s();
+            cv::Mat read(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
+            if (!reader_(&read) || read.type() != CV_8UC3) return silent;
+            if (std::min(read.cols, read.rows) < 2 || std::max(read.cols, read.rows) > kMaxVideoSide)
+                return Error{"", "gives a picture of a size that is not played"};
+            if (read.data != bgr.pixels.data()) { // it has another size
+                bgr = ImageRgb8(read.cols, read.rows);
+                read.copyTo(cv::Mat(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data()));
+            }
+            picture.decode_ms = 1e3 * (liveNow_s() - picture.arrived_s);
+            return picture;
+        } catch (const std::exception&) {
+            return silent;
+        }
+    }
+
+    void interrupt() override { interrupted_ = true; }
+
+  private:
+    int index_;
+    CameraReader reader_; // once open
+    std::atomic<bool> interrupted_{false};
+};
 
 } // namespace
 
-LiveFeed cameraFeed(const CameraAddress& address) {
-    struct Camera {
-        CameraReader reader; // once open
-        std::atomic<bool> interrupted{false};
-    };
-    const auto camera = std::make_shared<Camera>();
-    return {.name = "camera:" + std::to_string(address.index),
-            .kind = "camera",
-            .open = [camera, index = address.index] { return openCamera(index, camera->reader); },
-            .read = [camera](ImageRgb8& bgr) -> Result<LivePicture> {
-                if (camera->interrupted) return Error{"", "was interrupted"};
-                return readCamera(camera->reader, bgr);
-            },
-            .interrupt = [camera] { camera->interrupted = true; }};
+std::shared_ptr<LiveFeed> cameraFeed(const CameraAddress& address) {
+    return std::make_shared<Camera>(address.index);
 }
 
 std::vector<CameraListed> listCameras() {

@@ -57,7 +57,7 @@ std::string withoutPassword(const std::string& url) {
     return at == std::string::npos || at < host ? url : url.substr(0, host) + url.substr(at + 1);
 }
 
-LiveFeed feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts) {
+std::shared_ptr<LiveFeed> feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts) {
     if (const auto* camera = std::get_if<CameraAddress>(&address)) return cameraFeed(*camera);
     return streamFeed(address, timeouts);
 }

@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -22,7 +22,7 @@ struct CameraAddress {
 struct PipeAddress {
     Path file;
 };
-// Most pixels of a live picture: some 250 MB for the pictures that are decoded and shown at once.
+// Greatest size of a live picture: some 250 MB for the pictures that are decoded and shown at once.
 constexpr int64_t kMaxLivePixels = int64_t{4096} * 4096;
 
 struct StreamAddress {
@@ -49,22 +49,26 @@ struct LivePicture {
     glm::ivec2 chromaTexels{2}; // as in VideoFrame
 };
 
-struct LiveFeed {
-    std::string name;      // as shown to the user
-    const char* kind = ""; // "camera", "pipe", "stream"
+class LiveFeed {
+  public:
+    LiveFeed(std::string shownName, const char* kindName) : name(std::move(shownName)), kind(kindName) {}
+    virtual ~LiveFeed() = default;
+
+    const std::string name; // as shown to the user
+    const char* const kind; // "camera", "pipe", "stream"
 
     // open() and read() belong to one thread, and block.
 
     // Connects, or connects again. The error says why there is nothing to read.
-    std::function<Status()> open;
+    virtual Status open() = 0;
 
     // Returns the newest picture that was not returned before, as soon as there is one; blue first,
     // sRGB-coded. The image takes the picture's size, at most kMaxVideoSide a side. The error says why no
     // more come; then open() again.
-    std::function<Result<LivePicture>(ImageRgb8& bgr)> read;
+    virtual Result<LivePicture> read(ImageRgb8& bgr) = 0;
 
     // Makes open() and read() return soon, now and later. Any thread.
-    std::function<void()> interrupt;
+    virtual void interrupt() = 0;
 };
 
 struct FeedTimeouts {
@@ -72,14 +76,12 @@ struct FeedTimeouts {
     double silence_s = 4; // between pictures, before the connection counts as lost
 };
 
-// Makes a feed without opening it.
-LiveFeed feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts = {});
+// Makes a feed without opening it. A silent camera cannot be interrupted for ten seconds.
+std::shared_ptr<LiveFeed> feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts = {});
 
-// Makes a feed of a pipe or a stream.
-LiveFeed streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts);
-
-// Makes a feed of a Video4Linux camera, by OpenCV. A silent one cannot be interrupted for ten seconds.
-LiveFeed cameraFeed(const CameraAddress& address);
+// Make the feed of a pipe or a stream, and of a Video4Linux camera.
+std::shared_ptr<LiveFeed> streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts);
+std::shared_ptr<LiveFeed> cameraFeed(const CameraAddress& address);
 
 struct CameraListed {
     int index = 0;

@@ -21,7 +21,7 @@ constexpr Seconds kJoinTimeout{2}; // for a feed that cannot be interrupted
 double liveNow_s() { return Seconds(Clock::now().time_since_epoch()).count(); }
 
 struct LivePlayer::Impl {
-    LiveFeed feed;
+    std::shared_ptr<LiveFeed> feed;
     LiveOptions options;
 
     mutable std::mutex mutex;
@@ -92,7 +92,7 @@ struct LivePlayer::Impl {
             slot.state = State::Filling;
             Result<LivePicture> picture = Error{};
             ImageRgb8& bgr = slots.pixelsOf(slot, options);
-            const bool going = inCall(lock, [&] { picture = feed.read(bgr); });
+            const bool going = inCall(lock, [&] { picture = feed->read(bgr); });
             if (!going || !picture) {
                 slot.state = State::Free;
                 return picture ? Error{} : picture.error();
@@ -117,7 +117,7 @@ struct LivePlayer::Impl {
         std::unique_lock lock(mutex);
         while (!stop) {
             Status opened = Error{};
-            if (!inCall(lock, [&] { opened = feed.open(); })) break;
+            if (!inCall(lock, [&] { opened = feed->open(); })) break;
             const int64_t before = counts.made;
             const Error why = opened ? play(lock) : opened.error();
             if (stop) break;
@@ -163,14 +163,15 @@ struct LivePlayer::Impl {
         noticedReason = reason;
         notice.clear();
         if (now == LiveState::Stopped)
-            notice = std::string("The ") + feed.kind + " has stopped; showing its last picture";
+            notice = std::string("The ") + feed->kind + " has stopped; showing its last picture";
         if (now == LiveState::Lost)
-            notice = std::string("The ") + feed.kind + " " + reason +
+            notice = std::string("The ") + feed->kind + " " + reason +
                      "; showing its last picture, and trying again";
     }
 };
 
-Result<LivePlayer> LivePlayer::open(LiveFeed feed, LiveOptions options, const std::function<bool()>& wait) {
+Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions options,
+                                    const std::function<bool()>& wait) {
     auto impl = std::make_shared<Impl>();
     impl->feed = std::move(feed);
     impl->options = std::move(options);
@@ -183,7 +184,7 @@ Result<LivePlayer> LivePlayer::open(LiveFeed feed, LiveOptions options, const st
     std::unique_lock lock(impl->mutex);
     const auto failed = [&](std::string why) {
         lock.unlock(); // the player's destructor locks it
-        return Error{impl->feed.name, std::move(why)};
+        return Error{impl->feed->name, std::move(why)};
     };
     for (;;) {
         if (impl->takeReady()) break;
@@ -212,7 +213,7 @@ LivePlayer::~LivePlayer() {
     impl_->stop = true;
     impl_->changed.notify_all();
     lock.unlock();
-    impl_->feed.interrupt();
+    impl_->feed->interrupt();
     lock.lock();
     impl_->changed.wait_for(lock, kJoinTimeout, [&] { return impl_->finished; });
     impl_->changed.wait(lock, [&] { return impl_->finished || impl_->inFeed; });
@@ -243,12 +244,11 @@ LiveCounts LivePlayer::counts() const {
 }
 
 Result<std::string> checkLive(const LiveAddress& address) {
-    LiveFeed feed = feedFrom(address);
-    const std::string kind = feed.kind;
-    auto player = LivePlayer::open(std::move(feed));
+    const auto feed = feedFrom(address);
+    auto player = LivePlayer::open(feed);
     if (!player) return player.error();
     const VideoFrame& frame = *player->newest();
-    return "a live " + kind + " of " + std::to_string(frame.pixelsBgr.width) + "x" +
+    return std::string("a live ") + feed->kind + " of " + std::to_string(frame.pixelsBgr.width) + "x" +
            std::to_string(frame.pixelsBgr.height) + ", lat-long " + enumName(frame.layout);
 }
 

@@ -33,14 +33,12 @@ class LivePlayer {
   public:
     // Returns when the first picture is ready. Fails if there is none, or none within firstPicture_s, or if
     // wait() returned false. wait: polled some twenty times a second; returns whether to go on waiting.
-    static Result<LivePlayer> open(LiveFeed feed, LiveOptions options = {},
+    static Result<LivePlayer> open(std::shared_ptr<LiveFeed> feed, LiveOptions options = {},
                                    const std::function<bool()>& wait = {});
 
     LivePlayer(LivePlayer&&) noexcept;
     LivePlayer& operator=(LivePlayer&&) noexcept;
-    // Returns soon, even if the feed is blocked: a feed that cannot be interrupted leaves its thread behind,
-    // detached and sharing nothing with us.
-    ~LivePlayer();
+    ~LivePlayer(); // a feed that cannot be interrupted leaves its thread behind, detached
 
     // Returns the newest complete frame; call it once per displayed frame. Never null. Valid until the next
     // call.

@@ -61,9 +61,9 @@ class PacketQueue {
     std::string reason_;
 };
 
-// Holds packets that come faster than their own time stamps (a file on a server, or written into a pipe) back
-// to these. A token bucket of seconds: it fills as time passes, and each picture takes its duration. Live
-// packets never wait.
+// Delays packets that come faster than their own time stamps (a file on a server, or written into a pipe). A
+// token bucket of seconds: it fills as time passes, and each picture takes its duration. Live packets never
+// wait.
 class TokenBucket {
   public:
     // burst_s: how much may come at once; a server that first sends the last seconds is still live.

@@ -45,6 +45,11 @@ constexpr size_t kBehind = 3;
 // More bytes than this without a picture are not video: a sender may claim any size.
 constexpr int64_t kMaxBytesBetween = int64_t{32} << 20;
 
+std::string nameOf(const LiveAddress& address) {
+    const auto* pipe = std::get_if<PipeAddress>(&address);
+    return pipe ? pipe->file.string() : withoutPassword(std::get<StreamAddress>(address).url);
+}
+
 Status checkLiveSize(int width, int height) {
     if (int64_t{width} * height > kMaxLivePixels)
         return Error{"",
@@ -53,23 +58,21 @@ Status checkLiveSize(int width, int height) {
 }
 
 // A stream or pipe. One thread reads packets as they come, so that none wait in the network; another decodes.
-class Stream {
+class Stream final : public LiveFeed {
   public:
     Stream(const LiveAddress& address, const FeedTimeouts& timeouts)
-        : address_(address), timeouts_(timeouts) {
+        : LiveFeed(nameOf(address), std::holds_alternative<PipeAddress>(address) ? "pipe" : "stream"),
+          address_(address), timeouts_(timeouts) {
         setUpDecoders();
     }
-    ~Stream() {
+    ~Stream() override {
         stopReader();
         if (pipe_ >= 0) ::close(pipe_);
     }
-    Stream(const Stream&) = delete;
-    Stream& operator=(const Stream&) = delete;
 
-    // The functions of LiveFeed.
-    Status open();
-    Result<LivePicture> read(ImageRgb8& bgr);
-    void interrupt() {
+    Status open() override;
+    Result<LivePicture> read(ImageRgb8& bgr) override;
+    void interrupt() override {
         interrupted_ = true;
         queue_.interrupt();
     }
@@ -159,23 +162,23 @@ Status Stream::openFormat() {
     format->interrupt_callback = {watch, this};
     watched_ = format;
     const auto* url = std::get_if<StreamAddress>(&address_);
-    std::string name;
+    std::string opened;
     AVDictionary* options = nullptr;
     av_dict_set(&options, "format_whitelist", kFormats, 0);
     if (url) {
-        name = url->url;
+        opened = url->url;
         av_dict_set(&options, "protocol_whitelist", url->protocols, 0);
         av_dict_set(&options, "user_agent", "Shoal", 0);
         av_dict_set(&options, "rtsp_transport", "tcp", 0);
         av_dict_set(&options, "max_redirects", "0", 0);
     } else {
-        name = "pipe:" + std::to_string(pipe_);
+        opened = "pipe:" + std::to_string(pipe_);
         av_dict_set(&options, "protocol_whitelist", "pipe", 0);
     }
     format->max_analyze_duration = AV_TIME_BASE;
     format->fps_probe_size = 0; // live frames arrive slowly: do not wait for several
     int error =
-        avformat_open_input(&format, name.c_str(), nullptr, &options); // frees the context if it fails
+        avformat_open_input(&format, opened.c_str(), nullptr, &options); // frees the context if it fails
     av_dict_free(&options);
     format_.reset(format);
     watched_ = format;
@@ -235,8 +238,8 @@ Status Stream::connect() {
 // FFmpeg's parser finds the end of a picture by the beginning of the next, which would delay each by one. In
 // these formats packets are pictures already; a parser of our own finds the key frames.
 void Stream::passPacketsUnparsed() {
-    const std::string_view name = format_->iformat->name;
-    unparsed_ = name == "mpegts" || name == "rtsp";
+    const std::string_view container = format_->iformat->name;
+    unparsed_ = container == "mpegts" || container == "rtsp";
     if (unparsed_) format_->flags |= AVFMT_FLAG_NOPARSE | AVFMT_FLAG_NOFILLIN;
 }
 
@@ -345,14 +348,8 @@ Result<LivePicture> Stream::read(ImageRgb8& bgr) {
 
 } // namespace
 
-LiveFeed streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts) {
-    const auto* pipe = std::get_if<PipeAddress>(&address);
-    const auto stream = std::make_shared<Stream>(address, timeouts);
-    return {.name = pipe ? pipe->file.string() : withoutPassword(std::get<StreamAddress>(address).url),
-            .kind = pipe ? "pipe" : "stream",
-            .open = [stream] { return stream->open(); },
-            .read = [stream](ImageRgb8& bgr) { return stream->read(bgr); },
-            .interrupt = [stream] { stream->interrupt(); }};
+std::shared_ptr<LiveFeed> streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts) {
+    return std::make_shared<Stream>(address, timeouts);
 }
 
 } // namespace shoal::media

@@ -106,7 +106,7 @@ void readPointable(const json& from, std::vector<PartialHand>& hands) {
     const auto mcp = point(from, "mcpPosition"), pip = point(from, "pipPosition"),
                dip = point(from, "dipPosition");
     auto type = whole(from, "type");
-    // Before fingers had types they had numbers, and those of a skeleton end in the finger's.
+    // Older services number the fingers of a skeleton: the last digit tells the finger.
     if (!type && mcp)
         if (const auto id = whole(from, "id")) type = *id - 10 * hand->identity;
     if (type && *type >= 0 && *type < kFingerCount) {
@@ -136,6 +136,16 @@ LeapFrame readFrame(const json& from) {
     return frame;
 }
 
+// Returns the unit vector from the wrist to the elbow, device's frame; 0 without an elbow at an arm's
+// distance.
+glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
+    constexpr float kShortest_m = 0.1f, kLongest_m = 0.5f;
+    if (!hand.elbow) return glm::vec3(0);
+    const glm::vec3 forearm = *hand.elbow - wrist;
+    const float length = glm::length(forearm);
+    return length > kShortest_m && length < kLongest_m ? forearm / length : glm::vec3(0);
+}
+
 } // namespace
 
 Result<LeapMessage> readLeapMessage(std::string_view text) {
@@ -155,7 +165,7 @@ Result<LeapMessage> readLeapMessage(std::string_view text) {
     return LeapMessage();
 }
 
-// Old services do not tell: then a hand stays what it was, shows it by its thumb, or stands on that side.
+// Old services do not tell the side: then the hand's last side, its thumb or its place decides.
 Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
     if (hand.side) return *hand.side;
     if (hand.identity == identity_[0]) return Side::Left;
@@ -167,19 +177,6 @@ Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
     return viewerX < 0 ? Side::Left : Side::Right;
 }
 
-namespace {
-
-// Unit, from the wrist to the elbow, device's frame; 0 where no elbow is given, or one that no arm has.
-glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
-    constexpr float kShortest_m = 0.1f, kLongest_m = 0.5f;
-    if (!hand.elbow) return glm::vec3(0);
-    const glm::vec3 forearm = *hand.elbow - wrist;
-    const float length = glm::length(forearm);
-    return length > kShortest_m && length < kLongest_m ? forearm / length : glm::vec3(0);
-}
-
-} // namespace
-
 HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
     HandFrame frame;
     frame.time_us = time_us;
@@ -189,7 +186,7 @@ HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
         if (!agreesWithJoints(hand)) continue;
         const Side side = *hand.side;
         const size_t i = side == Side::Left ? 0 : 1;
-        // Of two hands said to be the same, the one that was there before, then the surer one.
+        // Among two hands of the same side, the one that was there before wins, then the surer one.
         const bool known = hand.identity == identity_[i];
         if (frame.hands[i].tracked && (found[i] == identity_[i] ||
                                        (!known && hand.confidence.value_or(1) <= frame.hands[i].confidence)))

@@ -13,7 +13,7 @@
 
 namespace shoal::hands {
 
-// A device was plugged in, or out, or changed its mind.
+// State of a device, sent when it changes.
 struct LeapDevice {
     bool attached = false, streaming = false;
     std::string type;
@@ -21,18 +21,17 @@ struct LeapDevice {
 
 struct LeapFrame {
     std::optional<int64_t> time_us;
-    std::vector<PartialHand> hands; // device's frame in metres; whatever was absurd is left out
+    std::vector<PartialHand> hands; // device's frame in metres, without hands that cannot be
 };
 
-using LeapMessage =
-    std::variant<std::monostate, LeapDevice, LeapFrame>; // the first: nothing that concerns us
+using LeapMessage = std::variant<std::monostate, LeapDevice, LeapFrame>; // monostate: no known message
 
-// What a message may hold; a frame with two hands and all their bones has 30 kB, 2000 values and depth 5.
+// Bounds of a message; a frame with two hands and all their bones has 30 kB, 2000 values and depth 5.
 constexpr size_t kLeapMessageBytes = 256 * 1024;
 constexpr size_t kLeapMessageValues = 16 * 1024;
 constexpr int kLeapMessageDepth = 16;
 
-// Fails on what is no JSON object, and on what exceeds the bounds above, before memory is taken for it.
+// Fails if the text is no JSON object or exceeds the bounds above, before memory is taken for it.
 Result<LeapMessage> readLeapMessage(std::string_view text);
 
 // Assignment of the hands in a service's frame to left and right, completed and in the viewer's frame.
@@ -40,8 +39,7 @@ class LeapTracks {
   public:
     LeapTracks(const HandRig& rig, const Mount& mount) : completer_(rig), placement_(mount) {}
 
-    // A service that starts anew counts its hands anew: another connection, another identity.
-    void connected() { ++connection_; }
+    void connected() { ++connection_; } // a service that starts anew counts its hands anew
     HandFrame frame(const LeapFrame& seen, int64_t time_us);
 
   private:
@@ -50,7 +48,7 @@ class LeapTracks {
     HandCompleter completer_;
     HandPlacement placement_;
     int64_t connection_ = 0;
-    std::array<int64_t, 2> identity_{-1, -1}; // as the service gave them, of the last frame
+    std::array<int64_t, 2> identity_{-1, -1}; // the service's, in the last frame
 };
 
 } // namespace shoal::hands

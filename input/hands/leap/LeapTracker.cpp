@@ -16,7 +16,7 @@ namespace shoal::hands {
 namespace {
 
 constexpr uint16_t kUnknownVersion = 1001; // the service's close code for a protocol it does not speak
-// After three silent seconds a ping, after ten the connection is taken for dead.
+// A ping after three silent seconds; after ten the connection counts as dead.
 constexpr lws_retry_bo_t kLiveness = {nullptr, 0, 0, 3, 10, 0};
 
 int64_t now_us() {
@@ -94,7 +94,7 @@ void LeapTracker::connect() {
     lws_client_connect_via_info(&info); // a failure comes as LWS_CALLBACK_CLIENT_CONNECTION_ERROR
 }
 
-// What the service wants to hear, byte for byte, one message each.
+// Sends what the service expects, byte for byte, one message each.
 void LeapTracker::sendSettings() {
     greeted_ = true;
     tracks_.connected();
@@ -123,7 +123,7 @@ void LeapTracker::receive(const char* bytes, size_t count) {
 
 void LeapTracker::handleMessage() {
     const auto read = readLeapMessage(message_);
-    if (!read) return; // rubbish: the next message may be better
+    if (!read) return;
     if (const auto* event = std::get_if<LeapDevice>(&*read))
         device_ = event->attached ? (event->type.empty() ? "device" : event->type) +
                                         (event->streaming ? " attached" : " attached but not streaming")
@@ -137,7 +137,6 @@ void LeapTracker::handleMessage() {
 
 void LeapTracker::disconnected() {
     socket_ = nullptr;
-    // To everybody else the hands are lost from now on; frames still on their way are not thrown away.
     setState(false, "no service at " + address());
     if (stopping_) return;
     if (closeCode_ == kUnknownVersion && version_ > 1) {
@@ -146,7 +145,7 @@ void LeapTracker::disconnected() {
         return;
     }
     version_ = kNewestLeapVersion;
-    // At most one attempt in so much time: whoever accepts and closes at once keeps nobody busy.
+    // A service that accepts and closes at once is tried only once in this time.
     connectIn(std::max<int64_t>(1, tried_us_ + int64_t{options_.retry_ms} * 1000 - now_us()));
 }
 
@@ -205,7 +204,7 @@ LeapTracker::LeapTracker(const LeapOptions& options, const HandRig& rig)
     info.protocols = protocols;
     info.gid = info.uid = static_cast<decltype(info.gid)>(-1);
     info.user = this;
-    // No way through a proxy that the environment may name: the service is on this machine, or near it.
+    // Ignores a proxy that the environment may name: the service is on this machine, or near it.
     info.http_proxy_address = "";
     context_ = lws_create_context(&info);
     setState(false, context_ ? "no service at " + address() : "no sockets are to be had");

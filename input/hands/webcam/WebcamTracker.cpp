@@ -52,7 +52,7 @@ class WebcamTracker final : public HandTracker {
     std::string place() const {
         return options_.file.empty() ? "camera " + std::to_string(options_.index) : options_.file;
     }
-    // takenAt: the picture; time_s: since the first.
+    // takenAt: time of the picture; time_s: time since the first one.
     void detect(LandmarkFinder& finder, const cv::Mat& picture, Clock::time_point takenAt, double time_s) {
         HandFrame frame = finder.detect(picture, time_s);
         frame.seenAt = takenAt;
@@ -69,7 +69,7 @@ class WebcamTracker final : public HandTracker {
         stream().setState({true, place()});
     }
 
-    // As in a mirror.
+    // Shows the picture as in a mirror.
     void showPreview(const cv::Mat& bgr, std::span<const cv::Point2f> marks) {
         if (bgr.empty() || bgr.type() != CV_8UC3) return;
         const float scale = static_cast<float>(CameraPreview::kWidth) / static_cast<float>(bgr.cols);
@@ -88,7 +88,7 @@ class WebcamTracker final : public HandTracker {
         preview_.show(shown_);
     }
 
-    // Both return why they ended.
+    // watchClip() and watchCamera() return the reason of their end.
     DeviceState watchClip(const std::stop_token& ending) {
         auto source = media::VideoSource::open(options_.file, media::Layout::Mono);
         if (!source) return {false, source.error().message()};
@@ -107,7 +107,7 @@ class WebcamTracker final : public HandTracker {
         return {false, options_.file + " is over"};
     }
 
-    // A camera that nothing can be found with is not opened.
+    // Opens no camera without the models.
     DeviceState watchCamera(const std::stop_token& ending) {
         auto finder = LandmarkFinder::load(options_.models, rig_);
         if (!finder) return {false, finder.error().message(), true};
@@ -123,7 +123,7 @@ class WebcamTracker final : public HandTracker {
                 if (!camera(&picture)) break;
                 detect(*finder, picture, takenAt, std::chrono::duration<double>(takenAt - began).count());
             }
-        } catch (const cv::Exception&) { // of a driver: as good as unplugged
+        } catch (const cv::Exception&) { // a driver's error: the camera counts as unplugged
         }
         return {false, place() + " gives no pictures"};
     }
@@ -144,8 +144,8 @@ class WebcamTracker final : public HandTracker {
     std::atomic<float> handSize_; // set by the program's thread
     HandPlacement placement_{kCameraMount};
     CameraPreview preview_;
-    cv::Mat small_;       // scratch of showPreview()
-    ImageRgba8 shown_;    // the same
+    cv::Mat small_;       // scratch memory of showPreview()
+    ImageRgba8 shown_;    // likewise
     std::jthread thread_; // last: it uses all of the above
 };
 

@@ -41,12 +41,12 @@ struct RowResult {
     int otherSide = 0;           // of these, taken for the other hand
     int phantoms = 0;            // hands where none is
     std::vector<double> tips_mm; // how far fingertips are off, from the wrist
-    // How far the wrist is from the camera as the finder has it, to which hands are of the rig's size, in
-    // times of how far it is.
+    // Ratios of the wrist's distance as the finder estimates it, for a hand of the rig's size, to its true
+    // distance.
     std::vector<double> wristRatio;
     std::vector<double> ms; // for each picture
     double tipMedian_mm() const { return medianOf(tips_mm); }
-    // The median of how far that is off, %, once the method knows that hands are of this size.
+    // Median error of the wrist's distance, %, once the size of the hands is known.
     double wristOff_percent(double knownSize) const;
 };
 
@@ -55,7 +55,7 @@ using Look = std::function<void(int number, const cv::Mat& picture, const HandFr
 RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder,
                   const Look& look = {});
 
-// What HandSizing says of a hand of that size, held open where it asks for it; 0: nothing.
+// Returns the size that HandSizing measures of a hand of that size, held open where it asks for it; 0: none.
 float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinder& finder);
 
 // Draws found hands into a picture.

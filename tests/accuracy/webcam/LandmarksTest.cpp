@@ -40,7 +40,7 @@ TEST_P(LandmarkRows, AreFoundWithoutPhantomsAndTheirFingertipsAreWhereTheyAre) {
     const test::RowResult result = test::measure(*clip, rig(), row, 50, *finder);
     EXPECT_EQ(result.phantoms, 0);
     if (result.shown == 0) return;
-    // Of hands that cross one is hidden for a while. Tips: measured were 18 mm in sleeves, which hide the
+    // Crossing hands hide each other for a while. Tips: measured were 18 mm in sleeves, which hide the
     // wrist, 17 before a wall of skin's colour, 16 where hands cross.
     EXPECT_GE(result.found, (row.trouble == test::Trouble::Crossing ? 0.75 : 0.97) * result.shown);
     EXPECT_EQ(result.otherSide, 0);
@@ -56,9 +56,9 @@ INSTANTIATE_TEST_SUITE_P(All, LandmarkRows, testing::Range(size_t{0}, test::rows
                              return name;
                          });
 
-// Without a measured size a hand is as much farther away as it is smaller: nothing in a picture tells. What
-// is left once it is measured is the error of landmarks, in the median 1.9 to 4.3 % in the bench and up
-// to 5.0 in these pictures: fists seem 4 to 8 % too far away.
+// A hand of unknown size seems farther away by as much as it is smaller. Once it is measured, the error of
+// landmarks is left: in the median 1.9 to 4.3 % in the bench and up to 5.0 in these pictures, where fists
+// seem 4 to 8 % too far away.
 class LandmarkSizes : public testing::TestWithParam<float> {};
 
 TEST_P(LandmarkSizes, OnceMeasuredTheWristIsAsFarAsItIs) {

@@ -131,9 +131,9 @@ TEST_F(WebcamClip, ASmallerHandIsNearerByAsMuch) {
     EXPECT_FLOAT_EQ(small.asRig_m[1], rigs.asRig_m[1]);
     EXPECT_NEAR(spanOf(small.hands[1]), 0.8f * spanOf(rigs.hands[1]), 1e-5f);
     const auto distance_m = [](const HandFrame& frame) { // from the camera, which kCameraMount puts there
-        HandPose hand = frame.hands[1];
-        kCameraMount.undo(hand);
-        return glm::length(hand.joints[kPalmJoint].position);
+        const auto& [viewerFromCamera, cameraCentre, viewerCentre, reach] = kCameraMount;
+        const glm::vec3 palm = frame.hands[1].joints[kPalmJoint].position;
+        return glm::length(cameraCentre + glm::conjugate(viewerFromCamera) * (palm - viewerCentre) / reach);
     };
     EXPECT_NEAR(distance_m(rigs), rigs.asRig_m[1], 1e-5f);
     EXPECT_NEAR(distance_m(small), 0.8f * rigs.asRig_m[1], 1e-5f);

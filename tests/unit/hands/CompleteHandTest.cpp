@@ -129,63 +129,39 @@ TEST(CompleteHand, FingersThatAnOldServiceNoLongerSeesAreBent) {
     EXPECT_GT(glm::distance(pointing.joints[20].position, flat.joints[20].position), 0.05f);
 }
 
-// ---- where devices stand
-
-TEST(Mount, OnTheDeskUpIsUpAndTowardsTheScreenIsAhead) {
-    HandPose hand = posed(Side::Right, 0);
-    const HandPose before = hand;
-    kDeskMount.apply(hand);
-    const auto moved = [](glm::vec3 way) {
-        HandPose a = posed(Side::Right, 0), b = a;
-        for (Joint& joint : b.joints) joint.position += way;
-        kDeskMount.apply(a);
-        kDeskMount.apply(b);
-        return b.joints[0].position - a.joints[0].position;
+TEST(Mount, PlacesHandsBeforeTheViewerAndKeepsTheirSize) {
+    const struct {
+        const Mount& mount;
+        glm::vec3 device, viewer;
+    } kRows[] = {
+        // On the desk up is up and towards the screen is ahead; distances from the middle are scaled.
+        {kDeskMount, {0, 0.2f, 0}, {0, -0.12f, -0.75f}},
+        {kDeskMount, {0.1f, 0.2f, 0}, {0.1f * kReach, -0.12f, -0.75f}},
+        {kDeskMount, {0, 0.3f, 0}, {0, -0.12f + 0.1f * kReach, -0.75f}},
+        {kDeskMount, {0, 0.2f, -0.1f}, {0, -0.12f, -0.75f - 0.1f * kReach}},
+        // On the head the device's up is ahead, and hands are where they are.
+        {kHeadMount, {0, 0.4f, 0}, {0, 0, -0.48f}},
+        {kHeadMount, {0.1f, 0.4f, 0}, {-0.1f, 0, -0.48f}},
+        {kHeadMount, {0, 0.4f, 0.1f}, {0, -0.1f, -0.48f}},
+        // The camera mirrors, and nearer to it is farther from the viewer.
+        {kCameraMount, {0, -0.05f, -0.5f}, {0, -0.12f, -0.75f}},
+        {kCameraMount, {0.1f, -0.05f, -0.5f}, {-0.1f * kReach, -0.12f, -0.75f}},
+        {kCameraMount, {0, 0.05f, -0.5f}, {0, -0.12f + 0.1f * kReach, -0.75f}},
+        {kCameraMount, {0, -0.05f, -0.4f}, {0, -0.12f, -0.75f - 0.1f * kReach}},
     };
-    for (glm::vec3 way : {glm::vec3(0.1f, 0, 0), glm::vec3(0, 0.1f, 0), glm::vec3(0, 0, -0.1f)})
-        EXPECT_NEAR(glm::distance(moved(way), way * kReach), 0, 1e-6f);
-    for (int i = 0; i < kJointCount; ++i) // the hand keeps its size
-        EXPECT_NEAR(glm::distance(hand.joints[i].position, hand.joints[0].position),
-                    glm::distance(before.joints[i].position, before.joints[0].position), 1e-6f);
+    const HandPose before = posed(Side::Right, 0);
+    for (const auto& [mount, device, viewer] : kRows) {
+        HandPose hand = before;
+        for (Joint& joint : hand.joints) joint.position += device - before.joints[kPalmJoint].position;
+        mount.apply(hand);
+        EXPECT_LT(glm::distance(hand.joints[kPalmJoint].position, viewer), 1e-6f);
+        for (int i = 0; i < kJointCount; ++i)
+            EXPECT_NEAR(glm::distance(hand.joints[i].position, hand.joints[kPalmJoint].position),
+                        glm::distance(before.joints[i].position, before.joints[kPalmJoint].position), 1e-6f);
+    }
     // The middle of the box is within reach of fish and hand alike.
     EXPECT_GT(glm::length(kDeskMount.centreViewer_m), kReachMin_m);
     EXPECT_LT(glm::length(kDeskMount.centreViewer_m), kReachMax_m);
-}
-
-glm::vec3 placedBy(const Mount& mount, glm::vec3 device) {
-    HandPose hand;
-    for (Joint& joint : hand.joints) joint.position = device;
-    mount.apply(hand);
-    return hand.joints[0].position;
-}
-
-TEST(Mount, OnTheHeadTheDevicesUpIsAheadAndHandsAreWhereTheyAre) {
-    const auto placed = [](glm::vec3 device) { return placedBy(kHeadMount, device); };
-    EXPECT_NEAR(glm::distance(placed({0, 0.4f, 0}), glm::vec3(0, 0, -0.48f)), 0, 1e-6f);
-    EXPECT_NEAR(glm::distance(placed({0.1f, 0.4f, 0}), glm::vec3(-0.1f, 0, -0.48f)), 0, 1e-6f);
-    EXPECT_NEAR(glm::distance(placed({0, 0.4f, 0.1f}), glm::vec3(0, -0.1f, -0.48f)), 0, 1e-6f);
-}
-
-TEST(Mount, TheCameraMirrors) {
-    const auto placed = [](glm::vec3 device) { return placedBy(kCameraMount, device); };
-    const glm::vec3 middle = placed(kCameraMount.centreDevice_m);
-    EXPECT_LT(placed(kCameraMount.centreDevice_m + glm::vec3(0.1f, 0, 0)).x, middle.x);
-    EXPECT_GT(placed(kCameraMount.centreDevice_m + glm::vec3(0, 0.1f, 0)).y, middle.y);
-    // Nearer to the camera is farther from the player.
-    EXPECT_LT(placed(kCameraMount.centreDevice_m + glm::vec3(0, 0, 0.1f)).z, middle.z);
-}
-
-TEST(Mount, WhatWasPlacedIsPlacedBack) {
-    for (const Mount& mount : {kDeskMount, kHeadMount, kCameraMount}) {
-        const HandPose before = posed(Side::Left, 0.5f);
-        HandPose hand = before;
-        mount.apply(hand);
-        mount.undo(hand);
-        for (int i = 0; i < kJointCount; ++i) {
-            EXPECT_LT(glm::distance(hand.joints[i].position, before.joints[i].position), 1e-6f);
-            EXPECT_GT(glm::dot(hand.joints[i].orientation, before.joints[i].orientation), 1 - 1e-6f);
-        }
-    }
 }
 
 } // namespace

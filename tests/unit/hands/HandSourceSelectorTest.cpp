@@ -1,4 +1,4 @@
-// Devices that come and go beside the mouse.
+// Tests of devices that come and go beside the mouse.
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
@@ -77,7 +77,7 @@ TEST(HandSourceSelector, AHandSeenTakesOverByGlidingAndTheMouseComesBackWhenItIs
         lost_s += 1.0f / 60;
         framesWithoutHands += !game.hands[1].tracked;
         ASSERT_LT(lost_s, 3);
-        if (lost_s < tuning::kBridge_s - 0.02f) {
+        if (lost_s < kHandLost_s - 0.02f) {
             EXPECT_TRUE(game.hands[1].tracked) << lost_s;
         }
     }
@@ -113,7 +113,7 @@ TEST(DeviceHands, ByTimeStampsTheGameGetsTheSameHoweverFramesArrive) {
         std::vector<float> xs;
         int pushed = 0;
         for (int tick = 0; tick < 60; ++tick) {
-            // In bursts, but never later than needed.
+            // Frames come in bursts, but never later than needed.
             while (pushed < 100 && pushed * 9000 <= (tick + 1) * 16667 + burst * 9000) {
                 stream.push(frameAt(5'000'000 + pushed * 9000, 0.001f * static_cast<float>(pushed)));
                 if (++pushed == 100) stream.close(); // nothing more is waited for

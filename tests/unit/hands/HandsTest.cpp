@@ -30,7 +30,7 @@ HandShape shape(float curl, float spread = 0) {
 }
 
 TEST(HandRig, RestIsTheFilesOwnPose) {
-    // In the file the wrist's -Z points to middle_proximal.
+    // The wrist's -Z points to middle_proximal in the file.
     const glm::vec3 z = -glm::normalize(glm::vec3(-0.004f, 0.004f, -0.096f));
     const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
     const WristPose wrist{{0, 0, 0}, glm::quat_cast(glm::mat3(x, glm::cross(z, x), z))};
@@ -91,7 +91,7 @@ TEST(HandRig, AFistBendsTowardsThePalmAndGripsAll) {
         EXPECT_GE(grip, before);
         before = grip;
     }
-    // What the fist encloses is nearer to every fingertip than when open.
+    // The grasp centre is nearer to every fingertip than when open.
     const HandPose open = hand.pose(Side::Right, shape(0), {});
     for (const auto& [metacarpal, proximal, tip] : kFingerJoints)
         EXPECT_LT(glm::distance(fist.joints[tip].position, graspCentre(fist.joints)),

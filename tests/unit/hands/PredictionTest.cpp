@@ -1,5 +1,5 @@
-// Hands are drawn where they will be, not where a picture saw them: how late they are, how far they go beyond
-// where they stop, and how they tremble at rest. Prints tables.
+// Measures the prediction of hands: how late they are, how far they go beyond a stop, and how they tremble at
+// rest. Prints tables.
 #include "tests/TestRig.h"
 #include "tests/unit/hands/SimulatedTracker.h"
 
@@ -20,7 +20,7 @@ std::vector<Moment> played(const Motion& motion, double length_s, const TrackerM
                         tracker);
 }
 
-// Along x, from a second on, with the least jerk (Flash & Hogan 1985), as people reach.
+// Moves along x from 1 s on with the least jerk (Flash & Hogan 1985), as people reach.
 Motion reach(double way_m, double length_s) {
     return [=](double t_s) {
         const double s = std::clamp((t_s - 1) / length_s, 0.0, 1.0);
@@ -28,7 +28,7 @@ Motion reach(double way_m, double length_s) {
     };
 }
 
-// From a second on for half of one, and not one moment longer.
+// Moves evenly from 1 s to 1.5 s, and stops at once.
 Motion dash(double speed_mps) {
     return [=](double t_s) { return glm::dvec3(speed_mps * std::clamp(t_s - 1, 0.0, 0.5), 0, -0.5); };
 }
@@ -37,8 +37,8 @@ struct Delay {
     double mean_ms = 0, most_ms = 0;
 };
 
-// How long ago a hand that moves steadily was where the simulation has it, over every phase between pictures
-// and display.
+// Returns the delay of a hand that moves steadily in the simulation, over every phase between pictures and
+// display.
 Delay delayAt(double speed_mps, double rate_Hz) {
     Delay delay;
     int count = 0;
@@ -55,8 +55,8 @@ Delay delayAt(double speed_mps, double rate_Hz) {
     return delay;
 }
 
-// What comes after the simulation is not in it: what is shown lies a tick behind (8 ms, game::interpolate),
-// then drawing and the display's refresh, 17 ms: below 40 ms in all.
+// Delays after the simulation are not counted: 8 ms of game::interpolate, then 17 ms of drawing and of the
+// display's refresh. The sum is below 40 ms.
 TEST(HandDelay, OfAWebcamIsMadeGoodButForWhatItsSlowingDownLeaves) {
     for (const double speed_mps : {0.1, 0.3, 1.0}) {
         const Delay delay = delayAt(speed_mps, 30);

@@ -1,5 +1,5 @@
-// A hand that moves as a test says before a tracker that sees it late and with noise, and where the game then
-// has it, in the time of the test.
+// A simulated tracker that sees a moving hand late and with noise, and the hand in the game, in simulated
+// time.
 #pragma once
 
 #include "input/hands/HandSourceSelector.h"
@@ -79,8 +79,8 @@ inline std::vector<Moment> played(const Motion& motion, double length_s, const H
     return moments;
 }
 
-// By how much the motion has to be delayed to be nearest to what the simulation has, seconds; the first half
-// second, in which the hand appears, is left out.
+// Returns the delay of the motion that fits the simulation's hand best, seconds; the first half second, in
+// which the hand appears, is left out.
 inline double delayOf(const Motion& motion, const std::vector<Moment>& moments) {
     double least = 1e30, found = 0;
     for (double delay_s = -0.04; delay_s < 0.12; delay_s += 0.0005) {

@@ -1,4 +1,4 @@
-// What each constant of HandFilter.h promises.
+// Tests of the constants of HandFilter.h.
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandSourceSelector.h"
@@ -121,7 +121,7 @@ TEST(Tuning, FingersDoNotTrailBehindAMovingHandAndBonesKeepTheirLength) {
                     0, 1e-5f);
 }
 
-// ---- kGap_s, kFastest_mps, kJump_m
+// ---- kHandLost_s, kFastest_mps, kJump_m
 
 TEST(Tuning, AStretchEndsAtAGapAJumpAnotherIdentityOrALoss) {
     const auto stretchesAfter = [](const HandPose& second, int64_t identity, float dt_s) {
@@ -133,8 +133,8 @@ TEST(Tuning, AStretchEndsAtAGapAJumpAnotherIdentityOrALoss) {
     const HandPose there = handAt({0, 0, -0.5f});
     const float fast = kJump_m + kFastest_mps * 0.01f;
     EXPECT_EQ(stretchesAfter(there, 1, 0.01f), 1);
-    EXPECT_EQ(stretchesAfter(there, 1, 0.99f * kGap_s), 1);
-    EXPECT_EQ(stretchesAfter(there, 1, 1.01f * kGap_s), 2);
+    EXPECT_EQ(stretchesAfter(there, 1, 0.99f * kHandLost_s), 1);
+    EXPECT_EQ(stretchesAfter(there, 1, 1.01f * kHandLost_s), 2);
     EXPECT_EQ(stretchesAfter(there, 1, -1), 2) << "a clock that starts anew";
     EXPECT_EQ(stretchesAfter(there, 2, 0.01f), 2);
     EXPECT_EQ(stretchesAfter(handAt({0.98f * fast, 0, -0.5f}), 1, 0.01f), 1) << "a hand may be that fast";
@@ -163,7 +163,7 @@ TEST(Tuning, AbsurdJointsAreALoss) {
     }
 }
 
-// ---- kBridge_s
+// ---- kHandLost_s
 
 TEST(Tuning, ALossIsBridgedForSoLongAndTheGripKept) {
     PoseBlend hand;
@@ -172,7 +172,7 @@ TEST(Tuning, ALossIsBridgedForSoLongAndTheGripKept) {
     ASSERT_TRUE(hand.pose().solid);
     const HandPose before = hand.pose();
     float lost_s = 0;
-    while ((lost_s += kTick_s) <= kBridge_s) {
+    while ((lost_s += kTick_s) <= kHandLost_s) {
         hand.step(fist, 1, lost_s, kTick_s);
         ASSERT_TRUE(hand.pose().tracked) << lost_s;
         EXPECT_TRUE(hand.pose().solid);

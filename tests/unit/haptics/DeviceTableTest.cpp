@@ -1,5 +1,4 @@
-// The devices as data, and what a frame becomes on its way to each. The bytes of whole reports are in
-// reports.txt.
+// Tests of the table of devices and of the drivers' arithmetic. reports.txt has the bytes of whole reports.
 #include "FakeBus.h"
 
 #include "engine/core/Files.h"

@@ -1,4 +1,4 @@
-// A bus that notes what is done to it, and frames to send over it.
+// A bus of fake devices that keeps all reports, and frames to send over it.
 #pragma once
 
 #include "input/haptics/DeviceTable.h"
@@ -18,8 +18,10 @@ inline HapticFrame frameOf(float amplitude, float frequency_Hz, size_t actuator 
 }
 
 inline Driver driverOf(const DeviceRow& row, Transport transport) {
-    const ReadFeature none = [](std::span<uint8_t>) { return size_t{0}; };
-    return row.driver({row.product, transport == Transport::Bluetooth, none});
+    struct Deaf final : HidDevice {
+        bool write(std::span<const uint8_t>) override { return false; }
+    } deaf;
+    return row.driver({row.product, transport == Transport::Bluetooth, deaf});
 }
 
 // A vendor number that is given to nobody, for a device that no table knows.
@@ -33,8 +35,7 @@ struct FakeBus {
     };
     std::vector<Node> plugged;
     std::map<std::string, std::vector<std::vector<uint8_t>>> written, guarded; // by path
-    std::vector<std::string> open; // paths by handle, "" once closed
-    int lists = 0;
+    size_t opened = 0;
 
     void plug(std::string path, uint16_t vendor, uint16_t product, Transport transport = Transport::Usb) {
         plugged.push_back({{std::move(path), vendor, product, transport, ""}, {}});
@@ -47,42 +48,41 @@ struct FakeBus {
             if (node.info.path == path) return &node;
         return nullptr;
     }
-    size_t opened() const {
-        return static_cast<size_t>(
-            std::count_if(open.begin(), open.end(), [](const auto& p) { return !p.empty(); }));
-    }
-
-    HidBus bus() {
-        HidBus made;
-        made.list = [this] {
-            ++lists;
-            std::vector<HidInfo> infos;
-            for (const Node& node : plugged) infos.push_back(node.info);
-            return infos;
-        };
-        made.open = [this](const std::string& path) -> Result<int> {
-            if (!find(path)->permitted) return Error{path, "may not be opened"};
-            open.push_back(path);
-            return static_cast<int>(open.size()) - 1;
-        };
-        made.write = [this](int handle, std::span<const uint8_t> report) {
-            const std::string& path = open[static_cast<size_t>(handle)];
-            if (!find(path)) return false;
-            written[path].emplace_back(report.begin(), report.end());
+    class Device final : public HidDevice {
+      public:
+        Device(FakeBus& bus, std::string path) : bus_(bus), path_(std::move(path)) { ++bus_.opened; }
+        ~Device() override { --bus_.opened; }
+        bool write(std::span<const uint8_t> report) override {
+            if (!bus_.find(path_)) return false;
+            bus_.written[path_].emplace_back(report.begin(), report.end());
             return true;
-        };
-        made.readFeature = [this](int handle, std::span<uint8_t> report) -> size_t {
-            const Node* node = find(open[static_cast<size_t>(handle)]);
+        }
+        size_t readFeature(std::span<uint8_t> report) override {
+            const Node* node = bus_.find(path_);
             if (!node || node->feature.empty() || node->feature[0] != report[0]) return 0;
             const size_t size = std::min(report.size(), node->feature.size());
             std::copy_n(node->feature.begin(), size, report.begin());
             return size;
+        }
+        void stopAtCrash(std::span<const uint8_t> stop) override {
+            bus_.guarded[path_].emplace_back(stop.begin(), stop.end());
+        }
+
+      private:
+        FakeBus& bus_;
+        std::string path_;
+    };
+
+    HidBus bus() {
+        const auto list = [this] {
+            std::vector<HidInfo> infos;
+            for (const Node& node : plugged) infos.push_back(node.info);
+            return infos;
         };
-        made.guard = [this](int handle, std::span<const uint8_t> stop) {
-            guarded[open[static_cast<size_t>(handle)]].emplace_back(stop.begin(), stop.end());
+        const auto open = [this](const std::string& path) {
+            return find(path)->permitted ? std::make_unique<Device>(*this, path) : nullptr;
         };
-        made.close = [this](int handle) { open[static_cast<size_t>(handle)].clear(); };
-        return made;
+        return {list, open};
     }
 };
 

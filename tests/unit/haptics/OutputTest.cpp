@@ -1,4 +1,4 @@
-// The thread that writes.
+// Tests of the thread that writes to the devices.
 #include "FakeBus.h"
 
 #include "input/haptics/HapticDevices.h"
@@ -15,31 +15,30 @@
 namespace shoal::haptics {
 namespace {
 
-// A DualSense on USB that keeps what its strong motor was told, and that can be slow to write to.
+// A DualSense on USB that keeps the values of its strong motor, and that can be slow to write to.
 struct Watched {
     std::mutex mutex;
     std::condition_variable changed;
     std::vector<int> strong;
     std::atomic<bool> slow{false}, entered{false};
 
+    struct Device final : HidDevice {
+        explicit Device(Watched& owner) : watched(owner) {}
+        bool write(std::span<const uint8_t> report) override {
+            watched.entered = true;
+            watched.slow.wait(true); // a device that takes its time
+            const std::lock_guard lock(watched.mutex);
+            watched.strong.push_back(report[4]);
+            watched.changed.notify_all();
+            return true;
+        }
+        Watched& watched;
+    };
     HidBus bus() {
-        return {.list =
-                    [] {
-                        return std::vector<HidInfo>{{"x", 0x054c, 0x0ce6, Transport::Usb, ""}};
-                    },
-                .open = [](const std::string&) -> Result<int> { return 0; },
-                .write =
-                    [this](int, std::span<const uint8_t> report) {
-                        entered = true;
-                        slow.wait(true); // a device that takes its time
-                        const std::lock_guard lock(mutex);
-                        strong.push_back(report[4]);
-                        changed.notify_all();
-                        return true;
-                    },
-                .readFeature = [](int, std::span<uint8_t>) { return size_t{0}; },
-                .guard = [](int, std::span<const uint8_t>) {},
-                .close = [](int) {}};
+        return {[] {
+                    return std::vector<HidInfo>{{"x", 0x054c, 0x0ce6, Transport::Usb, ""}};
+                },
+                [this](const std::string&) { return std::make_unique<Device>(*this); }};
     }
     std::vector<int> told() {
         const std::lock_guard lock(mutex);
@@ -47,7 +46,7 @@ struct Watched {
     }
 };
 
-// Until that is so: on a busy machine a frame may be too old before it comes to the device, and is not felt.
+// Submits until a condition holds: on a busy machine a frame may be too old before it comes to the device.
 template <class Enough> void submitUntil(HapticOutput& output, float amplitude, Enough&& enough) {
     while (!enough()) {
         output.submit(frameOf(amplitude, 40));

@@ -125,11 +125,11 @@ std::vector<MadeHand> closingHand(const HandRig& rig, int frames, float amplitud
     return hands;
 }
 
-std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames, int64_t begin_us) {
+std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames) {
     std::vector<std::string> messages;
     int64_t i = 0;
     for (const MadeHand& made : closingHand(rig, frames)) {
-        messages.push_back(madeFrame(version, i, begin_us + i * 10000, {made}));
+        messages.push_back(madeFrame(version, i, i * 10000, {made}));
         ++i;
     }
     return messages;

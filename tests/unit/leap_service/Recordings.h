@@ -21,14 +21,13 @@ std::vector<std::string> readRecordingMessages(const Path& file);
 struct MadeHand {
     Side side = Side::Right;
     int64_t id = 1;
-    HandPose pose; // device's frame, metres
-    // Likewise; sent at 6.
-    std::optional<glm::vec3> elbow{};
+    HandPose pose;                    // device's frame, metres
+    std::optional<glm::vec3> elbow{}; // device's frame, metres; sent at 6
 };
 std::string madeFrame(int version, int64_t id, int64_t time_us, const std::vector<MadeHand>& hands);
 
 // A right hand over the device that closes, stays closed and opens again, 100 frames a second.
 std::vector<MadeHand> closingHand(const HandRig& rig, int frames, float amplitude = 1);
-std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames, int64_t begin_us = 0);
+std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames);
 
 } // namespace shoal::hands::test

@@ -16,7 +16,7 @@ class Server {
 
     int port() const;
 
-    // To the client, in order, each as one message; what is said while nobody is there waits for somebody.
+    // Send each message to the client, in order; without a client they wait for one.
     void say(std::string message);
     void say(const std::vector<std::string>& messages);
     void sayBinary(std::string bytes);

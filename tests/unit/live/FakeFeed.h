@@ -4,70 +4,59 @@
 #include "engine/media/live/LiveFeed.h"
 #include "tests/unit/media/TestFiles.h"
 
-#include <atomic>
 #include <condition_variable>
 #include <deque>
-#include <memory>
 #include <mutex>
 
 namespace shoal::media::test {
 
-class FakeFeed {
+// A player may keep it beyond the end of its test.
+class FakeFeed final : public LiveFeed {
   public:
+    FakeFeed() : LiveFeed("fake:0", "stream") {}
+
     // A grey picture that numberOf() reads back.
     void send(int number, double arrived_s = 0, int width = 64, int height = 32) {
-        add({number, arrived_s, width, height, {}});
+        change([&] { events_.push_back({number, arrived_s, width, height, {}}); });
     }
-    void breakOff(std::string why) { add({.broken = std::move(why)}); }
+    void breakOff(std::string why) {
+        change([&] { events_.push_back({.broken = std::move(why)}); });
+    }
     void refuse(std::string why) { // to be opened, until it is empty
-        const std::lock_guard lock(state_->mutex);
-        state_->refusal = std::move(why);
+        change([&] { refusal_ = std::move(why); });
     }
     void block(bool deaf) { // open() and read(); deaf: interrupting does not help
-        const std::lock_guard lock(state_->mutex);
-        state_->blocked = true;
-        state_->deaf = deaf;
+        change([&] { blocked_ = true, deaf_ = deaf; });
     }
     void unblock() {
-        const std::lock_guard lock(state_->mutex);
-        state_->blocked = false;
-        state_->changed.notify_all();
+        change([&] { blocked_ = false; });
     }
     int opened() const {
-        const std::lock_guard lock(state_->mutex);
-        return state_->opened;
+        const std::lock_guard lock(mutex_);
+        return opened_;
     }
 
-    LiveFeed feed() const {
-        const auto state = state_; // a feed may outlive its test
-        return {.name = "fake:0",
-                .kind = "stream",
-                .open = [state]() -> Status {
-                    std::unique_lock lock(state->mutex);
-                    ++state->opened;
-                    state->wait(lock, [&] { return !state->blocked; });
-                    if (!state->refusal.empty()) return Error{"", state->refusal};
-                    return Done{};
-                },
-                .read = [state](ImageRgb8& bgr) -> Result<LivePicture> {
-                    std::unique_lock lock(state->mutex);
-                    state->wait(lock, [&] { return !state->blocked && !state->events.empty(); });
-                    if (state->events.empty()) return Error{"", "was interrupted"};
-                    const Event event = state->events.front();
-                    state->events.pop_front();
-                    if (!event.broken.empty()) return Error{"", event.broken};
-                    if (bgr.width != event.width || bgr.height != event.height)
-                        bgr = ImageRgb8(event.width, event.height);
-                    std::fill(bgr.pixels.begin(), bgr.pixels.end(),
-                              static_cast<uint8_t>(kFirstGrey + kGreyStep * event.number));
-                    return LivePicture{event.arrived_s, 1, 0};
-                },
-                .interrupt =
-                    [state] {
-                        const std::lock_guard lock(state->mutex);
-                        state->interrupted = true;
-                        state->changed.notify_all();
-                    }};
+    Status open() override {
+        std::unique_lock lock(mutex_);
+        ++opened_;
+        wait(lock, [&] { return !blocked_; });
+        if (!refusal_.empty()) return Error{"", refusal_};
+        return Done{};
+    }
+    Result<LivePicture> read(ImageRgb8& bgr) override {
+        std::unique_lock lock(mutex_);
+        wait(lock, [&] { return !blocked_ && !events_.empty(); });
+        if (events_.empty()) return Error{"", "was interrupted"};
+        const Event event = events_.front();
+        events_.pop_front();
+        if (!event.broken.empty()) return Error{"", event.broken};
+        bgr.fit(event.width, event.height);
+        std::fill(bgr.pixels.begin(), bgr.pixels.end(),
+                  static_cast<uint8_t>(kFirstGrey + kGreyStep * event.number));
+        return LivePicture{event.arrived_s, 1, 0};
+    }
+    void interrupt() override {
+        change([&] { interrupted_ = true; });
     }
 
   private:
@@ -77,24 +66,21 @@ class FakeFeed {
         int width = 0, height = 0;
         std::string broken;
     };
-    struct State {
-        std::mutex mutex;
-        std::condition_variable changed;
-        std::deque<Event> events;
-        std::string refusal;
-        bool blocked = false, deaf = false, interrupted = false;
-        int opened = 0;
-
-        template <class Ready> void wait(std::unique_lock<std::mutex>& lock, Ready&& ready) {
-            changed.wait(lock, [&] { return ready() || (interrupted && !(blocked && deaf)); });
-        }
-    };
-    void add(Event event) {
-        const std::lock_guard lock(state_->mutex);
-        state_->events.push_back(std::move(event));
-        state_->changed.notify_all();
+    template <class Change> void change(Change&& change) {
+        const std::lock_guard lock(mutex_);
+        change();
+        changed_.notify_all();
     }
-    std::shared_ptr<State> state_ = std::make_shared<State>();
+    template <class Ready> void wait(std::unique_lock<std::mutex>& lock, Ready&& ready) {
+        changed_.wait(lock, [&] { return ready() || (interrupted_ && !(blocked_ && deaf_)); });
+    }
+
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Event> events_;
+    std::string refusal_;
+    bool blocked_ = false, deaf_ = false, interrupted_ = false;
+    int opened_ = 0;
 };
 
 } // namespace shoal::media::test

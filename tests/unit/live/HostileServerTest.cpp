@@ -32,7 +32,7 @@ double peakMemory_MB() {
     return 0;
 }
 
-// What is said of a server that does this once a client has asked. Its thread ends with it.
+// Returns the error message for a server that runs `serve` once a client has asked.
 template <class Serve> std::string refusalOf(HttpServer& server, const std::string& scheme, Serve serve) {
     const auto address = liveAddress(scheme + server.url().substr(4));
     if (!address || !*address) return "no address";
@@ -89,7 +89,7 @@ TEST(HostileServer, PlayListsAndDescriptionsOpenNothing) {
     }
 }
 
-// Of a picture that claims two gigabytes, and of headers, chunks and nothing that never end.
+// A picture that claims two gigabytes; headers and data without an end.
 TEST(HostileServer, WhatNeverEndsIsLeftAndTakesNoMemory) {
     const double before_MB = peakMemory_MB();
     const std::string parts = "Content-Type: multipart/x-mixed-replace; boundary=b\r\n\r\n";

@@ -1,5 +1,5 @@
-// A picture is shown when it has come, and not when the next one does: each is sent only once the one before
-// is seen.
+// Tests that a picture is shown when it has come, not when the next one does: each is sent only once the one
+// before is shown.
 #include "engine/media/live/LivePlayer.h"
 
 #include "tests/unit/live_server/HttpServer.h"
@@ -33,7 +33,9 @@ template <class Send> void eachIsSeenAtOnce(LivePlayer& player, int next, int he
     }
 }
 
-LiveFeed patientFeed(const std::string& address) { return feedFrom(**liveAddress(address), {60, 60}); }
+std::shared_ptr<LiveFeed> patientFeed(const std::string& address) {
+    return feedFrom(**liveAddress(address), {60, 60});
+}
 
 LiveOptions patient() {
     LiveOptions options;
@@ -85,7 +87,7 @@ TEST(NoLookAhead, TransportStreamThatTellsHowLongItsPicturesAre) {
     transportStream("omit_video_pes_length=0", 0);
 }
 
-// Where it does not tell, a picture's end is the next one's beginning, for everybody.
+// A picture of unknown length ends where the next one begins, so that one is held back.
 TEST(NoLookAhead, TransportStreamThatDoesNot) { transportStream("omit_video_pes_length=1", 1); }
 
 } // namespace

@@ -26,12 +26,6 @@ struct Queue : PacketQueue {
     }
 };
 
-TEST(PacketQueue, KeepsOrder) {
-    Queue queue;
-    for (int i = 0; i < 5; ++i) queue.add(i, i == 0);
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(queue.next(), i);
-}
-
 TEST(PacketQueue, GoesOnWithTheNewestKeyPicture) {
     Queue queue;
     for (int i = 0; i < 10; ++i) queue.add(i, i % 4 == 0); // 0, 4 and 8

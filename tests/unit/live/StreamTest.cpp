@@ -17,7 +17,7 @@ namespace {
 
 using test::HttpServer;
 
-// As writeGreyVideo() has them.
+// Returns a grey picture as those of writeGreyVideo().
 std::string jpegOf(int number, int width = 64, int height = 32) {
     std::vector<uint8_t> bytes;
     cv::imencode(".jpg", cv::Mat(height, width, CV_8UC3, cv::Scalar::all(kFirstGrey + kGreyStep * number)),
@@ -25,7 +25,7 @@ std::string jpegOf(int number, int width = 64, int height = 32) {
     return {bytes.begin(), bytes.end()};
 }
 
-LiveFeed feedOf(const std::string& address, const FeedTimeouts& patience = {}) {
+std::shared_ptr<LiveFeed> feedOf(const std::string& address, const FeedTimeouts& patience = {}) {
     const auto found = liveAddress(address);
     EXPECT_TRUE(found && *found) << address;
     return feedFrom(**found, patience);
@@ -135,7 +135,7 @@ TEST(Stream, ItCanBeLeftWhileTheServerIsSilent) {
     EXPECT_TRUE(player);
 }
 
-// What a server answers, and what is said of it.
+// Returns the error message for a server's answer.
 std::string refusalOf(const std::string& answer) {
     HttpServer server;
     const auto player = LivePlayer::open(feedOf(server.url(), {60, 60}), eager(), [&] {

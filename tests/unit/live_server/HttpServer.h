@@ -25,7 +25,7 @@ class HttpServer {
     const std::string& request() const { return request_; } // the last
     const std::string& nextRequest();                       // of the same client; empty if none comes
 
-    // To the client; false if it has gone.
+    // Sends bytes to the client; false if it has gone.
     bool send(std::string_view bytes);
     bool beginPictures(); // the head of a stream of JPEG pictures
     bool sendPicture(std::string_view jpeg);

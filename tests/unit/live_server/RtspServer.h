@@ -1,4 +1,4 @@
-// As much of RTSP (RFC 2326) as a player asks for: one client, whose pictures come over the same connection.
+// A server of as much of RTSP (RFC 2326) as a player needs: one client, pictures over the same connection.
 #pragma once
 
 #include "tests/unit/live_server/HttpServer.h"

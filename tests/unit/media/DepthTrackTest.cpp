@@ -40,7 +40,7 @@ constexpr DepthTrackInfo kSmall{32, 16, 9, 0.75};
 
 class DepthTracks : public testing::Test {
   protected:
-    // The same bytes with another value of a tag of the same length.
+    // Replaces a text in the file by another of the same length.
     void replace(const std::string& from, const std::string& to) {
         std::string bytes = readBytes(file_);
         const size_t at = bytes.find(from);

@@ -272,21 +272,12 @@ TEST(HdrPictures, LimitsAndKindsAreChecked) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.jpg"));
 }
 
-TEST(HdrPictures, AFailedWriteLeavesTheOldFile) {
-    const TempFolder folder;
-    ASSERT_TRUE(writeHdr(folder / "a.exr", noiseF(4, 2)));
-    const std::string before = readBytes(folder / "a.exr");
-    EXPECT_FALSE(writeHdr(folder / "a.exr" / "b.exr", noiseF(4, 2)));
-    EXPECT_EQ(readBytes(folder / "a.exr"), before);
-}
-
 TEST(HdrPictures, SharedLightHasTheStatedMaximum) {
     const struct {
         const char* name;
-        double meanLuminance, maxLuminance;
-    } kFacts[] = {{"venice_sunset_1k.hdr", 0.50, 2091},
-                  {"kloppenheim_05_1k.hdr", 0.80, 78944},
-                  {"dikhololo_night_1k.hdr", 0.08, 73}};
+        double maxLuminance;
+    } kFacts[] = {
+        {"venice_sunset_1k.hdr", 2091}, {"kloppenheim_05_1k.hdr", 78944}, {"dikhololo_night_1k.hdr", 73}};
     for (const auto& fact : kFacts) {
         const Path file = sharedData(std::string("hdr/") + fact.name);
         if (file.empty()) GTEST_SKIP() << "no shared hdr/" << fact.name;

@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
                           Layout::TopBottom},
                     Facts{"richo_360_mono_426x214.mp4", 426, 214, 30, 1202, Layout::Mono}));
 
-// To 2:1, by leaving rows out.
+// Squeezes a picture to 2:1 by leaving rows out.
 ImageRgb8 squeezed(const ImageRgb8& picture) {
     ImageRgb8 out(picture.width, picture.width / 2);
     for (int y = 0; y < out.height; ++y)

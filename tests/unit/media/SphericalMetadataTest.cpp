@@ -60,7 +60,7 @@ const std::string kV1 = "<GSpherical:Spherical>true</GSpherical:Spherical>"
                         "<GSpherical:ProjectionType>equirectangular</GSpherical:ProjectionType>";
 const std::string kV1TopBottom = kV1 + "<GSpherical:StereoMode>top-bottom</GSpherical:StereoMode>";
 
-// Of a file of these bytes, which hold one stream.
+// Reads the metadata of a file of these bytes, which hold one stream.
 SphericalMetadata parsed(const std::string& bytes) {
     const TempFolder folder;
     const Path file = folder / "a";

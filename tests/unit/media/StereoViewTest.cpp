@@ -82,7 +82,7 @@ TEST(StereoView, ContentTellsTwoEyesFromOne) {
             EXPECT_EQ(layoutFromContent(stereoPair(false, seen, width, height)), Layout::LeftRight) << width;
             EXPECT_EQ(layoutFromContent(drawn(width, height, seen)), Layout::Mono) << width;
         }
-    // The same picture twice is two eyes' as well.
+    // A picture beside its copy is a stereo pair too.
     EXPECT_EQ(layoutFromContent(stereoPair(false, noise(32, 4), 512, 256, 0)), Layout::LeftRight);
     // Shifted further than anything at an arm's length: another picture.
     EXPECT_EQ(layoutFromContent(drawn(512, 256,
@@ -92,7 +92,7 @@ TEST(StereoView, ContentTellsTwoEyesFromOne) {
               Layout::Mono);
 }
 
-// Of 2:1, too, content decides; elsewhere shape does.
+// Content decides where the shape is 2:1, shape elsewhere.
 TEST(StereoView, SqueezedPairsAreFoundByContent) {
     const Brightness seen = noise(32, 6);
     EXPECT_EQ(layoutOf(stereoPair(true, seen)), Layout::TopBottom);
@@ -100,15 +100,6 @@ TEST(StereoView, SqueezedPairsAreFoundByContent) {
     EXPECT_EQ(layoutOf(drawn(512, 256, seen)), Layout::Mono);
     EXPECT_EQ(layoutOf(drawn(256, 256, seen)), Layout::TopBottom) << "by shape";
     EXPECT_EQ(layoutOf(ImageRgb8(512, 256)), Layout::Mono) << "blank";
-}
-
-TEST(StereoView, FramesHaveToAgree) {
-    EXPECT_EQ(bothFrames(Layout::Auto, Layout::TopBottom), Layout::TopBottom);
-    EXPECT_EQ(bothFrames(Layout::LeftRight, Layout::Auto), Layout::LeftRight);
-    EXPECT_EQ(bothFrames(Layout::LeftRight, Layout::LeftRight), Layout::LeftRight);
-    EXPECT_EQ(bothFrames(Layout::LeftRight, Layout::TopBottom), Layout::Mono);
-    EXPECT_EQ(bothFrames(Layout::Mono, Layout::LeftRight), Layout::Mono);
-    EXPECT_EQ(bothFrames(Layout::Auto, Layout::Auto), Layout::Auto);
 }
 
 // No structure, no verdict: blank frames, fades, plain water with its gradient and a camera's noise.

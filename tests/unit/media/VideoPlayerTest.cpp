@@ -21,11 +21,21 @@ VideoPlayer opened(const Path& file, PlayerOptions options = {}) {
     return std::move(player).value();
 }
 
+VideoPlayer greyFilm(const TempFolder& folder, int pictures, PlayerOptions options = {}) {
+    writeGreyVideo(folder / "grey.avi", pictures);
+    return opened(folder / "grey.avi", std::move(options));
+}
+
+void writeMp4(const Path& file, int frames, const cv::Mat& picture) {
+    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), kFps,
+                           picture.size());
+    ASSERT_TRUE(writer.isOpened());
+    for (int i = 0; i < frames; ++i) writer.write(picture);
+}
+
 TEST(VideoPlayer, ShowsEveryFrameInOrderAndLoops) {
     const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 12);
-    auto player = opened(file);
+    auto player = greyFilm(folder, 12);
     for (int i = 0; i < 40; ++i) {
         const VideoFrame* frame = player.waitFor(i / kFps);
         ASSERT_EQ(frame->index, i);
@@ -37,36 +47,24 @@ TEST(VideoPlayer, ShowsEveryFrameInOrderAndLoops) {
 
 TEST(VideoPlayer, AFrameStaysUntilTheNextIsDue) {
     const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 12);
-    auto player = opened(file);
+    auto player = greyFilm(folder, 12);
     for (int tick = 0; tick < 48; ++tick) // four ticks a frame, a hair after each
         EXPECT_EQ(player.waitFor(tick / (4 * kFps) + 1e-5)->index, tick / 4) << tick;
 }
 
 TEST(VideoPlayer, WaitForJumpsAheadAndBack) {
     const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 40);
-    auto player = opened(file);
-    for (const int index : {0, 39, 3, 40, 41, 399, 0, 1, 4000 + 17, 79, 80})
-        EXPECT_EQ(numberOf(player.waitFor(index / kFps)->pixelsBgr), index % 40) << index;
-}
-
-TEST(VideoPlayer, AJumpBeyondTheEndIsTheSameAsPlayingOn) {
-    const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 37);
-    auto player = opened(file);
-    EXPECT_EQ(player.waitFor(1000 / kFps)->number, 1000 % 37);
+    for (const int first : {0, 1000}) { // within the film, and beyond its end before its length is counted
+        auto player = greyFilm(folder, 37);
+        for (const int index : {first, 36, 3, 37, 38, 399, 0, 1, 4000 + 17, 73, 74})
+            EXPECT_EQ(numberOf(player.waitFor(index / kFps)->pixelsBgr), index % 37) << index;
+    }
 }
 
 // The caller's time runs faster than any decoder: frames are left out, order and due times hold.
 TEST(VideoPlayer, NewestNeverGoesBackNorAhead) {
     const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 45);
-    auto player = opened(file);
+    auto player = greyFilm(folder, 45);
     int64_t before = 0;
     int64_t distinct = 0;
     for (int call = 0; distinct < 100; ++call) {
@@ -92,83 +90,48 @@ TEST(VideoPlayer, NewestReachesTheDueFrameAfterAHangAndSkipsTheRest) {
     const double time_s = 1000 / kFps; // as if the game had hung for half a minute
     while (player.newest(time_s)->index != 1000) std::this_thread::yield();
     EXPECT_EQ(numberOf(player.newest(time_s)->pixelsBgr), 1000 % 45);
-    // Those read ahead before and after, and a few on the way; not the thousand between.
+    // Frames read ahead before and after the jump, and a few on the way, but not the thousand between.
     EXPECT_LT(prepared, 30);
 }
 
 TEST(VideoPlayer, NewestTakesUpAnEarlierTime) {
     const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 45);
-    auto player = opened(file);
+    auto player = greyFilm(folder, 45);
     ASSERT_EQ(player.waitFor(40 / kFps)->index, 40);
     EXPECT_EQ(player.newest(38 / kFps)->index, 40) << "a small step back keeps the frame";
     while (player.newest(5 / kFps)->index != 5) std::this_thread::yield();
 }
 
-TEST(VideoPlayer, OnePictureServesAllSlotsWhereNoneIsKept) {
-    const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 20);
-    std::set<const uint8_t*> memory;
-    std::array<int, 4> preparedNumber{};
-    PlayerOptions options;
-    options.keepPixels = false;
-    options.prepare = [&](const VideoFrame& frame) {
-        memory.insert(frame.pixelsBgr.pixels.data());
-        preparedNumber.at(frame.slot) = numberOf(frame.pixelsBgr);
-    };
-    auto player = opened(file, std::move(options));
-    for (int i = 0; i < 60; ++i) {
-        const VideoFrame* frame = player.waitFor(i / kFps);
-        EXPECT_EQ(preparedNumber.at(frame->slot), i % 20);
-        EXPECT_TRUE(frame->pixelsBgr.empty());
-    }
-    EXPECT_EQ(memory.size(), 1u);
-}
-
+// Memory is taken once: one picture for each slot, or one for all if none is kept.
 TEST(VideoPlayer, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
-    const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 20);
-    std::array<int, 4> preparedNumber{};
-    PlayerOptions options;
-    options.prepare = [&](const VideoFrame& frame) {
-        preparedNumber.at(frame.slot) = numberOf(frame.pixelsBgr);
-    };
-    auto player = opened(file, std::move(options));
-    for (int i = 0; i < 60; ++i) {
-        const VideoFrame* frame = player.waitFor(i / kFps);
-        EXPECT_EQ(preparedNumber.at(frame->slot), i % 20);
+    for (const bool keep : {true, false}) {
+        const TempFolder folder;
+        std::set<const uint8_t*> memory;
+        std::array<int, kFrameSlots> preparedNumber{};
+        auto player = greyFilm(folder, 20,
+                               {.prepare =
+                                    [&](const VideoFrame& frame) {
+                                        memory.insert(frame.pixelsBgr.pixels.data());
+                                        preparedNumber.at(frame.slot) = numberOf(frame.pixelsBgr);
+                                    },
+                                .keepPixels = keep});
+        for (int i = 0; i < 60; ++i) {
+            const VideoFrame* frame = player.waitFor(i / kFps);
+            EXPECT_EQ(preparedNumber.at(frame->slot), i % 20);
+            EXPECT_EQ(frame->pixelsBgr.empty(), !keep);
+        }
+        EXPECT_LE(memory.size(), keep ? kFrameSlots : 1);
     }
 }
 
-TEST(VideoPlayer, NothingIsAllocatedPerFrameBySlots) {
+TEST(VideoPlayer, KeepsTheNativeRateUnlessItIsAbsurd) {
     const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 20);
-    auto player = opened(file);
-    std::set<const uint8_t*> memory;
-    for (int i = 0; i < 60; ++i) memory.insert(player.waitFor(i / kFps)->pixelsBgr.pixels.data());
-    EXPECT_LE(memory.size(), 4u);
-}
-
-TEST(VideoPlayer, KeepsTheNativeRate) {
-    const TempFolder folder;
-    for (const double fps : {24.0, 50.0}) {
-        const Path file = folder / "rate.avi";
-        writeGreyVideo(file, 10, fps);
-        auto player = opened(file);
-        EXPECT_DOUBLE_EQ(player.info().fps, fps);
-        EXPECT_EQ(player.waitFor(7.5 / fps)->index, 7);
+    for (const auto& [stated, kept] : {std::pair(24.0, 24.0), {50.0, 50.0}, {1000.0, kFallbackFps}}) {
+        writeGreyVideo(folder / "rate.avi", 10, stated);
+        auto player = opened(folder / "rate.avi");
+        EXPECT_DOUBLE_EQ(player.info().fps, kept);
+        EXPECT_EQ(player.waitFor(7.5 / kept)->index, 7);
     }
-}
-
-TEST(VideoPlayer, AnAbsurdRateBecomesThirty) {
-    const TempFolder folder;
-    const Path file = folder / "rate.avi";
-    writeGreyVideo(file, 10, 1000);
-    EXPECT_DOUBLE_EQ(opened(file).info().fps, kFallbackFps);
 }
 
 TEST(VideoPlayer, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
@@ -220,33 +183,13 @@ TEST(VideoPlayer, AFileThatChangesWhilePlayingNeverEndsThePlaying) {
     }
 }
 
-// FFmpeg's own converters write beyond rows of such widths, or stop short of their end.
-TEST(VideoPlayer, RowsOfAnyWidthEndWhereTheyShould) {
-    const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    for (const int width : {426, 66, 70, 1000, 1002}) {
-        writeGreyVideo(file, 3, kFps, width, 34);
-        auto player = opened(file);
-        for (int i = 0; i < 3; ++i) {
-            const ImageRgb8& picture = player.waitFor(i / kFps)->pixelsBgr;
-            ASSERT_EQ(picture.width, width);
-            for (const uint8_t value : picture.pixels) ASSERT_NEAR(value, kFirstGrey + kGreyStep * i, 1);
-        }
-    }
-}
-
 // A telephone's: the track's matrix says how it was held.
 TEST(VideoPlayer, AClipIsTurnedUpright) {
     const TempFolder folder;
     const Path file = folder / "turned.mp4";
-    {
-        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 30,
-                               {96, 32});
-        ASSERT_TRUE(writer.isOpened());
-        cv::Mat picture(32, 96, CV_8UC3, cv::Scalar::all(20));
-        picture(cv::Rect(0, 0, 48, 32)) = cv::Scalar::all(220); // left half bright
-        for (int i = 0; i < 3; ++i) writer.write(picture);
-    }
+    cv::Mat leftBright(32, 96, CV_8UC3, cv::Scalar::all(20));
+    leftBright(cv::Rect(0, 0, 48, 32)) = cv::Scalar::all(220);
+    writeMp4(file, 3, leftBright);
     // Row by row a b u, c d v, x y w; of 16.16 bits, the last column of 2.30 (ISO/IEC 14496-12, 8.3.2).
     const auto matrix = [](int a, int b, int c, int d) {
         std::string bytes;
@@ -275,12 +218,7 @@ TEST(VideoPlayer, AClipIsTurnedUpright) {
 TEST(VideoPlayer, AnEditListGivesTheLengthShown) {
     const TempFolder folder;
     const Path file = folder / "edited.mp4";
-    {
-        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 30,
-                               {64, 32});
-        ASSERT_TRUE(writer.isOpened());
-        for (int i = 0; i < 30; ++i) writer.write(cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(4 * i)));
-    }
+    writeMp4(file, 30, cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(99)));
     EXPECT_EQ(opened(file).info().frameCount, 30);
     std::string bytes = readBytes(file);
     const size_t at = bytes.find("elst") + 12;
@@ -311,12 +249,7 @@ TEST(VideoPlayer, RefusesWhatStatesAPictureTooLarge) {
 
 TEST(VideoPlayer, EndsWhileBusy) {
     const TempFolder folder;
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 40);
-    for (int i = 0; i < 20; ++i) {
-        auto player = opened(file);
-        player.newest(i);
-    }
+    for (int i = 0; i < 20; ++i) greyFilm(folder, 40).newest(i);
 }
 
 TEST(VideoPlayer, CheckPassesFilmsOfLessThanASecond) {

@@ -43,7 +43,7 @@ TEST(YuvToBgr, IsTheFormulaRounded) {
             }
 }
 
-// Of every width, at no alignment.
+// Rows of every width, without alignment.
 TEST(YuvToBgr, EveryWidthIsTheSameToTheLastPixel) {
     Random random(5);
     std::vector<uint8_t> luma(130), cb(65), cr(65);

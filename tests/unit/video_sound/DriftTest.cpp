@@ -1,4 +1,5 @@
-// From a file to the ear: a clip of ten minutes, its own length beyond it, and a device with another clock.
+// Measures the drift between sound and picture over a clip of ten minutes, with a sound card whose clock is
+// fast.
 #include "engine/audio/Audio.h"
 #include "engine/media/SoundTrack.h"
 

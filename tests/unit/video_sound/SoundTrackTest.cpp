@@ -1,4 +1,4 @@
-// What is read of a video's sound, and where it lies in time.
+// Tests of the samples that are read from a video's sound, and of their place in time.
 #include "engine/media/SoundTrack.h"
 
 #include "tests/unit/Wav.h"

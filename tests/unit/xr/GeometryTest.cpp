@@ -19,7 +19,7 @@ glm::vec2 ndc(const glm::mat4& clipFromWorld, const glm::vec3& world) {
     return {clip.x / clip.w, clip.y / clip.w};
 }
 
-// What stands at the angle of an edge is drawn at that edge, whatever the eye's pose.
+// A point at the angle of an edge is drawn at that edge, whatever the eye's pose.
 TEST(ViewOf, EdgesLieAtTheAnglesGiven) {
     for (const Fov fov : {Fov{-0.85f, 0.75f, 0.8f, -0.9f}, Fov{-0.5f, 0.5f, 0.5f, -0.5f},
                           Fov{-0.2f, 1.1f, 0.3f, 0.1f}, Fov{0.1f, 0.7f, -0.2f, -0.8f}}) {
@@ -88,8 +88,7 @@ TEST(OriginAt, IsUprightBelowEveryHead) {
             const glm::vec3 up = origin.orientation * glm::vec3(0, 1, 0);
             EXPECT_NEAR(up.y, 1, 1e-6f);
             const glm::vec3 ahead = origin.orientation * glm::vec3(0, 0, -1);
-            // Where the head is tilted sideways and looks steeply, its top points a little aside: 0.2 at
-            // most.
+            // A head that is tilted sideways and looks steeply has its top a little aside: 0.2 at most.
             EXPECT_GT(glm::dot(ahead, glm::vec3(-std::sin(yaw), 0, -std::cos(yaw))), std::cos(0.21f))
                 << yaw << " " << pitch;
         }

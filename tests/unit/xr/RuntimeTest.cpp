@@ -1,4 +1,4 @@
-// Whether a headset's runtime is set up, by the OpenXR loader's own search.
+// Tests of the search for a headset's runtime, which follows the OpenXR loader's.
 #include "engine/xr/Headset.h"
 #include "tests/TestPaths.h"
 

@@ -2,6 +2,7 @@
 
 #include "input/hands/HandTracker.h"
 
+#include <fmt/ranges.h>
 #include <opencv2/imgproc.hpp>
 
 extern "C" {
@@ -41,12 +42,7 @@ std::string sha256(const std::vector<uint8_t>& bytes) {
     if (!sha || av_sha_init(sha.get(), 256) < 0) return {};
     av_sha_update(sha.get(), bytes.data(), bytes.size());
     av_sha_final(sha.get(), sum.data());
-    std::string text;
-    for (const uint8_t byte : sum) {
-        text += "0123456789abcdef"[byte >> 4];
-        text += "0123456789abcdef"[byte & 15];
-    }
-    return text;
+    return fmt::format("{:02x}", fmt::join(sum, ""));
 }
 
 Result<NeuralNet> loadNet(const Path& folder, const ModelFile& model, size_t picture,
@@ -72,7 +68,7 @@ cv::Point2f turned(const cv::Point2f& v, float turn) {
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-// Of the way from the wrist to the middle knuckle.
+// Returns Crop::turn from the way from the wrist to the middle knuckle.
 float turnOf(const cv::Point2f& way) { return std::atan2(way.x, -way.y); }
 
 float overlap(const cv::Rect2f& a, const cv::Rect2f& b) {
@@ -80,7 +76,7 @@ float overlap(const cv::Rect2f& a, const cv::Rect2f& b) {
     return both / std::max(a.area() + b.area() - both, 1e-6f);
 }
 
-// Middles of the detector's cells, 0 to 1: two a cell of 8 pixels, then six a cell of 16.
+// Returns the middles of the detector's cells, 0 to 1: two a cell of 8 pixels, then six a cell of 16.
 std::vector<cv::Point2f> makeAnchors() {
     std::vector<cv::Point2f> anchors;
     for (const auto& [cells, each] : {std::pair{24, 2}, std::pair{12, 6}})
@@ -95,7 +91,7 @@ std::vector<cv::Point2f> makeAnchors() {
 } // namespace
 
 Crop cropAround(const Landmarks& hand) {
-    // Fingertips move most: the others say where the hand is.
+    // All landmarks but the fingertips, which move most.
     constexpr std::array kSteady = {0, 1, 2, 3, 5, 6, 9, 10, 13, 14, 17, 18};
     constexpr float kScale = 2.0f, kTowardsFingers = 0.1f;
     const auto& at = hand.at;
@@ -125,7 +121,7 @@ HandNets::HandNets(NeuralNet palms, NeuralNet landmarks)
     found_.reserve(kAnchors);
 }
 
-// Part of the picture that the affine map takes to a network's input: red first, 0 to 1.
+// Fills a network's input, red first, 0 to 1, with the part of the picture that the affine map takes to it.
 void HandNets::takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPicture, int size, int border,
                            std::span<float> input) {
     cv::Mat to(size, size, CV_32FC3, input.data());
@@ -181,7 +177,7 @@ std::span<const FoundPalm> HandNets::findPalms(const cv::Mat& bgr) {
 }
 
 Landmarks HandNets::findLandmarks(const cv::Mat& bgr, const Crop& crop) {
-    // From the picture to the crop's own pixels: turned back about its middle.
+    // The map from the picture to the crop's own pixels turns it back about its middle.
     const float scale = kHandPicture / crop.size, half = 0.5f * kHandPicture;
     const cv::Point2f x = turned({scale, 0}, -crop.turn), y = turned({0, scale}, -crop.turn);
     takePicture(bgr,

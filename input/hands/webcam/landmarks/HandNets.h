@@ -14,7 +14,7 @@
 
 namespace shoal::hands {
 
-// In the networks' order: the wrist, then four of each finger from the thumb on, root to tip.
+// Landmarks in the networks' order: the wrist, then four of each finger from the thumb on, root to tip.
 constexpr int kLandmarkCount = 21;
 
 // A square in a picture, pixels. turn: radians from upright, clockwise in the picture.
@@ -31,21 +31,21 @@ struct FoundPalm {
 
 struct Landmarks {
     std::array<cv::Point2f, kLandmarkCount> at; // pixels of the picture
-    // The hand's shape, metres as the network takes them, from the hand's middle: x right and y down in the
-    // picture, z away from the camera.
+    // Shape of the hand in the network's metres, from the hand's middle: x right and y down in the picture, z
+    // away from the camera.
     std::array<glm::vec3, kLandmarkCount> shape;
-    float presence = 0, right = 0; // 0 to 1: that there is a hand; that it is a right one
+    float presence = 0, right = 0; // 0 to 1: confidence that there is a hand, and that it is a right one
 };
 
-// Where the hand is to be looked for in the next picture.
+// Returns the square in which to look for the hand in the next picture.
 Crop cropAround(const Landmarks& hand);
 
 class HandNets {
   public:
-    // From the files that get_models puts into a folder; of these, no others.
+    // Reads the files that get_models puts into a folder, and no other versions.
     static Result<HandNets> load(const Path& folder);
 
-    // bgr: 8 bits, not empty. The surest palm first; valid until the next call.
+    // Returns palms, the surest first; valid until the next call. bgr: 8 bits, not empty.
     std::span<const FoundPalm> findPalms(const cv::Mat& bgr);
     Landmarks findLandmarks(const cv::Mat& bgr, const Crop& crop);
 
@@ -56,7 +56,7 @@ class HandNets {
 
     NeuralNet palms_, landmarks_;
     std::vector<cv::Point2f> anchors_;
-    // Kept from picture to picture for their memory.
+    // Scratch memory.
     cv::Mat small_, part_, rgb_;
     std::vector<FoundPalm> found_;
 };

@@ -13,12 +13,12 @@ namespace shoal::hands {
 
 namespace {
 
-constexpr float kPresent = 0.5f;   // a hand is followed while the network is so sure that there is one...
-constexpr float kNew = 0.7f;       // ...and taken for one when it is so sure...
-constexpr int kLookEvery = 3;      // pictures: for a second hand, which costs more than to follow one
-constexpr float kSameHand = 0.6f;  // palms nearer than this, in lengths of a palm, are one
-constexpr float kSideShare = 0.1f; // of the newest picture in what is known of a hand's side
-constexpr float kNear_m = 0.1f, kFar_m = 3; // where hands are believed
+constexpr float kPresent = 0.5f; // least presence with which a hand is followed...
+constexpr float kNew = 0.7f;     // ...and with which a new one is accepted
+constexpr int kLookEvery = 3; // pictures between searches for a second hand, which cost more than following
+constexpr float kSameHand = 0.6f;           // palms nearer than this, in lengths of a palm, are one
+constexpr float kSideShare = 0.1f;          // weight of the newest picture in the estimate of a hand's side
+constexpr float kNear_m = 0.1f, kFar_m = 3; // range of believable distances
 
 constexpr size_t kWrist = 0, kIndexKnuckle = 5, kMiddleKnuckle = 9, kRingKnuckle = 13, kLittleKnuckle = 17;
 
@@ -32,14 +32,13 @@ constexpr std::array<int, kLandmarkCount> kJointAt = [] {
     return joints;
 }();
 
-// Bones of the palm, by which a hand's size is known: they do not bend.
+// Bones of the palm, which do not bend, and so tell a hand's size.
 constexpr std::array kPalmBones = {std::pair{kWrist, kIndexKnuckle}, std::pair{kWrist, kMiddleKnuckle},
                                    std::pair{kWrist, kRingKnuckle}, std::pair{kWrist, kLittleKnuckle},
                                    std::pair{kIndexKnuckle, kLittleKnuckle}};
 
-// How far the network's landmarks lie beyond the joints, towards the fingertips, metres: the mean over
-// pictures of the rig's hand, open and pinching, of which the joints are known. Of fingers from the root to
-// the tip.
+// Distances by which the network's landmarks lie beyond the joints, towards the fingertips, metres: means
+// over pictures of the rig's hand, open and pinching. Fingers: from the root to the tip.
 constexpr float kWristBeyond_m = 0.0025f;
 constexpr std::array<float, 4> kThumbBeyond_m = {0.008f, 0.003f, 0.001f, -0.0025f},
                                kFingerBeyond_m = {0.003f, -0.001f, -0.002f, -0.0035f};
@@ -68,7 +67,7 @@ bool same(const Landmarks& a, const Landmarks& b) {
            static_cast<double>(kSameHand * std::max(palmLength(a), palmLength(b)));
 }
 
-// The axes of a palm: across to the index finger's side, ahead to the fingers, and their product.
+// Returns the axes of a palm: across to the index finger's side, ahead to the fingers, and their product.
 glm::mat3 palmAxes(const std::array<glm::vec3, kLandmarkCount>& at) {
     const glm::vec3 ahead = glm::normalize(at[kMiddleKnuckle] - at[kWrist]);
     const glm::vec3 across = at[kIndexKnuckle] - at[kLittleKnuckle];
@@ -76,9 +75,9 @@ glm::mat3 palmAxes(const std::array<glm::vec3, kLandmarkCount>& at) {
     return {side, ahead, glm::cross(side, ahead)};
 }
 
-// By how much pictures are to be made brighter so that hands are seen in the dark; else 1.
+// Returns the factor that makes a dark picture bright enough to find hands in; else 1.
 double gainFor(const cv::Mat& bgr) {
-    constexpr double kDark = 70, kBright = 110, kMaxGain = 6; // of a picture's mean, of 255
+    constexpr double kDark = 70, kBright = 110, kMaxGain = 6; // means of a picture, of 255
     const cv::Scalar mean = cv::mean(bgr);
     const double light = (mean[0] + mean[1] + mean[2]) / 3;
     return light < kDark ? std::min(kBright / std::max(light, 1.0), kMaxGain) : 1.0;
@@ -102,7 +101,7 @@ void LandmarkFinder::follow(const cv::Mat& bgr) {
     std::erase_if(tracks_, [](const Track& track) {
         return !(track.hand.presence >= (track.isSure() ? kPresent : kNew));
     });
-    // Where hands cross, both tracks may end up on the one in front.
+    // Both tracks may end up on the hand in front when hands cross.
     if (tracks_.size() == 2 && same(tracks_[0].hand, tracks_[1].hand)) tracks_.pop_back();
 }
 
@@ -119,7 +118,7 @@ void LandmarkFinder::lookForNew(const cv::Mat& bgr) {
     }
 }
 
-// One hand is right and the other left, whichever way round the network finds likelier.
+// Two hands are a right and a left one, whichever way round the network finds likelier.
 void LandmarkFinder::decideSides() {
     for (Track& track : tracks_) track.right = std::lerp(track.right, track.hand.right, kSideShare);
     const auto decide = [&](Track& track, bool right) {
@@ -136,9 +135,9 @@ void LandmarkFinder::decideSides() {
     }
 }
 
-// The landmarks are sure across the picture, within a few pixels, but not in depth: the network bends the
+// The landmarks are exact within a few pixels across the picture, but not in depth: the network bends the
 // fingers of an open hand by 40 mm at their tips. So the rig's hand is fitted to them, by Levenberg and
-// Marquardt's method from the network's shape: depth decides where the picture leaves two ways open.
+// Marquardt's method from the network's shape; depth decides only where the picture is ambiguous.
 LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
                                              const std::array<glm::vec3, kLandmarkCount>& rest) const {
     // Least squares for the place p of the shape: (p + shape).xy = ray.xy (p + shape).z / ray.z at every
@@ -171,7 +170,7 @@ LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
 }
 
 LandmarkFinder::Residuals LandmarkFinder::residuals(const Fit& fit, const Seen& seen, Side side) const {
-    // Standard deviations. Nothing marks a wrist on an arm, and a sleeve hides it.
+    // Standard deviations. The wrist's is larger: nothing marks it on an arm, and a sleeve hides it.
     constexpr float kAcross_m = 0.003f, kWristAcross_m = 0.01f, kDepth_m = 0.3f, kSpread = 2, kCurl = 0.3f;
     const HandPose pose = rig_.pose(side, fit.hand, {fit.wrist, fit.turn});
     Residuals out;
@@ -214,7 +213,7 @@ HandPose LandmarkFinder::fitted(const Seen& seen, Side side) const {
         for (int k = 0; k < kUnknowns; ++k) {
             Step delta;
             delta(k) = kDelta;
-            // Away from the end of a range, beyond which nothing changes.
+            // Steps away from the end of a range, beyond which nothing changes.
             if (k >= 6 && k < 11 && fit.hand.curl[static_cast<size_t>(k - 6)] > 0.5f) delta(k) = -kDelta;
             if (k == 11 && fit.hand.spread > 0) delta(k) = -kDelta;
             const Residuals changed = (residuals(moved(fit, delta), seen, side) - off) * (1 / delta(k));

@@ -14,7 +14,7 @@
 
 namespace shoal::hands {
 
-// Field of view of a typical webcam, which does not report it: horizontal, radians. An error in it scales all
+// Horizontal field of view of a typical webcam, which does not report it, radians. An error in it scales all
 // distances alike.
 constexpr float kWebcamFov = 1.05f;
 
@@ -23,9 +23,9 @@ class LandmarkFinder {
     // folder: where get_models puts the models.
     static Result<LandmarkFinder> load(const Path& folder, const HandRig& rig);
 
-    // The next picture, blue first, of any size. time_s rises. Hands are returned in the camera's frame.
+    // Finds the hands in the next picture, blue first, of any size; camera's frame. time_s rises.
     HandFrame detect(const cv::Mat& bgr, double time_s);
-    // Landmarks of the hands in the last picture, its pixels; for a person to see.
+    // Landmarks of the hands in the last picture, in its pixels, for the preview.
     std::span<const cv::Point2f> marks() const { return marks_; }
 
   private:
@@ -45,7 +45,7 @@ class LandmarkFinder {
     void decideSides();
     std::optional<HandPose> poseOf(const Track& track, cv::Size picture) const;
 
-    // In the camera's frame: x right, y up, z towards the camera.
+    // A hand in the camera's frame: x right, y up, z towards the camera.
     struct Seen {
         std::array<glm::vec3, kLandmarkCount> ray;   // z is -1
         std::array<glm::vec3, kLandmarkCount> shape; // metres, in the size of the rig's hand

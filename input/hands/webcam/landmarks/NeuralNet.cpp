@@ -61,7 +61,7 @@ class NeuralNet::Builder {
   private:
     void readTensors(const tflite::Model& model, const tflite::SubGraph& graph);
     void placeInputAndOutputs(const tflite::SubGraph& graph);
-    // Whether the operator is one of those below, and XNNPACK takes it.
+    // Returns false if the operator is none of those below, or XNNPACK refuses it.
     bool add(const Operator& op);
     void dequantize(const Operator& op);
     xnn_status addConvolution(const Operator& op);
@@ -74,7 +74,7 @@ class NeuralNet::Builder {
     Tensor& tensor(const flatbuffers::Vector<int32_t>& list, uint32_t place) {
         return tensors_[static_cast<size_t>(list.Get(place))];
     }
-    // The tensor as XNNPACK knows it, of single precision.
+    // Return the tensor as defined to XNNPACK, in single precision.
     const Tensor& in(const Operator& op, uint32_t place) { return define(tensor(*op.inputs(), place)); }
     const Tensor& out(const Operator& op) { return define(tensor(*op.outputs(), 0)); }
     const Tensor& define(Tensor& tensor);
@@ -96,7 +96,7 @@ void NeuralNet::Builder::readTensors(const tflite::Model& model, const tflite::S
     }
 }
 
-// A concatenation of rows is where its parts are: they are written one behind the other at once.
+// The parts of a concatenation of rows are written one behind the other, so that it needs no operator.
 void NeuralNet::Builder::placeInputAndOutputs(const tflite::SubGraph& graph) {
     Tensor& input = tensor(*graph.inputs(), 0);
     net.inputShape_ = input.shape;
@@ -137,13 +137,13 @@ const Tensor& NeuralNet::Builder::define(Tensor& tensor) {
         std::memcpy(numbers.data(), tensor.bytes.data(), tensor.bytes.size());
         tensor.weights = numbers.data();
     }
-    // Without an identity, XNNPACK refuses the operator.
+    // XNNPACK refuses an operator on a tensor that it did not accept here.
     xnn_define_tensor_value(graph_, xnn_datatype_fp32, tensor.shape.size(), tensor.shape.data(),
                             tensor.weights, tensor.externalId, tensor.flags, &tensor.id);
     return tensor;
 }
 
-// Weights of half precision.
+// Converts weights of half precision.
 void NeuralNet::Builder::dequantize(const Operator& op) {
     const Tensor& half = tensor(*op.inputs(), 0);
     Tensor& whole = tensor(*op.outputs(), 0);

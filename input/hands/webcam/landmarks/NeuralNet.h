@@ -15,14 +15,14 @@ namespace shoal::hands {
 
 class NeuralNet {
   public:
-    // Of a file whose check sum is known: nothing that it states is checked. name: for the error.
+    // Reads a file whose check sum is known: nothing that it states is checked. name: for the error.
     static Result<NeuralNet> read(std::span<const uint8_t> tfLite, const std::string& name);
 
-    // To be filled before run(): the one input, rows of pixels of channels. Its shape, from the batch (1) on.
+    // The one input, to be filled before run(): rows of pixels of channels.
     std::span<float> input() { return {input_.data(), inputCount_}; }
-    const std::vector<size_t>& inputShape() const { return inputShape_; }
+    const std::vector<size_t>& inputShape() const { return inputShape_; } // from the batch (1) on
     bool run();
-    // In the file's order.
+    // Outputs in the file's order.
     size_t outputs() const { return outputs_.size(); }
     std::span<const float> output(size_t number) const {
         return {outputs_[number].data(), outputCounts_[number]};
