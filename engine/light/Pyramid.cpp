@@ -3,6 +3,7 @@
 #include "engine/light/BlockMeans.h"
 #include "engine/light/ClippedLight.h"
 #include "engine/light/Vectorise.h"
+#include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
@@ -13,22 +14,15 @@ namespace shoal::light {
 
 namespace {
 
-// Splits a row's bytes into planes of floats.
-inline void splitRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
-                     float* __restrict green, float* __restrict blue) {
-    const int blueAt = 2 - redAt;
-    for (int x = 0; x < width; ++x) {
-        red[x] = static_cast<float>(bytes[3 * x + redAt]);
-        green[x] = static_cast<float>(bytes[3 * x + 1]);
-        blue[x] = static_cast<float>(bytes[3 * x + blueAt]);
-    }
-}
-
 // Decodes a row of bytes to linear planes; the arithmetic of radianceFromDisplay().
 SHOAL_VECTORISE
 void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                float* __restrict green, float* __restrict blue) {
-    splitRow(bytes, width, redAt, red, green, blue);
+    for (int x = 0; x < width; ++x) { // a loop of its own, so that the next one is vectorised
+        red[x] = static_cast<float>(bytes[3 * x + redAt]);
+        green[x] = static_cast<float>(bytes[3 * x + 1]);
+        blue[x] = static_cast<float>(bytes[3 * x + 2 - redAt]);
+    }
     constexpr float kUnit = 1.0f / 255.0f;
     for (int x = 0; x < width; ++x) {
         const float r = red[x] * kUnit, g = green[x] * kUnit, b = blue[x] * kUnit;
@@ -42,26 +36,14 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
     }
 }
 
-// linearFromSrgb() of coded bytes; its power branch is the polynomial with the least largest error, counted
-// in 1e-5 of white or a relative 5e-4, whichever is stricter.
-inline float linearOf(float byte) {
-    const float c = byte * (1.0f / 255.0f);
-    const float power =
-        0.0008869991f +
-        c * (0.03392017f +
-             c * (0.5051172f + c * (0.7390164f + c * (-0.4717155f + c * (0.2567576f - 0.06399098f * c)))));
-    return c <= 0.04045f ? c * (1.0f / 12.92f) : power;
-}
-
-// As decodeRow(), for sRGB.
-SHOAL_VECTORISE
+// Decodes a row of sRGB bytes to linear planes.
 void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                      float* __restrict green, float* __restrict blue) {
-    splitRow(bytes, width, redAt, red, green, blue);
+    const std::array<float, 256>& linear = math::linearOfByte();
     for (int x = 0; x < width; ++x) {
-        red[x] = linearOf(red[x]);
-        green[x] = linearOf(green[x]);
-        blue[x] = linearOf(blue[x]);
+        red[x] = linear[bytes[3 * x + redAt]];
+        green[x] = linear[bytes[3 * x + 1]];
+        blue[x] = linear[bytes[3 * x + 2 - redAt]];
     }
 }
 
@@ -233,32 +215,40 @@ template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, Ima
     }
 }
 
+// Finds the clipped light's gain, and returns its tint. clippedRow(y): row y of `width` clipped shares, above
+// the horizon; asked for twice, and left multiplied by the densities.
+template <class ClippedRow>
+glm::vec3 PyramidMaker::measureClipped(int width, int height, const ImageRgbF& decoded,
+                                       ClippedRow&& clippedRow) {
+    const int above = (height + 1) / 2;
+    density_.begin(width, height);
+    for (int y = 0; y < above; ++y) density_.addRow(y, clippedRow(y));
+    density_.finish();
+    double irradiance = 0;
+    for (int y = 0; y < above; ++y) {
+        float* const row = clippedRow(y);
+        density_.weigh(y, row);
+        irradiance += levelIrradiance(y, width, height) * static_cast<double>(sumOf(row, width));
+    }
+    clippedGain_ = clippedGainOf(decoded, irradiance);
+    return clippedTintOf(decoded);
+}
+
 void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
-    const int above = (frame.height + 1) / 2;
     // Decodes a row into the red plane, a fully clipped pixel as `white`; returns whether any is clipped.
     const auto decode = [&](int y, float white) {
         return decodeClippedRow(frame.pixels + y * frame.rowStride, frame.width, white / kClippedSteps,
                                 red_.data()) > 0;
     };
     const auto share = [&](int y) { return clippedShares_[static_cast<size_t>(y)]; };
-    density_.begin(frame.width, frame.height);
-    for (int y = 0; y < above; ++y) {
+    const glm::vec3 tint = measureClipped(frame.width, frame.height, base, [&](int y) {
         decode(y, share(y));
-        density_.addRow(y, red_.data());
-    }
-    density_.finish();
-    double irradiance = 0;
-    for (int y = 0; y < above; ++y) {
-        if (!decode(y, share(y))) continue;
-        density_.weigh(y, red_.data());
-        irradiance += levelIrradiance(y, frame.width, frame.height) *
-                      static_cast<double>(sumOf(red_.data(), frame.width));
-    }
-    clippedGain_ = clippedGainOf(base, irradiance);
-    const glm::vec3 tint = clippedTintOf(base);
+        return red_.data();
+    });
     addRows(
         [&](int y) {
-            if (y >= above || !decode(y, (clippedGain_.of(y, frame.height) - 1) * share(y))) return false;
+            if (y >= (frame.height + 1) / 2 || !decode(y, (clippedGain_.of(y, frame.height) - 1) * share(y)))
+                return false;
             density_.weigh(y, red_.data());
             for (size_t x = 0; x < red_.size(); ++x) {
                 green_[x] = tint.g * red_[x];
@@ -271,29 +261,14 @@ void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
 }
 
 void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from) {
-    if (from == FrameRadiance::Thesis) {
-        makeBlockMeans(frame, blockRows_, blocks);
-        return;
-    }
-    if (from == FrameRadiance::Linear) {
-        makeLinearBlockMeans(frame, blockRows_, {}, blocks, clippedBlocks_);
-        return;
-    }
+    if (from == FrameRadiance::Thesis) return makeBlockMeans(frame, blockRows_, blocks);
+    if (from == FrameRadiance::Linear)
+        return makeLinearBlockMeans(frame, blockRows_, {}, blocks, clippedBlocks_);
     clippedBlocks_.fit(blocks.width, blocks.height);
     makeLinearBlockMeans(frame, blockRows_, clippedShares_, blocks, clippedBlocks_);
-    const int above = (blocks.height + 1) / 2;
-    density_.begin(blocks.width, blocks.height);
-    for (int y = 0; y < above; ++y) density_.addRow(y, clippedBlocks_.at(0, y));
-    density_.finish();
-    double irradiance = 0;
-    for (int y = 0; y < above; ++y) {
-        density_.weigh(y, clippedBlocks_.at(0, y));
-        irradiance += levelIrradiance(y, blocks.width, blocks.height) *
-                      static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width));
-    }
-    clippedGain_ = clippedGainOf(blocks, irradiance);
-    const glm::vec3 tint = clippedTintOf(blocks);
-    for (int y = 0; y < above; ++y)
+    const glm::vec3 tint =
+        measureClipped(blocks.width, blocks.height, blocks, [&](int y) { return clippedBlocks_.at(0, y); });
+    for (int y = 0; y < (blocks.height + 1) / 2; ++y)
         addClippedBlocks(clippedBlocks_.at(0, y), (clippedGain_.of(y, blocks.height) - 1) * tint,
                          blocks.width, blocks.at(0, y));
 }

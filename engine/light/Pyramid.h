@@ -57,6 +57,8 @@ class PyramidMaker {
     void makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from);
     void prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out);
     template <class DecodeRow> void addRows(DecodeRow&& decodeRow, ImageRgbF& base);
+    template <class ClippedRow>
+    glm::vec3 measureClipped(int width, int height, const ImageRgbF& decoded, ClippedRow&& clippedRow);
     void addClipped(const FrameView& frame, ImageRgbF& base);
     void narrowRow();
 

@@ -19,11 +19,9 @@ namespace {
 
 // --- Pictures and the perceptually coded matrices that this folder computes on: 3 floats a pixel, red first
 
-cv::Mat viewOf(const ImageRgb8& picture) {
-    return {picture.height, picture.width, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())};
-}
-cv::Mat viewOf(const ImageRgbF& picture) {
-    return {picture.height, picture.width, CV_32FC3, const_cast<float*>(picture.pixels.data())};
+template <class T> cv::Mat viewOf(const Image<T, 3>& picture) {
+    return {picture.height, picture.width, CV_MAKETYPE(cv::DataType<T>::depth, 3),
+            const_cast<T*>(picture.pixels.data())};
 }
 
 // Codes radiance by a power up to 1 and by a logarithm above, which meet in value and slope: a sun 10^5 times
@@ -35,31 +33,24 @@ float radianceFromCoded(float coded) {
     return coded <= 1 ? std::pow(std::max(coded, 0.0f), 2.2f) : std::exp((coded - 1) * 2.2f);
 }
 
+// Replaces each channel of each pixel of a picture of floats.
+void replaceEach(cv::Mat picture, float (*by)(float)) {
+    for (float& channel : cv::Mat_<float>(picture.reshape(1))) channel = by(channel);
+}
+
 // Codes floats, which are linear radiance; 8-bit pictures are coded already.
 cv::Mat codedFrom(const cv::Mat& picture) {
     cv::Mat coded;
-    if (picture.depth() == CV_8U) {
-        picture.convertTo(coded, CV_32F, 1 / 255.0);
-        return coded;
-    }
-    coded = picture.clone();
-    std::transform(coded.begin<cv::Vec3f>(), coded.end<cv::Vec3f>(), coded.begin<cv::Vec3f>(),
-                   [](const cv::Vec3f& c) -> cv::Vec3f {
-                       return {codedFromRadiance(c[0]), codedFromRadiance(c[1]), codedFromRadiance(c[2])};
-                   });
+    picture.convertTo(coded, CV_32F, picture.depth() == CV_8U ? 1 / 255.0 : 1);
+    if (picture.depth() != CV_8U) replaceEach(coded, codedFromRadiance);
     return coded;
 }
 
 template <class Picture> Picture pictureFromCoded(const cv::Mat& coded) {
     Picture out(coded.cols, coded.rows);
     cv::Mat to = viewOf(out);
-    if (to.depth() == CV_8U)
-        coded.convertTo(to, CV_8U, 255);
-    else
-        std::transform(coded.begin<cv::Vec3f>(), coded.end<cv::Vec3f>(), to.begin<cv::Vec3f>(),
-                       [](const cv::Vec3f& c) -> cv::Vec3f {
-                           return {radianceFromCoded(c[0]), radianceFromCoded(c[1]), radianceFromCoded(c[2])};
-                       });
+    coded.convertTo(to, to.depth(), to.depth() == CV_8U ? 255 : 1);
+    if (to.depth() != CV_8U) replaceEach(to, radianceFromCoded);
     return out;
 }
 
@@ -239,6 +230,14 @@ cv::Mat ringOf(const cv::Mat& photo, const RingMap& map, const Lens& lens, const
     return resample(reduced, column, row);
 }
 
+// Fills a lat-long picture above and below its known rows, top to bottom (exclusive).
+void fillPoles(cv::Mat& sphere, int top, int bottom) {
+    if (top > 0) fillPolarCap(sphere, top, PolarCap::Sky);
+    cv::flip(sphere, sphere, 0);
+    if (bottom < sphere.rows) fillPolarCap(sphere, sphere.rows - bottom, PolarCap::Ground);
+    cv::flip(sphere, sphere, 0);
+}
+
 // Puts the ring on the sphere, its lightColumn in the middle, and fills the poles. topLatitude: radians.
 cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) {
     const int width = ring.cols;
@@ -249,10 +248,7 @@ cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) 
     const int bottom = std::min(top + ring.rows, width / 2 - 1);
     ring.rowRange(0, bottom - top).copyTo(sphere.rowRange(top, bottom));
     rotateColumns(sphere, static_cast<int>(std::lround(width / 2 - lightColumn)));
-    fillPolarCap(sphere, top, PolarCap::Sky);
-    cv::flip(sphere, sphere, 0);
-    fillPolarCap(sphere, width / 2 - bottom, PolarCap::Ground);
-    cv::flip(sphere, sphere, 0);
+    fillPoles(sphere, top, bottom);
     return sphere;
 }
 
@@ -289,17 +285,14 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
 
 // --- Completing a part
 
-// Returns the column `steps` beyond the end of a picture that repeats mirrored.
-int mirrored(int steps, int size) {
-    const int at = steps % (2 * size);
-    return at < size ? at : 2 * size - 1 - at;
-}
-
 // Fills the columns from right to left + width (exclusive), between two ends of the same picture.
 void fillGap(cv::Mat& rows, int left, int right) {
     const int gap = left + rows.cols - right;
     // Mirrors only up to the light, so that it is not repeated.
     const double light = findMainLight(rows.colRange(left, right)).place.x;
+    const auto mirrored = [](int steps, int size) {
+        return cv::borderInterpolate(steps, size, cv::BORDER_REFLECT);
+    };
     const auto depth = [&](double toLight) { return std::max(1, static_cast<int>(0.7 * toLight)); };
     const int depthLeft = depth(light), depthRight = depth(right - left - light);
     for (int k = 0; k < gap; ++k) {
@@ -326,10 +319,7 @@ cv::Mat completed(const cv::Mat& photo, const PanoramaPart& part, int width) {
     // Sky and ground each reach up to the horizon at most.
     for (; top >= height / 2; --top) sphere.row(top).copyTo(sphere.row(top - 1));
     for (; bottom <= height / 2; ++bottom) sphere.row(bottom - 1).copyTo(sphere.row(bottom));
-    if (top > 0) fillPolarCap(sphere, top, PolarCap::Sky);
-    cv::flip(sphere, sphere, 0);
-    if (bottom < height) fillPolarCap(sphere, height - bottom, PolarCap::Ground);
-    cv::flip(sphere, sphere, 0);
+    fillPoles(sphere, top, bottom);
     return sphere;
 }
 

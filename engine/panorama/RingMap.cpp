@@ -62,13 +62,16 @@ Progress within(const Progress& progress, double from, double to) {
     };
 }
 
-// Widens columns first to last (exclusive) to `count` and appends them to the map.
+// Widens columns first to last (exclusive) to `count` and appends them to the map: the means of their source
+// columns over all rows, so that vertical lines stay straight.
 void insertColumns(const cv::Mat& picture, const cv::Mat& weight, int first, int last, int count,
                    const Progress& progress, std::vector<float>& map) {
     if (first >= last) return;
-    for (const float at : columnInsertionMap(picture.colRange(first, last), weight.colRange(first, last),
-                                             std::max(count, last - first), progress))
-        map.push_back(at + static_cast<float>(first));
+    cv::Mat mean;
+    cv::reduce(seamInsertionMap(picture.colRange(first, last), weight.colRange(first, last),
+                                std::max(count, last - first), progress),
+               mean, 0, cv::REDUCE_AVG);
+    for (const float at : cv::Mat_<float>(mean)) map.push_back(at + static_cast<float>(first));
 }
 
 std::vector<float> insertSideways(const cv::Mat& patch, const LightInPatch& light, const Progress& progress) {

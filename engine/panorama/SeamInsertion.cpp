@@ -143,13 +143,6 @@ cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int colu
     return now.source;
 }
 
-std::vector<float> columnInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
-                                      const Progress& progress) {
-    cv::Mat mean;
-    cv::reduce(seamInsertionMap(colours, weight, columns, progress), mean, 0, cv::REDUCE_AVG);
-    return {mean.begin<float>(), mean.end<float>()};
-}
-
 void smoothMap(std::vector<float>& map, double sigma_px) {
     if (map.size() < 2) return;
     const float first = map.front(), last = map.back();

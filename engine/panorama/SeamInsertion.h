@@ -32,11 +32,6 @@ void removeSeam(cv::Mat& image, const std::vector<int>& seam);
 cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
                          const Progress& progress = {});
 
-// Returns a source column for each column: the mean of seamInsertionMap() over all rows, so that vertical
-// lines stay straight.
-std::vector<float> columnInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
-                                      const Progress& progress = {});
-
 // Smooths a map's deviation from uniform stretching by a Gaussian. The ends and monotonicity are kept.
 void smoothMap(std::vector<float>& map, double sigma_px);
 

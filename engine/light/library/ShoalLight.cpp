@@ -9,6 +9,7 @@
 #include "engine/math/Brdf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -57,21 +58,10 @@ template <class Work> ShoalLightStatus guarded(const Work& work) {
     }
 }
 
+// Returns 0 for what is no format.
 int bytesPerPixel(int32_t format) {
-    switch (format) {
-    case SHOAL_LIGHT_BGR8:
-    case SHOAL_LIGHT_RGB8:
-        return 3;
-    case SHOAL_LIGHT_BGRA8:
-    case SHOAL_LIGHT_RGBA8:
-        return 4;
-    case SHOAL_LIGHT_RGB32F:
-        return 12;
-    case SHOAL_LIGHT_RGBA32F:
-        return 16;
-    default:
-        return 0;
-    }
+    constexpr std::array kBytes = {3, 3, 4, 4, 12, 16}; // by ShoalLightFormat
+    return format < 0 || format > SHOAL_LIGHT_RGBA32F ? 0 : kBytes[static_cast<size_t>(format)];
 }
 
 const uint8_t* rowOf(const ShoalLightFrame& frame, ptrdiff_t rowBytes, int y) {

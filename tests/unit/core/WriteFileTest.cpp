@@ -35,7 +35,7 @@ class WriteFile : public testing::Test {
     tests::ScratchFolder folder_;
 };
 
-// What the child's function returns; -1 if a signal ended it.
+// Returns the result of a function that a child process runs; -1 if a signal ended it.
 int inAChild(const std::function<int()>& does) {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(does());
@@ -44,7 +44,7 @@ int inAChild(const std::function<int()>& does) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// A disk with room for so many bytes of each file.
+// Makes a disk with room for so many bytes of each file.
 void limitFiles(uint64_t bytes) {
     const rlimit limit{bytes, bytes};
     ::signal(SIGXFSZ, SIG_IGN);
@@ -108,7 +108,7 @@ TEST_F(WriteFile, WritesIntoPipesAndDevices) {
     ASSERT_EQ(names(), std::vector<std::string>{"pipe"});
 }
 
-// Full after each page, and within one.
+// The disk is full after each page, and within one.
 TEST_F(WriteFile, AFullDiskLeavesWhatIsThere) {
     const std::string old(3 * 4096, 'o'), fresh(5 * 4096 + 17, 'n');
     for (uint64_t room = 0; room < fresh.size(); room += 2048) {
@@ -136,7 +136,7 @@ TEST_F(WriteFile, AFolderAppearsWholeOrNotAtAll) {
     ASSERT_TRUE(writeFolderWhole((folder_ / "out").string() + "/", files));
     EXPECT_EQ(namesIn(folder_ / "out"), (std::vector<std::string>{"one", "two"}));
 
-    // In a folder that is there, nothing is replaced, and nothing else is touched.
+    // Nothing is replaced in a folder that is there, and nothing else is touched.
     std::ofstream(folder_ / "out/mine") << "stays";
     const std::vector<NamedBytes> later = {{"one", "new"}, {"two", std::string(9000, '3')}};
     const int result = inAChild([&] {
@@ -152,7 +152,7 @@ TEST_F(WriteFile, AFolderAppearsWholeOrNotAtAll) {
     EXPECT_FALSE(writeFolderWhole(folder_ / "out/mine", later)) << "a file is no folder";
 }
 
-// What a killed program may have left behind the bytes that are known to be good goes.
+// Bytes behind those that are known to be good, which a killed program may have left, are dropped.
 TEST_F(WriteFile, AGrowingFileGoesOnBehindWhatIsGood) {
     ASSERT_TRUE(writeFileWhole(folder_ / "a", "good, and half of a rec"));
     auto file = GrowingFile::extend(folder_ / "a", 4);

@@ -10,7 +10,7 @@
 
 namespace shoal::light {
 
-// Of unit vectors; exact where they are close, too.
+// Returns the angle between unit vectors; exact where they are close, too.
 inline double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::degrees(2 * std::asin(std::min(1.0, 0.5 * glm::length(a - b))));
 }

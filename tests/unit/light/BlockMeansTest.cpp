@@ -75,7 +75,7 @@ struct NoisyFrame {
     const uint8_t* at(int x, int y) const { return &bytes[static_cast<size_t>(y * kStride + 3 * x)]; }
 };
 
-// In both orders of bytes.
+// Both orders of bytes.
 TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
     const NoisyFrame frame(false);
     constexpr int width = NoisyFrame::kWidth, height = NoisyFrame::kHeight;
@@ -103,7 +103,7 @@ TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
 
 double linearOf(int coded) { return math::linearFromSrgb(coded / 255.0); }
 
-// What the header promises of decoded sRGB.
+// Returns the error of decoded sRGB that the header permits.
 double allowed(int coded) { return std::min(2e-4, (coded < 10 ? 0.06 : 0.01) * linearOf(coded)) + 1e-9; }
 
 // Every value, in each channel beside others.
@@ -126,7 +126,7 @@ TEST_P(BlockMeans, OfOneColourAreDecodedSrgb) {
         }
 }
 
-// As of the thesis' radiance; half of the values are near white.
+// The same for decoded sRGB; half of the values are near white.
 TEST_P(BlockMeans, OfNoiseAreDecodedAndClippedMeansAndTheSameForEveryLoop) {
     const NoisyFrame frame(true);
     constexpr int width = NoisyFrame::kWidth, height = NoisyFrame::kHeight;

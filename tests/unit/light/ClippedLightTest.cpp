@@ -1,4 +1,4 @@
-// What the camera clipped, estimated: known scenes, and every way in which a cue can be missing.
+// Estimates of clipped light: known scenes, and every way in which a cue can be missing.
 #include "engine/light/ClippedLight.h"
 #include "engine/light/MakeLight.h"
 #include "engine/math/Colour.h"
@@ -283,21 +283,6 @@ TEST(ClippedLight, ReadsAnyFrame) {
         EXPECT_TRUE(std::isfinite(gainOf({frame.pixels.data(), width, height, 3 * kWidth, false})));
 }
 
-TEST(ClippedLight, IsScaledByTheHeightOfItsRow) {
-    for (const int height : {256, 1024}) {
-        for (int y = height / 2; y < height; ++y) EXPECT_EQ(clippedShare(y, height), 0);
-        EXPECT_GT(clippedShare(height / 2 - 1, height), 0);
-        for (int y = 0; y < 2 * height / 5; ++y) EXPECT_EQ(clippedShare(y, height), 1); // 18 degrees
-    }
-}
-
-TEST(ClippedLight, AnEvenHalfSphereLightsALevelPlaneByPi) {
-    double above = 0, below = 0;
-    for (int y = 0; y < 64; ++y) (y < 32 ? above : below) += 128 * levelIrradiance(y, 128, 64);
-    EXPECT_NEAR(above, std::numbers::pi, 1e-9);
-    EXPECT_NEAR(below, std::numbers::pi, 1e-9);
-}
-
 // An even sky over even ground, of coded values, with a white square of `size` pixels from (left, top) on.
 ImageRgb8 skyWithSun(int width, int size, int left, int top) {
     ImageRgb8 frame(width, width / 2);
@@ -305,22 +290,6 @@ ImageRgb8 skyWithSun(int width, int size, int left, int top) {
     std::fill(frame.pixels.begin() + std::ssize(frame.pixels) / 2, frame.pixels.end(), uint8_t{100});
     for (int y = top; y < top + size; ++y) std::fill_n(frame.at(left, y), 3 * size, uint8_t{255});
     return frame;
-}
-
-// A sun of two pixels by two, moved a pixel at a time: no more changes than its height. A row of 1024 is
-// 0.003 radians, so its irradiance changes by 0.003 of its cotangent's elevation, 1.4 at most here.
-TEST(ClippedLight, ATinySunMovesWithoutAStep) {
-    for (const auto& [right, down] : {std::pair(1, 0), {0, 1}}) {
-        float before = 0, first = 0;
-        for (int i = 0; i < 9; ++i) {
-            const ImageRgb8 frame = skyWithSun(2048, 2, 700 + i * right, 300 + i * down);
-            const float now = gainOf(viewOf(frame));
-            if (i == 0) before = first = now;
-            EXPECT_NEAR(now / before, 1, right ? 1e-5 : 1.4 * 0.0031) << right << down << i;
-            before = now;
-        }
-        EXPECT_GT(first, 4); // it is seen at all
-    }
 }
 
 // Averaged over blocks first, or pixel by pixel: noise and a sun across edges of blocks. Where it is clipped

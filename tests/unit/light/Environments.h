@@ -24,7 +24,7 @@ inline ImageRgbF uniform(int width, const glm::dvec3& radiance) {
     return paint(width, width / 2, [&](const glm::dvec3&) { return radiance; });
 }
 
-// Rough, bright, different in every texel: what a mistake in an index shows on.
+// Rough, bright, different in every texel, so that a mistake in an index shows.
 inline ImageRgbF noise(int width, int height, uint32_t seed = 1) {
     ImageRgbF image(width, height);
     for (float& value : image.pixels) {
@@ -34,16 +34,7 @@ inline ImageRgbF noise(int width, int height, uint32_t seed = 1) {
     return image;
 }
 
-// Turned to the right by this many columns.
-inline ImageRgbF turned(const ImageRgbF& image, int columns) {
-    ImageRgbF result(image.width, image.height);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < 3; ++c) result.at((x + columns) % image.width, y)[c] = image.at(x, y)[c];
-    return result;
-}
-
-// Over the sphere.
+// Returns the mean over the sphere.
 inline glm::dvec3 meanOf(const ImageRgbF& image) {
     glm::dvec3 sum(0);
     for (int y = 0; y < image.height; ++y)

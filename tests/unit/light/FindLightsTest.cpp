@@ -10,28 +10,27 @@
 namespace shoal::light {
 namespace {
 
-FoundLights lightsIn(const ImageRgbF& environment) {
-    PyramidMaker pyramid;
-    RadiancePyramid radiance;
-    pyramid.make(environment, 512, radiance);
+FoundLights lightsIn(const RadiancePyramid& radiance) {
     LightFinder finder;
     FoundLights found;
     finder.find(radiance, found);
     return found;
+}
+
+FoundLights lightsIn(const ImageRgbF& environment) {
+    RadiancePyramid radiance;
+    PyramidMaker().make(environment, 512, radiance);
+    return lightsIn(radiance);
 }
 
 FoundLights lightsIn(const ImageRgb8& frame) {
-    PyramidMaker pyramid;
     RadiancePyramid radiance;
-    pyramid.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, 512,
-                 radiance);
-    LightFinder finder;
-    FoundLights found;
-    finder.find(radiance, found);
-    return found;
+    PyramidMaker().make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false},
+                        512, radiance);
+    return lightsIn(radiance);
 }
 
-// Where the middle of a square of two texels by two lies, whose top left one this is.
+// Returns the middle of a square of two texels by two whose top left one this is.
 glm::dvec3 middleOf(int column, int row) {
     return directionFromLatLong(glm::dvec2((column + 1.0) / 1024, (row + 1.0) / 512));
 }
@@ -74,7 +73,7 @@ TEST(FindLights, FourTexelSunsOfAVideoToo) {
     }
 }
 
-// What a camera leaves of a sun in haze: its glow falls with the power 1.5 of the angle, as in a clear sky,
+// A camera's picture of a sun in haze: its glow falls with the power 1.5 of the angle, as in a clear sky,
 // and is clipped within 3 degrees of it. A lit cloud hangs 12 degrees beside it, a ridge may hide what is
 // below.
 ImageRgb8 hazySun(const glm::dvec3& sun, const glm::dvec3& cloud, double cloudRadiance, double ridge) {

@@ -135,18 +135,6 @@ TEST(Pyramid, LinearSourceOfTheBasesSizeIsKept) {
     EXPECT_LT(largestDifference(pyramid.levels[0], source), 1e-6);
 }
 
-// The trap of plain mips (the zenith counted three times): a bright cap keeps its share of the sphere.
-TEST(Pyramid, ZenithIsNotOverweighed) {
-    const ImageRgbF cap =
-        paint(512, 256, [](const glm::dvec3& d) { return glm::dvec3(d.y > 0.866 ? 1.0 : 0.0); });
-    RadiancePyramid pyramid;
-    PyramidMaker maker;
-    maker.make(cap, 512, pyramid);
-    const ImageRgbF& last = pyramid.levels.back();
-    EXPECT_NEAR((last.at(0, 0)[0] + last.at(1, 0)[0]) / 2, 0.067,
-                0.002); // 6.7 %, one row of 256 at 30 degrees is 0.3 %
-}
-
 TEST(Pyramid, SizesMayChangeBetweenFrames) {
     PyramidMaker maker;
     RadiancePyramid used, fresh;

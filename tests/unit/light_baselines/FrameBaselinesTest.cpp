@@ -1,4 +1,4 @@
-// From frame to pyramid, and from display to light.
+// Baselines of pyramids and of inverse tone mapping.
 #include "engine/light/InverseToneMap.h"
 #include "engine/math/Colour.h"
 #include "tests/baselines/light/Baselines.h"
@@ -85,7 +85,7 @@ TEST(InverseToneMapBaselines, BrighterStaysBrighter) {
     }
 }
 
-// By hand: 30 grey pixels, a black and a white one.
+// Computed by hand: 30 grey pixels, a black and a white one.
 TEST(InverseToneMapBaselines, MasiasPowers) {
     ImageRgb8 frame = filled(8, 4, 188, 188, 188);
     frame.pixels[0] = frame.pixels[1] = frame.pixels[2] = 0;

@@ -62,7 +62,7 @@ double rmsOnGradient(const GlossyMethod& method, float roughness) {
     return std::sqrt(squares / static_cast<double>(kDirs.size()));
 }
 
-// What remains is the width of the texels read, which 64 samples leave an eighth of a radian apart.
+// The rest is the width of the texels read, which 64 samples leave an eighth of a radian apart.
 TEST(GlossyBaselines, ImportanceSamplingConverges) {
     for (const float roughness : {0.4f, 0.7f, 1.0f}) {
         const double few = rmsOnGradient(filteredImportanceSampling(8), roughness);

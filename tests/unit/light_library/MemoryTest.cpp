@@ -1,7 +1,7 @@
-// From a light's second frame on nothing is allocated; where there is not enough memory, that is said, and
-// the maker and the light serve again.
-#include "engine/light/library/ShoalLight.hpp"
+// Nothing is allocated from a light's second frame on; an error says that there is not enough memory, and the
+// maker and the light serve again.
 #include "tests/unit/Heap.h"
+#include "tests/unit/light_library/Library.h"
 
 #include <gtest/gtest.h>
 
@@ -48,14 +48,14 @@ TEST(LightLibraryMemory, TooLittleIsSaidWhereverItEnds) {
     for (long enough = 0;; enough += 1 + enough / 4) {
         shoallight::Light light;
         left = enough;
-        const ShoalLightStatus status = shoalLightMake(maker, &frame, light.get());
+        const ShoalLightStatus status = shoalLightMake(maker, &frame, light.object);
         left = kUnlimited;
         if (status == SHOAL_LIGHT_OK) break;
         ++failures;
         ASSERT_EQ(status, SHOAL_LIGHT_OUT_OF_MEMORY);
         EXPECT_EQ(light.maps().mapCount, 0);
         if (failures % 5) continue; // now and then: the same maker, with enough of it
-        ASSERT_EQ(shoalLightMake(maker, &frame, light.get()), SHOAL_LIGHT_OK);
+        ASSERT_EQ(shoalLightMake(maker, &frame, light.object), SHOAL_LIGHT_OK);
         EXPECT_EQ(light.diffuse({0, 1, 0}), wanted.diffuse({0, 1, 0}));
         shoalLightMakerDestroy(maker);
         ASSERT_EQ(shoalLightMakerCreate(&options, &maker), SHOAL_LIGHT_OK);

@@ -55,11 +55,6 @@ TEST(FindLight, DiscIsFoundWithinATexel) {
     }
 }
 
-TEST(FindLight, BlackHasOneToo) {
-    const MainLight found = findMainLight(cv::Mat::zeros(20, 30, CV_32FC3));
-    EXPECT_TRUE(found.place.x >= 0 && found.place.x <= 30 && found.place.y >= 0 && found.place.y <= 20);
-}
-
 TEST(Lens, ThereAndBack) {
     const Lens lens = Lens::make(800, 600, 1.2);
     for (double x = 5; x < 800; x += 61)
@@ -127,7 +122,7 @@ TEST(PolarCaps, GroundKeepsItsGrainAndDoesNotRepeat) {
     cv::GaussianBlur(grey, blurred, {}, 20);
     grey -= blurred;
     cv::meanStdDev(grey, mean, spread);
-    // Of 0.04, what is finer than the two blurs: 0.022 where the square itself is laid there, unblended.
+    // The part of 0.04 that is finer than the two blurs: 0.022 where the square itself is laid there, unblended.
     EXPECT_NEAR(spread[0], 0.022, 0.005);
 
     const cv::Mat piece = grey(cv::Rect(100, 100, 64, 64));
@@ -277,7 +272,7 @@ TEST(Panorama, LightInACornerAtEitherEndOfFieldsOfView) {
     EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, 63, 47, 4, {}, 0), {.fov_deg = kMaxFov_deg}));
 }
 
-// What the reader makes of odd files is a photo like any other.
+// Odd files become photos like any other.
 TEST(Panorama, SixteenBitsGreyAndAlpha) {
     const tests::ScratchFolder folder;
     for (const int type : {CV_8UC1, CV_8UC4, CV_16UC3}) {

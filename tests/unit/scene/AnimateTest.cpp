@@ -20,13 +20,17 @@ Model withChannel(Channel channel) {
     return model;
 }
 
-glm::vec3 translationAt(Channel::Interpolation interpolation, std::vector<float> values, float time_s) {
-    const Model model =
-        withChannel({Channel::Target::Translation, interpolation, 0, {1, 3}, std::move(values)});
+Pose posedAt(const Model& model, float time_s) {
     Pose pose;
     restPose(model, pose);
     animate(model, 0, time_s, pose);
-    return pose.local[0].translation;
+    return pose;
+}
+
+glm::vec3 translationAt(Channel::Interpolation interpolation, std::vector<float> values, float time_s) {
+    const Model model =
+        withChannel({Channel::Target::Translation, interpolation, 0, {1, 3}, std::move(values)});
+    return posedAt(model, time_s).local[0].translation;
 }
 
 glm::quat about(const glm::vec3& axis, float angle) { return glm::angleAxis(angle, axis); }
@@ -40,10 +44,7 @@ std::vector<float> xyzw(std::initializer_list<glm::quat> quats) {
 glm::quat rotationAt(std::vector<float> values, float time_s) {
     const Model model = withChannel(
         {Channel::Target::Rotation, Channel::Interpolation::Linear, 0, {0, 1}, std::move(values)});
-    Pose pose;
-    restPose(model, pose);
-    animate(model, 0, time_s, pose);
-    return pose.local[0].rotation;
+    return posedAt(model, time_s).local[0].rotation;
 }
 
 float distance(const glm::quat& a, const glm::quat& b) { // q and -q are one rotation
@@ -90,11 +91,9 @@ TEST(Animate, CubicRotationsStayOfLengthOne) {
     const glm::quat a(1, 0, 0, 0), b = about({1, 0, 0}, 2), zero(0, 0, 0, 0);
     const Model model = withChannel(
         {Channel::Target::Rotation, I::CubicSpline, 0, {0, 1}, xyzw({zero, a, zero, zero, b, zero})});
-    Pose pose;
-    restPose(model, pose);
-    animate(model, 0, 0.5f, pose);
-    EXPECT_NEAR(glm::length(pose.local[0].rotation), 1, kAnimateTol);
-    EXPECT_LT(distance(pose.local[0].rotation, about({1, 0, 0}, 1)), kAnimateTol); // halfway by symmetry
+    const glm::quat halfway = posedAt(model, 0.5f).local[0].rotation; // by symmetry
+    EXPECT_NEAR(glm::length(halfway), 1, kAnimateTol);
+    EXPECT_LT(distance(halfway, about({1, 0, 0}, 1)), kAnimateTol);
 }
 
 TEST(Animate, WeightBlendsBetweenPoseAndAnimation) {

@@ -1,6 +1,6 @@
 // A glTF model in OGRE, lit by a 360-degree video: the picture that `shoal view --light thesis` draws.
 #include <Ogre.h>
-#include <ShoalLight.hpp>
+#include <ShoalLight.h>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 #include <tiny_gltf.h>
@@ -89,18 +89,24 @@ int main(int count, char** words) try {
     root.initialise(false);
     root.createRenderWindow("", 16, 16, false); // OGRE wants one before any texture
     const cv::Mat frame = frameAt(words[2], std::atof(words[3]));
-    shoallight::Maker maker({SHOAL_LIGHT_STILL, 0.1f, 2048}); // SHOAL_LIGHT_VIDEO while a video plays
-    shoallight::Light light;
-    maker.make({frame.data, frame.cols, frame.rows, 0, SHOAL_LIGHT_BGR8}, light);
-    const auto [rgba, width, height] = light.maps().lightMap;
-    load("light", width, height, PF_FLOAT16_RGBA, rgba);
-    load("dfg", 64, 64, PF_FLOAT32_GR, shoallight::surfaceTable(64).data());
+    const ShoalLightOptions options{SHOAL_LIGHT_STILL, 0.1f, 2048}; // SHOAL_LIGHT_VIDEO while a video plays
+    const ShoalLightFrame pixels{frame.data, frame.cols, frame.rows, 0, SHOAL_LIGHT_BGR8};
+    ShoalLightMaker* maker = nullptr;
+    ShoalLight* light = nullptr;
+    std::vector<float> table(2 * 64 * 64);
+    if (shoalLightMakerCreate(&options, &maker) || shoalLightCreate(&light) ||
+        shoalLightMake(maker, &pixels, light) || shoalLightSurfaceTable(64, table.data()))
+        throw std::runtime_error(shoalLightError());
+    ShoalLightMaps maps;
+    shoalLightMaps(light, &maps);
+    load("light", maps.lightMap.width, maps.lightMap.height, PF_FLOAT16_RGBA, maps.lightMap.rgba);
+    load("dfg", 64, 64, PF_FLOAT32_GR, table.data());
     load("frame", frame.cols, frame.rows, PF_BYTE_BGR, frame.data);
     auto& resources = ResourceGroupManager::getSingleton();
     resources.addResourceLocation(LIGHT_SHADERS, "FileSystem", "General", true);
     resources.addResourceLocation(EXAMPLE_FOLDER, "FileSystem", "General");
     resources.initialiseAllResourceGroups(); // Example.material names those textures
-    lightBy(light.maps());
+    lightBy(maps);
     SceneManager* scene = root.createSceneManager();
     SceneNode* world = scene->getRootSceneNode();
     ManualObject* model = loadModel(words[1], *scene);
