@@ -1,32 +1,38 @@
 #include "engine/scene/Gltf.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <map>
 
 namespace shoal::scene {
 
 namespace {
 
-// Returns 0 for what is no component type of glTF.
+// 0 for what is no component type of glTF.
 size_t componentBytes(int componentType) {
-    constexpr std::array<size_t, 7> kBytes = {1, 1, 2, 2, 0, 4, 4}; // from kByte on
-    return componentType < kByte || componentType > kFloat ? 0 : kBytes[componentType - kByte];
+    const int bytes =
+        componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE || componentType == TINYGLTF_COMPONENT_TYPE_INT
+            ? 0
+            : tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(componentType));
+    return static_cast<size_t>(std::max(bytes, 0));
 }
 
-// Returns the address of `count` pieces of `bytes` every `stride` bytes of a bufferView; it must hold them
-// all. All numbers are below 2^31 (checkSchema), so nothing here overflows 64 bits.
-const uint8_t* piecesOf(const GltfFile& file, size_t bufferView, size_t byteOffset, size_t count,
+// Of one element. Matrices of columns that would be padded to 4 bytes are nothing that the loader reads.
+size_t elementBytes(const tinygltf::Accessor& accessor) {
+    return componentCount(accessor) * componentBytes(accessor.componentType);
+}
+
+// `count` pieces of `bytes` every `stride` bytes of a bufferView; it must hold them all. All numbers are
+// below 2^31 (checkSchema), so nothing here overflows 64 bits.
+const uint8_t* piecesOf(const tinygltf::Model& gltf, int bufferView, size_t byteOffset, size_t count,
                         size_t stride, size_t bytes, const std::string& who) {
-    const BufferView& view = file.bufferViews[bufferView];
+    const tinygltf::BufferView& view = gltf.bufferViews[bufferView];
     const uint64_t end = byteOffset + stride * (count - 1) + bytes;
     if (end > view.byteLength)
         fault(who, " reaches past the end of ", element("bufferViews", bufferView), " (", end, " bytes of ",
               view.byteLength, ")");
-    return file.bytesOf(view).data() + byteOffset;
+    return gltf.buffers[view.buffer].data.data() + view.byteOffset + byteOffset;
 }
 
 template <class T, class Stored> T load(const uint8_t* from, bool normalized) {
@@ -39,15 +45,15 @@ template <class T, class Stored> T load(const uint8_t* from, bool normalized) {
 
 template <class T> T loadComponent(const uint8_t* from, int componentType, bool normalized) {
     switch (componentType) {
-    case kByte:
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
         return load<T, int8_t>(from, normalized);
-    case kUnsignedByte:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
         return load<T, uint8_t>(from, normalized);
-    case kShort:
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
         return load<T, int16_t>(from, normalized);
-    case kUnsignedShort:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
         return load<T, uint16_t>(from, normalized);
-    case kUnsignedInt:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
         return load<T, uint32_t>(from, false);
     default:
         return load<T, float>(from, false);
@@ -56,34 +62,34 @@ template <class T> T loadComponent(const uint8_t* from, int componentType, bool 
 
 // Calls put(element, its bytes) for all elements, then for the sparse ones. Checks where they lie before the
 // first.
-template <class Put> void forEachElement(const GltfFile& file, size_t index, Put&& put) {
+template <class Put> void forEachElement(const tinygltf::Model& gltf, int index, Put&& put) {
     const std::string who = element("accessors", index);
-    const Accessor& a = file.accessors[index];
-    const size_t bytes = a.components * componentBytes(a.componentType);
+    const tinygltf::Accessor& a = gltf.accessors[index];
+    const size_t bytes = elementBytes(a);
     if (a.bufferView >= 0) {
-        const auto view = static_cast<size_t>(a.bufferView);
-        const size_t viewStride = file.bufferViews[view].byteStride;
+        const size_t viewStride = gltf.bufferViews[a.bufferView].byteStride;
         if (viewStride != 0 && viewStride < bytes)
-            fault(who, " has elements longer than the byteStride of ", element("bufferViews", view));
+            fault(who, " has elements longer than the byteStride of ", element("bufferViews", a.bufferView));
         const size_t stride = viewStride != 0 ? viewStride : bytes;
-        const uint8_t* from = piecesOf(file, view, a.byteOffset, a.count, stride, bytes, who);
+        const uint8_t* from = piecesOf(gltf, a.bufferView, a.byteOffset, a.count, stride, bytes, who);
         for (size_t i = 0; i < a.count; ++i) put(i, from + i * stride);
     }
-    if (!a.sparse) return;
-    const Json &where = (*a.sparse)["indices"], &what = (*a.sparse)["values"];
-    const size_t count = (*a.sparse)["count"];
-    const int type = where["componentType"];
-    const size_t size = componentBytes(type);
+    if (!a.sparse.isSparse) return;
+    const auto& sparse = a.sparse;
+    const size_t count = sparse.count, size = componentBytes(sparse.indices.componentType);
     if (count < 1 || count > a.count) fault(who, ".sparse.count is ", count, ", not 1 .. ", a.count);
-    if (type != kUnsignedByte && type != kUnsignedShort && type != kUnsignedInt)
-        fault(who, ".sparse.indices.componentType is ", type, ", no unsigned integer type");
-    const uint8_t* const indices = piecesOf(file, where["bufferView"], where.value("byteOffset", size_t{0}),
-                                            count, size, size, who + ".sparse.indices");
-    const uint8_t* const values = piecesOf(file, what["bufferView"], what.value("byteOffset", size_t{0}),
-                                           count, bytes, bytes, who + ".sparse.values");
+    if (sparse.indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+        sparse.indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+        sparse.indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+        fault(who, ".sparse.indices.componentType is ", sparse.indices.componentType,
+              ", no unsigned integer type");
+    const uint8_t* const indices = piecesOf(gltf, sparse.indices.bufferView, sparse.indices.byteOffset, count,
+                                            size, size, who + ".sparse.indices");
+    const uint8_t* const values = piecesOf(gltf, sparse.values.bufferView, sparse.values.byteOffset, count,
+                                           bytes, bytes, who + ".sparse.values");
     int64_t previous = -1;
     for (size_t i = 0; i < count; ++i) {
-        const auto to = loadComponent<uint32_t>(indices + i * size, type, false);
+        const auto to = loadComponent<uint32_t>(indices + i * size, sparse.indices.componentType, false);
         if (to >= a.count || to <= previous)
             fault(who, ".sparse.indices: number ", i, " is ", to, ", not rising below ", a.count);
         put(to, values + i * bytes);
@@ -91,73 +97,60 @@ template <class Put> void forEachElement(const GltfFile& file, size_t index, Put
     }
 }
 
-template <class T> std::vector<T> readNumbers(const GltfFile& file, size_t index) {
-    const Accessor& a = file.accessors[index];
-    const size_t size = componentBytes(a.componentType);
-    std::vector<T> values(a.count * a.components);
-    forEachElement(file, index, [&](size_t i, const uint8_t* from) {
-        for (size_t k = 0; k < a.components; ++k)
-            values[i * a.components + k] = loadComponent<T>(from + k * size, a.componentType, a.normalized);
+template <class T> std::vector<T> readNumbers(const tinygltf::Model& gltf, int index) {
+    const tinygltf::Accessor& a = gltf.accessors[index];
+    const size_t components = componentCount(a), size = componentBytes(a.componentType);
+    std::vector<T> values(a.count * components);
+    forEachElement(gltf, index, [&](size_t i, const uint8_t* from) {
+        for (size_t k = 0; k < components; ++k)
+            values[i * components + k] = loadComponent<T>(from + k * size, a.componentType, a.normalized);
     });
     return values;
 }
 
-void readBufferViews(GltfFile& file) {
-    for (const Json& from : member(file.root, "bufferViews")) {
-        const std::string who = element("bufferViews", file.bufferViews.size());
-        const bool compressed = !extension(from, "EXT_meshopt_compression").empty();
-        const BufferView view = compressed
-                                    ? decompressed(file, from, who)
-                                    : BufferView{from["buffer"], from.value("byteOffset", size_t{0}),
-                                                 from["byteLength"], from.value("byteStride", size_t{0})};
+} // namespace
+
+void checkAccessors(GltfFile& file) {
+    const tinygltf::Model& gltf = file.gltf;
+    for (size_t i = 0; i < gltf.bufferViews.size(); ++i) {
+        const tinygltf::BufferView& view = gltf.bufferViews[i];
+        const std::string who = element("bufferViews", i);
         if (view.byteLength < 1) fault(who, ".byteLength is 0");
-        const size_t size = file.buffers[view.buffer].size(), end = view.byteOffset + view.byteLength;
+        const size_t size = gltf.buffers[view.buffer].data.size(), end = view.byteOffset + view.byteLength;
         if (end > size)
             fault(who, " reaches past the end of ", element("buffers", view.buffer), " (", end, " bytes of ",
                   size, ")");
-        file.bufferViews.push_back(view);
     }
-}
-
-} // namespace
-
-void readAccessors(GltfFile& file) {
-    static const std::map<std::string, size_t> kComponents = {
-        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
-    readBufferViews(file);
-    for (const Json& from : member(file.root, "accessors")) {
-        const size_t index = file.accessors.size();
-        const std::string who = element("accessors", index), type = from["type"];
-        const auto components = kComponents.find(type);
-        if (components == kComponents.end()) fault(who, ".type is ", quoted(type), ", no type of glTF");
-        const auto sparse = from.find("sparse");
-        const Accessor& a = file.accessors.emplace_back(
-            Accessor{type, components->second, from["componentType"], from.value("normalized", false),
-                     from["count"], from.value("byteOffset", size_t{0}), from.value("bufferView", -1),
-                     sparse == from.end() ? nullptr : &*sparse});
+    for (size_t i = 0; i < gltf.accessors.size(); ++i) {
+        const tinygltf::Accessor& a = gltf.accessors[i];
+        const std::string who = element("accessors", i);
         const size_t component = componentBytes(a.componentType);
         if (component == 0) fault(who, ".componentType is ", a.componentType, ", no type of glTF");
         if (a.count < 1) fault(who, ".count is 0");
         if (a.normalized && component == 4)
             fault(who, ".normalized is true, but its type cannot be normalized");
-        forEachElement(file, index, [](size_t, const uint8_t*) {});
-        if (a.bufferView >= 0 && (file.bufferViews[a.bufferView].byteOffset + a.byteOffset) % component != 0)
+        forEachElement(gltf, static_cast<int>(i), [](size_t, const uint8_t*) {});
+        if (a.bufferView >= 0 && (gltf.bufferViews[a.bufferView].byteOffset + a.byteOffset) % component != 0)
             file.warn(who, " does not start at a multiple of its component size");
     }
 }
 
-std::vector<float> readFloats(const GltfFile& file, size_t accessor) {
-    std::vector<float> values = readNumbers<float>(file, accessor);
+size_t componentCount(const tinygltf::Accessor& accessor) {
+    return static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type)));
+}
+
+std::vector<float> readFloats(const tinygltf::Model& gltf, int accessor) {
+    std::vector<float> values = readNumbers<float>(gltf, accessor);
     const auto bad = std::find_if_not(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
     if (bad != values.end())
         fault(element("accessors", accessor), ": element ",
-              static_cast<size_t>(bad - values.begin()) / file.accessors[accessor].components,
+              static_cast<size_t>(bad - values.begin()) / componentCount(gltf.accessors[accessor]),
               " is not finite");
     return values;
 }
 
-std::vector<uint32_t> readIntegers(const GltfFile& file, size_t accessor) {
-    return readNumbers<uint32_t>(file, accessor);
+std::vector<uint32_t> readIntegers(const tinygltf::Model& gltf, int accessor) {
+    return readNumbers<uint32_t>(gltf, accessor);
 }
 
 } // namespace shoal::scene

@@ -2,10 +2,13 @@
 #include "engine/scene/Gltf.h"
 
 #include <meshoptimizer.h>
+#include <nlohmann/json.hpp>
 
 namespace shoal::scene {
 
 namespace {
+
+using Json = nlohmann::json;
 
 constexpr const char* kName = "EXT_meshopt_compression";
 
@@ -25,12 +28,11 @@ bool isKnown(const Stream& stream) {
            (filter == "QUATERNION" && stride == 8);
 }
 
-// Returns the stream of a view, which lies in its buffer and becomes as many bytes as the view has.
-Stream streamOf(const Json& view, const std::vector<std::vector<uint8_t>>& buffers, const std::string& who) {
-    const Json& from = extension(view, kName);
-    const size_t buffer = from["buffer"], offset = from.value("byteOffset", size_t{0}),
-                 length = from["byteLength"];
-    const auto& all = buffers[buffer];
+// The stream of a view, which lies in its buffer and becomes as many bytes as the view has.
+Stream streamOf(const Json& view, const std::vector<tinygltf::Buffer>& buffers, const std::string& who) {
+    const Json& from = view[kName];
+    const size_t buffer = from["buffer"], offset = from.value("byteOffset", 0u), length = from["byteLength"];
+    const auto& all = buffers[buffer].data;
     if (offset + length > all.size())
         fault(who, " reaches past the end of ", element("buffers", buffer), " (", offset + length,
               " bytes of ", all.size(), ")");
@@ -64,25 +66,46 @@ std::vector<uint8_t> decode(const Stream& stream, const std::string& who) {
 
 } // namespace
 
+void keepCompression(Json& root) {
+    for (const char* list : {"buffers", "bufferViews"}) {
+        const auto found = root.find(list);
+        if (found == root.end() || !found->is_array()) continue;
+        for (Json& each : *found) {
+            if (!each.is_object()) continue;
+            each.erase(kName);
+            const Json::json_pointer stated(std::string("/extensions/") + kName);
+            if (each.contains(stated)) each[kName] = Json(each[stated]);
+        }
+    }
+}
+
 std::set<size_t> replacedBuffers(const Json& root, bool hasBinary) {
     std::set<size_t> replaced;
-    for (const Json& view : member(root, "bufferViews")) {
+    for (const Json& view : root.value("bufferViews", Json::array())) {
         const size_t index = view["buffer"];
         const Json& buffer = root["buffers"][index];
         const bool hasBytes = buffer.contains("uri") || (index == 0 && hasBinary);
-        const bool isMarked = extension(buffer, kName).value("fallback", false);
-        if (!extension(view, kName).empty() && (isMarked || !hasBytes)) replaced.insert(index);
+        const bool isMarked = buffer.contains(kName) && buffer[kName].value("fallback", false);
+        if (view.contains(kName) && (isMarked || !hasBytes)) replaced.insert(index);
     }
     return replaced;
 }
 
-BufferView decompressed(GltfFile& file, const Json& view, const std::string& whose) {
-    const std::string who = whose + ".extensions." + kName;
-    const Stream stream = streamOf(view, file.buffers, who);
-    const size_t bytes = stream.count * stream.stride;
-    file.bytes.spend(bytes, who);
-    file.buffers.push_back(decode(stream, who));
-    return {file.buffers.size() - 1, 0, bytes, view.value("byteStride", size_t{0})};
+void decompressViews(GltfFile& file, Json& root, std::vector<tinygltf::Buffer>& buffers) {
+    const auto views = root.find("bufferViews");
+    if (views == root.end()) return;
+    for (size_t i = 0; i < views->size(); ++i) {
+        Json& view = (*views)[i];
+        if (!view.contains(kName)) continue;
+        const std::string who = element("bufferViews", i) + "." + kName;
+        const Stream stream = streamOf(view, buffers, who);
+        file.bytes.spend(stream.count * stream.stride, who);
+        std::vector<uint8_t> decoded = decode(stream, who);
+        view.erase(kName);
+        view["buffer"] = buffers.size();
+        view["byteOffset"] = 0;
+        buffers.emplace_back().data = std::move(decoded);
+    }
 }
 
 } // namespace shoal::scene

@@ -1,6 +1,8 @@
 #include "engine/core/JsonBounds.h"
 #include "engine/scene/Gltf.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,6 +12,8 @@
 namespace shoal::scene {
 
 namespace {
+
+using Json = nlohmann::json;
 
 // A .glb or .gltf file taken apart: views of its bytes.
 struct Container {
@@ -52,8 +56,7 @@ Container openContainer(std::span<const uint8_t> file) {
 }
 
 Json parseJson(std::string_view text) {
-    // A parsed value costs up to some 100 bytes, an object of the loader's up to some 1000: below 1 GiB in
-    // all.
+    // A parsed value costs up to some 100 bytes, an object up to some 2000 in tinygltf: below 1 GiB in all.
     constexpr JsonBounds kBounds{.depth = 64, .values = 4'000'000, .objects = 500'000};
     if (const std::string exceeded = exceededBound(text, kBounds); !exceeded.empty())
         fault("its JSON ", exceeded);
@@ -77,7 +80,7 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
                                                 "KHR_materials_specular",          "KHR_materials_unlit",
                                                 "KHR_materials_variants",          "KHR_texture_transform"};
     for (const char* list : {"extensionsRequired", "extensionsUsed"})
-        for (const std::string name : member(root, list)) {
+        for (const std::string name : root.value(list, Json::array())) {
             if (name == "KHR_mesh_quantization")
                 file.quantized = true;
             else if (kRead.contains(name))
@@ -87,6 +90,25 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
             else
                 file.warn("the extension ", quoted(name), " is ignored");
         }
+}
+
+// Drops members that the loader does not read: they would cost memory in tinygltf, whatever they hold.
+// Makes whole numbers written as 1.0, which JSON allows, into integers, as tinygltf expects. Depth is bounded
+// by parseJson.
+void tidy(Json& value) {
+    if (value.is_object()) {
+        value.erase("extras");
+        value.erase("extensions");
+    }
+    for (Json& inner : value) {
+        if (inner.is_structured()) {
+            tidy(inner);
+        } else if (inner.is_number_float()) {
+            const double number = inner.get<double>();
+            if (std::abs(number) < 0x1p53 && number == std::floor(number))
+                inner = static_cast<int64_t>(number);
+        }
+    }
 }
 
 std::string percentDecoded(const std::string& uri) {
@@ -123,19 +145,19 @@ Path confined(const Path& folder, const std::string& uri, const std::string& who
     return target;
 }
 
-// Cuts each buffer to its byteLength: it may lie in a larger file, and a GLB's chunk is padded.
-void readBuffers(GltfFile& file, const Container& container) {
-    const std::set<size_t> replaced = replacedBuffers(file.root, container.binary.has_value());
-    for (const Json& from : member(file.root, "buffers")) {
-        const size_t index = file.buffers.size();
-        const std::string who = element("buffers", index);
-        auto& bytes = file.buffers.emplace_back();
+// Cut to byteLength: a buffer may lie in a larger file, and a GLB's chunk is padded.
+std::vector<tinygltf::Buffer> readBuffers(GltfFile& file, const Json& root, const Container& container) {
+    std::vector<tinygltf::Buffer> buffers;
+    const std::set<size_t> replaced = replacedBuffers(root, container.binary.has_value());
+    for (const Json& from : root.value("buffers", Json::array())) {
+        const std::string who = element("buffers", buffers.size());
+        auto& bytes = buffers.emplace_back().data;
         const uint64_t byteLength = from["byteLength"];
         if (byteLength == 0) fault(who, ".byteLength is 0");
-        if (replaced.contains(index)) continue;
+        if (replaced.contains(buffers.size() - 1)) continue;
         if (from.contains("uri"))
             bytes = readUri(file, from["uri"], who);
-        else if (index == 0 && container.binary)
+        else if (buffers.size() == 1 && container.binary)
             bytes.assign(container.binary->begin(), container.binary->end());
         else
             fault(who, " has neither a uri nor a binary chunk");
@@ -143,22 +165,31 @@ void readBuffers(GltfFile& file, const Container& container) {
             fault(who, ".byteLength is ", byteLength, ", but there are only ", bytes.size(), " bytes");
         bytes.resize(byteLength);
     }
+    return buffers;
 }
 
-// Returns nothing where the text is not base64 (RFC 4648).
-std::vector<uint8_t> decodedBase64(std::string_view text) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    while (text.ends_with('=')) text.remove_suffix(1);
-    std::vector<uint8_t> bytes;
-    bytes.reserve(text.size() / 4 * 3 + 2);
-    uint32_t bits = 0;
-    for (size_t i = 0; i < text.size(); ++i) {
-        const size_t digit = kDigits.find(text[i]);
-        if (digit == std::string_view::npos) return {};
-        bits = bits << 6 | static_cast<uint32_t>(digit);
-        if (i % 4 != 0) bytes.push_back(static_cast<uint8_t>(bits >> (6 - 2 * (i % 4))));
+std::vector<ImageSource> imageSources(const Json& root) {
+    std::vector<ImageSource> sources;
+    for (const Json& image : root.value("images", Json::array())) {
+        if (image.contains("uri") == image.contains("bufferView"))
+            fault(element("images", sources.size()), " has not exactly one of uri and bufferView");
+        sources.push_back(
+            {image.value("uri", ""), image.value("bufferView", -1), image.value("mimeType", "")});
     }
-    return bytes;
+    return sources;
+}
+
+tinygltf::Model parseGltf(const Json& root) {
+    const std::string json = root.dump();
+    tinygltf::Model gltf;
+    std::string errors, warnings;
+    if (!tinygltf::TinyGLTF().LoadASCIIFromString(&gltf, &errors, &warnings, json.data(),
+                                                  static_cast<unsigned>(json.size()), "")) {
+        std::replace(errors.begin(), errors.end(), '\n', ' ');
+        while (errors.ends_with(' ') || errors.ends_with('.')) errors.pop_back();
+        fault("cannot be read: ", quoted(errors, 200));
+    }
+    return gltf;
 }
 
 } // namespace
@@ -166,13 +197,11 @@ std::vector<uint8_t> decodedBase64(std::string_view text) {
 std::vector<uint8_t> readUri(GltfFile& file, const std::string& uri, const std::string& who) {
     if (uri.starts_with("data:")) {
         file.bytes.spend(uri.size(), who);
-        constexpr std::string_view kMark = ";base64,";
-        const size_t mark = uri.find(kMark);
-        if (mark != std::string::npos) {
-            auto bytes = decodedBase64(std::string_view(uri).substr(mark + kMark.size()));
-            if (!bytes.empty()) return bytes;
-        }
-        fault(who, ".uri is a data URI that is empty or not base64");
+        std::vector<uint8_t> bytes;
+        std::string mimeType;
+        if (!tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))
+            fault(who, ".uri is a data URI of an unknown type, empty or not base64");
+        return bytes;
     }
     const auto bytes = readFile(confined(file.path.parent_path(), uri, who), file.limits.maxFileBytes);
     if (!bytes) fault(who, ".uri (", quoted(uri), "): ", bytes.error().reason);
@@ -186,11 +215,22 @@ void readDocument(GltfFile& file) {
     file.bytes.spend(bytes->size(), "the file");
     if (bytes->empty()) fault("is empty");
     const Container container = openContainer(*bytes);
-    file.root = parseJson(container.json);
-    checkSchema(file.root, file.limits.maxNodes);
-    checkVersionAndExtensions(file, file.root);
-    readBuffers(file, container);
-    readAccessors(file);
+    Json root = parseJson(container.json);
+    readMaterialExtensions(root, file);
+    readTextureTransforms(root, file);
+    readVariants(root, file);
+    keepCompression(root);
+    if (root.is_structured()) tidy(root);
+    checkSchema(root, file.limits.maxNodes);
+    checkVersionAndExtensions(file, root);
+    auto buffers = readBuffers(file, root, container);
+    decompressViews(file, root, buffers);
+    file.imageSources = imageSources(root);
+    root.erase("buffers");
+    root.erase("images");
+    file.gltf = parseGltf(root);
+    file.gltf.buffers = std::move(buffers);
+    checkAccessors(file);
 }
 
 } // namespace shoal::scene

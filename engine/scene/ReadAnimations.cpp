@@ -17,13 +17,14 @@ using Target = Channel::Target;
 
 struct TargetKind {
     Target target;
-    const char* type;  // of the accessor with its values
+    int type;          // of the accessor with its values
     bool mayBeInteger; // normalized
 };
-const std::map<std::string, TargetKind> kTargets = {{"translation", {Target::Translation, "VEC3", false}},
-                                                    {"rotation", {Target::Rotation, "VEC4", true}},
-                                                    {"scale", {Target::Scale, "VEC3", false}},
-                                                    {"weights", {Target::Weights, "SCALAR", true}}};
+const std::map<std::string, TargetKind> kTargets = {
+    {"translation", {Target::Translation, TINYGLTF_TYPE_VEC3, false}},
+    {"rotation", {Target::Rotation, TINYGLTF_TYPE_VEC4, true}},
+    {"scale", {Target::Scale, TINYGLTF_TYPE_VEC3, false}},
+    {"weights", {Target::Weights, TINYGLTF_TYPE_SCALAR, true}}};
 
 Interpolation interpolationOf(const std::string& name, const std::string& who) {
     if (name == "LINEAR") return Interpolation::Linear;
@@ -32,13 +33,13 @@ Interpolation interpolationOf(const std::string& name, const std::string& who) {
     fault(who, ".interpolation is ", quoted(name), ", none of glTF");
 }
 
-std::vector<float> readTimes(GltfFile& file, size_t input, const std::string& who) {
+std::vector<float> readTimes(GltfFile& file, int input, const std::string& who) {
     const std::string name = element("accessors", input);
-    const Accessor& accessor = file.accessors[input];
-    if (accessor.type != "SCALAR" || accessor.componentType != kFloat)
+    const tinygltf::Accessor& accessor = file.gltf.accessors[input];
+    if (accessor.type != TINYGLTF_TYPE_SCALAR || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
         fault(who, ".input: ", name, " does not hold single floats");
     file.keyValues.spend(accessor.count, who);
-    std::vector<float> times_s = readFloats(file, input);
+    std::vector<float> times_s = readFloats(file.gltf, input);
     if (times_s.front() < 0) fault(name, ": the first key's time is negative");
     const auto wrong = std::adjacent_find(times_s.begin(), times_s.end(), std::greater_equal());
     if (wrong != times_s.end())
@@ -57,40 +58,38 @@ void normaliseRotations(Channel& channel, const std::string& who) {
     }
 }
 
-void readValues(GltfFile& file, size_t output, const TargetKind& kind, size_t perKey, Channel& channel,
+void readValues(GltfFile& file, int output, const TargetKind& kind, size_t perKey, Channel& channel,
                 const std::string& who) {
     const std::string name = element("accessors", output);
-    const Accessor& accessor = file.accessors[output];
-    const bool floats = accessor.componentType == kFloat;
+    const tinygltf::Accessor& accessor = file.gltf.accessors[output];
+    const bool floats = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
     if (accessor.type != kind.type || !(floats || (kind.mayBeInteger && accessor.normalized)))
         fault(who, ".output: ", name, " has a type that its channel cannot take");
-    const size_t numbers = accessor.count * accessor.components;
+    const size_t numbers = accessor.count * componentCount(accessor);
     const size_t perValue = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;
     const size_t needed = channel.times_s.size() * perKey * perValue;
     if (numbers != needed) fault(who, ".output: ", name, " has ", numbers, " numbers instead of ", needed);
     file.keyValues.spend(numbers, who);
-    channel.values = readFloats(file, output);
+    channel.values = readFloats(file.gltf, output);
     if (channel.target == Target::Rotation) normaliseRotations(channel, name);
 }
 
 // animation: "animations[0]"; who: its channel.
-std::optional<Channel> readChannel(GltfFile& file, const Model& model, const Json& animation,
-                                   const Json& from, const std::string& animationName,
+std::optional<Channel> readChannel(GltfFile& file, const Model& model, const tinygltf::Animation& animation,
+                                   const tinygltf::AnimationChannel& from, const std::string& animationName,
                                    const std::string& who) {
-    const Json &samplers = animation["samplers"], &target = from["target"];
-    const size_t index = from["sampler"];
-    if (index >= samplers.size())
-        fault(who, ".sampler is ", index, ", but there are ", samplers.size(), " samplers");
-    const std::string path = target["path"];
-    const auto found = kTargets.find(path);
+    const auto samplers = static_cast<int>(animation.samplers.size());
+    if (from.sampler >= samplers)
+        fault(who, ".sampler is ", from.sampler, ", but there are ", samplers, " samplers");
+    const auto found = kTargets.find(from.target_path);
     if (found == kTargets.end()) {
-        file.warn(who, ".target.path is ", quoted(path), "; the channel is ignored");
+        file.warn(who, ".target.path is ", quoted(from.target_path), "; the channel is ignored");
         return std::nullopt;
     }
-    if (!target.contains("node")) return std::nullopt;
+    if (from.target_node < 0) return std::nullopt;
     const TargetKind& kind = found->second;
     Channel channel;
-    channel.node = target["node"];
+    channel.node = from.target_node;
     channel.target = kind.target;
     const Node& node = model.nodes[channel.node];
     const size_t weights = node.mesh < 0 ? 0 : model.meshes[node.mesh].morphWeights.size();
@@ -99,27 +98,26 @@ std::optional<Channel> readChannel(GltfFile& file, const Model& model, const Jso
     if (kind.target != Target::Weights && node.matrix)
         fault(who, " moves ", element("nodes", channel.node), ", whose matrix cannot be split");
 
-    const Json& sampler = samplers[index];
-    const std::string samplerName = animationName + "." + element("samplers", index);
-    channel.interpolation = interpolationOf(sampler.value("interpolation", "LINEAR"), samplerName);
-    channel.times_s = readTimes(file, sampler["input"], samplerName);
+    const tinygltf::AnimationSampler& sampler = animation.samplers[from.sampler];
+    const std::string samplerName = animationName + "." + element("samplers", from.sampler);
+    channel.interpolation = interpolationOf(sampler.interpolation, samplerName);
+    channel.times_s = readTimes(file, sampler.input, samplerName);
     const size_t perKey = kind.target == Target::Weights ? weights : kind.target == Target::Rotation ? 4 : 3;
-    readValues(file, sampler["output"], kind, perKey, channel, samplerName);
+    readValues(file, sampler.output, kind, perKey, channel, samplerName);
     return channel;
 }
 
 } // namespace
 
 void readAnimations(GltfFile& file, Model& model) {
-    for (const Json& from : member(file.root, "animations")) {
+    for (const tinygltf::Animation& from : file.gltf.animations) {
         const std::string who = element("animations", model.animations.size());
         Animation& animation = model.animations.emplace_back();
-        animation.name = from.value("name", "");
+        animation.name = from.name;
         std::set<std::pair<int, Target>> moved;
-        const Json& channels = from["channels"];
-        for (size_t i = 0; i < channels.size(); ++i) {
+        for (size_t i = 0; i < from.channels.size(); ++i) {
             const std::string name = who + "." + element("channels", i);
-            auto channel = readChannel(file, model, from, channels[i], who, name);
+            auto channel = readChannel(file, model, from, from.channels[i], who, name);
             if (!channel) continue;
             if (!moved.emplace(channel->node, channel->target).second)
                 fault(name, " moves the same property of ", element("nodes", channel->node),

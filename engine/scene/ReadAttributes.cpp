@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cstring>
 #include <initializer_list>
+#include <map>
 #include <utility>
 
 namespace shoal::scene {
 
 namespace {
 
-// Integers that an attribute may hold besides floats: unsigned ones that stand for 0 .. 1.
+// What an attribute may hold besides floats: unsigned integers that stand for 0 .. 1.
 enum class Integers { None, Normalized };
 
 template <class Vector> std::vector<Vector> packed(const std::vector<float>& numbers) {
@@ -21,45 +22,49 @@ template <class Vector> std::vector<Vector> packed(const std::vector<float>& num
 
 class Attributes {
   public:
-    Attributes(const GltfFile& file, const Json& names, std::string who, size_t vertices)
+    Attributes(const GltfFile& file, const std::map<std::string, int>& names, std::string who,
+               size_t vertices)
         : file_(file), names_(names), who_(std::move(who)), vertices_(vertices) {}
 
     bool has(const char* name) const { return names_.contains(name); }
     std::string where(const char* name) const { return who_ + "." + name; }
-    const Accessor& accessor(const char* name) const { return file_.accessors[indexOf(name)]; }
+    const tinygltf::Accessor& accessor(const char* name) const {
+        return file_.gltf.accessors[names_.at(name)];
+    }
 
     // KHR_mesh_quantization allows any integers.
-    std::vector<float> floats(const char* name, std::initializer_list<const char*> types,
+    std::vector<float> floats(const char* name, std::initializer_list<int> types,
                               Integers integers = Integers::None) const {
-        const Accessor& a = accessor(name);
+        const tinygltf::Accessor& a = accessor(name);
         check(name, types,
-              a.componentType == kFloat || (file_.quantized && isShort(a)) ||
+              a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || (file_.quantized && isShort(a)) ||
                   (integers == Integers::Normalized && a.normalized && isUnsignedShort(a)));
-        return readFloats(file_, indexOf(name));
+        return readFloats(file_.gltf, names_.at(name));
     }
 
     std::vector<uint32_t> integers(const char* name) const {
-        check(name, {"VEC4"}, isUnsignedShort(accessor(name)) && !accessor(name).normalized);
-        return readIntegers(file_, indexOf(name));
+        check(name, {TINYGLTF_TYPE_VEC4}, isUnsignedShort(accessor(name)) && !accessor(name).normalized);
+        return readIntegers(file_.gltf, names_.at(name));
     }
 
-    // Returns nothing where the attribute is absent.
+    // Empty where there are none.
     std::vector<glm::vec3> vectors(const char* name) const {
-        return has(name) ? packed<glm::vec3>(floats(name, {"VEC3"})) : std::vector<glm::vec3>();
+        return has(name) ? packed<glm::vec3>(floats(name, {TINYGLTF_TYPE_VEC3})) : std::vector<glm::vec3>();
     }
 
   private:
-    size_t indexOf(const char* name) const { return names_[name]; }
-    static bool isUnsignedShort(const Accessor& a) { // or shorter
-        return a.componentType == kUnsignedByte || a.componentType == kUnsignedShort;
+    static bool isUnsignedShort(const tinygltf::Accessor& a) { // or shorter
+        return a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+               a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
     }
-    static bool isShort(const Accessor& a) {
-        return isUnsignedShort(a) || a.componentType == kByte || a.componentType == kShort;
+    static bool isShort(const tinygltf::Accessor& a) {
+        return isUnsignedShort(a) || a.componentType == TINYGLTF_COMPONENT_TYPE_BYTE ||
+               a.componentType == TINYGLTF_COMPONENT_TYPE_SHORT;
     }
 
-    void check(const char* name, std::initializer_list<const char*> types, bool components) const {
-        const Accessor& a = accessor(name);
-        const std::string who = where(name) + ": " + element("accessors", indexOf(name));
+    void check(const char* name, std::initializer_list<int> types, bool components) const {
+        const tinygltf::Accessor& a = accessor(name);
+        const std::string who = where(name) + ": " + element("accessors", names_.at(name));
         if (std::find(types.begin(), types.end(), a.type) == types.end() || !components)
             fault(who, " has a type that this attribute cannot have");
         if (a.count != vertices_)
@@ -67,7 +72,7 @@ class Attributes {
     }
 
     const GltfFile& file_;
-    const Json& names_; // indices of accessors by attribute
+    const std::map<std::string, int>& names_;
     std::string who_;
     size_t vertices_;
 };
@@ -79,7 +84,7 @@ void readShading(const Attributes& attributes, GltfFile& file, Primitive& primit
         normal = safeNormalize(glm::dvec3(normal), {0, 1, 0});
     }
     if (attributes.has("TANGENT") && attributes.has("NORMAL")) {
-        primitive.tangents = packed<glm::vec4>(attributes.floats("TANGENT", {"VEC4"}));
+        primitive.tangents = packed<glm::vec4>(attributes.floats("TANGENT", {TINYGLTF_TYPE_VEC4}));
         for (size_t i = 0; i < primitive.tangents.size(); ++i) {
             glm::vec4& t = primitive.tangents[i];
             t = {safeNormalize(glm::dvec3(t), perpendicular(primitive.normals[i])), t.w < 0 ? -1.0f : 1.0f};
@@ -89,10 +94,11 @@ void readShading(const Attributes& attributes, GltfFile& file, Primitive& primit
     for (int set = 0; set < 2; ++set)
         if (attributes.has(kSets[set]))
             primitive.texCoords[set] =
-                packed<glm::vec2>(attributes.floats(kSets[set], {"VEC2"}, Integers::Normalized));
+                packed<glm::vec2>(attributes.floats(kSets[set], {TINYGLTF_TYPE_VEC2}, Integers::Normalized));
     if (attributes.has("COLOR_0")) {
-        const auto numbers = attributes.floats("COLOR_0", {"VEC3", "VEC4"}, Integers::Normalized);
-        if (attributes.accessor("COLOR_0").type == "VEC4")
+        const auto numbers =
+            attributes.floats("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}, Integers::Normalized);
+        if (attributes.accessor("COLOR_0").type == TINYGLTF_TYPE_VEC4)
             primitive.coloursLin = packed<glm::vec4>(numbers);
         else
             for (const glm::vec3& colour : packed<glm::vec3>(numbers))
@@ -100,8 +106,8 @@ void readShading(const Attributes& attributes, GltfFile& file, Primitive& primit
     }
 }
 
-// Reads the four heaviest influences of each vertex, scaled to the sum 1. A vertex without any hangs on its
-// first joint.
+// The four heaviest influences of each vertex, scaled to the sum 1. A vertex without any hangs on its first
+// joint.
 void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primitive) {
     struct Set {
         std::vector<uint32_t> joints;
@@ -112,8 +118,8 @@ void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primi
         if (!attributes.has(joints) && !attributes.has(weights)) break;
         if (!attributes.has(weights)) fault(attributes.where(joints), " is there without ", weights);
         if (!attributes.has(joints)) fault(attributes.where(weights), " is there without ", joints);
-        sets.push_back(
-            {attributes.integers(joints), attributes.floats(weights, {"VEC4"}, Integers::Normalized)});
+        sets.push_back({attributes.integers(joints),
+                        attributes.floats(weights, {TINYGLTF_TYPE_VEC4}, Integers::Normalized)});
     }
     if (sets.empty()) return;
     if (sets.size() > 1)
@@ -144,17 +150,16 @@ void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primi
 
 } // namespace
 
-Primitive readAttributes(GltfFile& file, const Json& from, const std::string& who) {
-    const Json &names = from["attributes"], &targets = member(from, "targets");
-    const size_t vertices = file.accessors[names["POSITION"].get<size_t>()].count;
-    for (size_t k = 0; k < 1 + targets.size(); ++k) file.vertices.spend(vertices, who);
+Primitive readAttributes(GltfFile& file, const tinygltf::Primitive& from, const std::string& who) {
+    const size_t vertices = file.gltf.accessors[from.attributes.at("POSITION")].count;
+    for (size_t k = 0; k < 1 + from.targets.size(); ++k) file.vertices.spend(vertices, who);
     Primitive primitive;
-    const Attributes attributes(file, names, who, vertices);
+    const Attributes attributes(file, from.attributes, who, vertices);
     primitive.positions = attributes.vectors("POSITION");
     readShading(attributes, file, primitive);
     readSkinning(attributes, file, primitive);
-    for (size_t t = 0; t < targets.size(); ++t) {
-        const Attributes deltas(file, targets[t], who + "." + element("targets", t), vertices);
+    for (size_t t = 0; t < from.targets.size(); ++t) {
+        const Attributes deltas(file, from.targets[t], who + "." + element("targets", t), vertices);
         primitive.morphTargets.push_back(
             {deltas.vectors("POSITION"), deltas.vectors("NORMAL"), deltas.vectors("TANGENT")});
     }

@@ -10,30 +10,28 @@ namespace shoal::scene {
 
 namespace {
 
-constexpr int kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6; // modes
-constexpr size_t kMaxVariants = 256;
-
-// Returns the vertices in the order in which they are drawn.
-std::vector<uint32_t> readIndices(GltfFile& file, const Json& from, int mode, size_t vertices,
+// The vertices in the order in which they are drawn.
+std::vector<uint32_t> readIndices(GltfFile& file, const tinygltf::Primitive& from, size_t vertices,
                                   const std::string& who) {
-    const uint64_t perIndex = mode == kTriangles ? 1 : 3; // strips and fans grow
-    if (!from.contains("indices")) {
+    const uint64_t perIndex = from.mode == TINYGLTF_MODE_TRIANGLES ? 1 : 3; // strips and fans grow
+    if (from.indices < 0) {
         file.indices.spend(vertices * perIndex, who);
         std::vector<uint32_t> indices(vertices);
         std::iota(indices.begin(), indices.end(), 0u);
         return indices;
     }
-    const size_t index = from["indices"];
-    const Accessor& accessor = file.accessors[index];
-    const std::string name = who + ".indices: " + element("accessors", index);
+    const tinygltf::Accessor& accessor = file.gltf.accessors[from.indices];
+    const std::string name = who + ".indices: " + element("accessors", from.indices);
     const int type = accessor.componentType;
-    const bool whole = type == kUnsignedByte || type == kUnsignedShort || type == kUnsignedInt;
-    if (accessor.type != "SCALAR" || !whole || accessor.normalized)
+    const bool whole = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                       type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                       type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    if (accessor.type != TINYGLTF_TYPE_SCALAR || !whole || accessor.normalized)
         fault(name, " does not hold single unsigned integers");
     file.indices.spend(accessor.count * perIndex, who);
-    std::vector<uint32_t> indices = readIntegers(file, index);
+    std::vector<uint32_t> indices = readIntegers(file.gltf, from.indices);
     const auto wrong =
-        std::find_if(indices.begin(), indices.end(), [&](uint32_t vertex) { return vertex >= vertices; });
+        std::find_if(indices.begin(), indices.end(), [&](uint32_t index) { return index >= vertices; });
     if (wrong != indices.end())
         fault(name, ": number ", wrong - indices.begin(), " is ", *wrong, ", but there are ", vertices,
               " vertices");
@@ -47,7 +45,7 @@ std::vector<uint32_t> triangleList(const std::vector<uint32_t>& drawn, int mode)
         if (a != b && b != c && c != a) list.insert(list.end(), {a, b, c});
     };
     for (size_t i = 0; i + 2 < drawn.size(); ++i) {
-        if (mode == kTriangleStrip)
+        if (mode == TINYGLTF_MODE_TRIANGLE_STRIP)
             add(drawn[i], drawn[i + 1 + i % 2], drawn[i + 2 - i % 2]);
         else
             add(drawn[i + 1], drawn[i + 2], drawn[0]);
@@ -84,7 +82,7 @@ bool movesAny(const std::array<UvSource, 2>& sets) {
     return false;
 }
 
-// Makes texture coordinates as the material's textures want them (KHR_texture_transform).
+// Texture coordinates as the material's textures want them (KHR_texture_transform).
 void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
     if (!movesAny(sets)) return;
     const std::vector<glm::vec2> given[2] = {primitive.texCoords[0], primitive.texCoords[1]};
@@ -100,22 +98,21 @@ void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
     }
 }
 
-std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const Json& from,
+std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const tinygltf::Primitive& from,
                                        const std::string& who) {
-    const int mode = from.value("mode", kTriangles);
-    if (mode > kTriangleFan) fault(who, ".mode is ", mode, ", none of glTF");
-    if (mode < kTriangles) {
+    if (from.mode > TINYGLTF_MODE_TRIANGLE_FAN) fault(who, ".mode is ", from.mode, ", none of glTF");
+    if (from.mode < TINYGLTF_MODE_TRIANGLES) {
         file.warn(who, " is points or lines, which are not drawn");
         return std::nullopt;
     }
-    if (!from["attributes"].contains("POSITION")) {
+    if (!from.attributes.contains("POSITION")) {
         file.warn(who, " has no positions and is not drawn");
         return std::nullopt;
     }
     Primitive primitive = readAttributes(file, from, who);
-    primitive.material = from.value("material", -1);
-    primitive.indices = readIndices(file, from, mode, primitive.positions.size(), who);
-    if (mode != kTriangles) primitive.indices = triangleList(primitive.indices, mode);
+    primitive.material = from.material;
+    primitive.indices = readIndices(file, from, primitive.positions.size(), who);
+    if (from.mode != TINYGLTF_MODE_TRIANGLES) primitive.indices = triangleList(primitive.indices, from.mode);
     if (primitive.indices.size() % 3 != 0) {
         file.warn(who, " ends in the middle of a triangle");
         primitive.indices.resize(primitive.indices.size() / 3 * 3);
@@ -134,44 +131,34 @@ std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const
     return primitive;
 }
 
-// Reads KHR_materials_variants of a primitive.
-void readVariants(GltfFile& file, size_t variants, const Json& from, Primitive& primitive,
-                  const std::string& who) {
-    if (variants == 0) return;
-    primitive.variantMaterials.assign(variants, -1);
-    for (const Json& mapping : member(extension(from, "KHR_materials_variants"), "mappings"))
-        for (const size_t variant : mapping["variants"]) {
-            if (variant >= variants) fault(who, " refers to variant ", variant, ", but there are ", variants);
-            primitive.variantMaterials[variant] = mapping["material"];
-        }
-    for (const int other : primitive.variantMaterials) {
-        if (other < 0 || primitive.material < 0) continue;
-        const auto &sets = file.uvSources[static_cast<size_t>(primitive.material)],
-                   &others = file.uvSources[static_cast<size_t>(other)];
-        if (sets != others && (movesAny(sets) || movesAny(others)))
-            file.warn(who,
-                      " has a variant whose textures are transformed otherwise; they lie as the first's");
-    }
-}
-
-Mesh readMesh(GltfFile& file, const Model& model, const Json& from, const std::string& who) {
+Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, const std::string& who) {
     Mesh mesh;
-    mesh.name = from.value("name", "");
-    const Json& primitives = from["primitives"];
-    if (primitives.empty()) fault(who, ".primitives is empty");
-    const size_t targets = member(primitives[0], "targets").size();
-    for (size_t p = 0; p < primitives.size(); ++p) {
+    mesh.name = from.name;
+    if (from.primitives.empty()) fault(who, ".primitives is empty");
+    const size_t targets = from.primitives[0].targets.size();
+    for (size_t p = 0; p < from.primitives.size(); ++p) {
         const std::string name = who + "." + element("primitives", p);
-        if (const size_t own = member(primitives[p], "targets").size(); own != targets)
-            fault(name, " has ", own, " morph targets, but the first ", targets);
-        auto primitive = readPrimitive(file, model, primitives[p], name);
+        if (from.primitives[p].targets.size() != targets)
+            fault(name, " has ", from.primitives[p].targets.size(), " morph targets, but the first ",
+                  targets);
+        auto primitive = readPrimitive(file, model, from.primitives[p], name);
         if (!primitive) continue;
-        readVariants(file, model.variants.size(), primitives[p], *primitive, name);
+        if (!file.variants.empty())
+            primitive->variantMaterials = file.variantMaterials[model.meshes.size()][p];
+        for (const int other : primitive->variantMaterials) {
+            if (other < 0 || primitive->material < 0) continue;
+            const auto &sets = file.uvSources[static_cast<size_t>(primitive->material)],
+                       &others = file.uvSources[static_cast<size_t>(other)];
+            if (sets != others && (movesAny(sets) || movesAny(others)))
+                file.warn(name,
+                          " has a variant whose textures are transformed otherwise; they lie as the first's");
+        }
         mesh.primitives.push_back(std::move(*primitive));
     }
-    mesh.morphWeights = from.value("weights", std::vector<float>(targets, 0));
-    if (mesh.morphWeights.size() != targets)
-        fault(who, " has ", mesh.morphWeights.size(), " weights for ", targets, " morph targets");
+    if (!from.weights.empty() && from.weights.size() != targets)
+        fault(who, " has ", from.weights.size(), " weights for ", targets, " morph targets");
+    for (const double weight : from.weights) mesh.morphWeights.push_back(static_cast<float>(weight));
+    mesh.morphWeights.resize(targets, 0);
     return mesh;
 }
 
@@ -185,7 +172,7 @@ void checkNodeWeights(const Model& model) {
     }
 }
 
-// Checks that joints are in range of every skin that the mesh is drawn with; drops them where there is none.
+// Joints in range of every skin that the mesh is drawn with; where it is drawn with none, they go.
 void checkJoints(Model& model) {
     constexpr size_t kNoSkin = std::numeric_limits<size_t>::max();
     std::vector<size_t> jointCount(model.meshes.size(), kNoSkin);
@@ -211,10 +198,8 @@ void checkJoints(Model& model) {
 } // namespace
 
 void readMeshes(GltfFile& file, Model& model) {
-    for (const Json& variant : member(extension(file.root, "KHR_materials_variants"), "variants"))
-        model.variants.push_back(variant["name"]);
-    if (model.variants.size() > kMaxVariants) fault("has more than ", kMaxVariants, " material variants");
-    for (const Json& mesh : member(file.root, "meshes"))
+    model.variants = file.variants;
+    for (const tinygltf::Mesh& mesh : file.gltf.meshes)
         model.meshes.push_back(readMesh(file, model, mesh, element("meshes", model.meshes.size())));
     checkNodeWeights(model);
     checkJoints(model);

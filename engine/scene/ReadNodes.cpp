@@ -46,37 +46,33 @@ std::optional<Transform> split(const glm::mat4& parentFromNode) {
     return t;
 }
 
-template <int kCount>
-glm::vec<kCount, double> vectorOf(const Json& from, const char* name, std::vector<double> otherwise) {
-    glm::vec<kCount, double> read;
-    const auto numbers = from.value(name, std::move(otherwise));
-    for (int i = 0; i < kCount; ++i) read[i] = numbers[static_cast<size_t>(i)];
-    return read;
-}
-
-Transform readTransform(const Json& from, const std::string& who) {
+Transform readTransform(const tinygltf::Node& from, const std::string& who) {
     Transform t;
-    t.translation = vectorOf<3>(from, "translation", {0, 0, 0});
-    t.scale = vectorOf<3>(from, "scale", {1, 1, 1});
-    const glm::dvec4 r = vectorOf<4>(from, "rotation", {0, 0, 0, 1});
-    const double length = glm::length(r);
-    if (!(length > 1e-6)) fault(who, ".rotation is no quaternion of length 1");
-    const glm::vec4 unit(r / length);
-    t.rotation = {unit.w, unit.x, unit.y, unit.z};
+    for (int i = 0; i < 3; ++i) {
+        if (!from.translation.empty()) t.translation[i] = static_cast<float>(from.translation[i]);
+        if (!from.scale.empty()) t.scale[i] = static_cast<float>(from.scale[i]);
+    }
+    if (!from.rotation.empty()) {
+        const glm::dvec4 r = glm::make_vec4(from.rotation.data());
+        const double length = glm::length(r);
+        if (!(length > 1e-6)) fault(who, ".rotation is no quaternion of length 1");
+        const glm::vec4 unit(r / length);
+        t.rotation = {unit.w, unit.x, unit.y, unit.z};
+    }
     return t;
 }
 
-Node readNode(GltfFile& file, const Json& from, const std::string& who) {
+Node readNode(GltfFile& file, const tinygltf::Node& from, const std::string& who) {
     Node node;
-    node.name = from.value("name", "");
-    node.children = from.value("children", node.children);
-    node.mesh = from.value("mesh", -1);
-    node.skin = from.value("skin", -1);
-    node.morphWeights = from.value("weights", node.morphWeights);
-    if (!from.contains("matrix")) {
+    node.name = from.name;
+    node.children = from.children;
+    node.mesh = from.mesh;
+    node.skin = from.skin;
+    for (const double weight : from.weights) node.morphWeights.push_back(static_cast<float>(weight));
+    if (from.matrix.empty()) {
         node.parentFromNode = readTransform(from, who);
     } else {
-        glm::mat4 matrix = glm::make_mat4(from["matrix"].get<std::vector<float>>().data());
+        glm::mat4 matrix(glm::make_mat4(from.matrix.data()));
         if (!makeAffine(matrix)) fault(who, ".matrix is no transform: its last row is not 0 0 0 1");
         if (const auto transform = split(matrix))
             node.parentFromNode = *transform;
@@ -119,22 +115,21 @@ std::vector<int> joinParents(Model& model) {
     return roots;
 }
 
-// Returns the roots of the default scene.
-std::vector<int> sceneRoots(const Json& root, const Model& model) {
-    const size_t scene = root.value("scene", size_t{0});
-    const auto nodes = root["scenes"][scene].value("nodes", std::vector<int>());
+// Roots of the default scene.
+std::vector<int> sceneRoots(const tinygltf::Model& gltf, const Model& model) {
+    const int scene = std::max(gltf.defaultScene, 0);
     std::set<int> taken;
-    for (const int node : nodes) {
-        const std::string who = element("scenes", scene) + ".nodes holds " + element("nodes", node);
-        if (model.nodes[node].parent >= 0) fault(who, ", which has a parent");
-        if (!taken.insert(node).second) fault(who, " twice");
+    for (const int root : gltf.scenes[scene].nodes) {
+        const std::string who = element("scenes", scene) + ".nodes holds " + element("nodes", root);
+        if (model.nodes[root].parent >= 0) fault(who, ", which has a parent");
+        if (!taken.insert(root).second) fault(who, " twice");
     }
-    return nodes;
+    return gltf.scenes[scene].nodes;
 }
 
-Skin readSkin(const GltfFile& file, const Json& from, const std::string& who) {
+Skin readSkin(const GltfFile& file, const tinygltf::Skin& from, const std::string& who) {
     Skin skin;
-    skin.joints = from["joints"].get<std::vector<int>>();
+    skin.joints = from.joints;
     const size_t count = skin.joints.size(), limit = file.limits.maxJoints;
     if (count == 0) fault(who, ".joints is empty");
     if (count > limit) fault(who, " has ", count, " joints, more than the limit of ", limit);
@@ -142,18 +137,17 @@ Skin readSkin(const GltfFile& file, const Json& from, const std::string& who) {
     for (const int joint : skin.joints)
         if (!seen.insert(joint).second) fault(who, ".joints holds ", element("nodes", joint), " twice");
     skin.jointFromMesh.assign(count, glm::mat4(1));
-    if (!from.contains("inverseBindMatrices")) return skin;
+    if (from.inverseBindMatrices < 0) return skin;
 
-    const size_t index = from["inverseBindMatrices"];
-    const std::string matrices = element("accessors", index);
-    const Accessor& accessor = file.accessors[index];
-    if (accessor.type != "MAT4" || accessor.componentType != kFloat)
+    const std::string matrices = element("accessors", from.inverseBindMatrices);
+    const tinygltf::Accessor& accessor = file.gltf.accessors[from.inverseBindMatrices];
+    if (accessor.type != TINYGLTF_TYPE_MAT4 || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
         fault(who, ".inverseBindMatrices: ", matrices, " does not hold matrices of floats");
     if (accessor.count < count)
         fault(who, " has ", count, " joints, but ", matrices, " only ", accessor.count, " matrices");
     if (accessor.count > limit)
         fault(matrices, " has ", accessor.count, " inverse bind matrices, more than the limit of ", limit);
-    const std::vector<float> numbers = readFloats(file, index);
+    const std::vector<float> numbers = readFloats(file.gltf, from.inverseBindMatrices);
     for (size_t i = 0; i < count; ++i) {
         skin.jointFromMesh[i] = glm::make_mat4(numbers.data() + 16 * i);
         if (!makeAffine(skin.jointFromMesh[i]))
@@ -178,12 +172,12 @@ void checkJointsInScene(const Model& model) {
 } // namespace
 
 void readNodes(GltfFile& file, Model& model) {
-    for (const Json& node : member(file.root, "nodes"))
+    const tinygltf::Model& gltf = file.gltf;
+    for (const tinygltf::Node& node : gltf.nodes)
         model.nodes.push_back(readNode(file, node, element("nodes", model.nodes.size())));
     const std::vector<int> roots = joinParents(model);
-    const bool anyScene = !member(file.root, "scenes").empty();
-    model.order = withDescendants(model, anyScene ? sceneRoots(file.root, model) : roots);
-    for (const Json& skin : member(file.root, "skins"))
+    model.order = withDescendants(model, gltf.scenes.empty() ? roots : sceneRoots(gltf, model));
+    for (const tinygltf::Skin& skin : gltf.skins)
         model.skins.push_back(readSkin(file, skin, element("skins", model.skins.size())));
     checkJointsInScene(model);
 }

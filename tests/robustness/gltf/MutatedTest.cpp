@@ -35,7 +35,7 @@ std::string bytesOf(const Path& file) {
     return bytes ? std::string(bytes->begin(), bytes->end()) : "";
 }
 
-// Changes a few bytes, mostly in the JSON, which lies in front: its numbers decide what is read, and how far.
+// Mostly in the JSON, which lies in front: numbers there decide what is read, and how far.
 void mutate(std::string& bytes, size_t jsonEnd, Random& random) {
     const auto size = static_cast<uint32_t>(bytes.size());
     const uint32_t within =

@@ -1,4 +1,4 @@
-// Checks of everything that LoadModel.h promises of a model.
+// What LoadModel.h promises of every model that it returns.
 #pragma once
 
 #include "engine/scene/LoadModel.h"

@@ -62,22 +62,19 @@ struct Gltf {
         return static_cast<int>(root["bufferViews"].size()) - 1;
     }
 
-    int addAccessor(int view, size_t count, const char* type, int componentType, bool normalized = false) {
-        root["accessors"].push_back({{"bufferView", view},
-                                     {"componentType", componentType},
-                                     {"count", count},
-                                     {"type", type},
-                                     {"normalized", normalized}});
-        return static_cast<int>(root["accessors"].size()) - 1;
-    }
-
     template <class T>
     int add(const std::vector<T>& values, const char* type, int componentType, bool normalized = false) {
         const std::string name = type;
         const size_t components = name == "SCALAR" ? 1
                                   : name == "MAT4" ? 16
                                                    : static_cast<size_t>(name[3] - '0');
-        return addAccessor(addView(values), values.size() / components, type, componentType, normalized);
+        const int view = addView(values);
+        root["accessors"].push_back({{"bufferView", view},
+                                     {"componentType", componentType},
+                                     {"count", values.size() / components},
+                                     {"type", type},
+                                     {"normalized", normalized}});
+        return static_cast<int>(root["accessors"].size()) - 1;
     }
     int addFloats(const std::vector<float>& values, const char* type) { return add(values, type, kFloat); }
 
@@ -107,6 +104,14 @@ inline const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 inline constexpr const char* kWhitePixel =
     "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
     "AAX+Av4N70a4AAAAAElFTkSuQmCC";
+
+// With the file's first material, and both sets of texture coordinates.
+inline void addTexturedTriangle(Gltf& file) {
+    Json& primitive = file.addTriangles(file.addFloats(kTriangle, "VEC3"));
+    primitive["material"] = 0;
+    primitive["attributes"]["TEXCOORD_0"] = file.addFloats({1, 0, 0, 1, 0.5f, 0.25f}, "VEC2");
+    primitive["attributes"]["TEXCOORD_1"] = file.addFloats({2, 2, 3, 3, 4, 4}, "VEC2");
+}
 
 // The reason for which the document is refused; "" if it is not.
 inline std::string refusal(const Result<Model>& model) { return model ? "" : model.error().reason; }

@@ -75,7 +75,7 @@ inline const std::array kScaledSpheres = {
                  0.5f * (glm::mat3_cast(kTurn) * scaling(kUneven)) + 0.5f * scaling(kOther)},
 };
 
-// Returns the normal at a point of the ellipsoid: the gradient of |sphereFromModel x|^2, outwards.
+// At a point of the ellipsoid: the gradient of |sphereFromModel x|^2, outwards.
 inline glm::vec3 ellipsoidNormal(const glm::mat3& modelFromSphere, const glm::vec3& point) {
     const glm::mat3 sphereFromModel = glm::inverse(modelFromSphere);
     return glm::normalize(glm::transpose(sphereFromModel) * (sphereFromModel * point));

@@ -163,7 +163,7 @@ TEST_P(ShippedSpines, SwingAsWideAsAskedAndWiderTowardsTheTail) {
     EXPECT_NEAR(sweep(spine_.last, spine_.tipInLast, 0), 0, 1e-5f * spine_.length_m);
 }
 
-// The tail passes the middle to the left at the phase that the beat names.
+// At the phase that the beat names, the tail passes the middle to the left.
 TEST_P(ShippedSpines, TellWhenTheTailPassesTheMiddle) {
     const TailBeat beat = measureBeat(model_, spine_, clip_, pose_);
     const float duration_s = model_.animations[static_cast<size_t>(clip_)].duration_s;

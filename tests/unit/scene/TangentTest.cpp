@@ -1,11 +1,13 @@
+#include "tests/unit/scene/Fixture.h"
+
 #include "engine/scene/Vertices.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/trigonometric.hpp>
-#include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 
 namespace shoal::scene {
 namespace {
@@ -119,6 +121,68 @@ TEST(Tangents, AreFiniteAndPerpendicularWhereThereIsNoDirection) {
         EXPECT_EQ(glm::dot(glm::vec3(t), glm::vec3(0, 0, 1)), 0);
         EXPECT_EQ(std::abs(t.w), 1);
     }
+}
+
+// VertexColorTest comes with tangents of its own exporter: ours against those, wherever they were made for
+// the texture (a few of its triangles have no area in it or a mirrored one, all with the same w).
+TEST(Tangents, AgreeWithThoseOfVertexColorTest) {
+    const Path file = sharedData() / "gltf/VertexColorTest.glb";
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) GTEST_SKIP() << "no " << file;
+    const std::string glb{std::istreambuf_iterator<char>(stream), {}};
+    uint32_t jsonLength = 0;
+    std::memcpy(&jsonLength, glb.data() + 12, 4);
+    Json root = Json::parse(glb.substr(20, jsonLength));
+    for (Json& material : root["materials"]) // or the file's tangents would be dropped
+        material["normalTexture"] = {{"index", 0}};
+    root["buffers"][0]["uri"] = "all.bin";
+    const Folder folder;
+    folder.write("all.bin", glb.substr(20 + jsonLength + 8));
+    const auto model = loadModel(folder.write("all.gltf", root.dump()));
+    ASSERT_TRUE(model) << model.error().message();
+    size_t compared = 0;
+    for (const Mesh& mesh : model->meshes)
+        for (const Primitive& p : mesh.primitives) {
+            ASSERT_EQ(p.tangents.size(), p.positions.size());
+            const TangentSplit split = makeTangents(p, 0);
+            for (size_t i = 0; i < p.indices.size(); i += 3) {
+                const auto uv = [&](size_t k) { return p.texCoords[0][p.indices[i + k]]; };
+                const glm::vec2 e1 = uv(1) - uv(0), e2 = uv(2) - uv(0);
+                if (!(e1.x * e2.y - e1.y * e2.x < 0)) continue; // upright, v downwards: against the corners
+                for (size_t k = i; k < i + 3; ++k, ++compared)
+                    expectNear(split.tangents[split.indices[k]], p.tangents[p.indices[k]],
+                               1e-3f); // flat: 0.06 degrees
+            }
+        }
+    EXPECT_GE(compared, 60u);
+}
+
+// Its tangents are to be generated. Wherever the texture has area, they point along growing u.
+TEST(Tangents, OfNormalTangentTestFollowTheTexture) {
+    const Path file = sharedData() / "fidelity/khronos-NormalTangentTest/NormalTangentTest.gltf";
+    if (!exists(file)) GTEST_SKIP() << "no " << file;
+    const auto model = loadModel(file);
+    ASSERT_TRUE(model) << model.error().message();
+    const Primitive& p = model->meshes.at(0).primitives.at(0);
+    ASSERT_EQ(p.tangents.size(), p.positions.size());
+    size_t right = 0, corners = 0;
+    for (size_t i = 0; i < p.indices.size(); i += 3) {
+        const uint32_t a = p.indices[i], b = p.indices[i + 1], c = p.indices[i + 2];
+        const glm::vec2 e1 = p.texCoords[0][b] - p.texCoords[0][a],
+                        e2 = p.texCoords[0][c] - p.texCoords[0][a];
+        const float area = e1.x * e2.y - e1.y * e2.x;
+        if (std::abs(area) < 1e-9f) continue;
+        const glm::vec3 d1 = p.positions[b] - p.positions[a], d2 = p.positions[c] - p.positions[a];
+        const glm::vec3 alongU = (e2.y * d1 - e1.y * d2) / area, down = (e1.x * d2 - e2.x * d1) / area;
+        for (const uint32_t v : {a, b, c}) {
+            const glm::vec3 t(p.tangents[v]);
+            const glm::vec3 up = glm::cross(p.normals[v], t) * p.tangents[v].w;
+            ++corners;
+            right += glm::dot(t, alongU) > 0 && glm::dot(up, down) < 0;
+        }
+    }
+    EXPECT_GT(corners, 0u);
+    EXPECT_EQ(right, corners);
 }
 
 } // namespace

@@ -1,0 +1,8 @@
+#include <nlohmann/json.hpp>
+
+#include <fstream> // which tinygltf needs for writing, but includes only with TINYGLTF_NO_FS unset
+
+#define TINYGLTF_NO_INCLUDE_JSON
+#define TINYGLTF_IMPLEMENTATION
+#pragma GCC diagnostic ignored "-Wunused-function" // what the left-out file access would use
+#include "engine/scene/Gltf.h"
