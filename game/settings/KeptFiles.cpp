@@ -42,12 +42,12 @@ std::optional<int> scoreIn(const Json& entry) {
 // Returns the scores of one dive.
 DiveScores scoresIn(const Json& entry) {
     DiveScores scores;
-    if (!entry.is_object()) return scores;
-    for (const Json& score : entry.value("top", Json::array()))
+    // Earlier versions kept the best one alone.
+    for (const Json& score : entry.is_object() ? entry.value("top", Json::array()) : Json::array({entry}))
         if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
             scores.top.push_back(*value);
     std::ranges::sort(scores.top, std::greater());
-    scores.last = scoreIn(entry.value("last", Json(0))).value_or(0);
+    if (entry.is_object()) scores.last = scoreIn(entry.value("last", Json(0))).value_or(0);
     return scores;
 }
 

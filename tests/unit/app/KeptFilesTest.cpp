@@ -102,11 +102,18 @@ TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {
     EXPECT_EQ(readScores("wreck").last, 0);
 }
 
-TEST_F(KeptFiles, ADamagedScoreFileIsLeftAlone) {
-    const Path file = folder_ / "shoal/scores.json";
-    ASSERT_TRUE(writeFileWhole(file, R"({"reef": {"top": [90, "many"]}, "wreck": "many"})"));
+TEST_F(KeptFiles, ScoresOfEarlierVersionsAreRead) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "shoal/scores.json",
+                               R"({"reef": 90, "wreck": "many", "kelp": {"top": [20, "many"]}})"));
     EXPECT_EQ(readScores("reef").top, std::vector<int>{90});
     EXPECT_TRUE(readScores("wreck").top.empty());
+    EXPECT_EQ(readScores("kelp").top, std::vector<int>{20});
+    ASSERT_TRUE(addScore("reef", 40));
+    EXPECT_EQ(readScores("reef").top, (std::vector<int>{90, 40}));
+}
+
+TEST_F(KeptFiles, ADamagedScoreFileIsLeftAlone) {
+    const Path file = folder_ / "shoal/scores.json";
     ASSERT_TRUE(writeFileWhole(file, "[1, 2"));
     EXPECT_TRUE(readScores("reef").top.empty());
     EXPECT_FALSE(addScore("reef", 1));
