@@ -4,11 +4,11 @@
 #include "engine/core/Log.h"
 #include "game/rules/TickInput.h"
 #include "game/tools/Commands.h"
-#include "game/views/FilmSpaceOf.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
 #include "tests/playthrough/Play.h"
+#include "tests/playthrough/Rooms.h"
 
 #include <algorithm>
 
@@ -110,7 +110,7 @@ class XrProgram : public test::WithFakeRuntime {
     static void expectReplays(const tests::Recorded& recording) {
         auto files = game::loadDiveFiles("reef");
         ASSERT_TRUE(files);
-        files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
+        ASSERT_TRUE(game::roomOf(files->dive.video).moveTo(files->dive.space));
         const Status same = game::replay(recording, *files);
         EXPECT_TRUE(same) << same.error().message();
     }

@@ -40,13 +40,13 @@ testing::AssertionResult built(const Path& source, const std::string& name, cons
 }
 
 testing::AssertionResult consumerBuilt(const Path& source, const std::string& name) {
-    return built(source, name, "-DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=" + quoted(kPrefix));
+    return built(source, name, "-DCMAKE_PREFIX_PATH=" + quoted(kPrefix));
 }
 
 class LightPackage : public testing::Test {
   protected:
-    // Anew, so that nothing that a version before installed is found; compiled only where it changed.
-    void SetUp() override {
+    // Installs anew, so that nothing that a version before installed is found; compiled only where it changed.
+    static void SetUpTestSuite() {
         fs::remove_all(kPrefix);
         ASSERT_TRUE(built(kSource / "engine/light", "library", "-DCMAKE_INSTALL_PREFIX=" + quoted(kPrefix)));
         ASSERT_TRUE(run(std::string(SHOAL_CMAKE) + " --install " + quoted(kScratch / "library")));

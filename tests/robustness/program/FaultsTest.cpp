@@ -128,7 +128,7 @@ TEST_F(Faults, AKilledDiveLeavesItsRecording) {
 
 TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
     const std::vector<std::string> words =
-        play({"--hands", script(), "--at", "4", "--screenshot", file("a.png"), "--record", file("a.replay")});
+        play({"--hands", script(), "--at", "4", "--fps", "5", "--screenshot", file("a.png"), "--record", file("a.replay")});
     EXPECT_EQ(run(words, [] { limitFiles(8192); }), 1);
     EXPECT_THAT(said(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
     EXPECT_TRUE(fs::exists(folder_ / "a.png")) << "it was played to its end";
