@@ -123,7 +123,7 @@ std::string environmentList(const Chart& chart) {
 } // namespace
 
 Status writeMarkdown(const Chart& chart, const Path& folder) {
-    std::string md = "# Speed against accuracy\n\n![The chart](chart.png)\n\n";
+    std::string md = "# Speed against accuracy\n\n![The chart](chart.svg)\n\n";
     md += text(
         R"(Time: one core, warm, the shortest of many runs, for a 2048x1024 frame of the game's video. A plain read of that
 frame's bytes takes %.0f us (as compiled for any x86-64; %.0f us by the widest registers), its radiance pyramid %.0f us; a
@@ -150,7 +150,7 @@ columns of figures.
 )",
                kGlossyPixels);
     md += glossyTable(chart) +
-          "\n![With point suns](suns.png)\n\nError in %, by roughness, environments without point suns:\n\n" +
+          "\n![With point suns](suns.svg)\n\nError in %, by roughness, environments without point suns:\n\n" +
           roughnessTable(chart);
     md += R"(
 ## The radiance pyramid

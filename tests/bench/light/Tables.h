@@ -6,7 +6,6 @@
 
 namespace shoal::bench {
 
-Status writeMarkdown(const Chart& chart, const Path& folder); // chart.md, for people
-Status writeCsv(const Chart& chart, const Path& folder);      // *.csv, for programs
+Status writeMarkdown(const Chart& chart, const Path& folder); // chart.md
 
 } // namespace shoal::bench

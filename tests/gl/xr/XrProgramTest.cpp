@@ -127,9 +127,9 @@ TEST_F(XrProgram, AKeyRecentres) {
     EXPECT_NEAR(std::abs(last.worldFromView.w), 1, 1e-5f);
 }
 
-// The setting "auto" goes by the head above the floor: of the first dive, before which nobody has looked, and of
-// the second, chosen from the title screen. A player who sits down or stands up as the title comes keeps both
-// recordings.
+// The setting "auto" goes by the head above the floor: of the first dive, before which nobody has looked, and
+// of the second, chosen from the title screen. A player who sits down or stands up as the title comes keeps
+// both recordings.
 TEST_F(XrProgram, APlayerWhoSitsDivesSeated) {
     withoutValidation();
     fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);

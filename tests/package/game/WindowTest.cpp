@@ -106,9 +106,8 @@ TEST_F(InWindow, TheGameOpensAndCloses) {
 TEST_F(InWindow, ViewSeesAnEscapeThatIsReleasedAtOnce) {
     const Desktop desktop;
     const Path source = tests::sourceFolder();
-    const pid_t view =
-        start({tests::program(), "view", (source / "content/models/boxfish.glb").string(), "--env",
-               (source / "content/truth/reef_0120.hdr").string(), "--size", "64x64"});
+    const pid_t view = start({tests::program(), "view", (source / "content/models/boxfish.glb").string(),
+                              "--env", (source / "content/truth/reef_0120.hdr").string(), "--size", "64x64"});
     desktop.strike(desktop.nextWindow(), XK_Escape);
     EXPECT_EQ(exitStatus(view), 0);
 }

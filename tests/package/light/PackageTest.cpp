@@ -45,7 +45,8 @@ testing::AssertionResult consumerBuilt(const Path& source, const std::string& na
 
 class LightPackage : public testing::Test {
   protected:
-    // Installs anew, so that nothing that a version before installed is found; compiled only where it changed.
+    // Installs anew, so that nothing that a version before installed is found; compiled only where it
+    // changed.
     static void SetUpTestSuite() {
         fs::remove_all(kPrefix);
         ASSERT_TRUE(built(kSource / "engine/light", "library", "-DCMAKE_INSTALL_PREFIX=" + quoted(kPrefix)));

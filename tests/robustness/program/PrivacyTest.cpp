@@ -20,8 +20,8 @@ class Privacy : public testing::Test {
         return std::system(("cd " + folder + " && HOME=" + folder + " XDG_DATA_HOME=" + folder +
                             "/data XDG_CONFIG_HOME=" + folder + "/config XDG_CACHE_HOME=" + folder +
                             "/cache " + before + " env -u MESA_SHADER_CACHE_DIR '" + tests::program() +
-                            "' play --headless --size 160x90 --at 1 --fps 10 --stats " + name + ".json --screenshot " +
-                            name + ".png 2>" + name + ".txt")
+                            "' play --headless --size 160x90 --at 1 --fps 10 --stats " + name +
+                            ".json --screenshot " + name + ".png 2>" + name + ".txt")
                                .c_str());
     }
     std::string bytesOf(const std::string& name) const { return readText(folder_ / name, 1u << 26).value(); }

@@ -416,8 +416,8 @@ TEST_F(Program, PlaythroughsGiveTheStoredStatesInBothWatersAndTheirRecordingsRep
         const std::string file = (tests::sourceFolder() / "tests/playthrough" / name).string() + ".toml";
         const Path replay = folder_ / (std::string(name) + ".replay");
         const std::string water = inFilm ? "" : " --no-depth";
-        const Outcome played = run("play --headless --fps 144 --hands script:" + file + water + " --record " +
-                                   replay.string());
+        const Outcome played =
+            run("play --headless --fps 144 --hands script:" + file + water + " --record " + replay.string());
         EXPECT_EQ(played.status, 0) << played.err;
         std::istringstream stored(readText(tests::sourceFolder() / "tests/equal_hashes.txt").value());
         std::string word, open, film;
