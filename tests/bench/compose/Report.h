@@ -30,8 +30,8 @@ class Report {
              glm::ivec2 look);
     void addTime(const std::string& way, const Cost& cost);
 
-    // compose.tsv and compose.md: a line a way, over all scenes; scenes.tsv: a line a scene and way; pictures
-    // SCENE_WAY.png; sheet.png: a row a scene, a column a way, at 400 %.
+    // Writes compose.tsv and compose.md, a line a way over all scenes, and sheet.png, a row a scene and a
+    // column a way at 400 %.
     Status write(const Path& folder) const;
 
   private:

@@ -3,13 +3,13 @@
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "tests/bench/light/Environments.h"
+#include "tests/bench/light/Timing.h"
 #include "tests/unit/light/Angles.h"
 #include "tests/unit/light/Environments.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 using namespace shoal;
 using namespace shoal::light;
@@ -132,13 +132,6 @@ void clippedTable(const Path& shared) {
     }
 }
 
-// Processor time of this thread, which other work on the machine does not change.
-double userTime_us() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
 void truthTable() {
     std::printf("\n| frame of the film: its true light | radius, degrees | share, %% | found in the video: "
                 "off, degrees "
@@ -156,9 +149,9 @@ void truthTable() {
         std::printf("\n");
         for (int i = 0; i < 20; ++i) {
             FoundLights found;
-            const double began_us = userTime_us();
+            const double began_us = bench::now_us();
             eye.finder.find(eye.radiance, found);
-            times_us.push_back(userTime_us() - began_us);
+            times_us.push_back(bench::now_us() - began_us);
         }
     }
     if (times_us.empty()) return;

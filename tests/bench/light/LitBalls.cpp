@@ -6,6 +6,7 @@
 #include "engine/light/MakeLight.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
+#include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 #include "tests/baselines/light/Expand.h"
 #include "tests/bench/light/Environments.h"
@@ -75,12 +76,6 @@ void drawBall(const light::EnvironmentLight& light, Ball ball, bool thesis, cons
         }
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 // What each channel of the true light is to be multiplied with to be as bright as the frame: exposure and
 // white balance. Medians over what is neither clipped nor dark, because the lens scatters light and the codec
 // leaves little of the darkest values.
@@ -96,7 +91,7 @@ glm::vec3 exposureOf(const Environment& filmed) {
                 if (coded > 20 && coded < 235 && light > 0)
                     ratios[c].push_back(static_cast<double>(math::linearOfByte()[coded] / light));
             }
-    return {median(std::move(ratios[0])), median(std::move(ratios[1])), median(std::move(ratios[2]))};
+    return {math::median(ratios[0]), math::median(ratios[1]), math::median(ratios[2])};
 }
 
 light::EnvironmentLight trueLight(const Environment& filmed) {
@@ -182,7 +177,7 @@ std::string ballTable(const LitBalls& balls) {
         out += "\n";
     }
     out += "| median |";
-    for (auto& column : columns) out += text(" %.3f |", median(std::move(column)));
+    for (auto& column : columns) out += text(" %.3f |", math::median(column));
     return out + " | | | |\n";
 }
 
