@@ -13,7 +13,7 @@ namespace {
 class MaterialsGL : public WithContext {};
 
 constexpr int kAcross = 64;
-// By the pixel; and as what is small where detail is lean, by the vertex.
+// Light by the pixel; and by the vertex, as for small objects where detail is lean.
 constexpr render::Detail kDetails[] = {render::Detail::Full, render::Detail::Lean};
 const render::View kSphereView{
     .eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kAcross};
@@ -129,7 +129,7 @@ TEST_F(MaterialsGL, DielectricsReflectTheirShareHeadOn) {
         for (const float roughness : {0.3f, 1.0f})
             for (const render::Detail detail : kDetails) {
                 const scene::Model model = dielectric(roughness, glm::vec3(0), f0, f90);
-                // As near as the table of 64 steps goes: to the middle of its last texels.
+                // The table of 64 steps ends here: at the middle of its last texels.
                 constexpr double kLast = 127.0 / 128;
                 const math::Dfg dfg = math::dfg(kLast, std::min(static_cast<double>(roughness), kLast));
                 const auto scale = static_cast<float>(dfg.scale), bias = static_cast<float>(dfg.bias);
@@ -176,7 +176,8 @@ TEST_F(MaterialsGL, DielectricsNextToTheUsualOneLookLikeIt) {
         }
 }
 
-// What a coloured reflection takes, its strongest channel decides: the matte light has no opposite colour.
+// The strongest channel of a coloured reflection decides what it takes: the matte light has no opposite
+// colour.
 TEST_F(MaterialsGL, ColouredReflectionsLeaveTheMatteLightWithoutColour) {
     const Lit lit(uniformFrame(128, 128, 128));
     for (const render::Detail detail : kDetails) {
@@ -259,8 +260,8 @@ TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
         }
 }
 
-// What it reflects does not reach what lies below: white in even light stays white, and what glows is dimmed
-// by as much.
+// Light that a coat reflects does not reach what lies below: white in even light stays white, and what glows
+// is dimmed by as much.
 TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
     const glm::vec4 video(200, 180, 160, 255);
     const Lit lit(uniformFrame(200, 180, 160));

@@ -1,4 +1,4 @@
-// What is drawn belongs to the picture: background where the map says, matte and mirror spheres in the
+// Objects belong to the picture: background where the map says, matte and mirror spheres in the
 // video's own colours.
 #include "Spheres.h"
 #include "engine/light/InverseToneMap.h"
@@ -148,7 +148,7 @@ TEST_F(RenderGL, WhiteMatteSphereInAUniformVideoHasTheVideosValue) {
         }
 }
 
-// As much light again from all sides, and then as much again from the right as well: seen from ahead, the
+// Light is doubled from all sides, and then as much is added from the right as well: seen from ahead, the
 // matte light of a normal n is 1, 2, and 2 + cos(n, right) times the camera's. A white dielectric sends back
 // at least nine tenths of it in this way, the rest is the camera's in its gloss.
 TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
@@ -186,7 +186,7 @@ TEST_F(RenderGL, MirroredNodesShowTheirFronts) {
     }
 }
 
-// Where detail is lean and the sphere is small, all light comes by the vertex: a uniform video stays uniform,
+// With lean detail a small sphere is lit by the vertex: a uniform video stays uniform,
 // and in a smooth one nobody can tell.
 TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
     constexpr int kSize = 64; // the sphere's radius is 24 pixels

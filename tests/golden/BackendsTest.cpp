@@ -48,7 +48,7 @@ class Backends : public testing::Test {
         renderer_ = std::move(*renderer);
     }
 
-    // From now on.
+    // Draws this way from now on.
     void drawBy(Composition composition, Backend backend) {
         auto renderer = SceneRenderer::make(
             renderer_->takeModels(),

@@ -29,7 +29,7 @@ TEST(MousePlay, CatchesFishWithPointingAndClicking) {
             EXPECT_LT(played.end.caught, 60) << "seed " << seed;
             sum += played.end.caught;
         }
-        // As hard as a game should be: single dives differ by a third, the mean of eight by an eighth.
+        // A game should be as hard as this: single dives differ by a third, the mean of eight by an eighth.
         EXPECT_GE(sum, 8 * 9);
         EXPECT_LE(sum, 8 * 17);
     }

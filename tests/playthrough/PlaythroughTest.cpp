@@ -24,7 +24,7 @@ std::vector<Path> scripts() {
     return files;
 }
 
-// What a script is played with, or a failure.
+// A script and what it is played with.
 struct Setup {
     Script script;
     DiveFiles files;

@@ -52,7 +52,7 @@ inline bool writeRoom(const Path& file, const Room& room) {
     return to && gzclose(to) == Z_OK && written;
 }
 
-// Of a film below content/, "video/NAME.mp4": tests/playthrough/rooms/NAME.room.
+// Room of a film below content/, "video/NAME.mp4": tests/playthrough/rooms/NAME.room.
 inline Path roomFileOf(const std::string& video) {
     return dataRoot() / "tests/playthrough/rooms" / (Path(video).stem().string() + ".room");
 }

@@ -17,7 +17,7 @@ namespace shoal::hands::test {
 
 enum class Behind { Grey, Gradient, Wood, Room };
 
-// What a hand shows at one moment; camera's frame (x right in the picture, y up, the camera looks along -z).
+// Pose of a hand at one moment; camera's frame (x right in the picture, y up, the camera looks along -z).
 struct Shown {
     glm::vec3 palm{0, 0, -0.5f}; // metres
     Gesture gesture = Gesture::Open;

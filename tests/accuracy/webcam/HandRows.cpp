@@ -79,7 +79,7 @@ void drawSleeve(cv::Mat& picture, const HandPose& hand) {
     }
 }
 
-// What the hands do: gestures change every half second, hands sway and turn.
+// Movement of the hands: gestures change every half second, hands sway and turn.
 Shown shownAt(const Row& row, Side side, int number) {
     const float t = static_cast<float>(number) / 30, sign = side == Side::Left ? 1.0f : -1.0f;
     Shown shown;

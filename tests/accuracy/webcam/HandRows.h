@@ -51,7 +51,7 @@ struct RowResult {
 // pictures: at 30 a second.
 RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder);
 
-// What HandSizing says of a hand of that size, held open where it asks for it; 0: nothing.
+// Size that HandSizing finds for a hand of that size, held open where it asks for it; 0: nothing.
 float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinder& finder);
 
 constexpr int kRowWidth = 640, kRowHeight = 480; // of pictures

@@ -33,7 +33,7 @@ constexpr Scene kScenes[] = {{120, 0}, {560, 0}, {860, 20}, {1060, 0}, {1260, -2
 
 using Renderers = std::vector<app::SceneRenderer>; // as kWays, and the background alone
 
-// So that frame `shown` of the film is the one that is looked at.
+// Frames of the film around `shown`, which is the one that is looked at.
 Result<std::vector<ImageRgb8>> readFilm(int shown) {
     auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4", {});
     if (!player) return player.error();
@@ -57,7 +57,7 @@ Coverage coverageOf(const ImageRgba8& fine) {
 
 double timeOf(int k) { return (k + 0.5) / kFps; }
 
-// Where most outlines are: the middle of the window whose pixels are most evenly object and not.
+// The place with most outlines: the middle of the window whose pixels are most evenly object and not.
 glm::ivec2 worthALook(const Coverage& coverage) {
     constexpr int kWide = 72, kHigh = 60;
     glm::ivec2 best(0);

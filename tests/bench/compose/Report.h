@@ -1,4 +1,4 @@
-// What was measured, as tables and pictures.
+// Writes the measurements as tables and pictures.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -17,7 +17,7 @@ inline constexpr const char* kFilmed = "filmed";
 inline constexpr const char* kFilmedAgain = "filmed again";
 inline constexpr const char* kBackgroundAlone = "background alone"; // times only
 
-// Of one frame.
+// Times of one frame.
 struct Cost {
     double wall_ms = 0;
     double processor_ms = 0; // of all cores; on a graphics card, only what the driver takes

@@ -42,7 +42,7 @@ struct Eye {
     }
 };
 
-// As a camera would keep it that shows the sphere's mean as `key`.
+// Returns the frame of a camera that shows the sphere's mean as `key`.
 ImageRgb8 filmed(const ImageRgbF& radianceLin, double key) {
     const double mean = glm::dot(meanOf(radianceLin), glm::dvec3(0.3, 0.59, 0.11));
     const float exposure = static_cast<float>(key / mean);

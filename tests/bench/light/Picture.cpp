@@ -65,7 +65,7 @@ int styleOf(const std::string& family) {
     return 7;
 }
 
-// Those that no other beats in both cost and error, by cost.
+// Returns the points that no other beats in both cost and error, by cost.
 std::vector<glm::dvec2> frontOf(std::vector<Point> points) {
     std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.cost_us < b.cost_us; });
     std::vector<glm::dvec2> front;

@@ -1,4 +1,4 @@
-// What was measured, as text.
+// Writes the measurements as text.
 #pragma once
 
 #include "engine/core/Files.h"

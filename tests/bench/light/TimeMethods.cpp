@@ -15,7 +15,7 @@ using namespace light::baselines;
 
 namespace {
 
-// As the pixels of a sphere come, row by row; those who go by looking up find neighbours in the cache.
+// Normals of a sphere's pixels, row by row, so that lookups find their neighbours in the cache.
 std::vector<glm::vec3> sphereNormals() {
     constexpr int kSize = 80;
     std::vector<glm::vec3> normals;
@@ -39,8 +39,8 @@ inline uint64_t sumOfWords(const ImageRgb8& frame) {
     return sum;
 }
 
-// As compiled for any x86-64, and for the widest registers that the processor has. kept: so that it is
-// needed.
+// Reads the bytes as compiled for any x86-64, and for the widest registers that the processor has. kept: so
+// that it is needed.
 void readBytes(const ImageRgb8& frame, volatile uint64_t& kept) { kept = sumOfWords(frame); }
 SHOAL_VECTORISE void readBytesWide(const ImageRgb8& frame, volatile uint64_t& kept) {
     kept = sumOfWords(frame);

@@ -51,7 +51,7 @@ Path tracedFile(const Path& folder, const glm::ivec3& eye_mm, int frame) {
     return folder / fmt::format("reef_{}_{}_{}_{:04d}.hdr", eye_mm.x, eye_mm.y, eye_mm.z, frame);
 }
 
-// As a camera shows it whose exposure makes the frame's mean a medium grey.
+// Display values of a camera whose exposure makes the frame's mean a medium grey.
 Result<ImageRgbF> readDisplay(const Path& file, float& exposure) {
     auto read = media::readHdr(file);
     if (!read) return read.error();

@@ -31,7 +31,7 @@ class WithFakeRuntime : public testing::Test {
     }
     // Debian's layer (1.0.20) refuses structures of extensions that are younger.
     static void withoutValidation() { unsetenv("XR_ENABLE_API_LAYERS"); }
-    // What the layer has complained of; it writes no file without a complaint.
+    // Complaints of the layer, which writes no file without one.
     // But that it begins and ends, which the layer's version 1.1 reports as well.
     std::string validationReport() const {
         const auto text = readText(validation_);

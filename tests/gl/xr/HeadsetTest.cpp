@@ -87,7 +87,7 @@ TEST_F(HeadsetGL, AsksForNinetyPicturesASecondWhereTheyAreOffered) {
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_EQ(fake.refreshRate_Hz, 90);
     EXPECT_NE(said.find("shows 90 pictures a second from now on"), std::string::npos) << said;
-    // What is not offered is not asked for, and what fails is no reason not to play.
+    // A rate that is not offered is not asked for, and a failure is no reason not to play.
     fake.refreshRates_Hz = {60, 72};
     fake.refreshRate_Hz = 72;
     fake.called.clear();
@@ -112,7 +112,7 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
     ASSERT_TRUE(now.headTracked);
     EXPECT_LT(glm::length(now.worldFromHead.position), 1e-5f);
     const glm::vec3 ahead = now.worldFromHead.orientation * glm::vec3(0, 0, -1);
-    // Of the turn only the looking down is left.
+    // Only the looking down is left of the turn.
     EXPECT_LT(glm::distance(ahead, glm::vec3(0, std::sin(-0.4f), -std::cos(0.4f))), 1e-5f);
     EXPECT_NEAR(glm::distance(now.eyes[0].worldFromEye.position, now.eyes[1].worldFromEye.position), 0.064f,
                 1e-5f);
@@ -126,7 +126,7 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
     EXPECT_LT(glm::length(headset.tracking().worldFromHead.position), 1e-5f);
 }
 
-// What the runtime announces holds from the time on that it says: until then LOCAL is where it was.
+// A change that the runtime announces holds from the time that it says: until then LOCAL is where it was.
 TEST_F(HeadsetGL, ARecentringByTheRuntimeIsObeyedWhenItHappens) {
     Headset headset = focused();
     Frame now = emptyFrame(headset);
@@ -247,7 +247,7 @@ TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
     EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.5f, 1e-5f);
 }
 
-// Of a headset that only turns; the eyes are as far apart as those of people.
+// A headset that only turns; the eyes are as far apart as those of people.
 TEST_F(HeadsetGL, AHeadThatOnlyTurnsIsDrawnFrom) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
     Headset headset = focused();

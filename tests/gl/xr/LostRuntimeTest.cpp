@@ -1,4 +1,4 @@
-// What may happen in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
+// Losses in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
 // pauses, is shown in the window, and all of it is in its recording.
 #include "game/app/Application.h"
 #include "tests/gl/xr/WindowEvents.h"
@@ -19,7 +19,7 @@ class LostRuntime : public XrProgram {
         fake.onWait = [how](FakeRuntime& f) {
             if (f.framesWaited == 90) how(f);
         };
-        // Whoever sits before the window closes it after a look.
+        // A person before the window closes it after a look.
         fake.onGone = [](FakeRuntime&) { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); };
         PlayOptions o = options();
         o.record = folder_ / "a.replay";

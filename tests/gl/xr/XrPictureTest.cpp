@@ -1,4 +1,4 @@
-// What the player of a headset sees is what the renderer draws from there, pixel by pixel.
+// A headset shows what the renderer draws from there, pixel by pixel.
 #include "engine/core/Log.h"
 #include "game/app/HeadsetDisplay.h"
 #include "game/session/GameSession.h"
@@ -156,7 +156,7 @@ TEST_F(XrPicture, MovesWithTheHead) {
     expectOrdinary({200, 240}, 1);
 }
 
-// In the player's room: animals as the film lights them, nothing beside them, and a hand only hides them.
+// The player's room: animals as the film lights them, nothing beside them, and a hand only hides them.
 TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
     const glm::ivec2 size(200, 240);
     const render::View view{.verticalFov = 1.2f, .aspect = 200.0f / 240, .heightPixels = size.y};
@@ -310,7 +310,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     }
 }
 
-// What the film shows has the distance that its track tells, for each eye where that is; and what the runtime
+// The film has the distances that its track tells, for each eye where that is; and what the runtime
 // does not take is not made.
 TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
     ASSERT_TRUE(environment_->depth()) << "the reef's film comes with a track of distances";
@@ -427,7 +427,7 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
                         ++count;
                         sum += glm::vec2(x, y) + 0.5f;
                     }
-                // Where it is seen: about the point at the animal's middle, by the eye's angles.
+                // It is seen about the point at the animal's middle, by the eye's angles.
                 const float left = std::tan(eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
                 const float down = std::tan(eye.fov.angleDown), up = std::tan(eye.fov.angleUp);
                 const float x = (kRight_m - eye.localFromEye.position.x) / kAway_m;

@@ -66,7 +66,7 @@ class XrProgram : public test::WithFakeRuntime {
             outcome.said.erase(at, outcome.said.find('\n', at) + 1 - at);
         return outcome;
     }
-    // As when the player ends the game in the runtime's menu.
+    // Ends the game as the player does in the runtime's menu.
     static void leave(FakeRuntime& f) {
         f.exitRequested = true;
         f.say(XR_SESSION_STATE_VISIBLE);
@@ -129,7 +129,7 @@ class XrProgram : public test::WithFakeRuntime {
         }
         return lengths;
     }
-    // Of so many frames of a dive in which the runtime does as it was told.
+    // Pauses in so many frames of a dive in which the runtime does as it was told.
     std::vector<int> pausesWithin(uint64_t frames) {
         PlayOptions o = options();
         o.record = folder_ / "a.replay";

@@ -25,7 +25,7 @@ TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     EXPECT_EQ(fake.framesEnded, fake.framesWaited);
     const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording) << recording.error().message();
-    // From the first frame's time to the last one's, when it was told to leave.
+    // Ticks from the first frame's time to the last one's, when it was told to leave.
     EXPECT_EQ(recording->ticks(), 180u * 120 / 72);
     EXPECT_FALSE(fake.running);
 }
@@ -33,7 +33,7 @@ TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
 // Between frames where a script takes many seconds.
 constexpr double kSlow_s = 1.0 / 30;
 
-// What pauses in frame 90 does so until a hand that closes in frame 180 has taken hold, for 0.4 s.
+// A pause from frame 90 lasts until a hand that closes in frame 180 has taken hold, for 0.4 s.
 void expectPausedUntilAHandCloses(const std::vector<int>& lengths) {
     ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
     // 90 frames a second: 4 ticks in 3 frames. Worn from frame 3 on, steady for 0.3 s.
@@ -258,7 +258,7 @@ TEST_F(XrProgram, ThePagesStandOnThePanelAndAPokeChooses) {
     const Status opened = application.open();
     ASSERT_TRUE(opened) << opened.error().message();
     const Menu& menu = application.screens().menu();
-    // Where a fingertip is before the item, in LOCAL; forward: towards the panel, metres.
+    // Place of a fingertip before the item, in LOCAL; forward: towards the panel, metres.
     const auto before = [&](const std::string& label, float forward_m) {
         const auto item = std::ranges::find(menu.page().items, label, &MenuItem::label);
         EXPECT_NE(item, menu.page().items.end()) << label << " is not on the page " << menu.page().title;
@@ -343,7 +343,7 @@ TEST_F(XrProgram, LostTrackingFadesThePictureAndComesBack) {
     EXPECT_NEAR(after, before, 0.2 * before); // the video went on
 }
 
-// By option, then by key, and kept.
+// The room is chosen by option, then by key, and kept.
 TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
     fake.keepPictures = true;
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
@@ -401,7 +401,7 @@ TEST_F(XrProgram, WhereTheRuntimeShowsNoRoomTheFilmStaysAndItIsSaid) {
     EXPECT_FALSE(kept.passthrough);
 }
 
-// What a player may meet before anything is seen.
+// Failures that a player may meet before anything is seen.
 TEST_F(XrProgram, WithoutAHeadsetItSaysWhatToDo) {
     fake.present = false;
     expectOneMessage(run(options()), "plug it in");
@@ -436,7 +436,7 @@ TEST_F(XrProgram, ARuntimeWhoseServiceDoesNotRunSaysToStartIt) {
     }
 }
 
-// As Monado's simulated headset: poses are valid and never said to be tracked.
+// Poses of Monado's simulated headset are valid and never said to be tracked.
 TEST_F(XrProgram, PosesThatAreOnlyValidArePlayedAndSeen) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     fake.keepPictures = true;

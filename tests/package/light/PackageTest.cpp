@@ -24,7 +24,7 @@ const Path kSource = tests::sourceFolder(), kScratch = SHOAL_SCRATCH, kPrefix = 
 
 std::string quoted(const Path& path) { return "'" + path.string() + "'"; }
 
-// What it says ends in the test's own message, if it fails.
+// Its output ends in the test's own message, if it fails.
 testing::AssertionResult run(const std::string& command) {
     const Path said = kScratch / "said.txt";
     fs::create_directories(kScratch);

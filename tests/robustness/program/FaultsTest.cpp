@@ -81,7 +81,7 @@ TEST_F(Faults, SignalsEndADiveInOrder) {
     }
 }
 
-// What was recorded before a crash shows the way to it.
+// A recording up to a crash shows the way to it.
 TEST_F(Faults, AKilledDiveLeavesItsRecording) {
     const pid_t child = start(draw({"--hands", script(), "--fps", "30", "--record", file("a.replay")}));
     awaitRecording(child, 3);

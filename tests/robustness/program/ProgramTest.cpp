@@ -26,7 +26,7 @@ using tests::Outcome;
 
 class Program : public tests::Program {
   protected:
-    // What `light` writes, by name.
+    // Files that `light` writes, by name.
     std::map<std::string, std::string> lightFiles(const Path& picture, const Path& out,
                                                   const std::string& how) const {
         const Outcome made = run("light " + picture.string() + " -o " + out.string() + " " + how);
@@ -284,8 +284,8 @@ TEST_F(Program, ABrokenScoresFileIsSaidOnce) {
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
 
-// From a menu: no terminal, and a display. A fake of the first program that shows boxes keeps what it is
-// given.
+// A start from a menu has no terminal, and a display. A fake of the first program that shows boxes keeps what
+// it is given.
 TEST_F(Program, StartedFromAMenuItTellsItsErrorsInAMessageBox) {
     const Path box = folder_ / "box.txt",
                fake = write("zenity", "#!/bin/sh\nprintf '%s\\n' \"$@\" >" + box.string());
@@ -324,7 +324,7 @@ TEST_F(Program, EnvironmentsThatAreNone) {
     expectOneMessage(run(play + photo.string() + " --photo " + photo.string()), "--photo", 2);
 }
 
-// As a desktop opens files: by their content, whatever they are called.
+// A desktop opens files by their content, whatever they are called.
 TEST_F(Program, AFileAloneIsTheEnvironmentThatItHolds) {
     const Path photo = write("some photo.mp4", pnm(256, 128, "P6")), named = folder_ / "named.png",
                alone = folder_ / "alone.png";
@@ -376,7 +376,7 @@ TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
     // Once it is an environment it stays as it is, unless somebody says that it is a photo all the same.
     const std::string full = (folder_ / "out.png").string(), again = (folder_ / "again.png").string();
     EXPECT_NE(run("panorama " + full + " -o " + again).out.find("kept as it is"), std::string::npos);
-    // What is no environment by its shape is grown for play and view too.
+    // A picture that is no environment by its shape is grown for play and view too.
     const Outcome played = run("play --headless --at 0.1 --size 64x36 --photo " + photo + " --screenshot " +
                                (folder_ / "shot.png").string());
     EXPECT_EQ(played.status, 0) << played.err;
@@ -409,7 +409,7 @@ TEST_F(Program, ARecordingOfAnOlderVersionIsRefusedByName) {
     expectOneMessage(run("check " + file), "has version 2");
 }
 
-// As the README says, from another folder than the script's.
+// The README's command, from another folder than the script's.
 TEST_F(Program, PlaythroughsGiveTheStoredStatesInBothWatersAndTheirRecordingsReplay) {
     for (const auto& [name, inFilm] :
          {std::pair{"shark_steals_night", true}, {"behind_rock", true}, {"mouse", false}}) {

@@ -30,7 +30,7 @@ struct Fist {
     double closes_s = -1, ends_s = 0;
 };
 
-// Where the hand of a recording closes, by our own reading of it.
+// Finds where the hand of a recording closes, by our own reading of it.
 Fist fistIn(const std::vector<std::string>& messages) {
     hands::LeapTracks tracks(rig(), hands::kDeskMount);
     hands::HandFilter filter;
