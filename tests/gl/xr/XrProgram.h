@@ -66,6 +66,16 @@ class XrProgram : public test::WithFakeRuntime {
             outcome.said.erase(at, outcome.said.find('\n', at) + 1 - at);
         return outcome;
     }
+    // Plays so many frames of a dive, which succeeds and says nothing, and returns its recording.
+    tests::Recorded recorded(PlayOptions o, uint64_t frames) {
+        o.record = folder_ / "a.replay";
+        const Outcome outcome = run(o, frames);
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_EQ(outcome.said, "");
+        auto recording = tests::readRecorded(o.record);
+        if (!recording) throw std::runtime_error(recording.error().message());
+        return *std::move(recording);
+    }
     // Ends the game as the player does in the runtime's menu.
     static void leave(FakeRuntime& f) {
         f.exitRequested = true;
@@ -130,15 +140,7 @@ class XrProgram : public test::WithFakeRuntime {
         return lengths;
     }
     // Pauses in so many frames of a dive in which the runtime does as it was told.
-    std::vector<int> pausesWithin(uint64_t frames) {
-        PlayOptions o = options();
-        o.record = folder_ / "a.replay";
-        const Outcome outcome = run(o, frames);
-        EXPECT_EQ(outcome.status, 0) << outcome.said;
-        const auto recording = tests::readRecorded(o.record);
-        EXPECT_TRUE(recording);
-        return recording ? pauses(*recording) : std::vector<int>();
-    }
+    std::vector<int> pausesWithin(uint64_t frames) { return pauses(recorded(options(), frames)); }
 };
 
 } // namespace shoal::app

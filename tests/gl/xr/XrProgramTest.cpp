@@ -16,17 +16,11 @@ namespace {
 
 TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     fake.period_s = 1.0 / 72;
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o, 180);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    EXPECT_EQ(outcome.said, "");
+    const tests::Recorded recording = recorded(options(), 180);
     EXPECT_GT(fake.framesWithEyes, 170u);
     EXPECT_EQ(fake.framesEnded, fake.framesWaited);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording) << recording.error().message();
     // Ticks from the first frame's time to the last one's, when it was told to leave.
-    EXPECT_EQ(recording->ticks(), 180u * 120 / 72);
+    EXPECT_EQ(recording.ticks(), 180u * 120 / 72);
     EXPECT_FALSE(fake.running);
 }
 
@@ -84,14 +78,8 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
         if (f.framesWaited == 100) put(leanView, 0.5f);
     };
     fake.controllers[1] = {true, {{0, 0, 0, 1}, {at.x, at.y - 0.2f, at.z - 0.4f}}, 0.3f, 0, false};
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o, 150);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    const game::TickInput before = inputAt(*recording, 110),
-                          last = inputAt(*recording, recording->ticks() - 9);
+    const tests::Recorded recording = recorded(options(), 150);
+    const game::TickInput before = inputAt(recording, 110), last = inputAt(recording, recording.ticks() - 9);
     constexpr float kTol = 1e-5f; // floats of some metres, turned thrice
     EXPECT_LT(glm::length(before.headWorld), kTol);
     EXPECT_NEAR(std::abs(before.worldFromView.w), 1, kTol);
@@ -101,7 +89,7 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     EXPECT_TRUE(last.hands[1].tracked);
     EXPECT_FALSE(last.hands[0].tracked);
 
-    expectReplays(*recording);
+    expectReplays(recording);
 }
 
 // The key that turns the mouse's player to look ahead again.
@@ -115,14 +103,10 @@ TEST_F(XrProgram, AKeyRecentres) {
             }
         if (f.framesWaited == 90) test::strikeKey(GLFW_KEY_HOME);
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 120).status, 0);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    EXPECT_NEAR(glm::length(inputAt(*recording, 85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f),
+    const tests::Recorded recording = recorded(options(), 120);
+    EXPECT_NEAR(glm::length(inputAt(recording, 85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f),
                 0.05f); // eyes turn aside
-    const game::TickInput last = inputAt(*recording, recording->ticks() - 9);
+    const game::TickInput last = inputAt(recording, recording.ticks() - 9);
     EXPECT_LT(glm::length(last.headWorld), 1e-5f);
     EXPECT_NEAR(std::abs(last.worldFromView.w), 1, 1e-5f);
 }
@@ -169,12 +153,9 @@ TEST_F(XrProgram, APlayerWhoSitsDivesSeated) {
     fake.onWait = {};
     PlayOptions o = options();
     o.posture = Posture::Seated;
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 60).status, 0);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    EXPECT_EQ(recording->header().settings.at("seated"), "on");
-    expectReplays(*recording);
+    const tests::Recorded recording = recorded(o, 60);
+    EXPECT_EQ(recording.header().settings.at("seated"), "on");
+    expectReplays(recording);
 }
 
 // The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
@@ -186,13 +167,9 @@ TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
         for (XrView& view : f.views) view.pose.position.x += 0.01f;
         for (auto& joint : f.hands[1].joints) joint.pose.position.y += 0.001f;
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 120).status, 0);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    for (size_t tick = 60; tick < recording->ticks() - 10; ++tick) {
-        const game::TickInput a = inputAt(*recording, tick), b = inputAt(*recording, tick + 1);
+    const tests::Recorded recording = recorded(options(), 120);
+    for (size_t tick = 60; tick < recording.ticks() - 10; ++tick) {
+        const game::TickInput a = inputAt(recording, tick), b = inputAt(recording, tick + 1);
         // Floats below 2.
         EXPECT_NEAR(b.headWorld.x - a.headWorld.x, 0.01f * 72 / 120, 2e-6f) << tick;
         const float handA = a.hands[1].joints[9].position.y, handB = b.hands[1].joints[9].position.y;
