@@ -103,6 +103,7 @@ class GamepadProgram : public testing::Test {
         o.mute = true;
         o.vsync = false;
         o.quality = QualityControl::Fixed;
+        o.shadows = ShadowChoice::Off; // half of a frame's time on the processor
         o.look.size = {160, 90};
         o.fps = 60;
         return o;

@@ -16,8 +16,9 @@ namespace {
 class LostRuntime : public XrProgram {
   protected:
     void loseIt(const std::function<void(FakeRuntime&)>& how, const std::string& about) {
+        fake.period_s = 1.0 / 30;
         fake.onWait = [how](FakeRuntime& f) {
-            if (f.framesWaited == 90) how(f);
+            if (f.framesWaited == 30) how(f);
         };
         // A person before the window closes it after a look.
         fake.onGone = [](FakeRuntime&) { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); };
@@ -42,7 +43,7 @@ class LostRuntime : public XrProgram {
         EXPECT_NE(said.find(about), std::string::npos) << said;
         const auto recording = tests::readRecorded(o.record);
         ASSERT_TRUE(recording) << recording.error().message();
-        EXPECT_GE(recording->ticks(), 89u * 120 / 90);
+        EXPECT_GE(recording->ticks(), 29u * 120 / 30);
         expectReplays(*recording);
     }
 };

@@ -43,6 +43,7 @@ class XrProgram : public test::WithFakeRuntime {
         o.seed = 1; // with a window each run would draw another
         o.mute = true;
         o.quality = QualityControl::Fixed;
+        o.shadows = ShadowChoice::Off; // half of a frame's time on the processor
         o.look.size = {160, 90};
         o.environment.photo = ""; // the dive's own video
         return o;

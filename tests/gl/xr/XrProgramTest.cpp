@@ -27,24 +27,25 @@ TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
 // Between frames where a script takes many seconds.
 constexpr double kSlow_s = 1.0 / 30;
 
-// A pause from frame 90 lasts until a hand that closes in frame 180 has taken hold, for 0.4 s.
+// A pause from frame 30 lasts until a hand that closes in frame 60 has taken hold, for 0.4 s; four ticks a
+// frame.
 void expectPausedUntilAHandCloses(const std::vector<int>& lengths) {
-    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
-    // 90 frames a second: 4 ticks in 3 frames. Worn from frame 3 on, steady for 0.3 s.
-    EXPECT_NEAR(lengths[0], 30 * 4 / 3, 6);
-    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
-    EXPECT_NEAR(lengths[2], (180 + 36 - 90) * 4 / 3, 6);
+    ASSERT_EQ(lengths.size(), 4u);          // until it is worn, play, pause, play
+    EXPECT_NEAR(lengths[0], 3 * 4 + 36, 8); // worn from frame 3 on, steady for 0.3 s
+    EXPECT_NEAR(lengths[0] + lengths[1], 30 * 4, 6);
+    EXPECT_NEAR(lengths[2], (60 - 30) * 4 + 48, 8);
 }
 
 TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
+    fake.period_s = kSlow_s;
     closeHand(0, 0);
     closeHand(1, 0);
     fake.onWait = [this](FakeRuntime& f) {
-        if (f.framesWaited == 90) f.say(XR_SESSION_STATE_VISIBLE);
-        if (f.framesWaited == 150) f.say(XR_SESSION_STATE_FOCUSED);
-        if (f.framesWaited == 180) closeHand(1, 1);
+        if (f.framesWaited == 30) f.say(XR_SESSION_STATE_VISIBLE);
+        if (f.framesWaited == 50) f.say(XR_SESSION_STATE_FOCUSED);
+        if (f.framesWaited == 60) closeHand(1, 1);
     };
-    const std::vector<int> lengths = pausesWithin(270);
+    const std::vector<int> lengths = pausesWithin(90);
     expectPausedUntilAHandCloses(lengths);
     EXPECT_GT(lengths.back(), 50);
 }
@@ -53,13 +54,14 @@ TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
 TEST_F(XrProgram, TakingTheHeadsetOffPausesUntilAHandCloses) {
     withoutValidation();
     fake.extensions.insert(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
+    fake.period_s = kSlow_s;
     closeHand(1, 0);
     fake.onWait = [this](FakeRuntime& f) {
-        if (f.framesWaited == 90) f.sayWorn(false);
-        if (f.framesWaited == 150) f.sayWorn(true);
-        if (f.framesWaited == 180) closeHand(1, 1);
+        if (f.framesWaited == 30) f.sayWorn(false);
+        if (f.framesWaited == 50) f.sayWorn(true);
+        if (f.framesWaited == 60) closeHand(1, 1);
     };
-    expectPausedUntilAHandCloses(pausesWithin(240));
+    expectPausedUntilAHandCloses(pausesWithin(80));
 }
 
 TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
