@@ -55,6 +55,7 @@ class HeadsetGL : public test::WithFakeRuntime {
 TEST_F(HeadsetGL, BeginsAndEndsInGoodOrder) {
     {
         EXPECT_FALSE(open().wantsFrames());
+        fake.boundProfiles.clear();
         const Headset headset = focused();
         EXPECT_EQ(headset.name(), "Fake headset (Fake runtime)");
         EXPECT_EQ(headset.eyeSize(), glm::ivec2(200, 240));
