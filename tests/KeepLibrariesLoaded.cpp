@@ -11,5 +11,6 @@ extern "C" const char* __lsan_default_suppressions() {
     return "leak:libopenxr_loader.so\nleak:libfontconfig.so\n";
 }
 
-// What the linker is told to look for (CMakeLists.txt): libasan has a dlclose of its own, before this one.
+// Symbol that the linker is told to look for (CMakeLists.txt): libasan has a dlclose of its own, before this
+// one.
 extern "C" void shoalKeepLibrariesLoaded() {}

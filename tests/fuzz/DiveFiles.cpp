@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const size_t rest = at + kBetween.size();
     const auto dive = game::loadDive(diveFile({data + rest, size - rest}), *species);
     if (!dive) return 0;
-    // What the loader takes can be played.
+    // A dive that the loader takes can be played.
     game::Dive played(*species, *dive, 1);
     game::Events events;
     for (int tick = 0; tick < 3; ++tick) played.step({}, events);

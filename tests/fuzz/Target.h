@@ -6,7 +6,7 @@
 
 namespace shoal::fuzz {
 
-// What must hold whatever the input; libFuzzer keeps the input of a run that aborts.
+// Asserts what holds for any input; libFuzzer keeps the input of a run that aborts.
 inline void expect(bool holds) {
     if (!holds) std::abort();
 }

@@ -74,7 +74,7 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
     return middle;
 }
 
-// By the graphics side, and by the processor where that can.
+// Runs by the graphics side, and by the processor where that can.
 class CameraCompositeGL : public WithContext, public testing::WithParamInterface<bool> {
   protected:
     void SetUp() override {

@@ -1,4 +1,4 @@
-// What is not in the view is not drawn.
+// Objects that are not in the view are not drawn.
 #include "Spheres.h"
 
 namespace shoal {
@@ -37,7 +37,7 @@ TEST_F(CullingGL, ByTheSphereAroundIt) {
     EXPECT_EQ(drawsOf({{0, 0, 3}, 1}, {}), 0);
 }
 
-// As an arm beside the head does: the sphere around it holds the eye, but no part of it is ahead.
+// An arm beside the head: the sphere around it holds the eye, but no part of it is ahead.
 TEST_F(CullingGL, ByThePartsInThatSphere) {
     const Sphere around{{0, -1, -0.2f}, 1.5f};
     const Sphere below{{0, -1.5f, -0.3f}, 0.4f}, ahead{{0, -0.2f, -1}, 0.3f};

@@ -79,7 +79,7 @@ class LatLongGL : public WithContext {
     ImageRgba8 painted() const { return readTexture(pass_->texture(), frame_); }
     ImageRgba8 environments() const { return readTexture(environment_->frameTexture(), frame_); }
 
-    // What a background shows with the layer that was painted last in its texels.
+    // Picture of a background with the layer that was painted last in its texels.
     ImageRgba8 shown(render::BackgroundPass& background, const glm::vec3& direction,
                      const gl::Target& target) {
         const render::View view = viewTowards(direction);
@@ -156,7 +156,7 @@ TEST_F(LatLongGL, OneEyesObjectsMakeWayForTheOthers) {
     EXPECT_NE(both.pixels, left.pixels);
 }
 
-// What the layer shows, the background shows in the same place: half a texel's worth of light along the
+// The background shows the layer in the same place: half a texel's worth of light along the
 // outline.
 TEST_F(LatLongGL, TheBackgroundShowsItWhereTheLayerHadIt) {
     auto background = render::BackgroundPass::make(render::Backend::OpenGL, true);
@@ -193,7 +193,7 @@ TEST_P(LatLongPlaces, AreShownFromMemoryAsTheyAreFromTheTexture) {
             (*software)->prepare(
                 {.environment = *environment_, .view = viewTowards(direction), .canvas = target}, &tiles_);
         const ImageRgba8 sampled = shown(**software, direction, target);
-        // Where rays are linear, in triangles there and in rectangles here, they are up to a fourteenth of a
+        // If rays are linear, in triangles there and in rectangles here, they are up to a fourteenth of a
         // texel apart: beside a pole. The layer's outline falls by 255 within 0.45 of one.
         int maximum = 0, many = 0;
         for (size_t k = 0; k < drawn.pixels.size(); ++k) {

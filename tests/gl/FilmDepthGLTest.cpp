@@ -1,4 +1,4 @@
-// What of a film is nearer hides an object, and what drifts in the water.
+// Nearer parts of a film hide objects, and particles in the water.
 #include "Spheres.h"
 #include "engine/render/DepthPass.h"
 #include "engine/render/ParticlePass.h"

@@ -54,7 +54,7 @@ TEST(LayerBox, HoldsTheWholeSphereAndLittleMore) {
 
 class LayerGL : public WithContext {};
 
-// What covers half of a texel lets half of the picture through; beside the boxes nothing changes.
+// An object over half of a texel lets half of the picture through; beside the boxes nothing changes.
 TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
     auto layer = render::LayerPass::make();
     ASSERT_TRUE(layer) << layer.error().message();
@@ -105,7 +105,7 @@ TEST_F(LayerGL, ScalesUpSmoothly) {
         const scene::Sphere all{{0, 0, 0}, 1}; // around the eye
         layer->layOver({&all, 1}, {});
         const ImageRgba8 picture = target.read();
-        // From the middle of texel 49 (pixel 198) to that of 50 (202): a ramp, at the pixels' middles.
+        // A ramp from the middle of texel 49 (pixel 198) to that of 50 (202), at the pixels' middles.
         for (int x = 190; x < 210; ++x)
             EXPECT_NEAR(picture.at(x, 100)[0],
                         255 * glm::clamp((static_cast<float>(x) + 0.5f - 198) / 4, 0.0f, 1.0f), 2)

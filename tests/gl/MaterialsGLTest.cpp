@@ -13,15 +13,23 @@ namespace {
 class MaterialsGL : public WithContext {};
 
 constexpr int kAcross = 64;
-// By the pixel; and as what is small where detail is lean, by the vertex.
+// Light by the pixel; and by the vertex, as for small objects where detail is lean.
 constexpr render::Detail kDetails[] = {render::Detail::Full, render::Detail::Lean};
 const render::View kSphereView{
     .eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kAcross};
 
-struct Lit {
-    explicit Lit(const ImageRgb8& frame) { environment.uploadLight(lightOf(frame)); }
-    render::EnvironmentGpu environment;
-};
+ImageRgba8 drawn(const scene::Model& model, const Lit& lit, render::Detail detail, float exposure_ev = 0) {
+    return drawn(model, lit, detail, exposure_ev);
+}
+
+// A dielectric that reflects this share of light head on and at the rim.
+scene::Model dielectric(float roughness, const glm::vec3& base, const glm::vec3& f0, float f90) {
+    scene::Model model = sphere(0, roughness);
+    model.materials[0].baseColourLin = glm::vec4(base, 1);
+    model.materials[0].dielectricF0 = f0;
+    model.materials[0].dielectricF90 = f90;
+    return model;
+}
 
 scene::Model unlitSphere(const glm::vec4& colourLin) {
     scene::Model model = sphere(1, 1);
@@ -48,19 +56,6 @@ void addTexture(scene::Model& model, const glm::u8vec4& texel) {
     model.meshes[0].primitives[0].texCoords[0].assign(model.meshes[0].primitives[0].positions.size(), {});
 }
 
-// All that it covers has this colour.
-void expectColour(const ImageRgba8& picture, const glm::vec4& colour, float within) {
-    int covered = 0;
-    for (size_t i = 0; i < picture.pixels.size(); i += 4) {
-        if (picture.pixels[i + 3] == 0) continue;
-        ++covered;
-        for (size_t c = 0; c < 4; ++c)
-            ASSERT_NEAR(picture.pixels[i + c], colour[static_cast<int>(c)], within)
-                << "channel " << c << " at " << i / 4 % kAcross << "," << i / 4 / kAcross;
-    }
-    EXPECT_GT(covered, 1000);
-}
-
 // KHR_materials_unlit: a base colour is shown as it is coded, in any light, at any exposure, by any curve.
 TEST_F(MaterialsGL, UnlitColoursAreShownAsTheyAreCoded) {
     for (const ImageRgb8& video : {uniformFrame(0, 0, 0), uniformFrame(255, 200, 40)})
@@ -69,15 +64,12 @@ TEST_F(MaterialsGL, UnlitColoursAreShownAsTheyAreCoded) {
                 const Lit lit(video);
                 const glm::vec4 coded(200, 100, 3, 255);
                 // A factor: half a step of rounding.
-                expectColour(drawSphere(unlitSphere(linear(coded / 255.0f)), lit.environment, kSphereView,
-                                        kAcross, {.exposure_ev = exposure_ev, .detail = detail}),
-                             coded, 0.5f);
+                expectColour(drawn(unlitSphere(linear(coded / 255.0f)), lit, detail, exposure_ev), coded,
+                             0.5f);
                 // A texture, decoded and coded: the same steps.
                 scene::Model textured = unlitSphere(glm::vec4(1));
                 addTexture(textured, {200, 100, 3, 255});
-                expectColour(drawSphere(textured, lit.environment, kSphereView, kAcross,
-                                        {.exposure_ev = exposure_ev, .detail = detail}),
-                             coded, 0.5f);
+                expectColour(drawn(textured, lit, detail, exposure_ev), coded, 0.5f);
             }
 }
 
@@ -95,8 +87,7 @@ TEST_F(MaterialsGL, UnlitColoursMultiplyLinearly) {
             expected[c] = expected[c] <= 0.0031308f ? 12.92f * expected[c]
                                                     : 1.055f * std::pow(expected[c], 1 / 2.4f) - 0.055f;
         // Half a step of rounding, and half floats' hundredth of one.
-        expectColour(drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}),
-                     255.0f * expected, 0.6f);
+        expectColour(drawn(model, lit, detail), 255.0f * expected, 0.6f);
     }
 }
 
@@ -110,31 +101,18 @@ TEST_F(MaterialsGL, UnlitSurfacesHaveAlphaModes) {
         render::View view = kSphereView;
         view.heightPixels = 0;
         material.baseColourLin.a = 0.5f;
-        const auto drawn = [&](scene::AlphaMode mode) {
+        const auto drawnAs = [&](scene::AlphaMode mode) {
             material.alphaMode = mode;
             return drawSphere(model, lit.environment, view, kAcross, {.detail = detail});
         };
-        expectColour(drawn(scene::AlphaMode::Opaque), {200, 100, 50, 255}, 0.5f);
-        expectColour(drawn(scene::AlphaMode::Blend), {100, 50, 25, 127.5f}, 1);
+        expectColour(drawnAs(scene::AlphaMode::Opaque), {200, 100, 50, 255}, 0.5f);
+        expectColour(drawnAs(scene::AlphaMode::Blend), {100, 50, 25, 127.5f}, 1);
         material.alphaCutoff = 0.4f;
-        expectColour(drawn(scene::AlphaMode::Mask), {200, 100, 50, 255}, 0.5f);
+        expectColour(drawnAs(scene::AlphaMode::Mask), {200, 100, 50, 255}, 0.5f);
         material.alphaCutoff = 0.6f;
-        const ImageRgba8 nothing = drawn(scene::AlphaMode::Mask);
+        const ImageRgba8 nothing = drawnAs(scene::AlphaMode::Mask);
         EXPECT_TRUE(std::ranges::all_of(nothing.pixels, [](uint8_t value) { return value == 0; }));
     }
-}
-
-// Every pixel that both cover, as far from each other as this at most.
-void expectAlike(const ImageRgba8& a, const ImageRgba8& b, int within) {
-    int covered = 0;
-    for (size_t i = 0; i < a.pixels.size(); i += 4) {
-        if (a.pixels[i + 3] == 0 || b.pixels[i + 3] == 0) continue;
-        ++covered;
-        for (size_t c = 0; c < 3; ++c)
-            ASSERT_NEAR(a.pixels[i + c], b.pixels[i + c], within)
-                << "channel " << c << " at " << i / 4 % kAcross << "," << i / 4 / kAcross;
-    }
-    EXPECT_GT(covered, 1000);
 }
 
 // Head on a black dielectric sends back the split sum's share of even light, and what bounces on between its
@@ -150,11 +128,8 @@ TEST_F(MaterialsGL, DielectricsReflectTheirShareHeadOn) {
                                   Case{{0.5f, 0.04f, 0}, 0.5f}, Case{glm::vec3(0), 0}})
         for (const float roughness : {0.3f, 1.0f})
             for (const render::Detail detail : kDetails) {
-                scene::Model model = sphere(0, roughness);
-                model.materials[0].baseColourLin = {0, 0, 0, 1};
-                model.materials[0].dielectricF0 = f0;
-                model.materials[0].dielectricF90 = f90;
-                // As near as the table of 64 steps goes: to the middle of its last texels.
+                const scene::Model model = dielectric(roughness, glm::vec3(0), f0, f90);
+                // The table of 64 steps ends here: at the middle of its last texels.
                 constexpr double kLast = 127.0 / 128;
                 const math::Dfg dfg = math::dfg(kLast, std::min(static_cast<double>(roughness), kLast));
                 const auto scale = static_cast<float>(dfg.scale), bias = static_cast<float>(dfg.bias);
@@ -162,8 +137,7 @@ TEST_F(MaterialsGL, DielectricsReflectTheirShareHeadOn) {
                 const float lost = 1 - scale - bias;
                 const glm::vec3 all = single + single * average / (1.0f - lost * average) * lost;
                 const glm::vec3 shown = light::displayFromRadiance(all * arrives) * 255.0f;
-                const ImageRgba8 picture =
-                    drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
+                const ImageRgba8 picture = drawn(model, lit, detail);
                 // Rounding, and the table between its steps, where dark colours are steep.
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(picture.at(32, 32)[c], shown[c], 1.5f)
@@ -178,14 +152,11 @@ TEST_F(MaterialsGL, WithoutSpecularASurfaceIsMatte) {
     for (const float base : {1.0f, 0.3f})
         for (const float roughness : {0.1f, 1.0f})
             for (const render::Detail detail : kDetails) {
-                scene::Model model = sphere(0, roughness);
-                model.materials[0].baseColourLin = glm::vec4(glm::vec3(base), 1);
-                model.materials[0].dielectricF0 = glm::vec3(0);
-                model.materials[0].dielectricF90 = 0;
+                const scene::Model model = dielectric(roughness, glm::vec3(base), glm::vec3(0), 0);
                 const glm::vec3 left =
                     std::pow(base, 1 / 2.2f) * light::radianceFromDisplay(glm::vec3(200, 180, 160) / 255.0f);
                 // A step of the display; half floats hold radiance to 1 in 2048.
-                expectColour(drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}),
+                expectColour(drawn(model, lit, detail),
                              glm::vec4(light::displayFromRadiance(left) * 255.0f, 255), 1);
             }
 }
@@ -198,23 +169,21 @@ TEST_F(MaterialsGL, DielectricsNextToTheUsualOneLookLikeIt) {
         for (const render::Detail detail : kDetails) {
             scene::Model model = sphere(metallic, 0.4f);
             model.materials[0].baseColourLin = {0.6f, 0.3f, 0.1f, 1};
-            const ImageRgba8 usual =
-                drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
+            const ImageRgba8 usual = drawn(model, lit, detail);
             model.materials[0].dielectricF0 = glm::vec3(0.0400001f);
             if (metallic == 1) model.materials[0].dielectricF0 = {1, 0, 0.5f};
-            expectAlike(usual, drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}),
-                        1);
+            expectAlike(usual, drawn(model, lit, detail), 1);
         }
 }
 
-// What a coloured reflection takes, its strongest channel decides: the matte light has no opposite colour.
+// The strongest channel of a coloured reflection decides what it takes: the matte light has no opposite
+// colour.
 TEST_F(MaterialsGL, ColouredReflectionsLeaveTheMatteLightWithoutColour) {
     const Lit lit(uniformFrame(128, 128, 128));
     for (const render::Detail detail : kDetails) {
         scene::Model model = sphere(0, 0.2f);
         model.materials[0].dielectricF0 = {1, 0, 0}; // of a white base, whose channels would fill up
-        const ImageRgba8 picture =
-            drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
+        const ImageRgba8 picture = drawn(model, lit, detail);
         EXPECT_NEAR(picture.at(32, 32)[0], 128, 1);
         EXPECT_LT(picture.at(32, 32)[1], 40);
         EXPECT_LT(picture.at(32, 32)[2], 40);
@@ -228,18 +197,14 @@ TEST_F(MaterialsGL, ClearcoatsReflectTheirShareHeadOn) {
     for (const float coat : {1.0f, 0.5f})
         for (const float coatRoughness : {0.0f, 0.5f})
             for (const render::Detail detail : kDetails) {
-                scene::Model model = sphere(0, 1);
-                model.materials[0].baseColourLin = {0, 0, 0, 1};
-                model.materials[0].dielectricF0 = glm::vec3(0);
-                model.materials[0].dielectricF90 = 0;
+                scene::Model model = dielectric(1, glm::vec3(0), glm::vec3(0), 0);
                 model.materials[0].clearcoat = coat;
                 model.materials[0].clearcoatRoughness = coatRoughness;
                 const math::Dfg dfg =
                     math::dfg(127.0 / 128, std::max(static_cast<double>(coatRoughness), 1.0 / 128));
                 const auto share = coat * static_cast<float>(0.04 * dfg.scale + dfg.bias);
                 const glm::vec3 shown = light::displayFromRadiance(share * arrives) * 255.0f;
-                const ImageRgba8 picture =
-                    drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
+                const ImageRgba8 picture = drawn(model, lit, detail);
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(picture.at(32, 32)[c], shown[c], 1.5f)
                         << "channel " << c << " coat " << coat << " roughness " << coatRoughness;
@@ -277,9 +242,7 @@ TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
             material.dielectricF0 = glm::vec3(0.3f);
             material.clearcoat = 0.8f;
             material.clearcoatRoughness = 0.7f;
-            const auto draw = [&] {
-                return drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
-            };
+            const auto draw = [&] { return drawn(model, lit, detail); };
             const auto drawWith = [&](const Texel& texel) {
                 model.images = {ImageRgba8(1, 1)};
                 std::ranges::copy(texel, model.images[0].pixels.begin());
@@ -297,8 +260,8 @@ TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
         }
 }
 
-// What it reflects does not reach what lies below: white in even light stays white, and what glows is dimmed
-// by as much.
+// Light that a coat reflects does not reach what lies below: white in even light stays white, and what glows
+// is dimmed by as much.
 TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
     const glm::vec4 video(200, 180, 160, 255);
     const Lit lit(uniformFrame(200, 180, 160));
@@ -308,16 +271,12 @@ TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
             model.materials[0].clearcoat = 1;
             model.materials[0].clearcoatRoughness = coatRoughness;
             // A step of the display; half floats hold radiance to 1 in 2048.
-            expectColour(drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}), video,
-                         1);
+            expectColour(drawn(model, lit, detail), video, 1);
         }
-    scene::Model glowing = sphere(0, 1);
-    glowing.materials[0].baseColourLin = {0, 0, 0, 1};
-    glowing.materials[0].dielectricF0 = glm::vec3(0);
-    glowing.materials[0].dielectricF90 = 0;
+    scene::Model glowing = dielectric(1, glm::vec3(0), glm::vec3(0), 0);
     glowing.materials[0].emissiveLin = light::radianceFromDisplay(glm::vec3(video) / 255.0f);
     glowing.materials[0].clearcoat = 1;
-    expectColour(drawSphere(glowing, lit.environment, kSphereView, kAcross), video, 1);
+    expectColour(drawn(glowing, lit, render::Detail::Full), video, 1);
 }
 
 } // namespace

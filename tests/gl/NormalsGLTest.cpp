@@ -31,7 +31,7 @@ TEST_P(NormalsGL, StandOnTheEllipsoid) {
             const glm::vec2 ndc((static_cast<float>(x) + 0.5f) / kPixels * 2 - 1,
                                 1 - (static_cast<float>(y) + 0.5f) / kPixels * 2);
             const glm::vec3 ray(ndc * view.halfExtent(), -1);
-            // Where the ray meets the ellipsoid is where it meets the sphere that this was.
+            // The ray meets the ellipsoid at the point where it meets the sphere that this was.
             const glm::vec3 from = sphereFromModel * view.eyeWorld, along = sphereFromModel * ray;
             const float a = glm::dot(along, along), half = glm::dot(from, along);
             const float root = half * half - a * (glm::dot(from, from) - 1);

@@ -126,7 +126,7 @@ occlusion::SmoothLight unevenLight() {
     return light;
 }
 
-// What Object.frag makes of it on the CPU: NearBodies' choice, occlude() and lobeVisibility().
+// Object.frag on the CPU: NearBodies' choice, occlude() and lobeVisibility().
 glm::vec3 expected(const glm::vec3& p, const std::vector<Other>& others, const occlusion::SmoothLight& smooth,
                    float roughness) {
     const render::BodyOccluders self = itself();

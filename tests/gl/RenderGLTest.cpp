@@ -1,4 +1,4 @@
-// What is drawn belongs to the picture: background where the map says, matte and mirror spheres in the
+// Objects belong to the picture: background where the map says, matte and mirror spheres in the
 // video's own colours.
 #include "Spheres.h"
 #include "engine/light/InverseToneMap.h"
@@ -6,7 +6,6 @@
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
-#include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/BackgroundPass.h"
 
@@ -37,14 +36,6 @@ ImageRgb8 smoothSurround(int width) {
     return frame;
 }
 
-// Returns what it shows, to be kept for as long.
-[[nodiscard]] ImageRgba8 upload(render::EnvironmentGpu& environment, const ImageRgb8& frame) {
-    ImageRgba8 bgra;
-    media::toBgra(frame, false, bgra);
-    environment.setFrame({bgra.pixels.data(), bgra.width, bgra.height, bgra.width});
-    return bgra;
-}
-
 glm::quat looking(const glm::vec3& dir) {
     const glm::vec3 back = -glm::normalize(dir);
     const glm::vec3 side = std::abs(back.y) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
@@ -63,8 +54,7 @@ INSTANTIATE_TEST_SUITE_P(From, RenderGLBackground,
 TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
     auto pass = render::BackgroundPass::make(GetParam(), false);
     ASSERT_TRUE(pass) << pass.error().message();
-    render::EnvironmentGpu environment;
-    const ImageRgba8 frame = upload(environment, smoothSurround(512));
+    const Lit lit(smoothSurround(512));
     const gl::Target target(96, 64, 1);
     // Ahead, behind (the seam), both poles, and askew.
     for (const glm::vec3 ahead : {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0),
@@ -75,7 +65,7 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
         view.aspect = 1.5f;
         target.bind();
         glClear(GL_DEPTH_BUFFER_BIT);
-        ASSERT_TRUE((*pass)->draw({.environment = environment, .view = view, .canvas = target}, nullptr));
+        ASSERT_TRUE((*pass)->draw({.environment = lit.environment, .view = view, .canvas = target}, nullptr));
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
@@ -96,15 +86,14 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
 TEST_F(RenderGL, YawOfTheEnvironmentTurnsItToTheRight) {
     auto pass = render::BackgroundPass::make(render::Backend::OpenGL, false);
     ASSERT_TRUE(pass);
-    render::EnvironmentGpu environment;
-    const ImageRgba8 shown = upload(environment, smoothSurround(256));
+    const Lit lit(smoothSurround(256));
     const gl::Target target(9, 9, 1);
     target.bind();
     glClear(GL_DEPTH_BUFFER_BIT);
     // The column that looks along -Z appears 90 degrees to the right of -Z, so ahead lies what looks along
     // -X.
     const glm::mat3 envFromWorld(glm::mat3_cast(glm::angleAxis(kPi / 2, glm::vec3(0, 1, 0))));
-    ASSERT_TRUE((*pass)->draw({.environment = environment,
+    ASSERT_TRUE((*pass)->draw({.environment = lit.environment,
                                .envFromWorld = envFromWorld,
                                .view = {.verticalFov = 0.2f, .aspect = 1},
                                .canvas = target},
@@ -121,14 +110,11 @@ TEST_F(RenderGL, HighlightLightensMostAtTheRim) {
     for (const uint8_t grey : {uint8_t(8), uint8_t(128), uint8_t(230)})
         for (const render::Detail detail : {render::Detail::Full, render::Detail::Lean}) {
             const bool lean = detail == render::Detail::Lean;
-            const ImageRgb8 frame = uniformFrame(grey, grey, grey);
-            render::EnvironmentGpu environment;
-            const ImageRgba8 shown = upload(environment, frame);
-            environment.uploadLight(lightOf(frame));
+            const Lit lit(uniformFrame(grey, grey, grey));
             const render::View view{
                 .eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = lean ? kPixels : 0};
-            const ImageRgba8 picture =
-                drawSphere(sphere(0, 0.5f), environment, view, kPixels, {.detail = detail, .highlight = 1});
+            const ImageRgba8 picture = drawSphere(sphere(0, 0.5f), lit.environment, view, kPixels,
+                                                  {.detail = detail, .highlight = 1});
             for (int x = kPixels / 2; x < kPixels; ++x) {
                 // The ray meets the unit sphere at t: its normal there is the place itself.
                 const float across = (2 * (static_cast<float>(x) + 0.5f) / kPixels - 1) * view.halfExtent().x;
@@ -152,37 +138,22 @@ TEST_F(RenderGL, WhiteMatteSphereInAUniformVideoHasTheVideosValue) {
     for (const auto& [r, g, b] :
          {std::array<uint8_t, 3>{20, 20, 20}, {128, 128, 128}, {200, 180, 40}, {255, 255, 255}})
         for (const float roughness : {0.0f, 0.5f, 1.0f}) {
-            const ImageRgb8 frame = uniformFrame(r, g, b);
-            render::EnvironmentGpu environment;
-            const ImageRgba8 shown = upload(environment, frame);
-            environment.uploadLight(lightOf(frame));
+            const Lit lit(uniformFrame(r, g, b));
             const ImageRgba8 picture =
-                drawSphere(sphere(0, roughness), environment,
+                drawSphere(sphere(0, roughness), lit.environment,
                            {.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1}, 64);
-            int covered = 0;
-            for (int y = 0; y < 64; ++y)
-                for (int x = 0; x < 64; ++x) {
-                    const uint8_t* pixel = picture.at(x, y);
-                    if (!pixel[3]) continue;
-                    ++covered;
-                    // One step of the display; half floats hold radiance to 1 in 2048.
-                    ASSERT_NEAR(pixel[0], r, 1) << x << "," << y << " roughness " << roughness;
-                    ASSERT_NEAR(pixel[1], g, 1);
-                    ASSERT_NEAR(pixel[2], b, 1);
-                }
-            EXPECT_GT(covered, 1000);
+            SCOPED_TRACE(roughness);
+            // One step of the display; half floats hold radiance to 1 in 2048.
+            expectColour(picture, {r, g, b, 255}, 1);
         }
 }
 
-// As much light again from all sides, and then as much again from the right as well: seen from ahead, the
+// Light is doubled from all sides, and then as much is added from the right as well: seen from ahead, the
 // matte light of a normal n is 1, 2, and 2 + cos(n, right) times the camera's. A white dielectric sends back
 // at least nine tenths of it in this way, the rest is the camera's in its gloss.
 TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
-    const ImageRgb8 frame = uniformFrame(100, 100, 100);
     const float camera = math::linearOfByte()[100];
-    render::EnvironmentGpu environment;
-    const ImageRgba8 shown = upload(environment, frame);
-    environment.uploadLight(lightOf(frame, light::FrameRadiance::Linear));
+    const Lit lit(uniformFrame(100, 100, 100), light::FrameRadiance::Linear);
     depth::LightHarmonics beside{};
     beside[0] = glm::vec3(camera / 0.282095f);
     const float toTheRight = camera / (0.488603f * 2 / 3);
@@ -190,8 +161,8 @@ TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
         for (const render::Detail detail : {render::Detail::Full, render::Detail::Lean}) {
             beside[3] = glm::vec3(uneven ? toTheRight : 0);
             const ImageRgba8 picture = drawSphere(
-                sphere(0, 1), environment, {.eyeWorld = {0, 0, 40}, .verticalFov = 0.055f, .aspect = 1}, 64,
-                {.detail = detail, .frames = render::FrameCoding::Srgb, .beside = &beside});
+                sphere(0, 1), lit.environment, {.eyeWorld = {0, 0, 40}, .verticalFov = 0.055f, .aspect = 1},
+                64, {.detail = detail, .frames = render::FrameCoding::Srgb, .beside = &beside});
             for (int x = 8; x < 56; x += 4) {
                 const float right = (static_cast<float>(x) + 0.5f - 32) / 32 * 40 * std::tan(0.0275f);
                 const float more = (1 + (uneven ? right : 0)) * camera;
@@ -204,29 +175,18 @@ TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
 
 // A sphere whose node is mirrored shows its outside, lit as any other. Its triangles face one way alone.
 TEST_F(RenderGL, MirroredNodesShowTheirFronts) {
-    const ImageRgb8 frame = smoothSurround(128);
-    render::EnvironmentGpu environment;
-    const ImageRgba8 shown = upload(environment, frame);
-    environment.uploadLight(lightOf(frame));
+    const Lit lit(smoothSurround(128));
     scene::Model model = sphere(0, 0.5f);
     model.materials[0].doubleSided = false;
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1};
-    const ImageRgba8 plain = drawSphere(model, environment, view, 64);
+    const ImageRgba8 plain = drawSphere(model, lit.environment, view, 64);
     for (const glm::vec3 scale : {glm::vec3(-1, 1, 1), glm::vec3(1, -1, 1), glm::vec3(-1, -1, -1)}) {
         model.nodes[0].parentFromNode.scale = scale;
-        const ImageRgba8 mirrored = drawSphere(model, environment, view, 64);
-        int covered = 0;
-        for (size_t i = 0; i < plain.pixels.size(); i += 4) {
-            if (plain.pixels[i + 3] != 255 || mirrored.pixels[i + 3] != 255) continue;
-            ++covered;
-            for (size_t c = 0; c < 3; ++c)
-                ASSERT_NEAR(mirrored.pixels[i + c], plain.pixels[i + c], 2) << "texel " << i / 4;
-        }
-        EXPECT_GT(covered, 1000);
+        expectAlike(drawSphere(model, lit.environment, view, 64), plain, 2);
     }
 }
 
-// Where detail is lean and the sphere is small, all light comes by the vertex: a uniform video stays uniform,
+// With lean detail a small sphere is lit by the vertex: a uniform video stays uniform,
 // and in a smooth one nobody can tell.
 TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
     constexpr int kSize = 64; // the sphere's radius is 24 pixels
@@ -235,13 +195,11 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
         for (const float metallic : {0.0f, 1.0f})
             for (const float roughness : {0.2f, 0.5f, 1.0f}) {
                 const ImageRgb8 video = smooth ? smoothSurround(512) : uniformFrame(200, 180, 40);
-                render::EnvironmentGpu environment;
-                const ImageRgba8 shown = upload(environment, video);
-                environment.uploadLight(lightOf(video));
+                const Lit lit(video);
                 const scene::Model model = sphere(metallic, roughness);
-                const ImageRgba8 pixel = drawSphere(model, environment, view, kSize);
+                const ImageRgba8 pixel = drawSphere(model, lit.environment, view, kSize);
                 const ImageRgba8 vertex =
-                    drawSphere(model, environment, view, kSize, {.detail = render::Detail::Lean});
+                    drawSphere(model, lit.environment, view, kSize, {.detail = render::Detail::Lean});
                 int covered = 0;
                 double sum = 0;
                 for (int y = 0; y < kSize; ++y)
@@ -273,9 +231,7 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
 TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
     constexpr int kSize = 64;
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kSize};
-    render::EnvironmentGpu environment;
-    const ImageRgba8 shown = upload(environment, uniformFrame(120, 100, 90));
-    environment.uploadLight(lightOf(uniformFrame(120, 100, 90)));
+    const Lit lit(uniformFrame(120, 100, 90));
     const glm::vec4 colour(0.9f, 0.5f, 0.7f, 1);
     const glm::vec3 glow(0.3f, 0.1f, 0.2f);
     constexpr uint8_t kLeft = 200, kRight = 120;
@@ -304,9 +260,9 @@ TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
         plain.materials[0].emissiveLin = glow * (map ? math::linearFromSrgb(kRight / 255.0f) : 1.0f);
         for (const auto detail : {render::Detail::Full, render::Detail::Lean}) {
             const ImageRgba8 a =
-                drawSphere(plain, environment, view, kSize, {.exposure_ev = 0.5f, .detail = detail});
+                drawSphere(plain, lit.environment, view, kSize, {.exposure_ev = 0.5f, .detail = detail});
             const ImageRgba8 b =
-                drawSphere(coloured, environment, view, kSize, {.exposure_ev = 0.5f, .detail = detail});
+                drawSphere(coloured, lit.environment, view, kSize, {.exposure_ev = 0.5f, .detail = detail});
             for (int y = 24; y < 40; ++y)
                 for (int x = 24; x < 40; ++x)
                     for (int c = 0; c < 3; ++c)
@@ -326,15 +282,13 @@ constexpr std::array kCodings = {
 
 TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
     const ImageRgb8 frame = smoothSurround(512);
-    render::EnvironmentGpu environment;
-    const ImageRgba8 shown = upload(environment, frame);
     for (const auto& [radiance, coding] : kCodings) {
-        environment.uploadLight(lightOf(frame, radiance));
+        const Lit lit(frame, radiance);
         for (const glm::vec3 eye :
              {glm::vec3(0, 0, 3), glm::vec3(0, 0, -3), glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
             const render::View view{
                 .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
-            const ImageRgba8 picture = drawSphere(sphere(1, 0), environment, view, 9, {.frames = coding});
+            const ImageRgba8 picture = drawSphere(sphere(1, 0), lit.environment, view, 9, {.frames = coding});
             // The middle of the sphere throws the look back whence it came.
             const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
             // 1/255 asked for, and half a step of rounding in the frame.
@@ -353,11 +307,9 @@ TEST_F(RenderGL, ClippedLightIsWhiteInAMirrorAndMoreThanThatOnTheGround) {
     const render::View view{.eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
     std::array<int, 2> matte{};
     for (const auto radiance : {light::FrameRadiance::Linear, light::FrameRadiance::Auto}) {
-        render::EnvironmentGpu environment;
-        const ImageRgba8 shown = upload(environment, frame);
-        environment.uploadLight(lightOf(frame, radiance));
+        const Lit lit(frame, radiance);
         const auto drawn = [&](float metallic, float roughness, float ev) {
-            return drawSphere(sphere(metallic, roughness), environment, view, 9,
+            return drawSphere(sphere(metallic, roughness), lit.environment, view, 9,
                               {.exposure_ev = ev, .frames = render::FrameCoding::Srgb})
                 .at(4, 4)[1];
         };
@@ -409,14 +361,13 @@ TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
     maker.make(
         {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
         made);
-    render::EnvironmentGpu environment;
-    environment.uploadLight(lightOf(frame));
+    const Lit lit(frame);
     for (const float roughness : {0.08f, 0.1f, 0.13f, 0.31f, 0.55f, 0.65f, 0.95f, 1.0f})
         for (const glm::vec3 eye : {glm::vec3(0, 3, 0.01f), glm::vec3(0.02f, 0.5f, 3), glm::vec3(3, 0, 0),
                                     glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
             const render::View view{
                 .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
-            const ImageRgba8 picture = drawSphere(sphere(1, roughness), environment, view, 9);
+            const ImageRgba8 picture = drawSphere(sphere(1, roughness), lit.environment, view, 9);
             const glm::vec3 dir = glm::normalize(eye);
             const math::Dfg dfg = math::dfg(1, static_cast<double>(roughness));
             const auto kept = static_cast<float>(dfg.scale + dfg.bias);
@@ -433,21 +384,19 @@ TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
 // A white matte ball in an even video, at exposure 0 its own value.
 TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
     const ImageRgb8 frame = uniformFrame(90, 120, 60);
-    render::EnvironmentGpu environment;
-    const ImageRgba8 shown = upload(environment, frame);
     auto background = render::BackgroundPass::make(render::Backend::OpenGL, false);
     ASSERT_TRUE(background);
     for (const auto& [radiance, coding] : kCodings) {
-        environment.uploadLight(lightOf(frame, radiance));
+        const Lit lit(frame, radiance);
         for (const float ev : {-1.5f, 0.0f, 0.7f, 3.0f}) {
             const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
             const ImageRgba8 object =
-                drawSphere(sphere(0, 1), environment, view, 9, {.exposure_ev = ev, .frames = coding});
+                drawSphere(sphere(0, 1), lit.environment, view, 9, {.exposure_ev = ev, .frames = coding});
             const gl::Target target(9, 9, 1);
             target.bind();
             glClear(GL_DEPTH_BUFFER_BIT);
             ASSERT_TRUE((*background)
-                            ->draw({.environment = environment,
+                            ->draw({.environment = lit.environment,
                                     .view = view,
                                     .exposure = {.exposure_ev = ev, .frames = coding},
                                     .canvas = target},

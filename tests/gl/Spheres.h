@@ -5,6 +5,7 @@
 #include "engine/light/MakeLight.h"
 #include "engine/light/PackedLight.h"
 #include "engine/math/LatLong.h"
+#include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/ObjectPass.h"
 
@@ -63,6 +64,17 @@ inline light::PackedLight lightOf(const ImageRgb8& frame,
     return packed;
 }
 
+// An environment that shows a frame and is lit by it.
+struct Lit {
+    explicit Lit(const ImageRgb8& frame, light::FrameRadiance frames = light::FrameRadiance::Thesis) {
+        media::toBgra(frame, false, shown);
+        environment.setFrame({shown.pixels.data(), shown.width, shown.height, shown.width});
+        environment.uploadLight(lightOf(frame, frames));
+    }
+    ImageRgba8 shown;
+    render::EnvironmentGpu environment;
+};
+
 struct SphereLook {
     float exposure_ev = 0;
     water::Water water = {};
@@ -103,6 +115,31 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
                                     look.water, render::Glossy::Prefiltered);
     EXPECT_TRUE(drawn);
     return target.read();
+}
+
+// Every pixel that both pictures cover wholly is as far from the other as this at most.
+inline void expectAlike(const ImageRgba8& a, const ImageRgba8& b, int within) {
+    int covered = 0;
+    for (size_t i = 0; i < a.pixels.size(); i += 4) {
+        if (a.pixels[i + 3] != 255 || b.pixels[i + 3] != 255) continue;
+        ++covered;
+        for (size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(a.pixels[i + c], b.pixels[i + c], within) << "channel " << c << " of pixel " << i / 4;
+    }
+    EXPECT_GT(covered, 1000);
+}
+
+// All that the picture covers has this colour.
+inline void expectColour(const ImageRgba8& picture, const glm::vec4& colour, float within) {
+    int covered = 0;
+    for (size_t i = 0; i < picture.pixels.size(); i += 4) {
+        if (picture.pixels[i + 3] == 0) continue;
+        ++covered;
+        for (size_t c = 0; c < 4; ++c)
+            ASSERT_NEAR(picture.pixels[i + c], colour[static_cast<int>(c)], within)
+                << "channel " << c << " of pixel " << i / 4;
+    }
+    EXPECT_GT(covered, 1000);
 }
 
 inline ImageRgb8 uniformFrame(uint8_t r, uint8_t g, uint8_t b) {

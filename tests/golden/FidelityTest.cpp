@@ -165,7 +165,7 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
     for (const char* renderer : {"model-viewer", "filament", "babylon", "gltf-sample-viewer", "rhodonite"}) {
         const auto other = golden(renderer);
         if (!other || other->width != truth->width || other->height != truth->height) continue;
-        // In another pose: no measure of lighting.
+        // Its pose differs, so it is no measure of lighting.
         if (std::string(renderer) == "babylon" && name == "khronos-Fox") continue;
         distances.others[renderer] = rmse(*other, *truth);
     }

@@ -29,12 +29,4 @@ inline float toTunnel_m(glm::vec3 dir, float radius_m) {
     return radius_m / std::max(glm::length(glm::vec2(dir)), 1e-3f);
 }
 
-// Its radius falls from 2.6 m to 1.4 m and grows again within 20 s.
-inline std::shared_ptr<const FilmSpace> breathingTunnel() {
-    return madeSpace(20, 80, [](glm::vec3 dir, double time_s) {
-        const double share = time_s < 10 ? time_s / 10 : 2 - time_s / 10;
-        return toTunnel_m(dir, 2.6f - 1.2f * static_cast<float>(share));
-    });
-}
-
 } // namespace shoal::game

@@ -80,7 +80,7 @@ void countErrors(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* mes
     std::fprintf(stderr, "OpenGL: %s\n", message);
 }
 
-// By the program's own loop; the state that it ends in.
+// Plays by the program's own loop; returns the state that it ends in.
 Result<uint64_t> drawn(const Path& script) {
     app::PlayOptions options;
     options.headless = true;
@@ -98,7 +98,7 @@ Result<uint64_t> drawn(const Path& script) {
     return application.statistics().stateHash;
 }
 
-// By the program in a process of its own.
+// Plays by the program in a process of its own.
 Result<uint64_t> alone(const Path& script, const Path& folder) {
     const Path statistics = folder / "stats.json";
     const std::string command = "'" + tests::program() +

@@ -48,9 +48,9 @@ std::vector<Sample> samplesFor(const ImageRgbF& environment) {
                 axis = texelDirection<double>(x, y, environment.width, environment.height);
             }
     std::vector<Sample> samples;
-    spread(axis, 0, 0.05, 24, samples);
-    spread(axis, 0.05, 0.3, 24, samples);
-    spread(axis, 0.3, std::numbers::pi, 60, samples);
+    spread(axis, 0, 0.05, 12, samples);
+    spread(axis, 0.05, 0.3, 12, samples);
+    spread(axis, 0.3, std::numbers::pi, 30, samples);
     return samples;
 }
 

@@ -21,7 +21,7 @@ bool within(const occlusion::Ellipsoid& shape, const glm::vec3& p) {
     return glm::dot(m, m) < 1;
 }
 
-// As the picture has it: what NearBodies finds near the first body.
+// The bodies that NearBodies finds near the first one, as for a picture.
 std::vector<occlusion::Occluder> nearFirst(const OcclusionScene& scene) {
     render::NearBodies near;
     scene::Pose pose;
@@ -66,7 +66,7 @@ TEST(ClosingHand, DarkensAFishWithoutAPop) {
     const occlusion::SmoothLight smooth = occlusion::smoothLight(light);
     std::vector<SurfacePoint> points;
     std::vector<glm::vec3> open;
-    // By tick and point: light left, of what is there unoccluded.
+    // Share of the unoccluded light that is left, by tick and point.
     std::vector<std::vector<float>> shades(kTicks + 1);
     std::vector<float> means;
     std::vector<bool> swallowed; // by the hand, where nobody sees it

@@ -28,7 +28,7 @@ struct ModelInstance {
     std::vector<glm::vec4> selfOcclusion; // at rest; of a hand what its own parts leave
 };
 
-// From rest, as its joint has turned this vertex.
+// The rotation from rest that this vertex has by its joint.
 glm::mat3 turned(const ModelInstance& instance, const scene::Pose& pose, size_t node) {
     return glm::mat3(pose.modelFromNode[node] * glm::inverse(instance.rest.modelFromNode[node]));
 }

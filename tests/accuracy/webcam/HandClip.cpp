@@ -1,5 +1,6 @@
 #include "HandClip.h"
 
+#include "engine/core/Hash.h"
 #include "engine/light/MakeLight.h"
 #include "engine/light/PackedLight.h"
 #include "engine/media/Pictures.h"
@@ -128,6 +129,15 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
 }
 
 ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) {
+    Hash key;
+    for (size_t side = 0; side < 2; ++side)
+        if (poses[side])
+            for (const Joint& joint : poses[side]->joints)
+                for (const float value : {static_cast<float>(side), joint.position.x, joint.position.y,
+                                          joint.position.z, joint.orientation.w, joint.orientation.x,
+                                          joint.orientation.y, joint.orientation.z, joint.radius})
+                    key.bytes(&value, sizeof value);
+    if (const auto known = drawn_.find(key.value()); known != drawn_.end()) return known->second;
     game::Snapshot snapshot;
     for (size_t side = 0; side < 2; ++side) {
         snapshot.hands[side].visible = poses[side].has_value();
@@ -149,7 +159,10 @@ ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) 
                                    {}, render::Glossy::Prefiltered);
         !drawn)
         return {};
-    return target_->read();
+    ImageRgba8 picture = target_->read();
+    constexpr size_t kKept = 100; // 1.2 MB each
+    if (drawn_.size() < kKept) drawn_.emplace(key.value(), picture);
+    return picture;
 }
 
 cv::Mat HandClip::picture(const ImageRgba8& hands, Behind behind,

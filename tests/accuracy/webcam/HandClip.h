@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -32,7 +33,8 @@ class HandClip {
     // Fails where there is no GL.
     static Result<HandClip> make(cv::Size size, float horizontalFov);
 
-    // The hands alone, with their cover in alpha.
+    // The hands alone, with their cover in alpha. Keeps the first hundred pictures: most rows show the same
+    // hands.
     ImageRgba8 hands(const std::array<std::optional<HandPose>, 2>& poses);
     // Before a background, blue first, with a little sensor noise. paint: adds to the background.
     cv::Mat picture(const ImageRgba8& hands, Behind behind, const std::function<void(cv::Mat&)>& paint = {});
@@ -44,7 +46,8 @@ class HandClip {
     std::optional<render::ObjectPass> pass_;
     std::optional<render::EnvironmentGpu> environment_;
     std::optional<gl::Target> target_;
-    std::array<cv::Mat, 4> behind_; // by Behind
+    std::array<cv::Mat, 4> behind_;        // by Behind
+    std::map<uint64_t, ImageRgba8> drawn_; // by a hash of the poses
     cv::Size size_;
     float verticalFov_ = 0.8f;
     cv::RNG random_{1};

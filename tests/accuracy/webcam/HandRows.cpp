@@ -232,8 +232,7 @@ float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinde
     return sizing.size().value_or(0);
 }
 
-RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder,
-                  const Look& look) {
+RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder) {
     RowResult result;
     cv::RNG random(3);
     for (int number = 0; number < pictures; ++number) {
@@ -252,28 +251,8 @@ RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictur
             judge(shown, frame, result);
             result.ms.push_back(took.count());
         }
-        if (look) look(number, picture, frame);
     }
     return result;
-}
-
-void drawHands(cv::Mat& picture, const HandFrame& frame) {
-    for (size_t side = 0; side < 2; ++side) {
-        if (!frame.hands[side].tracked) continue;
-        const HandPose& hand = frame.hands[side];
-        const auto at = [&](int joint) {
-            const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
-            return cv::Point(cvRound(kRowWidth / 2.0f - p.x / p.z * kFocal_px),
-                             cvRound(kRowHeight / 2.0f + p.y / p.z * kFocal_px));
-        };
-        const cv::Scalar colour = side == 0 ? cv::Scalar(255, 80, 0) : cv::Scalar(0, 60, 255); // left: blue
-        for (int joint = 0; joint < kJointCount; ++joint) {
-            if (kJointParent[static_cast<size_t>(joint)] >= 0)
-                cv::line(picture, at(joint), at(kJointParent[static_cast<size_t>(joint)]), colour, 1,
-                         cv::LINE_AA);
-            cv::circle(picture, at(joint), 2, colour, cv::FILLED, cv::LINE_AA);
-        }
-    }
 }
 
 } // namespace shoal::hands::test

@@ -5,8 +5,6 @@
 #include "HandClip.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 
-#include <functional>
-
 namespace shoal::hands::test {
 
 enum class Trouble {
@@ -50,16 +48,11 @@ struct RowResult {
     double wristOff_percent(double knownSize) const;
 };
 
-// pictures: at 30 a second. look: is shown every picture, and the hands found in it.
-using Look = std::function<void(int number, const cv::Mat& picture, const HandFrame& found)>;
-RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder,
-                  const Look& look = {});
+// pictures: at 30 a second.
+RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder);
 
 // Returns the size that HandSizing measures of a hand of that size, held open where it asks for it; 0: none.
 float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinder& finder);
-
-// Draws found hands into a picture.
-void drawHands(cv::Mat& picture, const HandFrame& frame);
 
 constexpr int kRowWidth = 640, kRowHeight = 480; // of pictures
 

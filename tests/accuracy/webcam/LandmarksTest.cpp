@@ -29,15 +29,27 @@ TEST(Landmarks, ModelsThatAreMissingOrDamagedAreSaidWithWhatToDo) {
     EXPECT_NE(damaged.error().message().find("damaged"), std::string::npos) << damaged.error().message();
 }
 
-class LandmarkRows : public testing::TestWithParam<size_t> {};
+// One clip for all cases of a suite: to start drawing takes seconds.
+template <class Parameter> class WithClip : public testing::TestWithParam<Parameter> {
+  protected:
+    static void SetUpTestSuite() {
+        if (auto made = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov))
+            clip_ = std::move(*made);
+    }
+    static void TearDownTestSuite() { clip_.reset(); }
+    void SetUp() override {
+        if (!clip_) GTEST_SKIP() << "nothing can draw here";
+    }
+    static inline std::optional<test::HandClip> clip_;
+};
+
+class LandmarkRows : public WithClip<size_t> {};
 
 TEST_P(LandmarkRows, AreFoundWithoutPhantomsAndTheirFingertipsAreWhereTheyAre) {
     auto finder = LandmarkFinder::load(handModelFolder(), rig());
     if (!finder) GTEST_SKIP() << finder.error().message();
-    auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
-    if (!clip) GTEST_SKIP() << clip.error().message();
     const test::Row& row = test::rows()[GetParam()];
-    const test::RowResult result = test::measure(*clip, rig(), row, 50, *finder);
+    const test::RowResult result = test::measure(*clip_, rig(), row, 50, *finder);
     EXPECT_EQ(result.phantoms, 0);
     if (result.shown == 0) return;
     // Crossing hands hide each other for a while. Tips: measured were 18 mm in sleeves, which hide the
@@ -59,20 +71,18 @@ INSTANTIATE_TEST_SUITE_P(All, LandmarkRows, testing::Range(size_t{0}, test::rows
 // A hand of unknown size seems farther away by as much as it is smaller. Once it is measured, the error of
 // landmarks is left: in the median 1.9 to 4.3 % in the bench and up to 5.0 in these pictures, where fists
 // seem 4 to 8 % too far away.
-class LandmarkSizes : public testing::TestWithParam<float> {};
+class LandmarkSizes : public WithClip<float> {};
 
 TEST_P(LandmarkSizes, OnceMeasuredTheWristIsAsFarAsItIs) {
-    auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
-    if (!clip) GTEST_SKIP() << clip.error().message();
     auto measuring = LandmarkFinder::load(handModelFolder(), rig());
     if (!measuring) GTEST_SKIP() << measuring.error().message();
-    const auto measured = static_cast<double>(test::measuredSize(*clip, rig(), GetParam(), *measuring));
+    const auto measured = static_cast<double>(test::measuredSize(*clip_, rig(), GetParam(), *measuring));
     EXPECT_NEAR(measured / static_cast<double>(GetParam()), 1, 0.04);
     for (const float distance_m : {0.3f, 0.9f}) {
         auto finder = LandmarkFinder::load(handModelFolder(), rig());
         ASSERT_TRUE(finder);
         const test::Row row{.name = "of another size", .distance_m = distance_m, .size = GetParam()};
-        const test::RowResult result = test::measure(*clip, rig(), row, 40, *finder);
+        const test::RowResult result = test::measure(*clip_, rig(), row, 40, *finder);
         EXPECT_GE(result.found, 0.97 * result.shown);
         const auto size = static_cast<double>(GetParam());
         EXPECT_NEAR(result.wristOff_percent(1), 100 * std::abs(1 / size - 1), 5) << distance_m;

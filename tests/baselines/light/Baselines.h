@@ -9,7 +9,7 @@ namespace shoal::light::baselines {
 
 // --- Diffuse ---------------------------------------------------------------------------------------------
 
-// What the game uses: LightMaker and lookUp().
+// The game's method: LightMaker and lookUp().
 DiffuseMethod shoalDiffuse(bool videoOnly);
 
 // Thesis eq. 2.2: every texel of a width x width / 2 map gathers every texel of the pyramid's level of that
@@ -32,7 +32,7 @@ DiffuseMethod sphericalGaussians(int lobes);
 
 // --- Glossy ----------------------------------------------------------------------------------------------
 
-// What the game uses: LightMaker and lookUpGlossy().
+// The game's method: LightMaker and lookUpGlossy().
 GlossyMethod shoalGlossy(bool videoOnly);
 
 // The thesis' 36 samples for each pixel: engine/light/PhongRings.h.
@@ -53,17 +53,6 @@ GlossyMethod fittedPrefilter(int narrowest);
 
 // Harmonics of the radiance times those of the lobe. Fit for wide lobes only.
 GlossyMethod harmonicGlossy(int bands);
-
-// --- From frame to pyramid -------------------------------------------------------------------------------
-
-enum class PyramidSource {
-    Whole,
-    HalfDropped, // every second texel of every second row
-    HalfMean,    // means of 2 x 2 coded bytes, as a decoder that scales would give
-};
-
-// weighted: levels are means weighed by solid angle (PyramidMaker); else plain means, as the thesis has them.
-PyramidMethod pyramidFrom(PyramidSource source, bool weighted);
 
 // --- From display to light -------------------------------------------------------------------------------
 
@@ -88,8 +77,8 @@ InverseToneMapMethod landis();
 // Masia, Agustin, Fleming, Sorkine and Gutierrez 2009, "Evaluation of Reverse Tone Mapping Through Varying
 // Exposure Conditions".
 InverseToneMapMethod masia2009();
-// By key, logarithmic mean and share of clipped pixels. Masia, Serrano and Gutierrez 2017, "Dynamic Range
-// Expansion Based on Image Statistics".
+// Exponent by key, logarithmic mean and share of clipped pixels. Masia, Serrano and Gutierrez 2017, "Dynamic
+// Range Expansion Based on Image Statistics".
 InverseToneMapMethod masia2017();
 
 // Decoded values times 1 to 4 by how near clipped pixels are. Their blur is made on 128 x 64 texels; the
@@ -106,7 +95,6 @@ InverseToneMapMethod banterle();
 
 std::vector<DiffuseMethod> diffuseMethods();
 std::vector<GlossyMethod> glossyMethods();
-std::vector<PyramidMethod> pyramidMethods();
 std::vector<InverseToneMapMethod> inverseToneMapMethods();
 
 } // namespace shoal::light::baselines

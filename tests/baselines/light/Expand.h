@@ -1,4 +1,4 @@
-// What operators of inverse tone mapping have in common.
+// Functions that operators of inverse tone mapping share.
 #pragma once
 
 #include "engine/core/Image.h"

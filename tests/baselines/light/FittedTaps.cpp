@@ -58,7 +58,7 @@ class Fit {
     }
 
   private:
-    // From rings where 80, 50, 25 and 8 % of a GGX distribution's energy are left outside, times scale.
+    // Taps on rings where 80, 50, 25 and 8 % of a GGX distribution's energy are left outside, times scale.
     Rings descend(double scale) const {
         Rings rings;
         const double outside[] = {1, 0.8, 0.5, 0.25, 0.08};

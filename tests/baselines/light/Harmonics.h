@@ -29,8 +29,8 @@ class Harmonics {
     void evaluate(const glm::vec3& dir, std::array<float, kMaxHarmonics>& out) const;
 
   private:
-    // Of the recurrence P_lm = raise (z P_(l-1)m - drop P_(l-2)m) of normalised Legendre functions without
-    // their factor sin^m.
+    // Factors of the recurrence P_lm = raise (z P_(l-1)m - drop P_(l-2)m) of normalised Legendre functions
+    // without their factor sin^m.
     int bands_;
     std::array<float, kMaxHarmonics> raise_{}, drop_{}; // [l * kMaxBands + m]
     std::array<float, kMaxBands> first_{};              // P_mm, for m > 0 times sqrt(2)
@@ -51,8 +51,8 @@ class HarmonicProjection {
     std::vector<float> rows_;  // [row][l * kMaxBands + m]: integral of Y_lm, but for its longitude
 };
 
-// What convolution with a lobe whose integral is 1 does to each band: integral of lobe P_l over that of the
-// lobe. Ramamoorthi and Hanrahan's A_l / pi for the clamped cosine.
+// Factors of the bands for a convolution with a lobe whose integral is 1: integral of lobe P_l over that of
+// the lobe. Ramamoorthi and Hanrahan's A_l / pi for the clamped cosine.
 std::vector<double> zonalFactors(const std::function<double(double cosine)>& lobe, int bands);
 
 } // namespace shoal::light::baselines

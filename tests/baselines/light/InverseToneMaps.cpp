@@ -17,7 +17,7 @@ template <class Expand> InverseToneMapMethod method(Label label, Expand expand) 
             [expand](const ImageRgb8& frame, ImageRgbF& out) { forEach(frame, out, expand); }};
 }
 
-// What Masia et al. ask of a picture: luminances of decoded values; natural logarithms.
+// Statistics of a picture by Masia et al.: luminances of decoded values; natural logarithms.
 struct Statistics {
     float logMean = 0, key = 0, clippedPercent = 0;
 };

@@ -1,4 +1,4 @@
-// Which level of a pyramid is so wide.
+// Finds the level of a pyramid by its width.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"

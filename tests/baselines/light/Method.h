@@ -55,13 +55,7 @@ struct GlossyMethod {
     std::function<void(std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out)> shade;
 };
 
-// From a coded frame to the radiance pyramid.
-struct PyramidMethod {
-    Label label;
-    std::function<void(const FrameView& frame, RadiancePyramid& out)> make;
-};
-
-// From a coded frame to linear radiance, of any scale.
+// Operator from a coded frame to linear radiance, of any scale.
 struct InverseToneMapMethod {
     Label label;
     std::function<void(const ImageRgb8& frame, ImageRgbF& radianceLin)> expand;

@@ -9,8 +9,8 @@ namespace shoal::light::baselines {
 
 namespace {
 
-// As the game makes it: for coded frames in the quality of a video, for HDR pictures, which stand still, in
-// that of a still; or all in the quality of a video.
+// Light as the game makes it: for coded frames in the quality of a video, for HDR pictures, which stand
+// still, in that of a still; or all in the quality of a video.
 struct State {
     State(float minRoughness, bool videoOnly)
         : video({512, minRoughness, LightQuality::Video}), still({1024, minRoughness, LightQuality::Still}),

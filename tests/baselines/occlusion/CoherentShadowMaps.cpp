@@ -53,7 +53,7 @@ CoherentShadowMaps::CoherentShadowMaps(std::span<const Triangles> bodies,
         first_.push_back(static_cast<uint32_t>(runs_.size()));
         float low = -kFar, high = kFar;
         const auto close = [&] {
-            // Where nothing is behind: as far in front as behind the surface, half way into thin air.
+            // Without a second surface: as far in front as behind the surface, half way into thin air.
             const float depth = low >= kFar    ? kFar
                                 : high >= kFar ? low + 0.25f * sphere.radius
                                                : 0.5f * (low + high);

@@ -17,7 +17,7 @@ class CoherentShadowMaps {
     // follow another.
     CoherentShadowMaps(std::span<const Triangles> bodies, std::span<const glm::vec3> directions, int size);
 
-    // From a point on the surface of a body, in the direction of this index.
+    // Whether a point on the surface of a body is occluded in the direction of this index.
     bool occluded(const glm::vec3& position, size_t direction) const;
     std::size_t bytes() const {
         return runs_.size() * sizeof(Run) + first_.size() * sizeof(uint32_t) + views_.size() * 12;
@@ -36,9 +36,8 @@ class CoherentShadowMaps {
     std::vector<Run> runs_;
     float depthScale_ = 1;
 };
-static_assert(KeepsMemory<CoherentShadowMaps>);
 
-// By the way along a spiral from pole to pole: each is near the one before.
+// Directions along a spiral from pole to pole: each is near the one before.
 std::vector<glm::vec3> spiralDirections(int count);
 
 } // namespace shoal::occlusion::baselines

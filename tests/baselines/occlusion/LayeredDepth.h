@@ -17,7 +17,7 @@ class LayeredDepth {
     // Closed bodies, in the world; they may overlap.
     LayeredDepth(std::span<const Triangles> bodies, int size);
 
-    // From beyond `nearest` on, which should be a pixel or two: depths are those at pixels' centres.
+    // Counts what lies beyond `nearest`, which should be a pixel or two: depths are those at pixels' centres.
     bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
     float pixel_m() const { return 1 / views_[0].view.pixelsPerMetre(); }
     std::size_t bytes() const;
@@ -30,6 +30,5 @@ class LayeredDepth {
     };
     std::array<View, 3> views_;
 };
-static_assert(KeepsMemory<LayeredDepth>);
 
 } // namespace shoal::occlusion::baselines

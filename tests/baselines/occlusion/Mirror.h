@@ -1,11 +1,11 @@
-// What a mirror shows that shows itself.
+// Rays between mirrors that show themselves.
 #pragma once
 
 #include "tests/baselines/occlusion/Visibility.h"
 
 namespace shoal::occlusion {
 
-// Where a ray is after its bounces, and how many they were.
+// A ray after its bounces, and their number.
 struct Reflected {
     glm::vec3 origin{0}, direction{0, 0, 1}; // the last ray, which meets nothing unless `caught`
     int bounces = 0;

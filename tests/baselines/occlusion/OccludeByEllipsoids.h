@@ -12,7 +12,7 @@ struct OcclusionResult {
     glm::vec3 radiance{0}; // out of diffuse radiance: what is lost, less what the occluders send
 };
 
-// What the body of the surface hides of it beside its own ellipsoids.
+// Occlusion by the surface's own body beside its ellipsoids.
 struct SelfOcclusion {
     glm::vec4 hidden{0}; // of a direction: w plus its product with xyz, which may be less than nothing
     glm::vec3 albedo{0}; // of that body
@@ -24,7 +24,7 @@ OcclusionResult occlude(const glm::vec3& p, const glm::vec3& normal, std::span<c
                         const SelfOcclusion& selfOcclusion, std::span<const Occluder> others,
                         const SmoothLight& light);
 
-// What is left of a glossy lobe around this direction, 0 to 1.
+// Returns the share of a glossy lobe around this direction that is left, 0 to 1.
 float lobeVisibility(const glm::vec3& p, const glm::vec3& direction, float roughness,
                      std::span<const Occluder> occluders);
 

@@ -22,7 +22,7 @@ struct OllfbPixels {
         const OllfbLayer* begin;
         const OllfbLayer* end;
     };
-    // Of a pixel within the view's size.
+    // Layers of a pixel within the view's size.
     Layers layersOf(const glm::ivec2& pixel) const {
         const OllfbRow& row = rows[pixel.y];
         if (pixel.x < row.begin || pixel.x >= row.end) return {nullptr, nullptr};

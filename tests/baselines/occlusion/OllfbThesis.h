@@ -19,7 +19,7 @@ class OllfbThesis : public ThesisLayers {
         return OllfbThesis(std::move(*made));
     }
 
-    // As TracesRays has it, from either side of a surface.
+    // Implements TracesRays, from either side of a surface.
     std::optional<Hit> trace(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
 
   private:
@@ -28,6 +28,6 @@ class OllfbThesis : public ThesisLayers {
     std::vector<glm::mat3> viewsFromBody_;
 };
 
-static_assert(TracesRays<OllfbThesis> && KeepsMemory<OllfbThesis>);
+static_assert(TracesRays<OllfbThesis>);
 
 } // namespace shoal::occlusion

@@ -103,8 +103,8 @@ glm::vec2 squareFromHalf(const glm::vec3& direction) {
     return {flat.x + flat.y, flat.x - flat.y};
 }
 
-// What is met from outside only: where the ray grazes it, the normal that is blended there may look away from
-// the ray, and is laid down until it does not.
+// A surface that is met from outside only: where the ray grazes it, the normal that is blended there may look
+// away from the ray, and is laid down until it does not.
 glm::vec3 towards(const glm::vec3& outwards, const glm::vec3& direction, bool onlyOuter) {
     const float away = glm::dot(outwards, direction);
     if (away <= 0) return outwards;

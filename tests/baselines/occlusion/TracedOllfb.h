@@ -12,7 +12,7 @@ namespace shoal::occlusion {
 // A ray that begins this close behind a surface is taken to leave it.
 inline constexpr float kLeaving_px = 3;
 
-// From which sides rays meet a surface.
+// Sides from which rays meet a surface.
 enum class Sides {
     Outer,  // only where they enter, as what is drawn with its back faces culled
     Both,   // also where they leave
@@ -37,7 +37,7 @@ class TracedOllfb : public Ollfb {
     static Result<TracedOllfb> make(const BodyMesh& mesh) { return make(mesh, Options{}); }
     bool onlyOuter() const { return onlyOuter_; }
 
-    // As TracesRays has it, up to `farthest` metres. A ray that begins on the surface is not caught by it as
+    // Implements TracesRays, up to `farthest` metres. A ray that begins on the surface is not caught by it as
     // it leaves; with both sides to be met, this is so for its first kLeaving_px.
     std::optional<Hit> trace(const glm::vec3& origin, const glm::vec3& direction, float nearest,
                              float farthest = std::numeric_limits<float>::infinity()) const;
@@ -52,6 +52,6 @@ class TracedOllfb : public Ollfb {
 // two, it may be the second nearest.
 int nearestAxis(const Axes& axes, const glm::vec3& direction);
 
-static_assert(TracesRays<TracedOllfb> && KeepsMemory<TracedOllfb>);
+static_assert(TracesRays<TracedOllfb>);
 
 } // namespace shoal::occlusion

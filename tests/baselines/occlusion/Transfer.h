@@ -19,7 +19,6 @@ struct Transfer {
     // Radiance leaving white matte vertex i in an environment with these coefficients; may ring below 0.
     glm::vec3 radiance(size_t vertex, const math::ShRgb& environment) const;
 };
-static_assert(KeepsMemory<Transfer>);
 
 Transfer bakeTransfer(const BodyMesh& mesh, const Occluded& occluded, int bands, int rays, float start);
 

@@ -53,7 +53,7 @@ Patches::Patches(const ImageRgbF& radianceLin, const media::DepthFrame& depth, f
             const glm::vec3 dir = direction(x, y);
             const float distance = 1 / inverse[here];
             const auto solidAngle = static_cast<float>(texelSolidAngle(y, width_, height_));
-            // Of the surface through its neighbours, where they lie on one.
+            // Normal of the surface through its neighbours, if they lie on one.
             glm::vec3 normal = -dir;
             const int left = (x + width_ - 1) % width_, right = (x + 1) % width_;
             const int up = std::max(y - 1, 0), down = std::min(y + 1, height_ - 1);

@@ -14,7 +14,7 @@ namespace shoal::bench {
 // metres.
 class Patches {
   public:
-    // What is further than far_m is taken to be endlessly far; from half of that on ever more so.
+    // Texels farther than far_m count as endlessly far; from half of that on ever more so.
     Patches(const ImageRgbF& radianceLin, const media::DepthFrame& depth, float far_m);
 
     // At the camera, of the same texels.

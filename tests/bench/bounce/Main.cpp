@@ -32,7 +32,7 @@ constexpr Film kFilms[] = {{"reef", 2}, {"night", 5}, {"kelp", 5}};
 
 constexpr int kPasses = 20; // of what is timed
 
-// Of the reef's film, with what is before it and behind it; its frames count apart.
+// Span of the tunnel in the reef's film, with its mouths; its frames count apart.
 constexpr double kTunnel_s[2] = {37, 59};
 
 Status writePlaces(const Path& folder) {
@@ -195,7 +195,7 @@ class Measuring {
         };
         const math::ShRgb& truth = probes[0].radiance; // the first is the camera's
         const math::ShRgb film = math::shProject(level(64));
-        // Of the film's unit, so that the camera's light is as near to the truth as it can be.
+        // Factor on the film's light, so that the camera's light is as near to the truth as it can be.
         const double factor = product(film, truth) / product(film, film);
         math::ShRgb camera = film;
         for (glm::dvec3& rgb : camera) rgb *= factor;

@@ -8,7 +8,7 @@
 
 namespace shoal::bench {
 
-// Where the objects are, 0 to 1 a pixel.
+// Coverage of each pixel by objects, 0 to 1.
 using Coverage = Image<float, 1>;
 
 struct Distance {

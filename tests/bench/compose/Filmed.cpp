@@ -123,7 +123,7 @@ ImageRgbF signalOf(const ImageRgb8& frame) {
     return out;
 }
 
-// What port and lens scatter: three running means over seven squares of texels.
+// Light that port and lens scatter: three running means over seven squares of texels.
 constexpr int kGlowTexels = 8;
 ImageRgbF glowOf(const ImageRgbF& in) {
     ImageRgbF out(in.width / kGlowTexels, in.height / kGlowTexels);

@@ -10,11 +10,11 @@
 #include "tests/bench/compose/Filmed.h"
 #include "tests/bench/compose/Report.h"
 #include "tests/bench/compose/Theatre.h"
+#include "tests/bench/light/Timing.h"
 
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 
 namespace shoal::bench {
 
@@ -31,11 +31,9 @@ struct Scene {
 // The frames whose truth content/truth keeps: open water, reef, overhang, tunnel.
 constexpr Scene kScenes[] = {{120, 0}, {560, 0}, {860, 20}, {1060, 0}, {1260, -20}};
 
-struct Stages {
-    std::vector<app::SceneRenderer> ways; // as kWays, and the background alone
-};
+using Renderers = std::vector<app::SceneRenderer>; // as kWays, and the background alone
 
-// So that frame `shown` of the film is the one that is looked at.
+// Frames of the film around `shown`, which is the one that is looked at.
 Result<std::vector<ImageRgb8>> readFilm(int shown) {
     auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4", {});
     if (!player) return player.error();
@@ -59,7 +57,7 @@ Coverage coverageOf(const ImageRgba8& fine) {
 
 double timeOf(int k) { return (k + 0.5) / kFps; }
 
-// Where most outlines are: the middle of the window whose pixels are most evenly object and not.
+// The place with most outlines: the middle of the window whose pixels are most evenly object and not.
 glm::ivec2 worthALook(const Coverage& coverage) {
     constexpr int kWide = 72, kHigh = 60;
     glm::ivec2 best(0);
@@ -77,8 +75,8 @@ glm::ivec2 worthALook(const Coverage& coverage) {
     return best;
 }
 
-Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& stages, const Path& folder,
-                    Report& report) {
+Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderers& renderers,
+                    const Path& folder, Report& report) {
     auto frames = readFilm(scene.frame);
     if (!frames) return frames.error();
     const std::string number = std::to_string(scene.frame);
@@ -98,15 +96,15 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
         if (k) runOn(run, 1.0 / kFps);
         (*empty)->update(timeOf(k), true);
         const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
-        stages.ways[0].set(run.shown, **empty, {.particles = false});
+        renderers[0].set(run.shown, **empty, {.particles = false});
         // Wider, so that nothing is cut off where the picture ends.
         const render::View wide = render::widened(view, 1.05f);
-        if (Status s = drawObjectsAlone(stages.ways[0], wide, fine); !s) return s;
+        if (Status s = drawObjectsAlone(renderers[0], wide, fine); !s) return s;
         const ImageRgba8 objects = fine.read();
         const std::array takes = {&(*frames)[static_cast<size_t>(k)], &again[static_cast<size_t>(k)]};
         filmInto(takes, objects, wide, (*empty)->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
         if (k != kShown) continue;
-        if (Status s = drawObjectsAlone(stages.ways[0], view, fine); !s) return s;
+        if (Status s = drawObjectsAlone(renderers[0], view, fine); !s) return s;
         coverage = coverageOf(fine.read());
         moment = run.shown;
     }
@@ -122,8 +120,8 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
         auto filmed = openVideo(file);
         if (!filmed) return filmed.error();
         (*filmed)->update(timeOf(second ? kShown - 1 : kShown), true);
-        stages.ways.back().set(moment, **filmed, {});
-        if (Status s = drawPicture(stages.ways.back(), view, target); !s) return s;
+        renderers.back().set(moment, **filmed, {});
+        if (Status s = drawPicture(renderers.back(), view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         if (!second) truth = shown;
         report.add(scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage),
@@ -133,24 +131,17 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
         // A fresh frame for each: one of them paints it.
         (*empty)->update(timeOf(0), true);
         (*empty)->update(timeOf(kShown), true);
-        stages.ways[way].set(moment, **empty, {});
-        if (Status s = drawPicture(stages.ways[way], view, target); !s) return s;
+        renderers[way].set(moment, **empty, {});
+        if (Status s = drawPicture(renderers[way], view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look);
     }
     return Done{};
 }
 
-// Of all threads of this program, the software renderer's among them.
-double processor_ms() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
 // All ways in turn, frame by frame of the same dive, so that whatever else runs slows each alike; each round
 // begins with another, because the decoder works on after a frame has come.
-Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, Report& report) {
+Status measureCost(const app::SessionConfig& plan, Renderers& renderers, int rounds, Report& report) {
     auto environment = openVideo(dataRoot() / "content/video/reef.mp4");
     if (!environment) return environment.error();
     const gl::Target target(kPicture.x, kPicture.y, 1);
@@ -163,7 +154,7 @@ Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, R
         for (size_t turn = 0; turn < kDrawn; ++turn) {
             const size_t way = (turn + static_cast<size_t>(round)) % kDrawn;
             const bool backdropOnly = way == std::size(kWays);
-            app::SceneRenderer& sceneRenderer = stages.ways[way];
+            app::SceneRenderer& sceneRenderer = renderers[way];
             const Clock::time_point began = Clock::now();
             const double processorBegan_ms = processor_ms();
             sceneRenderer.set(run.shown, **environment,
@@ -187,23 +178,23 @@ Status run(const Path& folder, bool quick) {
     options.headless = true;
     auto plan = app::makeSessionConfig(options);
     if (!plan) return plan.error();
-    Stages stages;
+    Renderers renderers;
     std::vector<render::Composition> compositions;
     for (const Way& way : kWays) compositions.push_back(way.composition);
     compositions.push_back(render::Composition::BackgroundOnly);
     for (const render::Composition composition : compositions) {
         auto sceneRenderer = makeSceneRenderer(*plan, composition);
         if (!sceneRenderer) return sceneRenderer.error();
-        stages.ways.push_back(std::move(*sceneRenderer));
+        renderers.push_back(std::move(*sceneRenderer));
     }
     Report report;
     for (const Scene& scene : kScenes) {
         std::fprintf(stderr, "compose: scene of frame %d\n", scene.frame);
-        if (Status s = measureScene(scene, *plan, stages, folder, report); !s) return s;
+        if (Status s = measureScene(scene, *plan, renderers, folder, report); !s) return s;
         if (quick) break;
     }
     std::fprintf(stderr, "compose: times\n");
-    if (Status s = measureCost(*plan, stages, quick ? 25 : 105, report); !s) return s;
+    if (Status s = measureCost(*plan, renderers, quick ? 25 : 105, report); !s) return s;
     return report.write(folder);
 }
 

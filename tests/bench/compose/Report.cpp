@@ -1,6 +1,7 @@
 #include "tests/bench/compose/Report.h"
 
 #include "engine/core/WriteFile.h"
+#include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 
 #include <glm/common.hpp>
@@ -13,12 +14,6 @@ namespace shoal::bench {
 
 namespace {
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
-
 // less: taken away round by round; empty: nothing is.
 Cost medians(const std::vector<Cost>& costs, const std::vector<Cost>& less) {
     std::vector<double> wall, processor;
@@ -27,7 +22,7 @@ Cost medians(const std::vector<Cost>& costs, const std::vector<Cost>& less) {
         wall.push_back(costs[i].wall_ms - away.wall_ms);
         processor.push_back(costs[i].processor_ms - away.processor_ms);
     }
-    return {median(wall), median(processor)};
+    return {math::median(wall), math::median(processor)};
 }
 
 } // namespace
@@ -115,18 +110,7 @@ Status Report::write(const Path& folder) const {
     md += best ? "\nThe cheapest that halves both distances (of luma beyond filming again, of spectra): " +
                      best->way + ".\n"
                : std::string("\nNo way halves both distances (of luma beyond filming again, of spectra).\n");
-    std::string scenes = "scene\tway\tluma\tcolour\tspectrum_db\tdetail_db\tnoise\n";
-    for (const Shown& each : shown_) {
-        const Distance& d = each.distance;
-        std::snprintf(line, sizeof line, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n", each.scene,
-                      each.way.c_str(), d.luma, d.colour, d.spectrum_db, d.detail_db, d.noise);
-        scenes += line;
-        std::string name = std::to_string(each.scene) + "_" + each.way + ".png";
-        std::ranges::replace(name, ' ', '_');
-        if (Status s = media::writePng(folder / name, each.picture); !s) return s;
-    }
     if (Status s = writeSheet(folder / "sheet.png"); !s) return s;
-    if (Status s = writeFileWhole(folder / "scenes.tsv", scenes); !s) return s;
     if (Status s = writeFileWhole(folder / "compose.tsv", tsv); !s) return s;
     std::printf("%s", md.c_str());
     return writeFileWhole(folder / "compose.md", md);

@@ -1,4 +1,4 @@
-// What was measured, as tables and pictures.
+// Writes the measurements as tables and pictures.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -17,7 +17,7 @@ inline constexpr const char* kFilmed = "filmed";
 inline constexpr const char* kFilmedAgain = "filmed again";
 inline constexpr const char* kBackgroundAlone = "background alone"; // times only
 
-// Of one frame.
+// Times of one frame.
 struct Cost {
     double wall_ms = 0;
     double processor_ms = 0; // of all cores; on a graphics card, only what the driver takes
@@ -30,8 +30,8 @@ class Report {
              glm::ivec2 look);
     void addTime(const std::string& way, const Cost& cost);
 
-    // compose.tsv and compose.md: a line a way, over all scenes; scenes.tsv: a line a scene and way; pictures
-    // SCENE_WAY.png; sheet.png: a row a scene, a column a way, at 400 %.
+    // Writes compose.tsv and compose.md, a line a way over all scenes, and sheet.png, a row a scene and a
+    // column a way at 400 %.
     Status write(const Path& folder) const;
 
   private:

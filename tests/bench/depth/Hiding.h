@@ -1,5 +1,5 @@
-// What a map of distances hides, against the truth: animals at a distance are hidden where the film shows
-// something nearer.
+// Compares what a map of distances hides with the truth: animals at a distance are hidden where the film
+// shows something nearer.
 #pragma once
 
 #include "content/make/depth/DepthTrackWriter.h"
@@ -29,15 +29,15 @@ class HidingError {
     void addFlicker(const HiddenTexels& truthBefore, const HiddenTexels& truth,
                     const HiddenTexels& foundBefore, const HiddenTexels& found);
 
-    // Of the area of fish that an edge crosses, percent.
+    // Percent of the area of fish that an edge crosses.
     double wronglyHidden() const { return 100 * fishHidden_ / fish_; }
     double wronglyShown() const { return 100 * fishShown_ / fish_; }
-    // Of all directions, percent.
+    // Percent of all directions.
     double wronglyHiddenAnywhere() const { return 100 * hidden_ / all_; }
     double wronglyShownAnywhere() const { return 100 * shown_ / all_; }
     // Mean width of what is wrong along the truth's edges, texels of the truth.
     double boundary() const { return (hidden_ + shown_) / length_ / texel_; }
-    // What changes from one frame to the next though the truth does not, along the edges, texels of the
+    // Change from one frame to the next though the truth does not, along the edges, texels of the
     // truth; and what changes in the truth.
     double flicker() const { return toggled_ / flickerLength_ / texel_; }
     double trueChange() const { return truthToggled_ / flickerLength_ / texel_; }

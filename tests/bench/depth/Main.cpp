@@ -4,12 +4,12 @@
 #include "engine/core/WriteFile.h"
 #include "engine/media/VideoSource.h"
 #include "tests/bench/depth/Hiding.h"
+#include "tests/bench/light/Timing.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <map>
 #include <optional>
 #include <string>
@@ -60,12 +60,6 @@ struct Figures {
     int decoded = 0;
     std::vector<double> refine_ms;
 };
-
-double processor_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 Result<Clip> readClip(const Path& folder, const std::string& film, const std::vector<int>& frames) {
     Clip clip{film, {}, {}, {}, 0};

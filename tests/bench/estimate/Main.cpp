@@ -5,18 +5,16 @@
 #include "content/make/depth/FilmDepth.h"
 #include "tests/bench/estimate/Accuracy.h"
 #include "tests/bench/estimate/Scenes.h"
+#include "tests/bench/light/Timing.h"
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 
 namespace {
 
 using namespace shoal;
 using namespace shoal::bench;
-
-double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; } // of all threads
 
 Status make(const Path& folder) {
     for (const NamedScene& scene : scenes()) {
@@ -37,14 +35,14 @@ Status measure(const std::string& name, const Path& film, const Path& truth, dou
     const Path track = film.string() + ".depth.mkv";
     depth::FilmDepthOptions options;
     if (name == "stereo") options.layout = media::Layout::TopBottom;
-    const double began_s = processor_s();
+    const double began_ms = processor_ms();
     const auto made = depth::makeFilmDepth(film, track, options);
     if (!made) return made.error();
     if (*made == depth::FilmDepth::CannotBeKnown) {
         std::printf("%s\tcannot be known\n", name.c_str());
         return Done{};
     }
-    const double all_s = processor_s() - began_s;
+    const double all_s = 1e-3 * (processor_ms() - began_ms);
     const auto accuracy = accuracyOf(track, truth, from_s);
     if (!accuracy) return accuracy.error();
     print(name, *accuracy, all_s / static_cast<double>(accuracy->frames.size()));

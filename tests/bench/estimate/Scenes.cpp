@@ -135,7 +135,7 @@ class World {
     float time_s_ = 0;
 };
 
-// Where the camera is and how far it has turned about +Y.
+// Place of the camera, and how far it has turned about +Y.
 struct CameraPose {
     glm::vec3 at{0};
     float turned_rad = 0;
@@ -161,7 +161,7 @@ glm::vec3 turned(const glm::vec3& dir, float by_rad) {
     return {c * dir.x + s * dir.z, dir.y, -s * dir.x + c * dir.z};
 }
 
-// As omnidirectional stereo is filmed: the eyes lie on a circle, at right angles to each column's view.
+// Omnidirectional stereo: the eyes lie on a circle, at right angles to each column's view.
 glm::vec3 eyeOffset(Hardship hardship, const glm::vec3& dir, int eye) {
     if (hardship != Hardship::Stereo) return glm::vec3(0);
     const glm::vec3 right = glm::normalize(glm::vec3(-dir.z, 0, dir.x));

@@ -3,12 +3,12 @@
 // all clips.
 #include "engine/core/WriteFile.h"
 #include "tests/bench/film/Measure.h"
+#include "tests/bench/light/Timing.h"
 
 #include "engine/media/PictureDecoder.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,12 +26,6 @@ struct Figures {
     int clips = 0;
     Distance distance;
 };
-
-double processor_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 bool readTruth(const Path& file, int frame, ImageRgb8& image) {
     image = ImageRgb8(kTruthWidth, kTruthWidth / 2);

@@ -1,19 +1,15 @@
-// Tables: how far found lights lie from where they are, how they move through a film, what finding costs.
-#include "engine/light/LightOverTime.h"
-#include "engine/light/MakeLight.h"
+// Prints tables: how far found lights lie from where they are, and what finding costs.
+#include "engine/light/FindLights.h"
+#include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
-#include "engine/media/VideoPlayer.h"
-#include "tests/TestPaths.h"
-#include "tests/bench/find_lights/Turned.h"
 #include "tests/bench/light/Environments.h"
+#include "tests/bench/light/Timing.h"
 #include "tests/unit/light/Angles.h"
 #include "tests/unit/light/Environments.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <iterator>
 
 using namespace shoal;
 using namespace shoal::light;
@@ -46,7 +42,7 @@ struct Eye {
     }
 };
 
-// As a camera would keep it that shows the sphere's mean as `key`.
+// Returns the frame of a camera that shows the sphere's mean as `key`.
 ImageRgb8 filmed(const ImageRgbF& radianceLin, double key) {
     const double mean = glm::dot(meanOf(radianceLin), glm::dvec3(0.3, 0.59, 0.11));
     const float exposure = static_cast<float>(key / mean);
@@ -141,6 +137,7 @@ void truthTable() {
                 "off, degrees "
                 "| radius | share |\n|---|--:|--:|--:|--:|--:|\n");
     Eye eye;
+    std::vector<double> times_us;
     for (const auto& source : bench::filmedSources()) {
         const auto environment = source.load();
         if (!environment) continue;
@@ -150,93 +147,17 @@ void truthTable() {
                     100 * static_cast<double>(truth.lights[0].share));
         sayNearest(eye.look(environment->view()), truth.lights[0].direction);
         std::printf("\n");
-    }
-}
-
-// Of this thread: what else the machine does leaves it alone.
-double userTime_us() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-struct Jumps {
-    double found = 0, followed = 0, scene = 0; // the most, degrees; degrees; sceneDistance()
-    int frames = 0;
-};
-
-// Between neighbouring frames, while a light is there to be seen.
-bool filmTable() {
-    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4");
-    if (!player) return false;
-    const double fps = player->info().fps;
-    const int open = static_cast<int>(37 * fps), count = static_cast<int>(player->info().duration_s * fps);
-    Eye eye;
-    LightOverTime steady;
-    FoundLights before;
-    glm::vec3 followedBefore(0);
-    bool shownBefore = false;
-    std::array<Jumps, 2> jumps; // in open water; in the tunnel
-    std::vector<double> times_us;
-    LightMaker maker({kBaseWidth, 0.25f});
-    EnvironmentLight light;
-    LightFinder finder;
-    double light_ms = 1e9;
-    for (int i = 0; i < count; ++i) {
-        const auto* frame = player->waitFor((i + 0.5) / fps);
-        const FrameView view = viewOf(frame->pixelsBgr, true);
-        if (i % 60 == 0) {
-            const double began_us = userTime_us();
-            maker.make(view, light);
-            light_ms = std::min(light_ms, (userTime_us() - began_us) / 1e3);
+        for (int i = 0; i < 20; ++i) {
+            FoundLights found;
+            const double began_us = bench::now_us();
+            eye.finder.find(eye.radiance, found);
+            times_us.push_back(bench::now_us() - began_us);
         }
-        eye.pyramid.make(view, kBaseWidth, eye.radiance);
-        FoundLights found;
-        const double began_us = userTime_us();
-        finder.find(eye.radiance, found);
-        times_us.push_back(userTime_us() - began_us);
-        const ShadowLight& now = steady.follow(found, static_cast<float>(1 / fps));
-        Jumps& here = jumps[i < open ? 0 : 1];
-        ++here.frames;
-        if (i > 0) {
-            here.scene = std::max(here.scene, static_cast<double>(sceneDistance(before, found)));
-            if (found.count && before.count)
-                here.found = std::max(here.found,
-                                      degreesBetween(found.lights[0].direction, before.lights[0].direction));
-            if (shownBefore && now.presence > 0.02f)
-                here.followed = std::max(here.followed, degreesBetween(now.light.direction, followedBefore));
-        }
-        before = found;
-        followedBefore = now.light.direction;
-        shownBefore = now.presence > 0.02f;
     }
-    std::printf("\n| through the film | frames | largest jump from frame to frame, degrees: as found | as "
-                "followed | largest "
-                "difference of scenes |\n|---|--:|--:|--:|--:|\n");
-    for (size_t i = 0; i < jumps.size(); ++i)
-        std::printf("| %s | %d | %.1f | %.2f | %.3f |\n",
-                    i == 0 ? "open water" : "under the overhang and in the tunnel", jumps[i].frames,
-                    jumps[i].found, jumps[i].followed, jumps[i].scene);
+    if (times_us.empty()) return;
     std::ranges::sort(times_us);
-    std::printf("\nFinding them takes %.0f us a frame (median; 90th percentile %.0f), the frame's light %.2f "
-                "ms (least).\n",
-                times_us[times_us.size() / 2], times_us[times_us.size() * 9 / 10], light_ms);
-    return true;
-}
-
-// The least that two of the chart's real environments differ.
-void cuts(const Path& shared) {
-    Eye eye;
-    std::vector<FoundLights> all;
-    for (const auto& source : bench::environmentSources(shared, false)) {
-        const auto environment = source.load();
-        if (environment && environment->coded()) all.push_back(eye.look(environment->view()));
-    }
-    double minimum = 1;
-    for (size_t i = 0; i < all.size(); ++i)
-        for (size_t k = 0; k < i; ++k)
-            minimum = std::min(minimum, static_cast<double>(sceneDistance(all[i], all[k])));
-    std::printf("\nThe two most alike of %zu videos and photos differ by %.2f.\n", all.size(), minimum);
+    std::printf("\nFinding them takes %.0f us a frame (median; 90th percentile %.0f).\n",
+                times_us[times_us.size() / 2], times_us[times_us.size() * 9 / 10]);
 }
 
 } // namespace
@@ -247,9 +168,4 @@ int main() {
     madeTable();
     clippedTable(shared);
     truthTable();
-    auto pictures = bench::hdrSources(shared);
-    std::ranges::copy(bench::filmedSources(), std::back_inserter(pictures));
-    bench::turnedTable(pictures, 60);
-    if (!filmTable()) std::printf("\ncontent/video/reef.mp4 is not at hand.\n");
-    cuts(shared);
 }

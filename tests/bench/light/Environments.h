@@ -20,7 +20,8 @@ struct Environment {
         radianceLin; // full resolution; of a frame: every texel through the thesis' inverse tone mapping
 
     bool coded() const { return !frame.empty(); }
-    // Of the pyramid that baselines read: for a frame as the game asks for, no more than any of them needs.
+    // Width of the pyramid that baselines read: for a frame as the game asks for, no more than any of them
+    // needs.
     int baseWidth() const { return coded() ? 512 : 1024; }
     light::FrameView view() const {
         return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false};

@@ -6,6 +6,7 @@
 #include "engine/light/MakeLight.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
+#include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 #include "tests/baselines/light/Expand.h"
 #include "tests/bench/light/Environments.h"
@@ -37,13 +38,14 @@ glm::vec3 srgb(const glm::vec3& lin) {
     return {math::srgbFromLinear(in.x), math::srgbFromLinear(in.y), math::srgbFromLinear(in.z)};
 }
 
-// What reaches an eye far away that looks along -Z from the ball at normal n, of unit reflectance.
+// Radiance that an eye far away, looking along -Z, gets from the ball at normal n, of unit reflectance.
 glm::vec3 radianceAt(const light::EnvironmentLight& light, Ball ball, const glm::vec3& n) {
     if (ball == Ball::Matte) return light::lookUp(light.diffuse, n);
     return light::lookUpGlossy(light, glm::reflect(glm::vec3(0, 0, -1), n), kGlossyRoughness);
 }
 
-// As the game displays it: the thesis' light is between coded and linear and takes coded reflectances.
+// The display value, as in the game: the thesis' light is between coded and linear and takes coded
+// reflectances.
 glm::vec3 shownOf(const glm::vec3& radiance, bool thesis) {
     if (!thesis) return srgb(kReflectance * radiance);
     return glm::clamp(light::displayFromRadiance(math::srgbFromLinear(kReflectance) * radiance), 0.0f, 1.0f);
@@ -75,13 +77,7 @@ void drawBall(const light::EnvironmentLight& light, Ball ball, bool thesis, cons
         }
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-// What each channel of the true light is to be multiplied with to be as bright as the frame: exposure and
+// Factor on each channel of the true light that makes it as bright as the frame: exposure and
 // white balance. Medians over what is neither clipped nor dark, because the lens scatters light and the codec
 // leaves little of the darkest values.
 glm::vec3 exposureOf(const Environment& filmed) {
@@ -96,7 +92,7 @@ glm::vec3 exposureOf(const Environment& filmed) {
                 if (coded > 20 && coded < 235 && light > 0)
                     ratios[c].push_back(static_cast<double>(math::linearOfByte()[coded] / light));
             }
-    return {median(std::move(ratios[0])), median(std::move(ratios[1])), median(std::move(ratios[2]))};
+    return {math::median(ratios[0]), math::median(ratios[1]), math::median(ratios[2])};
 }
 
 light::EnvironmentLight trueLight(const Environment& filmed) {
@@ -182,7 +178,7 @@ std::string ballTable(const LitBalls& balls) {
         out += "\n";
     }
     out += "| median |";
-    for (auto& column : columns) out += text(" %.3f |", median(std::move(column)));
+    for (auto& column : columns) out += text(" %.3f |", math::median(column));
     return out + " | | | |\n";
 }
 

@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "chart: %s\n", lit.error().message().c_str());
         return 1;
     }
-    for (const auto write : {bench::writeMarkdown, bench::writeCsv, bench::writePicture})
+    for (const auto write : {bench::writeMarkdown, bench::writePicture})
         if (const Status written = write(chart, folder); !written) {
             std::fprintf(stderr, "chart: %s\n", written.error().message().c_str());
             return 1;

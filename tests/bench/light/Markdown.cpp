@@ -75,21 +75,6 @@ std::string roughnessTable(const Chart& chart) {
     return out;
 }
 
-std::string pyramidTable(const Chart& chart) {
-    std::string out =
-        "| pyramid | us | times a plain read | error of the diffuse light, % | worst direction |\n"
-        "|---|--:|--:|--:|--:|\n";
-    for (const Measured& each : chart.pyramids) {
-        Pool pool;
-        for (const auto& errors : each.errors)
-            for (const EnvironmentError& error : errors) pool.add(error);
-        out += text("| %s | %.0f | %.1f | %s | %s |\n", nameOf(each).c_str(), each.cost.update_us,
-                    each.cost.update_us / chart.read_us, percent(pool.rms()).c_str(),
-                    percent(pool.worst()).c_str());
-    }
-    return out;
-}
-
 std::string toneMapTable(const Chart& chart) {
     std::string
         out = "| operator | ms | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % |",
@@ -123,7 +108,7 @@ std::string environmentList(const Chart& chart) {
 } // namespace
 
 Status writeMarkdown(const Chart& chart, const Path& folder) {
-    std::string md = "# Speed against accuracy\n\n![The chart](chart.png)\n\n";
+    std::string md = "# Speed against accuracy\n\n![The chart](chart.svg)\n\n";
     md += text(
         R"(Time: one core, warm, the shortest of many runs, for a 2048x1024 frame of the game's video. A plain read of that
 frame's bytes takes %.0f us (as compiled for any x86-64; %.0f us by the widest registers), its radiance pyramid %.0f us; a
@@ -150,15 +135,8 @@ columns of figures.
 )",
                kGlossyPixels);
     md += glossyTable(chart) +
-          "\n![With point suns](suns.png)\n\nError in %, by roughness, environments without point suns:\n\n" +
+          "\n![With point suns](suns.svg)\n\nError in %, by roughness, environments without point suns:\n\n" +
           roughnessTable(chart);
-    md += R"(
-## The radiance pyramid
-
-Of the 8-bit environments: the diffuse light integrated over the pyramid's level of 128x64, against the truth.
-
-)";
-    md += pyramidTable(chart);
     md += R"(
 ## Inverse tone mapping
 

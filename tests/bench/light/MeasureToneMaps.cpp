@@ -14,7 +14,7 @@ using namespace light::baselines;
 
 namespace {
 
-// As a camera would have kept it: a tenth of its pixels above 0.8, clipped at 1, sRGB, 8 bits.
+// The picture as a camera would keep it: a tenth of its pixels above 0.8, clipped at 1, sRGB, 8 bits.
 struct Exposed {
     ImageRgb8 frame;
     ImageRgbF radianceLin; // before it was clipped, of the same scale
@@ -125,7 +125,7 @@ EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vecto
 void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs) {
     const auto methods = inverseToneMapMethods();
     for (const auto& each : methods) chart.toneMaps.push_back({each.label, {}, {}});
-    // What no method can know; a time is no matter.
+    // Bounds by what no method can know, without a time.
     const size_t oneGain = methods.size(), trueRegions = methods.size() + 1;
     chart.toneMaps.push_back({{"bound: clipped pixels times the one best gain", "", "", ""}, {}, {}});
     chart.toneMaps.push_back({{"bound: clipped regions at their true means", "", "", ""}, {}, {}});

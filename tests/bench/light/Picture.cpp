@@ -65,7 +65,7 @@ int styleOf(const std::string& family) {
     return 7;
 }
 
-// Those that no other beats in both cost and error, by cost.
+// Returns the points that no other beats in both cost and error, by cost.
 std::vector<glm::dvec2> frontOf(std::vector<Point> points) {
     std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.cost_us < b.cost_us; });
     std::vector<glm::dvec2> front;
@@ -162,6 +162,17 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
     return out;
 }
 
+// Returns for tonemaps.gp: milliseconds, medians of the diffuse error over HDRs and film in percent, name.
+// Bounds have no time.
+std::string toneMapPoints(const Chart& chart) {
+    std::string out;
+    for (const Measured& each : chart.toneMaps)
+        out += text("%.3f %.2f %.2f \"%s\"\n", each.cost.update_us / 1e3,
+                    100 * medianOfToneMap(chart, each, false, 0), 100 * medianOfToneMap(chart, each, true, 0),
+                    each.label.name.c_str());
+    return out;
+}
+
 } // namespace
 
 Status writePicture(const Chart& chart, const Path& folder) {
@@ -175,6 +186,7 @@ Status writePicture(const Chart& chart, const Path& folder) {
         glossy.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Without)});
         suns.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Only)});
     }
+    if (Status s = writeFileWhole(folder / "tonemaps.dat", toneMapPoints(chart)); !s) return s;
     return writeFileWhole(folder / "chart.data.gp",
                           text("read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us) +
                               panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4) +

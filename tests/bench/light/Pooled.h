@@ -8,12 +8,12 @@ namespace shoal::bench {
 constexpr size_t kGlossyLobes = std::size(kRoughnesses);
 constexpr double kGlossyPixels = 100000; // shaded in a frame, for one figure of a glossy method's cost
 
-// Which of the environments.
+// Chooses environments.
 enum class Suns { With, Without, Only };
 Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes);
 
-// Of one lobe of a method of inverse tone mapping, over the clipped HDR pictures or over our film: the middle
-// of the root mean squares. Not a number where nothing was measured.
+// Median error of one lobe of an inverse tone mapping, over the clipped HDR pictures or over our film: the
+// middle of the root mean squares. Not a number where nothing was measured.
 double medianOfToneMap(const Chart& chart, const Measured& method, bool film, size_t lobe);
 
 // Microseconds a frame with so many pixels shaded.

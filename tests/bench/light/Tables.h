@@ -1,4 +1,4 @@
-// What was measured, as text.
+// Writes the measurements as text.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -6,7 +6,6 @@
 
 namespace shoal::bench {
 
-Status writeMarkdown(const Chart& chart, const Path& folder); // chart.md, for people
-Status writeCsv(const Chart& chart, const Path& folder);      // *.csv, for programs
+Status writeMarkdown(const Chart& chart, const Path& folder); // chart.md
 
 } // namespace shoal::bench

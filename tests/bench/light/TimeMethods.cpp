@@ -15,7 +15,7 @@ using namespace light::baselines;
 
 namespace {
 
-// As the pixels of a sphere come, row by row; those who go by looking up find neighbours in the cache.
+// Normals of a sphere's pixels, row by row, so that lookups find their neighbours in the cache.
 std::vector<glm::vec3> sphereNormals() {
     constexpr int kSize = 80;
     std::vector<glm::vec3> normals;
@@ -39,8 +39,8 @@ inline uint64_t sumOfWords(const ImageRgb8& frame) {
     return sum;
 }
 
-// As compiled for any x86-64, and for the widest registers that the processor has. kept: so that it is
-// needed.
+// Reads the bytes as compiled for any x86-64, and for the widest registers that the processor has. kept: so
+// that it is needed.
 void readBytes(const ImageRgb8& frame, volatile uint64_t& kept) { kept = sumOfWords(frame); }
 SHOAL_VECTORISE void readBytesWide(const ImageRgb8& frame, volatile uint64_t& kept) {
     kept = sumOfWords(frame);
@@ -49,12 +49,12 @@ SHOAL_VECTORISE void readBytesWide(const ImageRgb8& frame, volatile uint64_t& ke
 } // namespace
 
 void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<GlossyMethod>& glossy,
-                 std::vector<PyramidMethod>& pyramids, bool quick) {
+                 bool quick) {
     const Environment timed{"timed", timedFrame(), {}};
     const auto normals = sphereNormals();
     std::vector<glm::vec3> out(normals.size());
     light::PyramidMaker maker;
-    light::RadiancePyramid pyramid, made;
+    light::RadiancePyramid pyramid;
     maker.make(timed.view(), timed.baseWidth(), pyramid);
     const Input input = inputOf(timed, pyramid);
     light::LightMaker reefMaker({512, kReefRoughness});
@@ -95,9 +95,6 @@ void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<
                 sum += shade([&] { glossy[i].shade(normals, roughness, out); });
             keepLess(cost.shade_ns, sum / std::size(kRoughnesses));
         }
-        for (size_t i = 0; i < pyramids.size(); ++i)
-            keepLess(chart.pyramids[i].cost.update_us,
-                     shortest_us(budget_ms, [&] { pyramids[i].make(timed.view(), made); }));
     }
     for (size_t i = 0; i < diffuse.size(); ++i)
         if (diffuse[i].readsPyramid) chart.diffuse[i].cost.update_us += chart.pyramid_us;

@@ -1,10 +1,11 @@
-// The shortest of many runs: what a thing costs when nobody else uses the machine.
+// Times of benches: the shortest of many runs, which is what a thing costs when nobody else uses the machine.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 
 namespace shoal::bench {
 
@@ -12,6 +13,9 @@ inline double now_us() {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
 }
+
+// Processor time of all threads of this program, which other programs change little.
+inline double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Runs once to warm up, then for budget_ms, three times at the least.
 template <class Run> double shortest_us(double budget_ms, Run&& run) {

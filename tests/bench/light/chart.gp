@@ -14,16 +14,11 @@ points(family, style, name) = style == 1 \
     : sprintf("$P_family%d using 1:2 with points pointtype %s pointsize 1.1 linecolor rgb '%s' title '%s', ", family, word(shapes, style), word(colours, style), name)
 replaced(text, at, what) = text[1:at - 1] . what . text[at + 1:*]
 
-do for [picture in "chart suns"] { do for [kind in "svg png"] {
+do for [picture in "chart suns"] {
     panels = picture eq "chart" ? "diffuse glossy" : "suns"
     height = panel_height * words(panels)
-    if (kind eq "svg") {
-        set terminal svg size width,height font "DejaVu Sans,12" background "white"
-    } else {
-        # Twice the size: sharp where 900 pixels show it.
-        set terminal pngcairo size 2 * width,2 * height font "DejaVu Sans,12" fontscale 2 linewidth 2 pointscale 2 background "white"
-    }
-    set output folder . "/" . picture . "." . kind
+    set terminal svg size width,height font "DejaVu Sans,12" background "white"
+    set output folder . "/" . picture . ".svg"
     set multiplot
     set logscale xy
     set xtics () font ",11"
@@ -70,4 +65,4 @@ do for [picture in "chart suns"] { do for [kind in "svg png"] {
     }
     unset multiplot
     unset output
-} }
+}

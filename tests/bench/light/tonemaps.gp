@@ -8,32 +8,29 @@ name(i) = system(sprintf("sed -n '%ds/.*\"\\(.*\\)\"/\\1/p' '%s'", i, data))
 field(i, column) = real(word(system(sprintf("sed -n '%dp' '%s'", i, data)), column))
 colours = "#D55E00 #0072B2 #009E73 #E69F00 #CC79A7 #56B4E9 #000000"
 shapes = "5 7 9 11 13 4 6 8 10 12 2 14"
-do for [kind in "svg png"] {
-    if (kind eq "svg") { set terminal svg size 900,620 font "DejaVu Sans,12" background "white" } \
-    else { set terminal pngcairo size 1800,1240 font "DejaVu Sans,12" fontscale 2 linewidth 2 pointscale 2 background "white" }
-    set output folder . "/tonemaps." . kind
-    set multiplot
-    set logscale x
-    set grid linecolor rgb "#d0d0d0" linewidth 0.7
-    set border linecolor rgb "#606060"
-    set xlabel "milliseconds for a 2048x1024 frame, one core" font ",11"
-    set xrange [2:500]; set xtics font ",11"; set ytics font ",11"
-    set yrange [0:45]; set format y "%g %%"
-    set tmargin at screen 0.93; set bmargin at screen 0.40
-    do for [film = 0:1] {
-        set lmargin at screen 0.08 + 0.48 * film; set rmargin at screen 0.50 + 0.48 * film
-        set title film ? "Our film" : "HDR pictures, clipped"
-        set ylabel film ? "" : "error of diffuse light, median over pictures" font ",11"
-        if (film) { unset key } else { set key at screen 0.5,0.28 center top maxrows 7 samplen 1 font ",10" }
-        unset arrow; unset label
-        do for [i = methods + 1:all] {
-            level = field(i, 2 + film)
-            set arrow from graph 0,first level to graph 1,first level nohead dashtype 2 linecolor rgb "#606060"
-            set label name(i) at graph 0.02,first level offset 0,0.5 font ",9" textcolor rgb "#606060"
-        }
-        plot for [i = 1:methods] data every ::i-1::i-1 using 1:2+film with points pointtype int(word(shapes, i)) \
-            pointsize 1.3 linecolor rgb word(colours, (i - 1) % 7 + 1) title name(i)
+set terminal svg size 900,620 font "DejaVu Sans,12" background "white"
+set output folder . "/tonemaps.svg"
+set multiplot
+set logscale x
+set grid linecolor rgb "#d0d0d0" linewidth 0.7
+set border linecolor rgb "#606060"
+set xlabel "milliseconds for a 2048x1024 frame, one core" font ",11"
+set xrange [2:500]; set xtics font ",11"; set ytics font ",11"
+set yrange [0:45]; set format y "%g %%"
+set tmargin at screen 0.93; set bmargin at screen 0.40
+do for [film = 0:1] {
+    set lmargin at screen 0.08 + 0.48 * film; set rmargin at screen 0.50 + 0.48 * film
+    set title film ? "Our film" : "HDR pictures, clipped"
+    set ylabel film ? "" : "error of diffuse light, median over pictures" font ",11"
+    if (film) { unset key } else { set key at screen 0.5,0.28 center top maxrows 7 samplen 1 font ",10" }
+    unset arrow; unset label
+    do for [i = methods + 1:all] {
+        level = field(i, 2 + film)
+        set arrow from graph 0,first level to graph 1,first level nohead dashtype 2 linecolor rgb "#606060"
+        set label name(i) at graph 0.02,first level offset 0,0.5 font ",9" textcolor rgb "#606060"
     }
-    unset multiplot
-    unset output
+    plot for [i = 1:methods] data every ::i-1::i-1 using 1:2+film with points pointtype int(word(shapes, i)) \
+        pointsize 1.3 linecolor rgb word(colours, (i - 1) % 7 + 1) title name(i)
 }
+unset multiplot
+unset output

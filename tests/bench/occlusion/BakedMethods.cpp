@@ -1,4 +1,4 @@
-// What is kept at vertices: one number, or a row of them.
+// Methods that keep one number at each vertex, or a row of them.
 #include "engine/light/Lookup.h"
 #include "tests/baselines/HarmonicSums.h"
 #include "tests/baselines/occlusion/AmbientOcclusion.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kRays = 256, kRaysAPoint = 32; // at a vertex; at each of three points in a triangle
 
-// What stands in the way of a body's rays: itself as it rests, or the whole scene as it stands.
+// Occluders of a body's rays: itself as it rests, or the whole scene as it stands.
 struct Baking {
     occlusion::BodyMesh mesh;
     Occluded occluded;

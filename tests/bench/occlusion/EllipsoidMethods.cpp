@@ -1,4 +1,4 @@
-// What the game draws: bodies as ellipsoids on their joints, which hide the ends of a few axes.
+// The game's method: bodies as ellipsoids on their joints, which hide the ends of a few axes.
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/light/Lookup.h"
 #include "tests/bench/occlusion/EllipsoidParts.h"
@@ -29,7 +29,7 @@ std::vector<glm::vec4> selfOcclusionOf(const Mesh& mesh) {
     return occlusion::traceSelfOcclusion({mesh.positions, mesh.normals, indices}, kRays);
 }
 
-// As the skin turns each vertex, without its scale.
+// Turns it as the skin turns the vertex, without its scale.
 glm::vec4 turned(const glm::mat3& by, const glm::vec4& selfOcclusion) {
     const glm::vec3 to = by * glm::vec3(selfOcclusion);
     const float length = glm::length(to);

@@ -7,10 +7,10 @@
 
 namespace shoal::bench {
 
-// By bone.
+// Parts of a body, by bone.
 std::vector<occlusion::BodyPart> partsOf(const Body& body);
 
-// As it stands in the world.
+// The ellipsoid as it stands in the world.
 occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body);
 
 // [body]: those of all the others.

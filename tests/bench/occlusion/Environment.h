@@ -13,7 +13,7 @@ struct LitEnvironment {
 };
 std::vector<LitEnvironment> litEnvironments(const Path& shared, bool quick);
 
-// Of a frame of the game's video, in open water.
+// Light of a frame of the game's video, in open water.
 Result<Lit> reefLight();
 
 } // namespace shoal::bench

@@ -27,7 +27,7 @@ struct LobeRay {
     float weight = 0;
 };
 
-// Of the lobe that Lookup.h's glossy light has: half vectors as GGX spreads them, weighed by the cosine.
+// Rays of the lobe that Lookup.h's glossy light has: half vectors as GGX spreads them, weighed by the cosine.
 // Karis 2013.
 std::vector<LobeRay> lobeRays(int count, int turn) {
     const double alpha = math::alphaFromRoughness(static_cast<double>(kGlossyRoughness));

@@ -27,7 +27,6 @@ struct OcclusionChart {
     std::vector<std::string> scenes, environments;
     std::vector<bool> pointSun;             // [environment]
     std::vector<std::vector<double>> noise; // [scene][environment]: of the truth
-    std::vector<double> shadedShare;        // [scene]: of receivers, in the first environment
     std::vector<double> open;               // [scene]: mean free share of the hemisphere
     std::vector<OcclusionMeasured> methods; // the first ignores occlusion
     GlossyChart glossy;

@@ -15,8 +15,9 @@ struct Mesh {
     occlusion::BodyMesh view() const { return {positions, normals, triangles}; }
 };
 
-// Where a smooth function is 0, negative inside: closed, each vertex moved onto the surface, normals its
-// gradient. Naive surface nets (Gibson 1998, "Constrained Elastic Surface Nets") on cubes of `cell` metres.
+// Surface where a smooth function is 0, negative inside: closed, each vertex moved onto the surface, normals
+// its gradient. Naive surface nets (Gibson 1998, "Constrained Elastic Surface Nets") on cubes of `cell`
+// metres.
 Mesh surfaceOf(const std::function<float(const glm::vec3&)>& distance, const glm::vec3& low,
                const glm::vec3& high, float cell);
 

@@ -38,7 +38,7 @@ struct OcclusionMethod {
         Rigid,   // follows whole bodies; true for a body as it was built
         Rebuilt, // true for the scene as it was built
     } moves = Moves::Free;
-    // Where set: works out beforehand what does not depend on the environment, for these receivers in the
+    // Optional: works out beforehand what does not depend on the environment, for these receivers in the
     // calls of shade() that follow; none: forgets it. For the errors alone, never while time is taken.
     std::function<void(std::span<const Receiver>)> foresee = {};
 };
@@ -54,7 +54,7 @@ OcclusionMethod transfer(int bands, bool ownBodyAtRest);
 OcclusionMethod coherentShadowMaps(int directions, int size);
 OcclusionMethod layeredDepth(int directions, int size);
 OcclusionMethod exactRays(int directions);
-// What takes light: others' ellipsoids; each body's self-occlusion at rest too; and of what bends sharply its
+// Occluders: others' ellipsoids; each body's self-occlusion at rest too; and of what bends sharply its
 // own ellipsoids.
 enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);

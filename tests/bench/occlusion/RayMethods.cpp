@@ -1,4 +1,4 @@
-// What asks from which directions a point is seen.
+// Methods that ask from which directions a point is seen.
 #include "engine/light/Lookup.h"
 #include "tests/baselines/occlusion/CoherentShadowMaps.h"
 #include "tests/baselines/occlusion/LayeredDepth.h"

@@ -10,7 +10,7 @@
 
 namespace shoal::bench {
 
-// Where on which of the meshes.
+// A point on one of the meshes.
 struct Touch {
     float distance = 0;
     uint32_t mesh = 0, triangle = 0;
@@ -26,7 +26,7 @@ class Rays {
     bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest,
                   float furthest = 1e30f) const;
     std::optional<Touch> touch(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
-    // As methods answer: with the interpolated normal, turned towards the origin.
+    // Answers as methods do: with the interpolated normal, turned towards the origin.
     std::optional<occlusion::Hit> trace(glm::vec3 origin, glm::vec3 direction, float nearest) const;
 
   private:

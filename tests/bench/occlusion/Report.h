@@ -1,4 +1,4 @@
-// What was measured, as text and as data for the picture.
+// Writes the measurements as text and as data for the picture.
 #pragma once
 
 #include "engine/core/Files.h"

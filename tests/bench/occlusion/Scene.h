@@ -61,7 +61,7 @@ struct Receiver {
 
 Receiver receiverAt(const Scene& scene, size_t body, uint32_t triangle, const glm::vec3& weights);
 
-// By area: half on each group's bodies.
+// Receivers spread by area: half on each group's bodies.
 std::vector<Receiver> spreadReceivers(const Scene& scene, int count);
 
 } // namespace shoal::bench

@@ -46,7 +46,7 @@ Result<render::BakedOcclusion> shadeFor(ModelInstance& instance, const std::stri
     return shade;
 }
 
-// As linear blend skinning draws it. fins: whether thin ones that let some light through count as solid, or
+// Mesh by linear blend skinning. fins: whether thin ones that let some light through count as solid, or
 // not at all.
 Body bodyOf(const std::string& name, const ModelInstance& instance, const mat4& worldFromModel, bool fins) {
     Body body{.name = name};

@@ -24,7 +24,7 @@ namespace {
 constexpr int kBounces = 4;
 constexpr int kPaths = 48; // from what a ray meets: for suns are small
 
-// Where a ray that meets a body here gets its light from: the cell, and what of its radiance is left.
+// Source of the light of a ray that meets a body here: the cell, and how much of its radiance is left.
 struct Path {
     size_t cell = 0;
     glm::vec3 left{0}; // 0: none comes

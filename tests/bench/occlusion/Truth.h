@@ -1,4 +1,4 @@
-// What light reaches a surface when whatever stands in the way is counted.
+// Light that reaches a surface past all occluders, by traced rays.
 #pragma once
 
 #include "tests/bench/occlusion/Cells.h"

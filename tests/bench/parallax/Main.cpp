@@ -1,10 +1,10 @@
 // bench_parallax FOLDER FILM.depth.mkv FPS FRAME...: compares what an eye beside the camera sees of a film
 // with distances with what the ray tracer sees from there: FOLDER/reef_X_Y_Z_NNNN.hdr, X Y Z in millimetres.
-// Writes FOLDER/parallax.tsv: way of drawing, movement, PSNR, and the same of what is nearer than 4 m; and
-// FOLDER/WAY_X_Y_Z_NNNN.png to be looked at.
+// Writes FOLDER/parallax.tsv: way of drawing, movement, PSNR, and the same of what is nearer than 4 m.
 #include "engine/core/WriteFile.h"
 #include "engine/math/Colour.h"
 #include "engine/media/Pictures.h"
+#include "tests/bench/light/Timing.h"
 #include "tests/bench/parallax/Views.h"
 
 #include <fmt/core.h>
@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -44,17 +43,15 @@ struct Error {
 };
 struct Figures {
     Error all, nearby;
-    double processor_s = 0;
+    double processor_ms = 0;
     int views = 0;
 };
 
-double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-std::string pictureName(const char* of, const glm::ivec3& eye_mm, int frame) {
-    return fmt::format("{}_{}_{}_{}_{:04d}", of, eye_mm.x, eye_mm.y, eye_mm.z, frame);
+Path tracedFile(const Path& folder, const glm::ivec3& eye_mm, int frame) {
+    return folder / fmt::format("reef_{}_{}_{}_{:04d}.hdr", eye_mm.x, eye_mm.y, eye_mm.z, frame);
 }
 
-// As a camera shows it whose exposure makes the frame's mean a medium grey.
+// Display values of a camera whose exposure makes the frame's mean a medium grey.
 Result<ImageRgbF> readDisplay(const Path& file, float& exposure) {
     auto read = media::readHdr(file);
     if (!read) return read.error();
@@ -68,20 +65,10 @@ Result<ImageRgbF> readDisplay(const Path& file, float& exposure) {
     return std::move(image);
 }
 
-Status save(const Path& file, const Picture& picture) {
-    ImageRgb8 image(picture.size, picture.size);
-    for (int y = 0; y < picture.size; ++y)
-        for (int x = 0; x < picture.size; ++x)
-            for (int c = 0; c < 3; ++c)
-                image.at(x, picture.size - 1 - y)[c] = static_cast<uint8_t>(
-                    255 * picture.pixels[static_cast<size_t>(y) * picture.size + x][c] + 0.5f);
-    return media::writePng(file, image);
-}
-
 // The frame as the camera sees it, with distances as the game has them: its 8 bits are the guide.
 Result<Frame> readFrame(const Path& folder, media::DepthTrack& track, double time_s, int number,
                         float& exposure) {
-    auto display = readDisplay(folder / (pictureName("reef", {}, number) + ".hdr"), exposure);
+    auto display = readDisplay(tracedFile(folder, {}, number), exposure);
     if (!display) return display.error();
     Frame frame{.display = std::move(*display)};
     ImageRgb8 coded(frame.display.width, frame.display.height);
@@ -122,8 +109,7 @@ Status run(int argc, char** argv) {
         const auto frame = readFrame(folder, *track, number / fps, number, exposure);
         if (!frame) return frame.error();
         for (size_t e = 0; e < kEyes.size(); ++e) {
-            const auto truth =
-                readDisplay(folder / (pictureName("reef", kEyes[e], number) + ".hdr"), exposure);
+            const auto truth = readDisplay(tracedFile(folder, kEyes[e], number), exposure);
             if (!truth) return truth.error();
             const glm::vec3 eye = 0.001f * glm::vec3(kEyes[e]);
             for (int side = 0; side < 4; ++side) { // around, looking a little down
@@ -134,9 +120,9 @@ Status run(int argc, char** argv) {
                 const Picture right = seenFlat(*truth, turn, kSize);
                 for (size_t way = 0; way < kWays.size(); ++way) {
                     Figures& found = figures[{way, e}];
-                    const double began = processor_s();
+                    const double began = processor_ms();
                     const Picture seen = kWays[way].second(*frame, eye, turn);
-                    found.processor_s += processor_s() - began, ++found.views;
+                    found.processor_ms += processor_ms() - began, ++found.views;
                     for (size_t p = 0; p < seen.pixels.size(); ++p) {
                         found.all.add(seen.pixels[p], right.pixels[p]);
                         const glm::vec2 pixel(p % kSize, p / kSize);
@@ -145,15 +131,7 @@ Status run(int argc, char** argv) {
                         if (frame->depth.inverse_perM(glm::normalize(ray)) > 1 / kNearby_m)
                             found.nearby.add(seen.pixels[p], right.pixels[p]);
                     }
-                    if (side == 0)
-                        if (Status s = save(
-                                folder / (pictureName(kWays[way].first, kEyes[e], number) + ".png"), seen);
-                            !s)
-                            return s;
                 }
-                if (side == 0)
-                    if (Status s = save(folder / (pictureName("true", kEyes[e], number) + ".png"), right); !s)
-                        return s;
             }
         }
     }
@@ -161,7 +139,7 @@ Status run(int argc, char** argv) {
     for (const auto& [of, found] : figures)
         table += fmt::format("{}\t{}\t{}\t{}\t{:.1f}\t{:.1f}\t{:.0f}\n", kWays[of.first].first,
                              kEyes[of.second].x, kEyes[of.second].y, kEyes[of.second].z, found.all.psnr(),
-                             found.nearby.psnr(), 1e3 * found.processor_s / found.views);
+                             found.nearby.psnr(), found.processor_ms / found.views);
     std::fputs(table.c_str(), stdout);
     return writeFileWhole(folder / "parallax.tsv", table);
 }

@@ -27,7 +27,7 @@ glm::vec3 sample(const ImageRgbF& map, const glm::vec2& uv) {
                     glm::mix(texel(x, y + 1), texel(x + 1, y + 1), part.x), part.y);
 }
 
-// From the eye, of a pixel's middle; as long as from the eye to the image plane.
+// Ray from the eye through a pixel's middle; as long as from the eye to the image plane.
 glm::vec3 rayOf(const glm::vec2& pixel, const glm::mat3& envFromEye, int size) {
     return envFromEye * glm::vec3(2.0f * (pixel + 0.5f) / static_cast<float>(size) - 1.0f, -1);
 }

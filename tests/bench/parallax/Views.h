@@ -1,4 +1,4 @@
-// What an eye beside a film's camera sees of one of its frames, drawn in several ways.
+// Views of a film's frame from an eye beside its camera, drawn in several ways.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -26,7 +26,7 @@ struct Picture {
 // A square view of 90 degrees from the camera.
 Picture seenFlat(const ImageRgbF& display, const glm::mat3& envFromEye, int size);
 
-// As render::BackgroundCells has it: the search at corners, linear between them.
+// View by render::BackgroundCells: the search at corners, linear between them.
 Picture seenByCells(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size);
 
 // The same search for every pixel.

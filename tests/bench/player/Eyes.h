@@ -1,4 +1,4 @@
-// What a person sees of a dive on a screen, and when: projected positions and apparent sizes, no depth, a
+// A person's sight of a dive on a screen: projected positions and apparent sizes, no depth, a
 // reaction time late.
 #pragma once
 
@@ -45,7 +45,7 @@ class Eyes {
     // Once a frame: what the screen shows now. isPrey: by species.
     void look(const game::Snapshot& shown, const std::vector<bool>& isPrey, double time_s);
 
-    // What has been understood by now: the sight of kReaction_s ago.
+    // Returns what has been understood by now: the sight of kReaction_s ago.
     const Sight& now() const { return sights_.front(); }
     // Velocity on the screen of what was seen there, pixels a second; zero if it has just appeared.
     glm::vec2 velocity_px(int id) const;

@@ -88,7 +88,7 @@ Action Player::frame(const game::Snapshot& shown, double time_s) {
     return action;
 }
 
-// By its apparent size, if eyes have no other way.
+// Distance by its apparent size, if eyes have no other way.
 float Player::judgedDistance_m(const SeenFish& fish) const {
     if (device_ == Device::Hands) return fish.distance_m + misjudged_m_;
     return length_m_[static_cast<size_t>(fish.species)] * kFocal_px / fish.size_px;
@@ -158,8 +158,8 @@ void Player::wait(double time_s) {
     since_s_ = time_s;
 }
 
-// Where to bring the pointer or the hand. ahead_s: since what is seen, in which the practised expect the fish
-// to go on.
+// Place to bring the pointer or the hand to. ahead_s: since what is seen, in which the practised expect the
+// fish to go on.
 glm::vec3 Player::goalFor(const SeenFish& fish, float ahead_s) const {
     const float lead_s = skill_ == Skill::Practised ? ahead_s : 0;
     const glm::vec2 px = fish.at_px + eyes_.velocity_px(fish.id) * lead_s;

@@ -23,7 +23,7 @@ namespace shoal::player {
 enum class Skill { Novice, Practised };
 enum class Device { Mouse, Hands };
 
-// What the person does in a frame.
+// The person's actions in a frame.
 struct Action {
     glm::vec2 cursor_px{0}; // of the mouse
     glm::vec3 grasp{0};     // where the hand is, viewer's frame, metres

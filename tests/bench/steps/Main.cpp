@@ -26,10 +26,10 @@ constexpr Method kMethods[] = {{"thesis", light::FrameRadiance::Thesis},
                                {"linear", light::FrameRadiance::Linear},
                                {"auto (the game)", light::FrameRadiance::Auto}};
 
-// Of a frame of a clip, by method, the truth last.
+// Light of a frame of a clip, by method, the truth last.
 using Lights = std::array<ImageRgbF, std::size(kMethods) + 1>;
 
-// What the camera multiplied radiance with, since it adapts and what is lit has to follow: the median over
+// The camera's factor on radiance, since it adapts and what is lit has to follow: the median over
 // pixels neither clipped nor nearly black, as small lamps seldom fall on the pixels that stand for them.
 double exposureOf(const ImageRgb8& bgr, const ImageRgbF& radianceLin) {
     std::vector<double> ratios;
@@ -93,7 +93,7 @@ Result<std::vector<Lights>> lightsOf(const Path& folder, const std::string& film
     return lights;
 }
 
-// Of sorted values.
+// Quantile of sorted values.
 double share(const std::vector<double>& sorted, double of) {
     return sorted[static_cast<size_t>(of * static_cast<double>(sorted.size() - 1))];
 }

@@ -1,11 +1,7 @@
-// How well hands are found in a webcam's pictures: bench_webcam [FOLDER [PICTURES [WORD]]]. Prints tables,
-// and with a folder writes every tenth picture there with the hands found. WORD: only rows with this in their
-// names, or "sizes".
+// Prints tables of how well hands are found in a webcam's pictures.
 #include "engine/core/Files.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 #include "tests/accuracy/webcam/HandRows.h"
-
-#include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -23,22 +19,14 @@ LandmarkFinder landmarkFinder(const HandRig& rig) {
     std::exit(1);
 }
 
-void printRows(test::HandClip& clip, const HandRig& rig, const std::string& folder, int pictures,
-               const std::string& word) {
+constexpr int kPictures = 90;
+
+void printRows(test::HandClip& clip, const HandRig& rig) {
     std::puts("| hands | found, % | other side | phantoms | tips off, mm | ms a picture "
               "|\n|---|--:|--:|--:|--:|--:|");
     for (const test::Row& row : test::rows()) {
-        if (std::string(row.name).find(word) == std::string::npos) continue;
         LandmarkFinder finder = landmarkFinder(rig);
-        const auto look = [&](int number, const cv::Mat& picture, const HandFrame& found) {
-            if (folder.empty() || number % 10 != 9) return;
-            cv::Mat drawn = picture.clone();
-            test::drawHands(drawn, found);
-            std::string name = row.name;
-            std::replace(name.begin(), name.end(), ' ', '_');
-            cv::imwrite(folder + "/" + name + "_" + std::to_string(number) + ".png", drawn);
-        };
-        const test::RowResult result = test::measure(clip, rig, row, pictures, finder, look);
+        const test::RowResult result = test::measure(clip, rig, row, kPictures, finder);
         std::printf("| %s | ", row.name);
         if (result.shown) std::printf("%.1f", 100.0 * result.found / result.shown);
         std::printf(" | %d | %d | ", result.otherSide, result.phantoms);
@@ -48,7 +36,7 @@ void printRows(test::HandClip& clip, const HandRig& rig, const std::string& fold
     }
 }
 
-void printSizes(test::HandClip& clip, const HandRig& rig, int pictures) {
+void printSizes(test::HandClip& clip, const HandRig& rig) {
     std::puts(
         "\n| hands of size, % | measured, % | at, m | found, % | wrist's distance off, % | once measured, % "
         "|\n|--:|--:|--:|--:|--:|--:|");
@@ -58,7 +46,7 @@ void printSizes(test::HandClip& clip, const HandRig& rig, int pictures) {
         for (const float distance_m : {0.3f, 0.5f, 0.9f}) {
             LandmarkFinder finder = landmarkFinder(rig);
             const test::Row row{.name = "size", .distance_m = distance_m, .size = size};
-            const test::RowResult result = test::measure(clip, rig, row, pictures, finder);
+            const test::RowResult result = test::measure(clip, rig, row, kPictures, finder);
             std::printf("| %.0f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", 100 * static_cast<double>(size),
                         100 * measured, static_cast<double>(distance_m),
                         100.0 * result.found / std::max(result.shown, 1), result.wristOff_percent(1),
@@ -70,17 +58,13 @@ void printSizes(test::HandClip& clip, const HandRig& rig, int pictures) {
 
 } // namespace
 
-int main(int count, char** arguments) {
-    const std::string folder = count > 1 ? arguments[1] : "";
-    const int pictures = count > 2 ? std::max(10, std::atoi(arguments[2])) : 90;
-    const std::string word = count > 3 ? arguments[3] : "";
+int main() {
     const auto rig = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
     if (!rig || !clip) {
         std::fprintf(stderr, "%s\n", (rig ? clip.error() : rig.error()).message().c_str());
         return 1;
     }
-    printRows(*clip, *rig, folder, pictures, word);
-    if (word.empty() || word == "sizes") printSizes(*clip, *rig, pictures);
-    return 0;
+    printRows(*clip, *rig);
+    printSizes(*clip, *rig);
 }

@@ -1,4 +1,4 @@
-// What the graphics card answers is what the processor does.
+// The graphics card answers as the processor does.
 #include "engine/occlusion/gpu/LayersGpu.h"
 #include "engine/platform/Headless.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"

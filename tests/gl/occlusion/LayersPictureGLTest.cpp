@@ -114,7 +114,7 @@ TEST_F(LayersPicture, AHolesWallIsAsDarkAsTheLightThatReachesIt) {
     for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis})
         EXPECT_NEAR(radianceAt(model, place, eye, method).g / off, expected, 0.06f * expected)
             << static_cast<int>(method);
-    // What faces away from all of the body keeps its light.
+    // A surface that faces away from all of the body keeps its light.
     const glm::vec3 outside(1.4f, 0, 0);
     const float free = radianceAt(model, outside, {1, 0.3f, 0}, {}).g;
     EXPECT_NEAR(radianceAt(model, outside, {1, 0.3f, 0}, LayerMethod::Ollfb).g, free, 0.01f * free);
@@ -134,7 +134,7 @@ TEST_F(LayersPicture, AMirrorShowsItselfOnceMore) {
         EXPECT_LT(colour(method), 0.4f * once) << static_cast<int>(method);
 }
 
-// What sends all light on is as bright as the light around it, whatever it sees of itself.
+// A surface that sends all light on is as bright as the light around it, whatever it sees of itself.
 TEST_F(LayersPicture, WhiteInEvenLightStaysWhite) {
     for (const float metallic : {0.0f, 1.0f})
         for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis}) {

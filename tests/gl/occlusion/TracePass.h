@@ -10,7 +10,7 @@
 
 namespace shoal::occlusion {
 
-// As the shader has it.
+// Layout of the shader.
 struct RayGpu {
     glm::vec3 origin{0};
     float nearest = 0;
@@ -24,7 +24,7 @@ class TracePass {
     // Compiles; no OpenGL 4.3 is an error.
     static Result<TracePass> make();
 
-    // As the methods' trace() does, body frame. Waits for the answers.
+    // Traces as the methods' trace() does, body frame. Waits for the answers.
     using Answers = std::vector<std::optional<Hit>>;
     Result<Answers> trace(const LayersGpu& layers, std::span<const RayGpu> rays) const;
 

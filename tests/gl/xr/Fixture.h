@@ -17,7 +17,6 @@ namespace shoal::test {
 class WithFakeRuntime : public testing::Test {
   protected:
     FakeRuntime& fake = shoalFakeRuntime();
-    std::optional<VirtualDisplay> display_;
     std::optional<platform::Window> window_; // where openWindow() has been called
     bool validated_ = false;
     const Path validation_ =
@@ -32,7 +31,7 @@ class WithFakeRuntime : public testing::Test {
     }
     // Debian's layer (1.0.20) refuses structures of extensions that are younger.
     static void withoutValidation() { unsetenv("XR_ENABLE_API_LAYERS"); }
-    // What the layer has complained of; it writes no file without a complaint.
+    // Complaints of the layer, which writes no file without one.
     // But that it begins and ends, which the layer's version 1.1 reports as well.
     std::string validationReport() const {
         const auto text = readText(validation_);
@@ -49,8 +48,8 @@ class WithFakeRuntime : public testing::Test {
             setenv("XR_CORE_VALIDATION_EXPORT_TYPE", "text", 1);
             setenv("XR_CORE_VALIDATION_FILE_NAME", validation_.c_str(), 1);
         }
-        display_ = VirtualDisplay::open();
-        if (!display_) GTEST_SKIP() << "needs Xvfb";
+        static const auto display = VirtualDisplay::open(); // of all cases
+        if (!display) GTEST_SKIP() << "needs Xvfb";
     }
     void openWindow() {
         auto window = platform::Window::open({"test", 64, 64, false, false});

@@ -37,20 +37,29 @@ class HeadsetGL : public test::WithFakeRuntime {
         EXPECT_TRUE(headset.end({}));
         return *frame;
     }
-    static void untilFocused(Headset& headset) {
+    static Headset focused() {
+        Headset headset = open();
         for (int i = 0; i < 10 && !headset.plays(); ++i) emptyFrame(headset);
-        ASSERT_TRUE(headset.plays());
+        EXPECT_TRUE(headset.plays());
+        return headset;
+    }
+    // Begins a frame that the test draws.
+    static Frame begin(Headset& headset) {
+        EXPECT_TRUE(headset.poll());
+        const auto frame = headset.waitFrame();
+        EXPECT_TRUE(frame && headset.begin());
+        return *frame;
     }
 };
 
 TEST_F(HeadsetGL, BeginsAndEndsInGoodOrder) {
     {
-        Headset headset = open();
+        EXPECT_FALSE(open().wantsFrames());
+        fake.boundProfiles.clear();
+        const Headset headset = focused();
         EXPECT_EQ(headset.name(), "Fake headset (Fake runtime)");
         EXPECT_EQ(headset.eyeSize(), glm::ivec2(200, 240));
         EXPECT_TRUE(headset.bareHands());
-        EXPECT_FALSE(headset.wantsFrames());
-        untilFocused(headset);
         EXPECT_FALSE(headset.leaving());
     }
     EXPECT_TRUE(fake.called.contains("xrRequestExitSession"));
@@ -59,8 +68,7 @@ TEST_F(HeadsetGL, BeginsAndEndsInGoodOrder) {
 }
 
 TEST_F(HeadsetGL, TakesItsFrameTimesFromTheRuntime) {
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     fake.period_s = 1.0 / 72;
     const Frame first = emptyFrame(headset), second = emptyFrame(headset);
     EXPECT_NEAR(static_cast<double>(second.display_ns - first.display_ns) * 1e-9, 1.0 / 72, 1e-8);
@@ -74,14 +82,13 @@ TEST_F(HeadsetGL, AsksForNinetyPicturesASecondWhereTheyAreOffered) {
     testing::internal::CaptureStderr();
     log::setUp(true);
     {
-        Headset headset = open();
-        untilFocused(headset); // and the change was told
+        Headset headset = focused(); // and the change was told
     }
     log::setUp(false);
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_EQ(fake.refreshRate_Hz, 90);
     EXPECT_NE(said.find("shows 90 pictures a second from now on"), std::string::npos) << said;
-    // What is not offered is not asked for, and what fails is no reason not to play.
+    // A rate that is not offered is not asked for, and a failure is no reason not to play.
     fake.refreshRates_Hz = {60, 72};
     fake.refreshRate_Hz = 72;
     fake.called.clear();
@@ -100,14 +107,13 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
         const glm::vec3 at = glm::vec3(2, 0.3f, -1) + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
         fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {at.x, at.y, at.z}};
     }
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     emptyFrame(headset);
     const Tracking& now = headset.tracking();
     ASSERT_TRUE(now.headTracked);
     EXPECT_LT(glm::length(now.worldFromHead.position), 1e-5f);
     const glm::vec3 ahead = now.worldFromHead.orientation * glm::vec3(0, 0, -1);
-    // Of the turn only the looking down is left.
+    // Only the looking down is left of the turn.
     EXPECT_LT(glm::distance(ahead, glm::vec3(0, std::sin(-0.4f), -std::cos(0.4f))), 1e-5f);
     EXPECT_NEAR(glm::distance(now.eyes[0].worldFromEye.position, now.eyes[1].worldFromEye.position), 0.064f,
                 1e-5f);
@@ -121,10 +127,9 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
     EXPECT_LT(glm::length(headset.tracking().worldFromHead.position), 1e-5f);
 }
 
-// What the runtime announces holds from the time on that it says: until then LOCAL is where it was.
+// A change that the runtime announces holds from the time that it says: until then LOCAL is where it was.
 TEST_F(HeadsetGL, ARecentringByTheRuntimeIsObeyedWhenItHappens) {
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     Frame now = emptyFrame(headset);
     const auto place = [&](float x) {
         for (size_t eye = 0; eye < 2; ++eye)
@@ -153,8 +158,7 @@ TEST_F(HeadsetGL, TheFloorIsKnownWhereTheRuntimeKnowsIt) {
     withoutValidation();
     for (XrView& view : fake.views) view.pose.position.y = 0.2f; // the origin of the dive, above LOCAL's
     const auto floor = [&] {
-        Headset headset = open();
-        untilFocused(headset);
+        Headset headset = focused();
         emptyFrame(headset);
         return headset.tracking().floor_m;
     };
@@ -181,8 +185,7 @@ TEST_F(HeadsetGL, TheFloorIsKnownWhereTheRuntimeKnowsIt) {
 // Valid is all that a runtime promises; Monado's simulated headset never says that it is tracked.
 TEST_F(HeadsetGL, PosesThatAreOnlyValidAreTaken) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     emptyFrame(headset);
     for (XrView& view : fake.views) view.pose.position.y += 0.25f;
     emptyFrame(headset);
@@ -192,8 +195,7 @@ TEST_F(HeadsetGL, PosesThatAreOnlyValidAreTaken) {
 }
 
 TEST_F(HeadsetGL, KnowsWhenTheHeadIsLost) {
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     emptyFrame(headset);
     const glm::vec3 known = headset.tracking().worldFromHead.position;
     for (const XrViewStateFlags flags : {XrViewStateFlags(0), XR_VIEW_STATE_POSITION_VALID_BIT}) {
@@ -214,8 +216,7 @@ TEST_F(HeadsetGL, KnowsWhenTheHeadIsLost) {
 
 // Without a position, or with a guess where it was measured before, the head turns where it was.
 TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     for (XrView& view : fake.views) view.pose.position.y += 0.25f;
     emptyFrame(headset);
     const glm::vec3 known = headset.tracking().worldFromHead.position;
@@ -247,11 +248,10 @@ TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
     EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.5f, 1e-5f);
 }
 
-// Of a headset that only turns; the eyes are as far apart as those of people.
+// A headset that only turns; the eyes are as far apart as those of people.
 TEST_F(HeadsetGL, AHeadThatOnlyTurnsIsDrawnFrom) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     emptyFrame(headset);
     const Tracking& now = headset.tracking();
     EXPECT_TRUE(now.headTracked);
@@ -263,13 +263,9 @@ TEST_F(HeadsetGL, AHeadThatOnlyTurnsIsDrawnFrom) {
 // Every pixel as it was written, in the poses and angles that were given.
 TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     fake.keepPictures = true;
-    Headset headset = open();
-    untilFocused(headset);
-    ASSERT_TRUE(headset.poll());
-    const auto frame = headset.waitFrame();
-    ASSERT_TRUE(frame);
-    EXPECT_TRUE(frame->drawn);
-    ASSERT_TRUE(headset.begin());
+    Headset headset = focused();
+    const Frame frame = begin(headset);
+    EXPECT_TRUE(frame.drawn);
     for (const Picture picture : {Picture::LeftEye, Picture::RightEye, Picture::Panel}) {
         const auto framebuffer = headset.acquire(picture);
         ASSERT_TRUE(framebuffer) << framebuffer.error().message();
@@ -287,7 +283,7 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     EXPECT_EQ(fake.last.blend, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
     EXPECT_EQ(fake.last.eyesFlags, 0u);
     ASSERT_TRUE(fake.last.eyes && fake.last.panel);
-    EXPECT_EQ(fake.last.display, frame->display_ns);
+    EXPECT_EQ(fake.last.display, frame.display_ns);
     for (size_t eye = 0; eye < 2; ++eye) {
         const test::ShownEye& shown = (*fake.last.eyes)[eye];
         const XrView& given = fake.views[eye];
@@ -309,13 +305,10 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
 TEST_F(HeadsetGL, TheRoomIsBlendedWhereTheRuntimeOffersIt) {
     EXPECT_FALSE(open().seesRoom());
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
-    Headset headset = open();
+    Headset headset = focused();
     EXPECT_TRUE(headset.seesRoom());
-    untilFocused(headset);
     for (const bool room : {true, false, true}) {
-        ASSERT_TRUE(headset.poll());
-        ASSERT_TRUE(headset.waitFrame());
-        ASSERT_TRUE(headset.begin());
+        begin(headset);
         for (const Picture picture : {Picture::LeftEye, Picture::RightEye}) {
             ASSERT_TRUE(headset.acquire(picture));
             ASSERT_TRUE(headset.release(picture));
@@ -337,12 +330,9 @@ TEST_F(HeadsetGL, DepthGoesWithTheEyes) {
     fake.keepPictures = true;
     for (const int64_t format : {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24}) {
         fake.formats.push_back(format);
-        Headset headset = open();
+        Headset headset = focused();
         ASSERT_TRUE(headset.takesDepth());
-        untilFocused(headset);
-        ASSERT_TRUE(headset.poll());
-        ASSERT_TRUE(headset.waitFrame());
-        ASSERT_TRUE(headset.begin());
+        begin(headset);
         for (const Picture picture :
              {Picture::LeftEye, Picture::RightEye, Picture::LeftDepth, Picture::RightDepth}) {
             const auto framebuffer = headset.acquire(picture);
@@ -374,8 +364,7 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     for (size_t i = 0; i < fake.hands[1].joints.size(); ++i)
         fake.hands[1].joints[i] = {0xf, {{0, 0, 0, 1}, {0.01f * static_cast<float>(i), 0, -0.4f}}, 0.01f};
     fake.controllers[0] = {true, {{0, 0, 0, 1}, {-0.3f, -0.2f, -0.5f}}, 0.7f, 0.2f, true};
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     emptyFrame(headset);
     const Tracking& now = headset.tracking();
     EXPECT_FALSE(now.hands[0].tracked);
@@ -423,8 +412,7 @@ TEST_F(HeadsetGL, JointsThatAreMadeUpFromAControllerAreNotAskedFor) {
     }
     fake.hands[1].isMadeUp = true;
     const auto tracked = [&](int hand) {
-        Headset headset = open();
-        untilFocused(headset);
+        Headset headset = focused();
         emptyFrame(headset);
         return headset.tracking().hands[static_cast<size_t>(hand)].tracked;
     };
@@ -439,8 +427,7 @@ TEST_F(HeadsetGL, JointsThatAreMadeUpFromAControllerAreNotAskedFor) {
 TEST_F(HeadsetGL, AHandIsTrackedWhereAllItsJointsAreKnown) {
     fake.hands[0].active = true;
     for (auto& joint : fake.hands[0].joints) joint = {0xf, {{0, 0, 0, 1}, {0, 0, -0.4f}}, 0.01f};
-    Headset headset = open();
-    untilFocused(headset);
+    Headset headset = focused();
     const auto seen = [&] {
         emptyFrame(headset);
         return headset.tracking().hands[0];
@@ -461,9 +448,8 @@ TEST_F(HeadsetGL, AHandIsTrackedWhereAllItsJointsAreKnown) {
 TEST_F(HeadsetGL, WorksWithoutHandTracking) {
     fake.extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME};
     fake.hands[0].active = true;
-    Headset headset = open();
+    Headset headset = focused();
     EXPECT_FALSE(headset.bareHands());
-    untilFocused(headset);
     emptyFrame(headset);
     EXPECT_FALSE(headset.tracking().hands[0].tracked);
     EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));
@@ -475,9 +461,8 @@ TEST_F(HeadsetGL, WhoTakesItOffPlaysNoMore) {
     fake.extensions.insert(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
     for (const bool senses : {true, false}) {
         fake.sensesWearer = senses;
-        Headset headset = open();
+        Headset headset = focused();
         EXPECT_TRUE(fake.enabled.contains(XR_EXT_USER_PRESENCE_EXTENSION_NAME));
-        untilFocused(headset);
         fake.sayWorn(false);
         emptyFrame(headset);
         EXPECT_EQ(headset.plays(), !senses);
@@ -489,8 +474,7 @@ TEST_F(HeadsetGL, WhoTakesItOffPlaysNoMore) {
 
 TEST_F(HeadsetGL, VibratesWithLimitsAndStops) {
     {
-        Headset headset = open();
-        untilFocused(headset);
+        Headset headset = focused();
         ASSERT_TRUE(headset.vibrate(1, 0.6f, 180));
         ASSERT_TRUE(headset.vibrate(0, 5, 60));
         ASSERT_TRUE(headset.vibrate(1, 0, 0));

@@ -1,4 +1,4 @@
-// What may happen in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
+// Losses in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
 // pauses, is shown in the window, and all of it is in its recording.
 #include "game/app/Application.h"
 #include "tests/gl/xr/WindowEvents.h"
@@ -16,10 +16,11 @@ namespace {
 class LostRuntime : public XrProgram {
   protected:
     void loseIt(const std::function<void(FakeRuntime&)>& how, const std::string& about) {
+        fake.period_s = 1.0 / 30;
         fake.onWait = [how](FakeRuntime& f) {
-            if (f.framesWaited == 90) how(f);
+            if (f.framesWaited == 30) how(f);
         };
-        // Whoever sits before the window closes it after a look.
+        // A person before the window closes it after a look.
         fake.onGone = [](FakeRuntime&) { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); };
         PlayOptions o = options();
         o.record = folder_ / "a.replay";
@@ -42,7 +43,7 @@ class LostRuntime : public XrProgram {
         EXPECT_NE(said.find(about), std::string::npos) << said;
         const auto recording = tests::readRecorded(o.record);
         ASSERT_TRUE(recording) << recording.error().message();
-        EXPECT_GE(recording->ticks(), 89u * 120 / 90);
+        EXPECT_GE(recording->ticks(), 29u * 120 / 30);
         expectReplays(*recording);
     }
 };

@@ -10,7 +10,7 @@
 namespace shoal::xr {
 namespace {
 
-// As the loader looks for it.
+// Looks for it as the loader does.
 bool runtimeIsNamed() {
     if (const char* json = std::getenv("XR_RUNTIME_JSON")) return *json != 0;
     const char* config = std::getenv("XDG_CONFIG_HOME");

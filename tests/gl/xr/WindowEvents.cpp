@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-// As GLFW/glfw3native.h declares it, which asks for headers of more of X than this needs.
+// Declared as in GLFW/glfw3native.h, which asks for headers of more of X than this needs.
 extern "C" Window glfwGetX11Window(GLFWwindow* window);
 
 namespace shoal::test {

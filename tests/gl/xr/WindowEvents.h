@@ -1,4 +1,4 @@
-// What happens to the window whose OpenGL context is current.
+// Sends events to the window whose OpenGL context is current.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What the player of a headset sees is what the renderer draws from there, pixel by pixel.
+// A headset shows what the renderer draws from there, pixel by pixel.
 #include "engine/core/Log.h"
 #include "game/app/HeadsetDisplay.h"
 #include "game/session/GameSession.h"
@@ -44,6 +44,7 @@ class XrPicture : public test::WithFakeRuntime {
         // The eyes, canted, askew and apart, in LOCAL; the dive is centred there, so that only this is known:
         // what each eye's pose is to the other's.
         fake.keepPictures = true;
+        fake.period_s = 1.0 / 22; // so that the picture is there after few of them
     }
     void TearDown() override {
         run_.reset();
@@ -80,7 +81,7 @@ class XrPicture : public test::WithFakeRuntime {
     }
     void show(HeadsetDisplay& headset, float scale, const Painter& painter) {
         bool drew = false;
-        for (int i = 0; i < 80; ++i) {
+        for (int i = 0; i < 20; ++i) {
             const Status waited = headset.begin();
             ASSERT_TRUE(waited) << waited.error().message();
             headset.feed(*run_);
@@ -155,7 +156,7 @@ TEST_F(XrPicture, MovesWithTheHead) {
     expectOrdinary({200, 240}, 1);
 }
 
-// In the player's room: animals as the film lights them, nothing beside them, and a hand only hides them.
+// The player's room: animals as the film lights them, nothing beside them, and a hand only hides them.
 TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
     const glm::ivec2 size(200, 240);
     const render::View view{.verticalFov = 1.2f, .aspect = 200.0f / 240, .heightPixels = size.y};
@@ -234,6 +235,14 @@ TEST_F(XrPicture, WhatCoversHalfAPixelOfTheRoomGivesHalfItsLight) {
     }
 }
 
+// Ray through the middle of a pixel, in the eye's frame; as long as to the plane z = -1.
+glm::vec3 rayThrough(const test::ShownEye& eye, int x, int y) {
+    const glm::vec2 share((static_cast<float>(x) + 0.5f) / static_cast<float>(eye.rect.extent.width),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(eye.rect.extent.height));
+    return {glm::mix(std::tan(eye.fov.angleLeft), std::tan(eye.fov.angleRight), share.x),
+            glm::mix(std::tan(eye.fov.angleDown), std::tan(eye.fov.angleUp), share.y), -1};
+}
+
 // Under an animal the floor is darker, as far as its shadow reaches, where the headset knows the floor.
 TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     withoutValidation();
@@ -278,8 +287,6 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     for (size_t e = 0; e < 2; ++e) {
         const test::ShownEye& eye = with[e];
         const int width = eye.rect.extent.width, height = eye.rect.extent.height;
-        const float left = std::tan(eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
-        const float bottom = std::tan(eye.fov.angleDown), top = std::tan(eye.fov.angleUp);
         const XrVector3f& p = eye.localFromEye.position;
         const glm::vec3 at(p.x, p.y, p.z);
         int shaded = 0, strongest = 0;
@@ -290,10 +297,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
                 ASSERT_EQ(handAlone[e].picture.rgba[i + 3], 0) << "hands cast their own";
                 ASSERT_GE(alpha, alone);
                 if (alpha == alone) continue;
-                const glm::vec2 share((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                                      (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
-                const glm::vec3 ray =
-                    down * glm::vec3(left + (right - left) * share.x, bottom + (top - bottom) * share.y, -1);
+                const glm::vec3 ray = down * rayThrough(eye, x, y);
                 ASSERT_LT(ray.y, 0);
                 const glm::vec3 place = at + ray * ((kFloor_m - at.y) / ray.y);
                 ASSERT_LT(glm::distance(place, middle), reach_m);
@@ -309,7 +313,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     }
 }
 
-// What the film shows has the distance that its track tells, for each eye where that is; and what the runtime
+// The film has the distances that its track tells, for each eye where that is; and what the runtime
 // does not take is not made.
 TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
     ASSERT_TRUE(environment_->depth()) << "the reef's film comes with a track of distances";
@@ -343,16 +347,12 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
         ASSERT_TRUE(eye.depth);
         const float near_m = eye.depth->near_m, far_m = eye.depth->far_m;
         const int width = eye.rect.extent.width, height = eye.rect.extent.height;
-        const float left = std::tan(eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
-        const float bottom = std::tan(eye.fov.angleDown), top = std::tan(eye.fov.angleUp);
         const XrVector3f& p = eye.localFromEye.position;
         const glm::vec3 eyeEnv = envFromWorld * glm::vec3(p.x, p.y, p.z);
         int asked = 0, known = 0, wrong = 0;
         for (int y = 4; y < height; y += 8)
             for (int x = 4; x < width; x += 8) {
-                const glm::vec2 share((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                                      (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
-                const glm::vec3 ray(left + (right - left) * share.x, bottom + (top - bottom) * share.y, -1);
+                const glm::vec3 ray = rayThrough(eye, x, y);
                 const glm::vec3 dirEnv = envFromWorld * (down * glm::normalize(ray));
                 const depth::Seen seen = depth::searchAlong(*environment_->depth(), eyeEnv, dirEnv);
                 // 1/m along the eye's axis.
@@ -426,7 +426,7 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
                         ++count;
                         sum += glm::vec2(x, y) + 0.5f;
                     }
-                // Where it is seen: about the point at the animal's middle, by the eye's angles.
+                // It is seen about the point at the animal's middle, by the eye's angles.
                 const float left = std::tan(eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
                 const float down = std::tan(eye.fov.angleDown), up = std::tan(eye.fov.angleUp);
                 const float x = (kRight_m - eye.localFromEye.position.x) / kAway_m;

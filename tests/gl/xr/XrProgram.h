@@ -4,11 +4,11 @@
 #include "engine/core/Log.h"
 #include "game/rules/TickInput.h"
 #include "game/tools/Commands.h"
-#include "game/views/FilmSpaceOf.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
 #include "tests/playthrough/Play.h"
+#include "tests/playthrough/Rooms.h"
 
 #include <algorithm>
 
@@ -43,6 +43,7 @@ class XrProgram : public test::WithFakeRuntime {
         o.seed = 1; // with a window each run would draw another
         o.mute = true;
         o.quality = QualityControl::Fixed;
+        o.shadows = ShadowChoice::Off; // half of a frame's time on the processor
         o.look.size = {160, 90};
         o.environment.photo = ""; // the dive's own video
         return o;
@@ -66,7 +67,17 @@ class XrProgram : public test::WithFakeRuntime {
             outcome.said.erase(at, outcome.said.find('\n', at) + 1 - at);
         return outcome;
     }
-    // As when the player ends the game in the runtime's menu.
+    // Plays so many frames of a dive, which succeeds and says nothing, and returns its recording.
+    tests::Recorded recorded(PlayOptions o, uint64_t frames) {
+        o.record = folder_ / "a.replay";
+        const Outcome outcome = run(o, frames);
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_EQ(outcome.said, "");
+        auto recording = tests::readRecorded(o.record);
+        if (!recording) throw std::runtime_error(recording.error().message());
+        return *std::move(recording);
+    }
+    // Ends the game as the player does in the runtime's menu.
     static void leave(FakeRuntime& f) {
         f.exitRequested = true;
         f.say(XR_SESSION_STATE_VISIBLE);
@@ -110,7 +121,7 @@ class XrProgram : public test::WithFakeRuntime {
     static void expectReplays(const tests::Recorded& recording) {
         auto files = game::loadDiveFiles("reef");
         ASSERT_TRUE(files);
-        files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
+        ASSERT_TRUE(game::roomOf(files->dive.video).moveTo(files->dive.space));
         const Status same = game::replay(recording, *files);
         EXPECT_TRUE(same) << same.error().message();
     }
@@ -129,16 +140,8 @@ class XrProgram : public test::WithFakeRuntime {
         }
         return lengths;
     }
-    // Of so many frames of a dive in which the runtime does as it was told.
-    std::vector<int> pausesWithin(uint64_t frames) {
-        PlayOptions o = options();
-        o.record = folder_ / "a.replay";
-        const Outcome outcome = run(o, frames);
-        EXPECT_EQ(outcome.status, 0) << outcome.said;
-        const auto recording = tests::readRecorded(o.record);
-        EXPECT_TRUE(recording);
-        return recording ? pauses(*recording) : std::vector<int>();
-    }
+    // Pauses in so many frames of a dive in which the runtime does as it was told.
+    std::vector<int> pausesWithin(uint64_t frames) { return pauses(recorded(options(), frames)); }
 };
 
 } // namespace shoal::app

@@ -16,38 +16,36 @@ namespace {
 
 TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     fake.period_s = 1.0 / 72;
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o, 180);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    EXPECT_EQ(outcome.said, "");
+    const tests::Recorded recording = recorded(options(), 180);
     EXPECT_GT(fake.framesWithEyes, 170u);
     EXPECT_EQ(fake.framesEnded, fake.framesWaited);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording) << recording.error().message();
-    // From the first frame's time to the last one's, when it was told to leave.
-    EXPECT_EQ(recording->ticks(), 180u * 120 / 72);
+    // Ticks from the first frame's time to the last one's, when it was told to leave.
+    EXPECT_EQ(recording.ticks(), 180u * 120 / 72);
     EXPECT_FALSE(fake.running);
 }
 
-// What pauses in frame 90 does so until a hand that closes in frame 180 has taken hold, for 0.4 s.
+// Between frames where a script takes many seconds.
+constexpr double kSlow_s = 1.0 / 30;
+
+// A pause from frame 30 lasts until a hand that closes in frame 60 has taken hold, for 0.4 s; four ticks a
+// frame.
 void expectPausedUntilAHandCloses(const std::vector<int>& lengths) {
-    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
-    // 90 frames a second: 4 ticks in 3 frames. Worn from frame 3 on, steady for 0.3 s.
-    EXPECT_NEAR(lengths[0], 30 * 4 / 3, 6);
-    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
-    EXPECT_NEAR(lengths[2], (180 + 36 - 90) * 4 / 3, 6);
+    ASSERT_EQ(lengths.size(), 4u);          // until it is worn, play, pause, play
+    EXPECT_NEAR(lengths[0], 3 * 4 + 36, 8); // worn from frame 3 on, steady for 0.3 s
+    EXPECT_NEAR(lengths[0] + lengths[1], 30 * 4, 6);
+    EXPECT_NEAR(lengths[2], (60 - 30) * 4 + 48, 8);
 }
 
 TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
+    fake.period_s = kSlow_s;
     closeHand(0, 0);
     closeHand(1, 0);
     fake.onWait = [this](FakeRuntime& f) {
-        if (f.framesWaited == 90) f.say(XR_SESSION_STATE_VISIBLE);
-        if (f.framesWaited == 150) f.say(XR_SESSION_STATE_FOCUSED);
-        if (f.framesWaited == 180) closeHand(1, 1);
+        if (f.framesWaited == 30) f.say(XR_SESSION_STATE_VISIBLE);
+        if (f.framesWaited == 50) f.say(XR_SESSION_STATE_FOCUSED);
+        if (f.framesWaited == 60) closeHand(1, 1);
     };
-    const std::vector<int> lengths = pausesWithin(270);
+    const std::vector<int> lengths = pausesWithin(90);
     expectPausedUntilAHandCloses(lengths);
     EXPECT_GT(lengths.back(), 50);
 }
@@ -56,13 +54,14 @@ TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
 TEST_F(XrProgram, TakingTheHeadsetOffPausesUntilAHandCloses) {
     withoutValidation();
     fake.extensions.insert(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
+    fake.period_s = kSlow_s;
     closeHand(1, 0);
     fake.onWait = [this](FakeRuntime& f) {
-        if (f.framesWaited == 90) f.sayWorn(false);
-        if (f.framesWaited == 150) f.sayWorn(true);
-        if (f.framesWaited == 180) closeHand(1, 1);
+        if (f.framesWaited == 30) f.sayWorn(false);
+        if (f.framesWaited == 50) f.sayWorn(true);
+        if (f.framesWaited == 60) closeHand(1, 1);
     };
-    expectPausedUntilAHandCloses(pausesWithin(240));
+    expectPausedUntilAHandCloses(pausesWithin(80));
 }
 
 TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
@@ -81,14 +80,8 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
         if (f.framesWaited == 100) put(leanView, 0.5f);
     };
     fake.controllers[1] = {true, {{0, 0, 0, 1}, {at.x, at.y - 0.2f, at.z - 0.4f}}, 0.3f, 0, false};
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o, 150);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    const game::TickInput before = inputAt(*recording, 110),
-                          last = inputAt(*recording, recording->ticks() - 9);
+    const tests::Recorded recording = recorded(options(), 150);
+    const game::TickInput before = inputAt(recording, 110), last = inputAt(recording, recording.ticks() - 9);
     constexpr float kTol = 1e-5f; // floats of some metres, turned thrice
     EXPECT_LT(glm::length(before.headWorld), kTol);
     EXPECT_NEAR(std::abs(before.worldFromView.w), 1, kTol);
@@ -98,7 +91,7 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     EXPECT_TRUE(last.hands[1].tracked);
     EXPECT_FALSE(last.hands[0].tracked);
 
-    expectReplays(*recording);
+    expectReplays(recording);
 }
 
 // The key that turns the mouse's player to look ahead again.
@@ -112,32 +105,25 @@ TEST_F(XrProgram, AKeyRecentres) {
             }
         if (f.framesWaited == 90) test::strikeKey(GLFW_KEY_HOME);
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 120).status, 0);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    EXPECT_NEAR(glm::length(inputAt(*recording, 85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f),
+    const tests::Recorded recording = recorded(options(), 120);
+    EXPECT_NEAR(glm::length(inputAt(recording, 85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f),
                 0.05f); // eyes turn aside
-    const game::TickInput last = inputAt(*recording, recording->ticks() - 9);
+    const game::TickInput last = inputAt(recording, recording.ticks() - 9);
     EXPECT_LT(glm::length(last.headWorld), 1e-5f);
     EXPECT_NEAR(std::abs(last.worldFromView.w), 1, 1e-5f);
 }
 
-// Auto goes by the head above the floor: of the first dive, before which nobody has looked, and of the
-// second, chosen from the title screen. Who sits down as the title comes keeps both recordings.
-TEST_F(XrProgram, WhoSitsDivesSeated) {
+// The setting "auto" goes by the head above the floor: of the first dive, before which nobody has looked, and
+// of the second, chosen from the title screen. A player who sits down or stands up as the title comes keeps
+// both recordings.
+TEST_F(XrProgram, APlayerWhoSitsDivesSeated) {
     withoutValidation();
     fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);
     const auto place = [&](float eyes_m) {
         fake.referenceSpaces[XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT] = {{0, 0, 0, 1}, {0, -eyes_m, 0}};
     };
-    struct Player {
-        std::string name;
-        float firstEyes_m, thenEyes_m;
-    };
-    for (const auto& [name, firstEyes_m, thenEyes_m] :
-         {Player{"sits", 1.2f, 1.2f}, Player{"stands", 1.6f, 1.6f}, Player{"sits_down", 1.6f, 1.2f}}) {
+    for (const auto& [firstEyes_m, thenEyes_m] : {std::pair{1.2f, 1.6f}, {1.6f, 1.2f}}) {
+        const std::string name = firstEyes_m < thenEyes_m ? "stands_up" : "sits_down";
         fake.framesWaited = 0;
         place(firstEyes_m);
         PlayOptions o = options();
@@ -169,12 +155,9 @@ TEST_F(XrProgram, WhoSitsDivesSeated) {
     fake.onWait = {};
     PlayOptions o = options();
     o.posture = Posture::Seated;
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 60).status, 0);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    EXPECT_EQ(recording->header().settings.at("seated"), "on");
-    expectReplays(*recording);
+    const tests::Recorded recording = recorded(o, 60);
+    EXPECT_EQ(recording.header().settings.at("seated"), "on");
+    expectReplays(recording);
 }
 
 // The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
@@ -186,13 +169,9 @@ TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
         for (XrView& view : f.views) view.pose.position.x += 0.01f;
         for (auto& joint : f.hands[1].joints) joint.pose.position.y += 0.001f;
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 120).status, 0);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    for (size_t tick = 60; tick < recording->ticks() - 10; ++tick) {
-        const game::TickInput a = inputAt(*recording, tick), b = inputAt(*recording, tick + 1);
+    const tests::Recorded recording = recorded(options(), 120);
+    for (size_t tick = 60; tick < recording.ticks() - 10; ++tick) {
+        const game::TickInput a = inputAt(recording, tick), b = inputAt(recording, tick + 1);
         // Floats below 2.
         EXPECT_NEAR(b.headWorld.x - a.headWorld.x, 0.01f * 72 / 120, 2e-6f) << tick;
         const float handA = a.hands[1].joints[9].position.y, handB = b.hands[1].joints[9].position.y;
@@ -201,6 +180,7 @@ TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
 }
 
 TEST_F(XrProgram, TouchesAreFeltInTheController) {
+    fake.period_s = kSlow_s;
     PlayOptions o = options();
     o.hands.source = firstCatch_;
     const Outcome outcome = run(o, 4000);
@@ -257,7 +237,7 @@ TEST_F(XrProgram, ThePagesStandOnThePanelAndAPokeChooses) {
     const Status opened = application.open();
     ASSERT_TRUE(opened) << opened.error().message();
     const Menu& menu = application.screens().menu();
-    // Where a fingertip is before the item, in LOCAL; forward: towards the panel, metres.
+    // Place of a fingertip before the item, in LOCAL; forward: towards the panel, metres.
     const auto before = [&](const std::string& label, float forward_m) {
         const auto item = std::ranges::find(menu.page().items, label, &MenuItem::label);
         EXPECT_NE(item, menu.page().items.end()) << label << " is not on the page " << menu.page().title;
@@ -342,7 +322,7 @@ TEST_F(XrProgram, LostTrackingFadesThePictureAndComesBack) {
     EXPECT_NEAR(after, before, 0.2 * before); // the video went on
 }
 
-// By option, then by key, and kept.
+// The room is chosen by option, then by key, and kept.
 TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
     fake.keepPictures = true;
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
@@ -400,7 +380,7 @@ TEST_F(XrProgram, WhereTheRuntimeShowsNoRoomTheFilmStaysAndItIsSaid) {
     EXPECT_FALSE(kept.passthrough);
 }
 
-// What a player may meet before anything is seen.
+// Failures that a player may meet before anything is seen.
 TEST_F(XrProgram, WithoutAHeadsetItSaysWhatToDo) {
     fake.present = false;
     expectOneMessage(run(options()), "plug it in");
@@ -435,7 +415,7 @@ TEST_F(XrProgram, ARuntimeWhoseServiceDoesNotRunSaysToStartIt) {
     }
 }
 
-// As Monado's simulated headset: poses are valid and never said to be tracked.
+// Poses of Monado's simulated headset are valid and never said to be tracked.
 TEST_F(XrProgram, PosesThatAreOnlyValidArePlayedAndSeen) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     fake.keepPictures = true;
@@ -456,17 +436,18 @@ TEST_F(XrProgram, ALostPositionIsSaidAndTheDiveGoesOn) {
                 solid += f.last.panel->picture.rgba[i] > 200;
         return solid;
     };
+    fake.period_s = kSlow_s;
     size_t before = 0, lost = 0, after = 0;
     double light = 0, lightLost = 0;
     fake.onWait = [&](FakeRuntime& f) {
-        f.keepPictures = f.framesWaited >= 890; // the goals have gone from the panel
-        if (f.framesWaited == 900)
+        f.keepPictures = f.framesWaited >= 299; // the goals have gone from the panel
+        if (f.framesWaited == 300)
             before = written(f), light = brightness(f),
             f.viewFlags = 0xf & ~XR_VIEW_STATE_POSITION_TRACKED_BIT;
-        if (f.framesWaited == 930) lost = written(f), lightLost = brightness(f), f.viewFlags = 0xf;
-        if (f.framesWaited == 940) after = written(f);
+        if (f.framesWaited == 310) lost = written(f), lightLost = brightness(f), f.viewFlags = 0xf;
+        if (f.framesWaited == 314) after = written(f);
     };
-    EXPECT_EQ(pausesWithin(960).size(), 2u);
+    EXPECT_EQ(pausesWithin(320).size(), 2u);
     std::printf("opaque pixels of the panel: %zu, %zu, %zu\n", before, lost, after);
     EXPECT_GT(lost, before + 400) << "a line of text";
     EXPECT_LT(after, before + 400);
@@ -491,7 +472,10 @@ TEST_P(XrCall, ThatFailsIsNamedInOneSentence) {
     // The validation layer itself stumbles over an instance that could not be made.
     if (name == "xrCreateInstance") withoutValidation();
     const bool haptic = name.ends_with("HapticFeedback");
-    if (haptic) o.hands.source = firstCatch_;
+    if (haptic) {
+        fake.period_s = kSlow_s;
+        o.hands.source = firstCatch_;
+    }
     if (name == "xrStopHapticFeedback") // taken off while something is felt
         fake.onWait = [](FakeRuntime& f) {
             if (!f.pulses.empty() && f.state == XR_SESSION_STATE_FOCUSED) f.say(XR_SESSION_STATE_VISIBLE);
@@ -533,6 +517,7 @@ TEST_F(XrProgram, CoreValidationHasNothingToComplainOf) {
         }
     };
     PlayOptions o = options();
+    fake.period_s = kSlow_s;
     o.hands.source = firstCatch_;
     const Outcome outcome = run(o, 4000);
     EXPECT_EQ(outcome.status, 0) << outcome.said;

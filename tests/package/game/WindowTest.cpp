@@ -51,7 +51,7 @@ class Desktop {
         }
         XFlush(display_.get());
     }
-    // As the button of its frame does.
+    // Closes it as the button of its frame does.
     void close(Window window) const {
         XEvent event{};
         event.xclient = {.type = ClientMessage,
@@ -93,7 +93,7 @@ class InWindow : public testing::Test {
     std::optional<test::VirtualDisplay> display_;
 };
 
-// As `Exec` of the desktop entry has it.
+// Starts it as `Exec` of the desktop entry does.
 TEST_F(InWindow, TheGameOpensAndCloses) {
     const Desktop desktop;
     const pid_t game = start({tests::program(), "play"});
@@ -106,9 +106,8 @@ TEST_F(InWindow, TheGameOpensAndCloses) {
 TEST_F(InWindow, ViewSeesAnEscapeThatIsReleasedAtOnce) {
     const Desktop desktop;
     const Path source = tests::sourceFolder();
-    const pid_t view =
-        start({tests::program(), "view", (source / "content/models/boxfish.glb").string(), "--env",
-               (source / "content/truth/reef_0120.hdr").string(), "--size", "64x64"});
+    const pid_t view = start({tests::program(), "view", (source / "content/models/boxfish.glb").string(),
+                              "--env", (source / "content/truth/reef_0120.hdr").string(), "--size", "64x64"});
     desktop.strike(desktop.nextWindow(), XK_Escape);
     EXPECT_EQ(exitStatus(view), 0);
 }

@@ -24,7 +24,7 @@ const Path kSource = tests::sourceFolder(), kScratch = SHOAL_SCRATCH, kPrefix = 
 
 std::string quoted(const Path& path) { return "'" + path.string() + "'"; }
 
-// What it says ends in the test's own message, if it fails.
+// Its output ends in the test's own message, if it fails.
 testing::AssertionResult run(const std::string& command) {
     const Path said = kScratch / "said.txt";
     fs::create_directories(kScratch);
@@ -40,13 +40,14 @@ testing::AssertionResult built(const Path& source, const std::string& name, cons
 }
 
 testing::AssertionResult consumerBuilt(const Path& source, const std::string& name) {
-    return built(source, name, "-DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=" + quoted(kPrefix));
+    return built(source, name, "-DCMAKE_PREFIX_PATH=" + quoted(kPrefix));
 }
 
 class LightPackage : public testing::Test {
   protected:
-    // Anew, so that nothing that a version before installed is found; compiled only where it changed.
-    void SetUp() override {
+    // Installs anew, so that nothing that a version before installed is found; compiled only where it
+    // changed.
+    static void SetUpTestSuite() {
         fs::remove_all(kPrefix);
         ASSERT_TRUE(built(kSource / "engine/light", "library", "-DCMAKE_INSTALL_PREFIX=" + quoted(kPrefix)));
         ASSERT_TRUE(run(std::string(SHOAL_CMAKE) + " --install " + quoted(kScratch / "library")));

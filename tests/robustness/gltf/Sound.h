@@ -1,4 +1,4 @@
-// What LoadModel.h promises of every model that it returns.
+// Asserts what LoadModel.h promises of every model that it returns.
 #pragma once
 
 #include "engine/scene/LoadModel.h"

@@ -1,23 +1,13 @@
 // The whole program inside a live video that behaves as networks do.
-#include "engine/core/Files.h"
-#include "tests/TestPaths.h"
+#include "tests/robustness/program/Program.h"
 #include "tests/unit/live_server/HttpServer.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
-#include <csignal>
-#include <fcntl.h>
-#include <poll.h>
-#include <spawn.h>
 #include <string>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
-
-extern char** environ;
 
 namespace shoal {
 namespace {
@@ -42,10 +32,8 @@ std::string pictureOf(int number, cv::Size size) {
     return {bytes.begin(), bytes.end()};
 }
 
-class LiveProgram : public testing::Test {
+class LiveProgram : public tests::Program {
   protected:
-    tests::ScratchFolder scratch_;
-    Path folder_ = scratch_.path();
     pid_t child_ = -1;
 
     void TearDown() override {
@@ -55,41 +43,15 @@ class LiveProgram : public testing::Test {
         }
     }
 
-    Path err() const { return folder_ / "stderr.txt"; }
     Path stats() const { return folder_ / "stats.json"; }
-    static std::string textOf(const Path& file) {
-        auto text = readText(file);
-        return text ? *text : "";
-    }
-
-    void start(std::vector<std::string> words) {
-        words.insert(words.begin(), tests::program());
-        std::vector<char*> arguments;
-        for (std::string& word : words) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        posix_spawn_file_actions_t files;
-        posix_spawn_file_actions_init(&files);
-        posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&files, 1, (folder_ / "stdout.txt").c_str(),
-                                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        posix_spawn_file_actions_addopen(&files, 2, err().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        ASSERT_EQ(posix_spawn(&child_, tests::program().c_str(), &files, nullptr, arguments.data(), environ),
-                  0);
-        posix_spawn_file_actions_destroy(&files);
-    }
-    int finish() {
-        int status = -1;
-        waitpid(child_, &status, 0);
-        child_ = -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
+    int finish() { return end(std::exchange(child_, -1)); }
     int run(std::vector<std::string> words) {
-        start(std::move(words));
+        child_ = start(std::move(words));
         return finish();
     }
 
     std::string valueOf(const std::string& name) const {
-        const std::string text = textOf(stats()), key = "\"" + name + "\": ";
+        const std::string text = textOf("stats.json"), key = "\"" + name + "\": ";
         const size_t at = text.find(key);
         if (at == std::string::npos) return "";
         const size_t from = at + key.size();
@@ -112,7 +74,7 @@ TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     const std::vector<std::string> play = {
         "play", "--headless", "--no-depth",       "--size",  "64x36",         "--fps",
         "30",   "--hands",    "script:" + script, "--stats", stats().string()};
-    ASSERT_EQ(run(play), 0) << textOf(err());
+    ASSERT_EQ(run(play), 0) << err();
     const std::string undisturbed = valueOf("state_hash");
     ASSERT_EQ(undisturbed.size(), 18u);
     fs::remove(stats());
@@ -120,7 +82,7 @@ TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     HttpServer server;
     std::vector<std::string> live = play;
     live.insert(live.end(), {"--video", server.url()});
-    start(live);
+    child_ = start(live);
     ASSERT_TRUE(server.accept() && server.beginPictures());
     int number = stream(server, 0, 60);
     EXPECT_TRUE(server.waitForLeave()) << "it stalls: the program gives the connection up";
@@ -130,13 +92,13 @@ TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     ASSERT_TRUE(server.accept() && server.beginPictures()) << "it returns again";
     number = stream(server, number, 30, {99, 49}); // a camera set to another size
     stream(server, number, 1 << 20, {192, 192});
-    EXPECT_EQ(finish(), 0) << textOf(err());
+    EXPECT_EQ(finish(), 0) << err();
     EXPECT_EQ(server.accepted(), 3);
     EXPECT_EQ(valueOf("state_hash"), undisturbed) << "what is seen does not enter the simulation";
     EXPECT_EQ(valueOf("losses"), "2");
     EXPECT_EQ(valueOf("resized"), "2");
     EXPECT_GE(std::stoi(valueOf("shown")), 60);
-    const std::string said = textOf(err());
+    const std::string said = err();
     EXPECT_NE(said.find("The stream has stopped; showing its last picture"), std::string::npos) << said;
     EXPECT_NE(said.find("has sent no picture for 4 s; showing its last picture, and trying again"),
               std::string::npos)
@@ -149,7 +111,7 @@ TEST_F(LiveProgram, WhatIsNotThereIsOneSentence) {
     const auto said = [&](const std::string& address, std::vector<std::string> words) {
         words.push_back(address);
         EXPECT_EQ(run(std::move(words)), 1) << address;
-        const std::string text = textOf(err());
+        const std::string text = err();
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
         return text;
     };
@@ -163,18 +125,17 @@ TEST_F(LiveProgram, WhatIsNotThereIsOneSentence) {
 
 TEST_F(LiveProgram, CheckTellsWhatAStreamIs) {
     HttpServer server;
-    start({"check", server.url()});
+    child_ = start({"check", server.url()});
     ASSERT_TRUE(server.accept() && server.beginPictures());
     stream(server, 0, 1 << 20);
-    EXPECT_EQ(finish(), 0) << textOf(err());
-    EXPECT_NE(textOf(folder_ / "stdout.txt").find("a live stream of 256x128, lat-long mono"),
-              std::string::npos);
+    EXPECT_EQ(finish(), 0) << err();
+    EXPECT_NE(out().find("a live stream of 256x128, lat-long mono"), std::string::npos);
 }
 
 // Interrupted by the person while the server is silent: at once, before there is any picture.
 TEST_F(LiveProgram, ItEndsWhileTheServerIsSilent) {
     HttpServer server;
-    start({"play", "--headless", "--size", "64x36", "--at", "3600", "--video", server.url()});
+    child_ = start({"play", "--headless", "--size", "64x36", "--at", "3600", "--video", server.url()});
     ASSERT_TRUE(server.accept());
     kill(child_, SIGINT);
     EXPECT_NE(finish(), 0);

@@ -1,8 +1,7 @@
 // The program on a full disk, stopped or killed, and with outputs that are no ordinary files: nothing is lost
 // but what was not done yet, and it is said.
-#include "engine/core/Files.h"
+#include "Program.h"
 #include "tests/Recorded.h"
-#include "tests/TestPaths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,40 +25,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class Faults : public testing::Test {
+class Faults : public tests::Program {
   protected:
-    // Its standard error goes to err.txt. before: in the child.
-    pid_t start(
-        std::vector<std::string> words, const std::function<void()>& before = [] {}) const {
-        words.insert(words.begin(), tests::program());
-        std::vector<char*> arguments;
-        for (std::string& word : words) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        const pid_t child = ::fork();
-        if (child != 0) return child;
-        ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
-        ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
-        ::unsetenv("DISPLAY");
-        ::unsetenv("WAYLAND_DISPLAY");
-        const int err = ::open((folder_ / "err.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        ::dup2(err, STDERR_FILENO);
-        ::dup2(::open("/dev/null", O_RDWR), STDOUT_FILENO);
-        ::alarm(1000);
-        before();
-        ::execv(arguments[0], arguments.data());
-        ::_exit(127);
-    }
-    // Its exit status, or minus the signal that ended it.
-    static int end(pid_t child) {
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    }
-    int run(
-        std::vector<std::string> words, const std::function<void()>& before = [] {}) const {
+    // Returns the exit status, or minus the signal that ended it. before: runs in the child.
+    int run(std::vector<std::string> words, const std::function<void()>& before = {}) const {
         return end(start(std::move(words), before));
     }
-    std::string said() const { return readText(folder_ / "err.txt").value(); }
+    std::string said() const { return err(); }
     std::vector<std::string> play(std::vector<std::string> more) const {
         std::vector<std::string> words = {"play", "--headless", "--skip", "objects", "--size", "32x18"};
         words.insert(words.end(), more.begin(), more.end());
@@ -74,9 +46,6 @@ class Faults : public testing::Test {
         return "script:" + (tests::sourceFolder() / "tests/bench/looking_around.toml").string();
     }
     std::string file(const std::string& name) const { return (folder_ / name).string(); }
-    void put(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-    }
 
     // Has recorded for so many seconds of play.
     void awaitRecording(pid_t child, uint64_t seconds) const {
@@ -88,8 +57,6 @@ class Faults : public testing::Test {
         }
         ADD_FAILURE() << "it does not record: " << said();
     }
-
-    tests::ScratchFolder folder_;
 };
 
 void limitFiles(uint64_t bytes) {
@@ -114,7 +81,7 @@ TEST_F(Faults, SignalsEndADiveInOrder) {
     }
 }
 
-// What was recorded before a crash shows the way to it.
+// A recording up to a crash shows the way to it.
 TEST_F(Faults, AKilledDiveLeavesItsRecording) {
     const pid_t child = start(draw({"--hands", script(), "--fps", "30", "--record", file("a.replay")}));
     awaitRecording(child, 3);
@@ -128,7 +95,8 @@ TEST_F(Faults, AKilledDiveLeavesItsRecording) {
 
 TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
     const std::vector<std::string> words =
-        play({"--hands", script(), "--at", "4", "--screenshot", file("a.png"), "--record", file("a.replay")});
+        play({"--hands", script(), "--at", "4", "--fps", "5", "--screenshot", file("a.png"), "--record",
+              file("a.replay")});
     EXPECT_EQ(run(words, [] { limitFiles(8192); }), 1);
     EXPECT_THAT(said(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
     EXPECT_TRUE(fs::exists(folder_ / "a.png")) << "it was played to its end";
@@ -145,14 +113,14 @@ TEST_F(Faults, AFullDiskLeavesOldLightAndPicturesAlone) {
         EXPECT_THAT(said(), HasSubstr("cannot be"));
         EXPECT_FALSE(fs::exists(folder_ / "new"));
         fs::create_directory(folder_ / "old");
-        put("old/diffuse." + format, "old");
+        write("old/diffuse." + format, "old");
         EXPECT_EQ(run({"light", film, "--out", file("old"), "--format", format}, [] { limitFiles(4096); }),
                   1);
         EXPECT_EQ(readText(folder_ / ("old/diffuse." + format)).value(), "old");
         EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "old"), {}), 1);
         fs::remove_all(folder_ / "old");
     }
-    put("out.hdr", "old");
+    write("out.hdr", "old");
     EXPECT_EQ(run({"panorama", film, "--out", file("out.hdr")}, [] { limitFiles(65536); }), 1);
     EXPECT_EQ(readText(folder_ / "out.hdr").value(), "old");
 }
@@ -160,7 +128,7 @@ TEST_F(Faults, AFullDiskLeavesOldLightAndPicturesAlone) {
 TEST_F(Faults, OutputsAreNeitherOneFileNorAnInput) {
     EXPECT_EQ(run(play({"--stats", file("a"), "--record", file("a")})), 1);
     EXPECT_THAT(said(), HasSubstr("--record and --stats name the same file"));
-    put("a.replay", "precious");
+    write("a.replay", "precious");
     EXPECT_EQ(run(play({"--hands", "replay:" + file("a.replay"), "--record", file("a.replay")})), 1);
     EXPECT_THAT(said(), HasSubstr("--record would overwrite what --hands reads"));
     EXPECT_EQ(readText(folder_ / "a.replay").value(), "precious");

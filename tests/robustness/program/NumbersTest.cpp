@@ -28,7 +28,7 @@ class Numbers : public tests::Program {
         }
     }
 
-    // Of a file of that name, which the arguments read.
+    // Expects that a file of that name, which the arguments read, is refused.
     void expectRefused(const std::string& name, const std::string& arguments, const Place& place,
                        std::span<const char* const> words) const {
         fill(place, words, [&](const std::string& text) {
@@ -86,7 +86,7 @@ TEST_F(Numbers, OfOptionsThatHoldSeveral) {
     expectOneMessage(run("check camera:nan"), "camera:nan");
 }
 
-// As they were written before: a plus, a fraction alone, an exponent; zeros before a number change nothing.
+// A plus, a fraction alone and an exponent are read; zeros before a number change nothing.
 TEST_F(Numbers, OfAllUsualFormsAreRead) {
     for (const char* words : {"--fov=+65", "--exposure=-.5", "--fov=6.5e1", "--text-size=1.6", "--seed=08"})
         EXPECT_EQ(run("play --headless --at=0 --size=64x36 " + std::string(words)).status, 0) << words;

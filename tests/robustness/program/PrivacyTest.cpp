@@ -19,9 +19,9 @@ class Privacy : public testing::Test {
         const std::string folder = folder_.path().string();
         return std::system(("cd " + folder + " && HOME=" + folder + " XDG_DATA_HOME=" + folder +
                             "/data XDG_CONFIG_HOME=" + folder + "/config XDG_CACHE_HOME=" + folder +
-                            "/cache " + before + " '" + tests::program() +
-                            "' play --headless --size 160x90 --at 1 --stats " + name + ".json --screenshot " +
-                            name + ".png 2>" + name + ".txt")
+                            "/cache " + before + " env -u MESA_SHADER_CACHE_DIR '" + tests::program() +
+                            "' play --headless --size 160x90 --at 1 --fps 10 --stats " + name +
+                            ".json --screenshot " + name + ".png 2>" + name + ".txt")
                                .c_str());
     }
     std::string bytesOf(const std::string& name) const { return readText(folder_ / name, 1u << 26).value(); }

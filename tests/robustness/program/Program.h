@@ -1,4 +1,4 @@
-// The program, run as a person would: words on a command line, what it says and how it ends.
+// Runs the program as a person would: words on a command line, what it says and how it ends.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -7,15 +7,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
 
 namespace shoal::tests {
 
 struct Outcome {
-    int status = -1; // exit status; -1 if a signal ended it
+    int status = -1; // exit status, or minus the signal that ended it
     std::string out; // standard output
     std::string err;
 };
@@ -24,23 +29,52 @@ class Program : public testing::Test {
   protected:
     ScratchFolder scratch_;
     Path folder_ = scratch_.path();
+    std::string environment_; // variables for a run, NAME=VALUE
 
     // The program that makes depth tracks, beside the game.
     static std::string depthProgram() { return Path(program()).parent_path() / "shoal-depth"; }
 
     Outcome run(const std::string& arguments, const std::string& which = program()) const {
-        const Path out = folder_ / "stdout.txt", err = folder_ / "stderr.txt";
-        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_CACHE_HOME=" + folder_.string() +
-                                    " XDG_DATA_HOME=" + folder_.string() +
-                                    " XDG_CONFIG_HOME=" + folder_.string() + " timeout 1000 '" + which +
-                                    "' " + arguments + " >" + out.string() + " 2>" + err.string() +
-                                    " </dev/null";
-        const int status = std::system(command.c_str());
-        const auto text = [](const Path& file) {
-            auto content = readText(file);
-            return content ? *content : std::string();
+        // The shell reads the arguments, and its own process becomes the program's.
+        const std::string command = "exec env " + environment_ + " '" + which + "' " + arguments;
+        const int status = end(start({"-c", command}, {}, "/bin/sh"));
+        return {status, out(), err()};
+    }
+
+    // Standard output and error go to files. before: runs in the child.
+    pid_t start(std::vector<std::string> words, const std::function<void()>& before = {},
+                const std::string& which = program()) const {
+        words.insert(words.begin(), which);
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        const pid_t child = ::fork();
+        if (child != 0) return child;
+        for (const char* name : {"XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+            ::setenv(name, folder_.c_str(), 1);
+        ::unsetenv("DISPLAY");
+        ::unsetenv("WAYLAND_DISPLAY");
+        const auto opened = [&](const char* name) {
+            return ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         };
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
+        ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+        ::dup2(opened("stdout.txt"), STDOUT_FILENO);
+        ::dup2(opened("stderr.txt"), STDERR_FILENO);
+        ::alarm(1000);
+        if (before) before();
+        ::execv(arguments[0], arguments.data());
+        ::_exit(127);
+    }
+    static int end(pid_t child) {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    }
+    std::string out() const { return textOf("stdout.txt"); }
+    std::string err() const { return textOf("stderr.txt"); }
+    std::string textOf(const std::string& name) const {
+        const auto text = readText(folder_ / name);
+        return text ? *text : "";
     }
 
     Path write(const std::string& name, const std::string& content) const {

@@ -26,7 +26,7 @@ using tests::Outcome;
 
 class Program : public tests::Program {
   protected:
-    // What `light` writes, by name.
+    // Files that `light` writes, by name.
     std::map<std::string, std::string> lightFiles(const Path& picture, const Path& out,
                                                   const std::string& how) const {
         const Outcome made = run("light " + picture.string() + " -o " + out.string() + " " + how);
@@ -284,8 +284,8 @@ TEST_F(Program, ABrokenScoresFileIsSaidOnce) {
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
 
-// From a menu: no terminal, and a display. A fake of the first program that shows boxes keeps what it is
-// given.
+// A start from a menu has no terminal, and a display. A fake of the first program that shows boxes keeps what
+// it is given.
 TEST_F(Program, StartedFromAMenuItTellsItsErrorsInAMessageBox) {
     const Path box = folder_ / "box.txt",
                fake = write("zenity", "#!/bin/sh\nprintf '%s\\n' \"$@\" >" + box.string());
@@ -324,7 +324,7 @@ TEST_F(Program, EnvironmentsThatAreNone) {
     expectOneMessage(run(play + photo.string() + " --photo " + photo.string()), "--photo", 2);
 }
 
-// As a desktop opens files: by their content, whatever they are called.
+// A desktop opens files by their content, whatever they are called.
 TEST_F(Program, AFileAloneIsTheEnvironmentThatItHolds) {
     const Path photo = write("some photo.mp4", pnm(256, 128, "P6")), named = folder_ / "named.png",
                alone = folder_ / "alone.png";
@@ -376,7 +376,7 @@ TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
     // Once it is an environment it stays as it is, unless somebody says that it is a photo all the same.
     const std::string full = (folder_ / "out.png").string(), again = (folder_ / "again.png").string();
     EXPECT_NE(run("panorama " + full + " -o " + again).out.find("kept as it is"), std::string::npos);
-    // What is no environment by its shape is grown for play and view too.
+    // A picture that is no environment by its shape is grown for play and view too.
     const Outcome played = run("play --headless --at 0.1 --size 64x36 --photo " + photo + " --screenshot " +
                                (folder_ / "shot.png").string());
     EXPECT_EQ(played.status, 0) << played.err;
@@ -409,26 +409,26 @@ TEST_F(Program, ARecordingOfAnOlderVersionIsRefusedByName) {
     expectOneMessage(run("check " + file), "has version 2");
 }
 
-// As the README says, from another folder than the script's.
+// The README's command, from another folder than the script's.
 TEST_F(Program, PlaythroughsGiveTheStoredStatesInBothWatersAndTheirRecordingsReplay) {
-    for (const char* name : {"shark_steals_night", "behind_rock", "mouse"})
-        for (const bool inFilm : {true, false}) {
-            const std::string file = (tests::sourceFolder() / "tests/playthrough" / name).string() + ".toml";
-            const Path replay = folder_ / (std::string(name) + (inFilm ? "" : "2") + ".replay");
-            const std::string water = inFilm ? "" : " --no-depth";
-            const Outcome played = run("play --headless --fps 144 --hands script:" + file + water +
-                                       " --record " + replay.string());
-            EXPECT_EQ(played.status, 0) << played.err;
-            std::istringstream stored(readText(tests::sourceFolder() / "tests/equal_hashes.txt").value());
-            std::string word, open, film;
-            while (stored >> word >> open >> film && word != name) {
-            }
-            EXPECT_EQ(played.out, std::string(name) + " " + (inFilm ? film : open) + "\n");
-            const std::string from = "cd / && '" + tests::program() +
-                                     "' play --headless --hands replay:" + replay.string() + water;
-            EXPECT_EQ(std::system(from.c_str()), 0);
-            EXPECT_EQ(run("check " + replay.string()).status, 0);
+    for (const auto& [name, inFilm] :
+         {std::pair{"shark_steals_night", true}, {"behind_rock", true}, {"mouse", false}}) {
+        const std::string file = (tests::sourceFolder() / "tests/playthrough" / name).string() + ".toml";
+        const Path replay = folder_ / (std::string(name) + ".replay");
+        const std::string water = inFilm ? "" : " --no-depth";
+        const Outcome played =
+            run("play --headless --fps 144 --hands script:" + file + water + " --record " + replay.string());
+        EXPECT_EQ(played.status, 0) << played.err;
+        std::istringstream stored(readText(tests::sourceFolder() / "tests/equal_hashes.txt").value());
+        std::string word, open, film;
+        while (stored >> word >> open >> film && word != name) {
         }
+        EXPECT_EQ(played.out, std::string(name) + " " + (inFilm ? film : open) + "\n");
+        const std::string from =
+            "cd / && '" + tests::program() + "' play --headless --hands replay:" + replay.string() + water;
+        EXPECT_EQ(std::system(from.c_str()), 0);
+        EXPECT_EQ(run("check " + replay.string()).status, 0);
+    }
     const Path gone = folder_ / "gone.toml";
     std::ofstream(gone) << readText(tests::sourceFolder() / "tests/playthrough/dive/cove.toml").value();
     fs::copy(tests::sourceFolder() / "tests/playthrough/dive/species.toml", folder_ / "species.toml");
@@ -498,7 +498,7 @@ TEST_F(Program, AScriptsReplayGivesTheSameHashAtAnyRate) {
 
 TEST_F(Program, TheSameMomentGivesTheSamePicture) {
     const Path a = folder_ / "a.png", b = folder_ / "b.png";
-    const std::string play = "play --headless --size 160x90 --at 0.5 --fps 30 --screenshot ";
+    const std::string play = "play --headless --size 160x90 --at 0.5 --fps 10 --screenshot ";
     ASSERT_EQ(run(play + a.string()).status, 0);
     ASSERT_EQ(run(play + b.string()).status, 0);
     EXPECT_EQ(readFile(a, 1u << 20).value(), readFile(b, 1u << 20).value());
@@ -510,7 +510,7 @@ TEST_F(Program, ShadowsFallWhereverAFilmHasADepthTrack) {
     fs::create_symlink(content / "reef.small.mp4", film);
     const auto picture = [&](const std::string& shadows) {
         const Path file = folder_ / (shadows + ".png");
-        EXPECT_EQ(run("play --headless --size 320x180 --at 3 --fps 30 --video " + film.string() +
+        EXPECT_EQ(run("play --headless --size 320x180 --at 3 --fps 4 --video " + film.string() +
                       " --shadows " + shadows + " --screenshot " + file.string())
                       .status,
                   0);

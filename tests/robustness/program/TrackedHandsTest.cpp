@@ -1,11 +1,11 @@
-// The program with a tracking service that behaves as services do: a hand over the device closes on a fish;
-// the service drops, stalls, talks rubbish and starts anew in the middle, and the game plays on. Time is that
-// of the frames' stamps, so nothing waits for a clock.
+// Runs the program with a tracking service that behaves as services do: a hand over the device closes on a
+// fish; the service drops, stalls, talks rubbish and starts anew in the middle, and the game plays on. Time
+// is that of the frames' stamps, so nothing waits for a clock.
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
-#include "tests/TestPaths.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
+#include "tests/robustness/program/Program.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 
@@ -15,9 +15,7 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <regex>
-#include <sys/wait.h>
 
 namespace shoal {
 namespace {
@@ -32,7 +30,7 @@ struct Fist {
     double closes_s = -1, ends_s = 0;
 };
 
-// Where the hand of a recording closes, by our own reading of it.
+// Finds where the hand of a recording closes, by our own reading of it.
 Fist fistIn(const std::vector<std::string>& messages) {
     hands::LeapTracks tracks(rig(), hands::kDeskMount);
     hands::HandFilter filter;
@@ -66,11 +64,10 @@ std::vector<std::string> slowed(const std::vector<std::string>& messages, double
     return out;
 }
 
-class TrackedHands : public testing::Test {
+class TrackedHands : public tests::Program {
   protected:
-    tests::ScratchFolder scratch_;
-    Path folder_ = scratch_.path();
     void SetUp() override {
+        environment_ = "SHOAL_DATA=" + folder_.string();
         fs::create_directories(folder_ / "content" / "dives");
         const Path source = tests::sourceFolder();
         fs::create_directory_symlink(source / "shaders", folder_ / "shaders");
@@ -107,16 +104,6 @@ class TrackedHands : public testing::Test {
         EXPECT_LT(minimum, 0.04f);
         return best;
     }
-
-    int run(const std::string& arguments) const {
-        const std::string command =
-            "env -u DISPLAY -u WAYLAND_DISPLAY SHOAL_DATA=" + folder_.string() +
-            " XDG_DATA_HOME=" + folder_.string() + " timeout 1000 '" + tests::program() + "' " + arguments +
-            " >" + (folder_ / "out.txt").string() + " 2>" + (folder_ / "err.txt").string() + " </dev/null";
-        const int status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    std::string said() const { return readText(folder_ / "err.txt").value(); }
 
     std::string play(const Server& server, double seconds, uint64_t seed) const {
         char at[32];
@@ -160,8 +147,8 @@ class TrackedHands : public testing::Test {
         const uint64_t seed = putFishAt(fist);
         Server server;
         server.say(messages);
-        ASSERT_EQ(run(play(server, fist.ends_s, seed)), 0) << said();
-        EXPECT_NE(said().find("Hands: Leap Motion"), std::string::npos) << said();
+        ASSERT_EQ(run(play(server, fist.ends_s, seed)).status, 0) << err();
+        EXPECT_NE(err().find("Hands: Leap Motion"), std::string::npos) << err();
         const Story told = story();
         EXPECT_TRUE(grabbed(told)) << "the fist closes at " << fist.closes_s << " s around " << fist.grasp.x
                                    << " " << fist.grasp.y << " " << fist.grasp.z;
@@ -195,7 +182,7 @@ TEST_F(TrackedHands, TheSameServiceGivesTheSameGame) {
     for (auto& run_ : hashes) {
         Server server;
         server.say(messages);
-        ASSERT_EQ(run(play(server, 1.4, seed)), 0) << said();
+        ASSERT_EQ(run(play(server, 1.4, seed)).status, 0) << err();
         const auto recording = tests::readRecorded(replayFile());
         ASSERT_TRUE(recording);
         for (size_t i = 0; i < recording->ticks(); ++i) run_.push_back(recording->hash(i));
@@ -216,7 +203,7 @@ TEST_F(TrackedHands, TheGamePlaysOnThroughWhateverTheServiceDoes) {
         if (i == 180) server.sayBinary(std::string("\xff\xfe\x00", 3));
         if (i == 220) server.close(1000);
     }
-    ASSERT_EQ(run(play(server, 2.9, seed)), 0) << said();
+    ASSERT_EQ(run(play(server, 2.9, seed)).status, 0) << err();
     EXPECT_EQ(server.paths().size(), 4u);
     const Story told = story();
     EXPECT_TRUE(grabbed(told));
@@ -230,28 +217,28 @@ TEST_F(TrackedHands, WithoutAServiceTheMouseHasTheHands) {
     { port = Server().port(); } // nobody listens there now
     ASSERT_EQ(run("play --headless --size 64x36 --skip objects --no-depth --dive ring --hands auto --leap "
                   "127.0.0.1:" +
-                  std::to_string(port) + " --at 1.5 --record " + replayFile().string()),
+                  std::to_string(port) + " --at 1.5 --record " + replayFile().string())
+                  .status,
               0)
-        << said();
-    EXPECT_NE(said().find("Hands: mouse"), std::string::npos) << said();
+        << err();
+    EXPECT_NE(err().find("Hands: mouse"), std::string::npos) << err();
     EXPECT_GT(story().handTicks, 100);
 }
 
 TEST_F(TrackedHands, WrongAddressesAndMountsAreSaid) {
     for (const char* words : {"--leap nowhere", "--leap :1", "--leap a:0", "--leap a:70000", "--leap a:1x",
                               "--leap-mount knee"}) {
-        EXPECT_EQ(run(std::string("play --headless ") + words), 2) << words;
-        EXPECT_NE(said().find("--leap"), std::string::npos) << said();
+        EXPECT_EQ(run(std::string("play --headless ") + words).status, 2) << words;
+        EXPECT_NE(err().find("--leap"), std::string::npos) << err();
     }
 }
 
 TEST_F(TrackedHands, DevicesListsThem) {
     Server server;
     server.say(hands::test::closingRecording(rig(), 6, 3));
-    ASSERT_EQ(run("devices --leap 127.0.0.1:" + std::to_string(server.port())), 0);
-    const std::string out = readText(folder_ / "out.txt").value();
-    EXPECT_NE(out.find("mouse: always"), std::string::npos) << out;
-    EXPECT_NE(out.find("leap: ready, protocol 6"), std::string::npos) << out;
+    ASSERT_EQ(run("devices --leap 127.0.0.1:" + std::to_string(server.port())).status, 0);
+    EXPECT_NE(out().find("mouse: always"), std::string::npos) << out();
+    EXPECT_NE(out().find("leap: ready, protocol 6"), std::string::npos) << out();
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace shoal::depth {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kFrames = 12;
+constexpr int kFrames = 8;
 
 class FilmDepths : public testing::Test {
   protected:
@@ -83,7 +83,7 @@ TEST_F(FilmDepths, AnInterruptedRunGoesOnToTheSameTrack) {
     EXPECT_FALSE(fs::exists(part_));
     const std::string whole = media::readBytes(out_);
     fs::remove(out_);
-    for (const int reports : {3, 9}) {
+    for (const int reports : {3, 6}) {
         EXPECT_THROW((void)make(interruptedAfter(reports)), Interrupted);
         EXPECT_FALSE(fs::exists(out_));
         fs::resize_file(part_, fs::file_size(part_) - 1000); // half of the last record
@@ -101,7 +101,7 @@ TEST_F(FilmDepths, AnInterruptedRunGoesOnToTheSameTrack) {
 // Records of other options would be mixed with the new ones.
 TEST_F(FilmDepths, RecordsOfOtherOptionsAreNotUsed) {
     film({0.04f, 0, 0});
-    EXPECT_THROW((void)make(interruptedAfter(4)), Interrupted);
+    EXPECT_THROW((void)make(interruptedAfter(3)), Interrupted);
     int reports = 0;
     FilmDepthOptions other;
     other.height_m = 2;

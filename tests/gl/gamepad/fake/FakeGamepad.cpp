@@ -55,7 +55,7 @@ template <size_t kCount> void setBits(void* to, size_t size, const int (&codes)[
         if (static_cast<size_t>(code / 8) < size) bytes[code / 8] |= static_cast<uint8_t>(1 << code % 8);
 }
 
-// What the driver xpad answers.
+// Answers of the driver xpad.
 int answer(FakeGamepad& pad, unsigned long request, void* to) {
     const size_t size = _IOC_SIZE(request);
     const unsigned number = _IOC_NR(request);

@@ -32,7 +32,7 @@ class FakeGamepad {
     std::vector<Rumble> felt() const; // in turn; each once however often it is repeated
     bool opened() const;              // for its events
 
-    // Of the functions that stand in for the system's.
+    // Used by the functions that stand in for the system's.
     struct Event {
         uint16_t type, code;
         int32_t value;

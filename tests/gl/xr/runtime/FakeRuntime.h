@@ -79,7 +79,7 @@ struct FeltPulse {
 };
 
 struct FakeRuntime {
-    // What the headset is and does. A test may change all of it, also in onWait.
+    // Properties of the headset. A test may change all of them, also in onWait.
     bool present = true; // a headset is plugged in
     std::set<std::string> extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME,
                                         XR_EXT_HAND_TRACKING_EXTENSION_NAME};
@@ -89,7 +89,7 @@ struct FakeRuntime {
                                                       XR_ENVIRONMENT_BLEND_MODE_OPAQUE};
     uint32_t eyeWidth = 200, eyeHeight = 240;
     XrVersion minOpenGl = XR_MAKE_VERSION(3, 3, 0);
-    // Those it offers, in LOCAL's frame; LOCAL_FLOOR with XR_EXT_local_floor.
+    // Spaces on offer, in LOCAL's frame; LOCAL_FLOOR with XR_EXT_local_floor.
     std::map<XrReferenceSpaceType, XrPosef> referenceSpaces = {
         {XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0, 0, 1}, {0, 0, 0}}}};
     XrSpaceLocationFlags spaceFlags = 0xf; // of all but LOCAL
@@ -119,7 +119,7 @@ struct FakeRuntime {
     void sayRecentred(XrReferenceSpaceType which = XR_REFERENCE_SPACE_TYPE_LOCAL, XrTime when = 0);
     void sayWorn(bool worn);
 
-    // What it saw.
+    // Calls and pictures that it saw.
     std::vector<std::string> complaints; // of what the specification forbids
     std::set<std::string> called;
     std::set<std::string> enabled; // extensions, of the last instance

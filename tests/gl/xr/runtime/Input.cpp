@@ -15,7 +15,7 @@ int handOf(XrPath path) {
                                                          : -1;
 }
 
-// What of the registry's interaction profiles (xr.xml, 1.1.53) a game may bind, but poses and haptics.
+// Inputs of the registry's interaction profiles (xr.xml, 1.1.53) a game may bind, but poses and haptics.
 struct KnownProfile {
     const char* extension; // null: OpenXR 1.0
     const char* name;
@@ -127,7 +127,7 @@ XrResult xrSuggestInteractionProfileBindings(XrInstance,
         return XR_ERROR_PATH_UNSUPPORTED;
     }
     shoalFakeRuntime().boundProfiles.push_back(profile);
-    // What each action may be bound to, by its type.
+    // Inputs that an action may be bound to, by its type.
     for (uint32_t i = 0; i < suggested->countSuggestedBindings; ++i) {
         const XrActionSuggestedBinding& binding = suggested->suggestedBindings[i];
         const std::string path = pathTexts()[binding.binding - 1];

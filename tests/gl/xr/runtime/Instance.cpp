@@ -34,7 +34,7 @@ FakeRuntime::FakeRuntime() {
         const float side = eye == 0 ? -1.0f : 1.0f;
         views[eye] = {XR_TYPE_VIEW};
         views[eye].pose = {{0, 0, 0, 1}, {side * 0.032f, 0, 0}};
-        // As headsets have it: farther outwards than inwards, farther down than up.
+        // Angles as headsets have them: farther outwards than inwards, farther down than up.
         views[eye].fov = {eye == 0 ? -0.85f : -0.75f, eye == 0 ? 0.75f : 0.85f, 0.80f, -0.90f};
     }
 }

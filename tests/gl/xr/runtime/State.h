@@ -1,4 +1,4 @@
-// What the fake runtime's handles stand for. A handle is the address of one of these.
+// Objects of the fake runtime. A handle is the address of one of these.
 #pragma once
 
 #include "tests/gl/xr/runtime/FakeRuntime.h"
@@ -51,7 +51,7 @@ struct Session {
 Session& session();
 std::vector<std::string>& pathTexts(); // XrPath p is entry p - 1
 
-// Of a space, in LOCAL's frame, now.
+// Pose of a space, in LOCAL's frame, now.
 Place localFromSpace(XrSpace space);
 
 template <class Handle, class Object> Handle handleOf(Object* object) {
