@@ -34,8 +34,7 @@ struct Stamped {
     };
     haptics::HidBus bus() {
         return {[] {
-                    return std::vector<haptics::HidInfo>{
-                        {"x", 0x054c, 0x0ce6, haptics::Transport::Usb, ""}};
+                    return std::vector<haptics::HidInfo>{{"x", 0x054c, 0x0ce6, haptics::Transport::Usb, ""}};
                 },
                 [this](const std::string&) { return std::make_unique<Device>(*this); }};
     }
