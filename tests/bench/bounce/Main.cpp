@@ -3,10 +3,12 @@
 // (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
 // film's distances. Writes FOLDER/bounce.tsv, and FOLDER/time.tsv: error over time.
 #include "engine/core/WriteFile.h"
+#include "engine/depth/LightBeside.h"
 #include "engine/light/Pyramid.h"
+#include "engine/math/SphericalHarmonics.h"
+#include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
-#include "tests/bench/bounce/Beside.h"
 #include "tests/bench/bounce/Places.h"
 
 #include <fmt/core.h>
@@ -90,23 +92,11 @@ double relativeError(const math::ShRgb& found, const math::ShRgb& truth) {
 }
 
 // The camera's light, and what harmonics say that it is more or less at the place.
-math::ShRgb moved(const math::ShRgb& camera, const depth::LightHarmonics& there,
-                  const depth::LightHarmonics& here, double factor) {
+math::ShRgb moved(const math::ShRgb& camera, const depth::LightHarmonics& more, double factor) {
     math::ShRgb sum = camera;
-    for (size_t i = 0; i < there.size(); ++i) sum[i] += factor * glm::dvec3(there[i] - here[i]);
+    for (size_t i = 0; i < more.size(); ++i) sum[i] += factor * glm::dvec3(more[i]);
     return sum;
 }
-
-struct Way {
-    const char* name;
-    int around;  // texels of the film's light
-    float far_m; // what is further is taken to be endlessly far
-    depth::LightHarmonics (Patches::*at)(const glm::vec3&) const;
-};
-constexpr Way kWays[] = {{"discs", 16, 4, &Patches::discs},     {"discs", 32, 4, &Patches::discs},
-                         {"discs", 64, 4, &Patches::discs},     {"discs", 32, 8, &Patches::discs},
-                         {"surface", 16, 4, &Patches::surface}, {"surface", 32, 4, &Patches::surface},
-                         {"surface", 64, 4, &Patches::surface}, {"surface", 32, 8, &Patches::surface}};
 
 struct Error {
     float nearest_m;
@@ -214,25 +204,15 @@ class Measuring {
             for (glm::dvec3& rgb : brighter) rgb *= gain;
             note("bound: best gain\t0\t0", probe, brighter);
         }
-        const auto measure = [&](const std::string& name, const depth::LightHarmonics& here, const auto& at) {
-            std::vector<depth::LightHarmonics> found(fish.size());
-            const std::clock_t began = std::clock();
-            for (int pass = 0; pass < kPasses; ++pass)
-                for (size_t i = 0; i < fish.size(); ++i) found[i] = at(fish[i].place);
-            spent_s_[key + "\t" + name] +=
-                static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / kPasses;
-            for (size_t i = 0; i < fish.size(); ++i)
-                note(name, fish[i], moved(camera, found[i], here, factor));
-        };
-        for (const Way& way : kWays) {
-            const Patches patches(level(way.around), depth_, way.far_m);
-            measure(fmt::format("{}\t{}\t{:.0f}", way.name, way.around, way.far_m), patches.atCamera(),
-                    [&](const glm::vec3& place) { return (patches.*way.at)(place); });
-        }
         depth::LightDifference beside;
         beside.make(level(64), map_);
-        measure(fmt::format("rays\t64\t{:.0f}", depth::LightDifference::kFar_m), {},
-                [&](const glm::vec3& place) { return beside.at(place); });
+        const std::string rays = fmt::format("rays\t64\t{:.0f}", depth::LightDifference::kFar_m);
+        std::vector<depth::LightHarmonics> found(fish.size());
+        const std::clock_t began = std::clock();
+        for (int pass = 0; pass < kPasses; ++pass)
+            for (size_t i = 0; i < fish.size(); ++i) found[i] = beside.at(fish[i].place);
+        spent_s_[key + "\t" + rays] += static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / kPasses;
+        for (size_t i = 0; i < fish.size(); ++i) note(rays, fish[i], moved(camera, found[i], factor));
     }
 
     Path folder_;

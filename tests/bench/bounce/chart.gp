@@ -17,6 +17,4 @@ set key top right samplen 1.5
 plot level("camera") with lines linecolor rgb 0x000000 linewidth 2 title "the camera's light ", \
     level("bound: best gain") with lines linecolor rgb 0x000000 dashtype 2 title "bound: the best gain of that", \
     level("bound: true, 9 harmonics") with lines linecolor rgb 0x000000 dashtype 3 title "bound: true, 9 harmonics", \
-    rows("discs", 4) using 18:7 with linespoints linecolor rgb 0xE69F00 pointtype 9 title "discs, endless from 4 m", \
-    rows("surface", 4) using 18:7 with linespoints linecolor rgb 0x0072B2 pointtype 5 title "pieces of surface, 4 m", \
     rows("rays", 4) using 18:7 with linespoints linecolor rgb 0xD55E00 pointtype 7 pointsize 1.2 title "Shoal: rays in 144 directions, 4 m"

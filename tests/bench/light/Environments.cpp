@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -67,24 +66,26 @@ std::optional<ImageRgb8> frameOf(const Path& file, std::optional<int> number = s
     return oneEye(std::move(frame), player->info().layout == media::Layout::TopBottom);
 }
 
-EnvironmentSource video(const Path& file) {
-    const std::string name = "video: " + file.stem().string();
+std::optional<ImageRgb8> photoOf(const Path& file) {
+    auto picture = media::readPicture(file);
+    if (!picture) return std::nullopt;
+    const bool overUnder = picture->width == picture->height;
+    return oneEye(std::move(*picture), overUnder);
+}
+
+EnvironmentSource coded(const std::string& kind, const Path& file,
+                        std::function<std::optional<ImageRgb8>(const Path&)> read) {
+    const std::string name = kind + file.stem().string();
     return {name, [=]() -> std::optional<Environment> {
-                auto frame = frameOf(file);
+                auto frame = read(file);
                 if (!frame) return std::nullopt;
                 return fromFrame(name, std::move(*frame));
             }};
 }
-
-EnvironmentSource photo(const Path& file) {
-    const std::string name = "photo: " + file.stem().string();
-    return {name, [=]() -> std::optional<Environment> {
-                auto picture = media::readPicture(file);
-                if (!picture) return std::nullopt;
-                const bool overUnder = picture->width == picture->height;
-                return fromFrame(name, oneEye(std::move(*picture), overUnder));
-            }};
+EnvironmentSource video(const Path& file) {
+    return coded("video: ", file, [](const Path& from) { return frameOf(from); });
 }
+EnvironmentSource photo(const Path& file) { return coded("photo: ", file, photoOf); }
 
 EnvironmentSource hdr(const Path& file) {
     const std::string name = "hdr: " + file.stem().string();
@@ -177,19 +178,7 @@ std::vector<EnvironmentSource> filmedSources() {
     return all;
 }
 
-ImageRgb8 timedFrame() {
-    const Path video = gameVideo("reef.small");
-    auto frame = frameOf(video);
-    if (frame && frame->width == 2048 && frame->height == 1024) return std::move(*frame);
-    std::fprintf(stderr, "chart: %s is no 2048x1024 video; a made frame is timed\n", video.c_str());
-    ImageRgb8 image(2048, 1024);
-    uint32_t seed = 1;
-    for (uint8_t& value : image.pixels) {
-        seed = seed * 1664525u + 1013904223u;
-        value = static_cast<uint8_t>(seed >> 24);
-    }
-    return image;
-}
+ImageRgb8 timedFrame() { return frameOf(gameVideo("reef.small")).value(); }
 
 bool hasPointSun(const ImageRgbF& radianceLin) {
     struct Texel {

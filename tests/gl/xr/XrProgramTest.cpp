@@ -415,18 +415,6 @@ TEST_F(XrProgram, ARuntimeWhoseServiceDoesNotRunSaysToStartIt) {
     }
 }
 
-// Poses of Monado's simulated headset are valid and never said to be tracked.
-TEST_F(XrProgram, PosesThatAreOnlyValidArePlayedAndSeen) {
-    fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
-    fake.keepPictures = true;
-    double seen = 0;
-    fake.onWait = [&](FakeRuntime& f) {
-        if (f.framesWaited == 120) seen = brightness(f);
-    };
-    EXPECT_EQ(pausesWithin(130).size(), 2u) << "once worn, it plays";
-    EXPECT_GT(seen, 40);
-}
-
 // The dive goes on, nothing fades, and the panel says so.
 TEST_F(XrProgram, ALostPositionIsSaidAndTheDiveGoesOn) {
     const auto written = [](const FakeRuntime& f) {
