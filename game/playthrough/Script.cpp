@@ -15,7 +15,8 @@ constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "op
                                                   "offer", "rest",  "hold",  "look",  "wait",   "restart",
                                                   "pause", "again", "point", "press", "release"};
 constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
-constexpr std::array<const char*, 2> kAtNames = {"angles", "shark"}, kWaterNames = {"open", "film"};
+constexpr std::array<const char*, 2> kWaterNames = {"open", "film"};
+constexpr std::array<const char*, 3> kAtNames = {"given", "shark", "fish"};
 
 constexpr auto kEventNames = [] {
     std::array<const char*, kEventRows.size()> names{};
@@ -30,9 +31,11 @@ ScriptStep readStep(TomlTable& table, int number) {
     table.choice("do", kDoNames, step.what);
     table.choice("hand", kHandNames, step.hand);
     table.text("kind", step.kind);
-    table.choice("at", kAtNames, step.atShark);
+    table.choice("at", kAtNames, step.at);
     table.place("offset", step.offset, 2);
     table.place("to", step.to, 2);
+    table.number("x", step.pointer_px.x, 0, 1280);
+    table.number("y", step.pointer_px.y, 0, 720);
     table.number("near", step.near_m, 0, 10);
     constexpr float kDegree = std::numbers::pi_v<float> / 180;
     float yaw_deg = 0, pitch_deg = 0;

@@ -34,7 +34,7 @@ struct ScriptStep {
         Again,   // back to step number `from` (1 is the first), at most `times`, unless event `unless` has
                  // occurred
         // Steps of the mouse:
-        Point, // move it after the nearest fish (of `kind`) until the mouse's hand has it
+        Point, // move it to `x` and `y`, or after the nearest fish (of `kind`) until the mouse's hand has it
         Press, // the button
         Release,
     };
@@ -45,8 +45,10 @@ struct ScriptStep {
     int line = 0; // line in the file
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
-    bool atShark = false;       // look at the shark, instead of yaw and pitch
-    glm::vec3 offset{0}, to{0}; // viewer's frame, metres
+    enum class At { Given, Shark, Fish };
+    At at = At::Given;              // looks at the shark, or points at a fish, instead of the numbers below
+    glm::vec3 offset{0}, to{0};     // viewer's frame, metres
+    glm::vec2 pointer_px{640, 360}; // place in a window of 1280x720: +x right, +y down
     float near_m = 0;
     float seconds = 0;
     float speed = 1.5f;
@@ -139,6 +141,7 @@ class ScriptRun {
     bool reach(const ScriptStep&, const Snapshot&);
     bool look(const ScriptStep&, const Snapshot&, float spent_s);
     bool point(const ScriptStep&, const Snapshot&);
+    void movePointer(glm::vec2 goal_px);
     bool wait(const ScriptStep&, const Snapshot&, float spent_s) const;
     void advance(size_t to);
     void moveHand(int hand, glm::vec3 goalWorld, float speed);

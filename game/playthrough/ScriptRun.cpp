@@ -154,7 +154,7 @@ bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
 bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s) {
     glm::vec3 direction(math::sine(step.yaw) * math::cosine(step.pitch), math::sine(step.pitch),
                         -math::cosine(step.yaw) * math::cosine(step.pitch));
-    if (const CreatureView* shark = step.atShark ? sharkOf(now, species_) : nullptr)
+    if (const CreatureView* shark = step.at == ScriptStep::At::Shark ? sharkOf(now, species_) : nullptr)
         direction = shark->position;
     lookTowards(direction);
     const glm::vec3 ahead = now.worldFromView * glm::vec3(0, 0, -1);
@@ -171,19 +171,27 @@ bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s)
     return false;
 }
 
-// Points at a fish, another after three seconds. Returns whether the mouse's hand is there.
+// Moves the pointer as a person does: at most two half windows a second, slower near the goal.
+void ScriptRun::movePointer(glm::vec2 goal_px) {
+    const glm::vec2 way = goal_px / kHalfWindow_px * glm::vec2(1, -1) + glm::vec2(-1, 1) - mouseInput_.cursor;
+    const float length = glm::length(way), farthest = std::min(2.0f, 4 * length + 0.05f) * kDt;
+    mouseInput_.cursor += length > farthest ? way * (farthest / length) : way;
+}
+
+// Points at a place, or at a fish, another after three seconds. Returns whether pointer or hand is there.
 bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
+    if (step.at != ScriptStep::At::Fish) {
+        movePointer(step.pointer_px);
+        const glm::vec2 pointer_px = (mouseInput_.cursor * glm::vec2(1, -1) + 1.0f) * kHalfWindow_px;
+        return glm::distance(pointer_px, step.pointer_px) < 1;
+    }
     ScriptHand& hand = hands_[1];
     if (hand.target < 0 || (tick_ - stepBegan_) % 360 == 0) hand.target = chooseVisible(step, now, species_);
     if (hand.target < 0) return false;
     const CreatureView& fish = now.creatures[hand.target];
     constexpr float kLead_s = 0.2f;
     const glm::vec3 soon = glm::conjugate(now.worldFromView) * (fish.position + fish.velocity * kLead_s);
-    // The pointer goes as a person moves it: at most two half windows a second, slower near the goal.
-    const glm::vec2 way =
-        pixelOf(soon) / kHalfWindow_px * glm::vec2(1, -1) + glm::vec2(-1, 1) - mouseInput_.cursor;
-    const float length = glm::length(way), farthest = std::min(2.0f, 4 * length + 0.05f) * kDt;
-    mouseInput_.cursor += length > farthest ? way * (farthest / length) : way;
+    movePointer(pixelOf(soon));
     return glm::distance(hands::graspCentre(now.hands[1].joints), fish.position) < kMouseThere_m;
 }
 
