@@ -62,15 +62,10 @@ TEST(Schooling, StrangersGiveWayEvenlyAndCompanionsAlign) {
     EXPECT_EQ(around[0].towards, glm::vec3(2, 0, 0));
     gatherNeighbours(pair(2, 1), species, around);
     EXPECT_EQ(around[0].attracted, 0) << "strangers do not attract";
-}
-
-TEST(Schooling, AFishInAHandIsNoCompany) {
-    const SpeciesTable species(1);
-    std::vector<Neighbours> around(2);
     std::vector<Fish> fish = pair(0.15f, 0);
     fish[1].state = Fish::State::Held;
     gatherNeighbours(fish, species, around);
-    EXPECT_EQ(around[0].giveWay, glm::vec3(0));
+    EXPECT_EQ(around[0].giveWay, glm::vec3(0)) << "a fish in a hand is no company";
     EXPECT_EQ(around[0].aligned, 0);
 }
 
