@@ -3,7 +3,7 @@
 // (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
 // film's distances. Writes FOLDER/bounce.tsv, and FOLDER/time.tsv: error over time.
 #include "engine/core/WriteFile.h"
-#include "engine/depth/LightBeside.h"
+#include "engine/depth/LightDifference.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/media/DepthTrack.h"
