@@ -32,13 +32,13 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     return pass->drawCount();
 }
 
-TEST_F(CullingGL, ByTheSphereAroundIt) {
+TEST_F(CullingGL, AModelIsCulledByItsSphere) {
     EXPECT_EQ(drawsOf({{0, 0, -3}, 1}, {}), 1);
     EXPECT_EQ(drawsOf({{0, 0, 3}, 1}, {}), 0);
 }
 
 // An arm beside the head: the sphere around it holds the eye, but no part of it is ahead.
-TEST_F(CullingGL, ByThePartsInThatSphere) {
+TEST_F(CullingGL, PartsInTheSphereAreCulled) {
     const Sphere around{{0, -1, -0.2f}, 1.5f};
     const Sphere below{{0, -1.5f, -0.3f}, 0.4f}, ahead{{0, -0.2f, -1}, 0.3f};
     EXPECT_EQ(drawsOf(around, {}), 1);

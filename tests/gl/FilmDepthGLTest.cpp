@@ -149,13 +149,13 @@ TEST_F(FilmDepthGL, NothingHidesWhatIsNearer) {
     EXPECT_EQ(free.picture.pixels, before.picture.pixels);
 }
 
-TEST_F(FilmDepthGL, WhatIsWhollyBehindIsNotDrawn) {
+TEST_F(FilmDepthGL, AnAnimalWhollyBehindRockIsNotDrawn) {
     EXPECT_EQ(draw([](const glm::vec3&) { return 1.0f; }).draws, 0);
     EXPECT_EQ(draw([](const glm::vec3&) { return 1 / 2.8f; }).draws, 1); // its front is at 2.5 m
 }
 
 // No program is compiled in the middle of a dive, when the first animal swims behind something.
-TEST_F(FilmDepthGL, WhatAnEdgeCutsHasItsProgramBefore) {
+TEST_F(FilmDepthGL, AnAnimalThatAnEdgeCutsHasItsProgramBefore) {
     const auto open = [](const glm::vec3&) { return 0.0f; };
     const auto half = [](const glm::vec3& d) { return d.x < 0 ? 1.0f : 0.0f; };
     auto pass = render::ObjectPass::make();
@@ -203,7 +203,7 @@ TEST_F(FilmDepthGL, AnEyeBesideTheCameraSeesPastAnEdge) {
 
 // A wall 1 m ahead hides specks as a depth buffer that holds it does, seen from the camera and from beside
 // it, but for those that it hides in part: within 1 % of it, and a step of the map, which is 0.7 % there.
-TEST_F(FilmDepthGL, WhatIsNearerHidesSnow) {
+TEST_F(FilmDepthGL, NearRockHidesSnow) {
     for (const glm::vec3& eye : {glm::vec3(0), glm::vec3(0.1f, 0.05f, 0)}) {
         const glm::vec4 clip = snowView(eye).clipFromWorld() * glm::vec4(0, 0, -1, 1);
         const double free = covered(drawSnow(0, eye)), hidden = covered(drawSnow(1, eye)),

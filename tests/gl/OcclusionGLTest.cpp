@@ -179,7 +179,7 @@ TEST_F(OcclusionGL, PixelsAreAsOnPaper) { compare(render::Detail::Full, 1, 0.02f
 TEST_F(OcclusionGL, VerticesAreAsOnPaper) { compare(render::Detail::Lean, 1, 0.03f); }
 
 // Nothing near: the same picture bit for bit as without any bodies, by the same shader.
-TEST_F(OcclusionGL, WhatIsFarTakesNothing) {
+TEST_F(OcclusionGL, AFarBodyTakesNothing) {
     std::vector<Other> others = someOthers();
     for (Other& other : others) other.worldFromModel[3] *= glm::vec4(glm::vec3(12), 1);
     EXPECT_EQ(drawAmong(others, unevenLight(), render::Detail::Full, 1).pixels,

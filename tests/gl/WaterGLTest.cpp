@@ -81,7 +81,7 @@ TEST_F(WaterGL, SnowIsThereAndFollowsTimeAlone) {
     EXPECT_GT(snowAt(7200, 1).specks, 20); // after hours too
 }
 
-TEST_F(WaterGL, WhatIsNearHidesSnow) { EXPECT_EQ(snowAt(3, 0).specks, 0); }
+TEST_F(WaterGL, NearThingsHideSnow) { EXPECT_EQ(snowAt(3, 0).specks, 0); }
 
 } // namespace
 } // namespace shoal

@@ -137,7 +137,7 @@ TEST(Playthroughs, ExpectEveryEvent) {
         EXPECT_TRUE(expected.contains(row.kind)) << "no playthrough expects \"" << row.name << '"';
 }
 
-TEST(Playthroughs, OfEachFilmSeeTheSharkSteal) {
+TEST(Playthroughs, EachFilmSeesTheSharkSteal) {
     std::set<std::string> films;
     for (const Path& file : scripts()) {
         const auto script = loadScript(file);

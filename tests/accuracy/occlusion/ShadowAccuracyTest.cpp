@@ -86,7 +86,7 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
 // Over the ground, root mean square of what is hidden. Bodies that were straight rows of slices (0.9 radians
 // of bend, 4 degrees of light): clownfish 21 %, angelfish 28, sardine 21, ray 27, shark 66; light taken in
 // all 15, 17, 14, 3 and 18 % too much.
-TEST(ShadowAccuracy, OfBendingAnimals) {
+TEST(ShadowAccuracy, BendingAnimals) {
     struct Row {
         Animal animal;
         double error, light; // bounds: at 4 degrees; at 4 and 16

@@ -201,7 +201,7 @@ TEST(WebcamHands, WithoutModelsTheScriptThatFetchesThemIsNamed) {
     EXPECT_NE(log.find(sentence), std::string::npos) << log;
 }
 
-TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
+TEST(WebcamHands, AFileThatIsNoClipIsSaidAndForgotten) {
     const tests::ScratchFolder folder;
     const Path file = folder / "no_clip.avi";
     ASSERT_TRUE(writeFileWhole(file, "RIFF, but not really"));

@@ -456,7 +456,7 @@ TEST_F(HeadsetGL, WorksWithoutHandTracking) {
 }
 
 // XR_EXT_user_presence, whatever the session's state; who senses nothing has nothing to say.
-TEST_F(HeadsetGL, WhoTakesItOffPlaysNoMore) {
+TEST_F(HeadsetGL, TakingItOffEndsPlay) {
     withoutValidation();
     fake.extensions.insert(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
     for (const bool senses : {true, false}) {
@@ -508,7 +508,7 @@ TEST(ActiveRuntime, IsNamed) {
     EXPECT_EQ(*name, "Fake runtime");
 }
 
-TEST(ActiveRuntime, OrSaidToBeMissing) {
+TEST(ActiveRuntime, IsSaidToBeMissing) {
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
     const auto name = activeRuntime();
     ASSERT_FALSE(name);

@@ -100,7 +100,7 @@ TEST_F(LostRuntime, ComesBackAndTheDiveGoesOnInIt) {
     EXPECT_NEAR(lengths[3], (110 - 30) * 4 / 3, 8);
     expectReplays(*recording);
 }
-TEST_F(LostRuntime, WhoGoesOnWithTheMouseIsLeftAlone) {
+TEST_F(LostRuntime, APlayerWithTheMouseIsLeftAlone) {
     int polls = 0;
     fake.onWait = [](FakeRuntime& f) {
         if (f.framesWaited == 90) f.say(XR_SESSION_STATE_LOSS_PENDING);

@@ -207,7 +207,7 @@ TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
 
 // The runtime decodes the picture and adds what is left of the room: light is multiplied by alpha, not what
 // is coded.
-TEST_F(XrPicture, WhatCoversHalfAPixelOfTheRoomGivesHalfItsLight) {
+TEST_F(XrPicture, HalfCoverageOfTheRoomGivesHalfTheLight) {
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
     const Painter half{.scene =
                            [](std::span<const SceneRenderer::Eye> eyes, const auto&) {

@@ -361,7 +361,7 @@ TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
     loadSettings(settingsOf(kept));
     EXPECT_TRUE(kept.passthrough);
 }
-TEST_F(XrProgram, WhereTheRuntimeShowsNoRoomTheFilmStaysAndItIsSaid) {
+TEST_F(XrProgram, TheFilmStaysWhereTheRuntimeShowsNoRoom) {
     fake.keepPictures = true;
     fake.onWait = [](FakeRuntime& f) {
         if (f.framesWaited == 60) test::strikeKey(GLFW_KEY_F2);
@@ -452,7 +452,7 @@ TEST_F(XrProgram, FramesThatTheRuntimeDiscardsDoNotMatter) {
 // Whichever call fails, one sentence names it.
 class XrCall : public XrProgram, public testing::WithParamInterface<const char*> {};
 
-TEST_P(XrCall, ThatFailsIsNamedInOneSentence) {
+TEST_P(XrCall, AFailedCallIsNamedInOneSentence) {
     const std::string name = GetParam();
     fake.controllers[0].active = fake.hands[1].active = true;
     fake.failing[name] = XR_ERROR_RUNTIME_FAILURE;

@@ -106,7 +106,7 @@ TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     EXPECT_NE(said.find("pictures come again"), std::string::npos) << said;
 }
 
-TEST_F(LiveProgram, WhatIsNotThereIsOneSentence) {
+TEST_F(LiveProgram, AMissingStreamIsOneSentence) {
     const std::vector<std::string> play = {"play", "--headless", "--size", "64x36", "--at", "0.1", "--video"};
     const auto said = [&](const std::string& address, std::vector<std::string> words) {
         words.push_back(address);

@@ -38,7 +38,7 @@ class Numbers : public tests::Program {
     }
 };
 
-TEST_F(Numbers, OfOptions) {
+TEST_F(Numbers, OptionsRefuseThem) {
     constexpr std::array kNone = {"nan", "-inf", "1e999", "0x1p3"};
     for (const auto& [command, options] : std::map<std::string, std::vector<std::string>>{
              {"play --headless",
@@ -57,7 +57,7 @@ TEST_F(Numbers, OfOptions) {
     });
 }
 
-TEST_F(Numbers, OfEveryKindThatIsNone) {
+TEST_F(Numbers, EveryKindThatIsNoneIsRefused) {
     constexpr std::array kNone = {"-nan",   "NaN", "nan(1)", "inf", "infinity", "1e",
                                   "1e-999", " 5",  "5 ",     "+-5", "0,5"};
     fill({"play --headless --env-yaw='#'", ""}, kNone, [&](const std::string& words) {
@@ -65,7 +65,7 @@ TEST_F(Numbers, OfEveryKindThatIsNone) {
     });
 }
 
-TEST_F(Numbers, OfOptionsThatHoldSeveral) {
+TEST_F(Numbers, OptionsThatHoldSeveralRefuseThem) {
     constexpr std::array kNone = {"nan", "-inf", "1e999", "0x10", "", " 5", "5 "};
     const std::vector<Place> places = {
         {"view m.glb --out a.png --orbit='#,0,1'", "--orbit: wants"},
@@ -87,12 +87,12 @@ TEST_F(Numbers, OfOptionsThatHoldSeveral) {
 }
 
 // A plus, a fraction alone and an exponent are read; zeros before a number change nothing.
-TEST_F(Numbers, OfAllUsualFormsAreRead) {
+TEST_F(Numbers, AllUsualFormsAreRead) {
     for (const char* words : {"--fov=+65", "--exposure=-.5", "--fov=6.5e1", "--text-size=1.6", "--seed=08"})
         EXPECT_EQ(run("play --headless --at=0 --size=64x36 " + std::string(words)).status, 0) << words;
 }
 
-TEST_F(Numbers, OfSettings) {
+TEST_F(Numbers, SettingsRefuseThem) {
     std::filesystem::create_directories(folder_ / "shoal");
     const std::vector<Place> places = {{R"({"fov": #})", ""},
                                        {R"({"text-size": #})", ""},
@@ -110,7 +110,7 @@ TEST_F(Numbers, OfSettings) {
         });
 }
 
-TEST_F(Numbers, OfTomlFiles) {
+TEST_F(Numbers, TomlFilesRefuseThem) {
     constexpr std::array kNone = {"nan", "-inf", "1e300"};
     constexpr std::array kNotEvenToml = {"1e999", "0x1p3"}; // of which the line is named
     const std::string species = "[[species]]\nname = \"a\"\nmodel = \"a.glb\"\nlength = ",
@@ -144,7 +144,7 @@ TEST_F(Numbers, OfTomlFiles) {
     }
 }
 
-TEST_F(Numbers, OfPicturesThatHoldThemAsText) {
+TEST_F(Numbers, PicturesThatHoldThemAsTextAreRefused) {
     constexpr std::array kNone = {"nan", "-inf", "1e999", "0x1p3", "1x", "0"};
     const Place scale{"PF\n2 1\n#\n" + std::string(24, '\0'), "a.pfm: its PFM header is damaged"};
     expectRefused("a.pfm", "light " + (folder_ / "a.pfm").string() + " -o " + (folder_ / "out").string(),

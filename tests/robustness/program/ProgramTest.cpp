@@ -93,7 +93,7 @@ TEST_F(Program, AMistypedWordIsMetWithTheOneThatMayBeMeant) {
 }
 
 // A picture of another kind under a PNG's name, or a mistyped folder, is found before anything is played.
-TEST_F(Program, WhatIsToBeWrittenMustHaveAPlace) {
+TEST_F(Program, AFileToBeWrittenMustHaveAPlace) {
     const std::string play = "play --headless --at 0.1 --size 64x36 ", file = folder_.string() + "/none/out";
     expectOneMessage(run(play + "--screenshot " + folder_.string() + "/x.gif"), "x.gif");
     expectOneMessage(run(play + "--screenshot " + file + ".png"), "/none");

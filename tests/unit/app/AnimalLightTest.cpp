@@ -48,7 +48,7 @@ TEST(AnimalLight, WithoutDistancesIsTheCameras) {
     EXPECT_EQ(light.of(0), nullptr);
 }
 
-TEST(AnimalLight, OfNewAnimalsIsThatOfTheirPlaceAtOnce) {
+TEST(AnimalLight, NewAnimalsHaveTheLightOfTheirPlaceAtOnce) {
     Swim swim(6); // more than are asked each time
     for (auto& animal : swim.shown.creatures) animal.position = kAhead;
     swim.picture();
@@ -75,7 +75,7 @@ TEST(AnimalLight, FollowsEveryAnimalWithoutAStep) {
     for (size_t i = 0; i < 6; ++i) EXPECT_NEAR(swim.even(i).x, to, 0.01f * (to - from)) << i;
 }
 
-TEST(AnimalLight, OfAnAnimalThatComesInElsewhereIsThere) {
+TEST(AnimalLight, FollowsAnAnimalThatComesInElsewhere) {
     Swim swim(6);
     swim.picture();
     swim.picture();

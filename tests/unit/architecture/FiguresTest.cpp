@@ -51,7 +51,7 @@ double lastDigit(const std::string& number) {
 
 } // namespace
 
-TEST(Figures, OfReadmesAreThoseMeasured) {
+TEST(Figures, ReadmesQuoteMeasuredFigures) {
     std::istringstream lines(textOf("tests/unit/architecture/figures.txt"));
     std::string quote;
     std::vector<std::string> numbers; // of the quote, of which `next` were compared

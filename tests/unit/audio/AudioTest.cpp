@@ -233,7 +233,7 @@ TEST(Audio, AStereoBedComesOutAsItIs) {
     }
 }
 
-TEST(Audio, WhatComesNearerSoundsHigher) {
+TEST(Audio, ASourceThatComesNearerSoundsHigher) {
     // Cycles counted by zero crossings. Doppler: f' = f c / (c - k v), c = 1500 m/s, v = 20 m/s towards the
     // head: as in air (k = 4.37) 1.062. Half a second counts 500 half cycles at 500 Hz: one is
     // 0.2 %.

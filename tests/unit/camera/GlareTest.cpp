@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(SharesAndNoises, KnownGlare,
                          testing::Combine(testing::Values(0.0f, 0.02f, 0.06f, 0.1f),
                                           testing::Values(0.0f, 3.0f)));
 
-TEST(Glare, WhereNothingIsDarkItIsABoundAndNoMore) {
+TEST(Glare, IsOnlyABoundWhereNothingIsDark) {
     EXPECT_GT(glowOf(edgeBehindALens(0.02f, 0.2f, 0)).maxShare, 0.25f);
     EXPECT_EQ(glowOf(ImageRgb8(512, 256)).maxShare, 1) << "black: nothing is known";
     EXPECT_EQ(glowOf(ImageRgb8()).maxShare, 1);

@@ -95,7 +95,7 @@ TEST(StereoDepth, OneEyeTwiceIsFarAway) {
 }
 
 // Another frame, from 0.2 m beside, knows the room: what contradicts it is no longer believed.
-TEST(TrackFilter, WhatOtherFramesContradictIsNotBelieved) {
+TEST(TrackFilter, DepthThatOtherFramesContradictIsNotBelieved) {
     const TestRoom room;
     const glm::vec3 beside(0.2f, 0, 0);
     OtherFrame other;
@@ -136,7 +136,7 @@ TEST(TrackFilter, OutlinesAreDoubted) {
 }
 
 // The cap from the zenith 45 degrees down is (1 - cos 45 degrees) / 2 of the sphere.
-TEST(TrackFilter, WhatIsBelievedIsCountedBySolidAngle) {
+TEST(TrackFilter, BelievedShareIsCountedBySolidAngle) {
     media::DepthFrame frame;
     frame.confidence.assign(kEstimateTexels / 4, media::kMaxDepthCode / 2);
     std::fill_n(frame.confidence.begin(), kEstimateTexels / 16, media::kMaxDepthCode * 3 / 4);

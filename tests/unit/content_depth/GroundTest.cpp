@@ -107,7 +107,7 @@ TEST(Ground, AThingBelowIsNoGround) {
             EXPECT_LT(depth.confidence[i], 0.25f);
 }
 
-TEST(Ground, WhereNothingIsKnownThereIsNone) {
+TEST(Ground, IsMissingWhereNothingIsKnown) {
     const DepthEstimate nothing{std::vector<float>(kEstimateTexels, 1), std::vector<float>(kEstimateTexels)};
     EXPECT_EQ(findGround(twice(nothing)).trust, 0);
     EXPECT_EQ(findGround({}).trust, 0);

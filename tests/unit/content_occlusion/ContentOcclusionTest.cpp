@@ -54,7 +54,7 @@ TEST_P(EachHandOcclusion, IsWhatItsMakerMakes) {
     EXPECT_EQ(again.skin, shade_.skin);
 }
 
-TEST_P(EachHandOcclusion, OfAnotherModelIsRefusedAndChangesNothing) {
+TEST_P(EachHandOcclusion, AFileOfAnotherModelIsRefusedAndChangesNothing) {
     scene::Model moved = hand_.model;
     moved.meshes[0].primitives[0].positions[7].x += 1e-6f;
     EXPECT_FALSE(applyBakedOcclusion(shade_, moved));
@@ -94,7 +94,7 @@ TEST(CreatureOcclusion, IsOfTheModelBesideItAndWhatItsMakerMakes) {
     EXPECT_GE(compared, 8 * 4);
 }
 
-TEST(HandOcclusion, OfOneHandMirrorsTheOthers) {
+TEST(HandOcclusion, OneHandMirrorsTheOther) {
     const auto left = readBakedOcclusion(models() / "hand_left.occlusion.json"),
                right = readBakedOcclusion(models() / "hand_right.occlusion.json");
     ASSERT_TRUE(left.ok() && right.ok());
@@ -135,7 +135,7 @@ TEST(BakedOcclusion, IsReadAsItWasWritten) {
     }
 }
 
-TEST(BakedOcclusion, ThatIsNoneIsRefused) {
+TEST(BakedOcclusion, AFileOfAnotherKindIsRefused) {
     const std::string skin = R"({"skin": "0123456789abcdef", )", none = R"("ellipsoids": [], )",
                       selfOcclusion =
                           R"("selfOcclusion": [0, 0, 0, 9], "selfOcclusionBesideOwn": [0, 0, 0, -9])";

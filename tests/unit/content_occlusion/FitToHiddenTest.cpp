@@ -56,7 +56,7 @@ TEST(FitToHidden, FindsTheEllipsoidThatASkinIs) {
 }
 
 // Nor does it fall over nothing.
-TEST(FitToHidden, OfNothingIsNothing) {
+TEST(FitToHidden, NothingHiddenFitsToNothing) {
     std::vector<occlusion::BodyPart> none;
     fitToHidden(none, {});
     EXPECT_TRUE(none.empty());

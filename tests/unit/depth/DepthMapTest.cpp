@@ -90,7 +90,7 @@ TEST(DepthMap, IsLinearBetweenTexels) {
     }
 }
 
-TEST(DepthMap, OfNothingKnownIsInfinitelyFar) {
+TEST(DepthMap, AnUnknownPlaceIsInfinitelyFar) {
     const DepthMap map;
     EXPECT_EQ(map.inverse_perM({0, 0, -1}), 0);
     EXPECT_TRUE(std::isinf(map.distance_m({0, 0, -1})));

@@ -37,7 +37,7 @@ TEST(Search, MeetsAWallWhereItIs) {
 
 // A rock that covers columns 100 to 199 and rows 50 to 79 of a film of slopes: what is around it comes to be
 // as near, a texel wide, and nothing else changes. So does what lies across the seam.
-TEST(Search, WhatIsNearIsWidenedByATexel) {
+TEST(Search, NearThingsAreWidenedByATexel) {
     DepthMap map, widened;
     map.inverse = Image<uint8_t, 1>(1024, 512);
     const auto slope = [](int x, int y) { return static_cast<uint8_t>(10 + (x + y) % 8); };

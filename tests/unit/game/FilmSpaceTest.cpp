@@ -203,7 +203,7 @@ TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
     EXPECT_GT(parted, 2);
 }
 
-TEST(FilmSpace, WhatTheFilmHidesIsNeitherShownNorHelpedToNorTaken) {
+TEST(FilmSpace, AHiddenFishIsNeitherShownNorHelpedToNorTaken) {
     // All of the film is 0.65 m away; the fish is put back behind it in every tick.
     const auto near = madeSpace(1, 1, [](glm::vec3, double) { return 0.65f; });
     const glm::vec3 behind(0, -0.1f, -0.8f);

@@ -25,7 +25,7 @@ struct OneClosing : test::OneFish {
 };
 
 // Fish at all places around the hand: those that show as catchable are caught, with every strength of help.
-TEST(Intent, WhatIsShownAsCatchableIsCaughtByAHandThatCloses) {
+TEST(Intent, AFishShownAsCatchableIsCaughtByAHandThatCloses) {
     int shown = 0, caught = 0;
     for (Assist assist : {Assist::Normal, Assist::Strong})
         for (float x = -0.2f; x <= 0.2f; x += 0.05f)

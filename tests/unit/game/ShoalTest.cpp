@@ -117,7 +117,7 @@ TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
 }
 
 // A dive as full as it may get: forty fish of seven kinds, with two shoals and a ray.
-TEST(Shoal, OfSevenKindsAndFortyFishKeepsApart) {
+TEST(Shoal, SevenKindsAndFortyFishKeepApart) {
     const SpeciesTable& species = cove().species;
     DiveFile file = cove().dive;
     int missing = 40;

@@ -60,7 +60,7 @@ TEST(CompleteHand, JointsSentStayAndTheRestIsWhereTheRigHasIt) {
         }
 }
 
-TEST(CompleteHand, FromTipsAloneFingersBendAndKeepTheirBones) {
+TEST(CompleteHand, FingersBendAndKeepTheirBonesWhereOnlyTipsAreKnown) {
     const HandCompleter completer(rig());
     for (Side side : {Side::Left, Side::Right})
         for (float size : {0.8f, 1.0f, 1.2f})

@@ -106,7 +106,7 @@ TEST(HandSourceSelector, MotionIsSpreadEvenlyOverTheTicksOfAFrame) {
     for (size_t i = 60; i + 1 < xs.size(); ++i) EXPECT_NEAR(xs[i + 1] - xs[i], 0.005f, 2e-4f) << i;
 }
 
-TEST(DeviceHands, ByTimeStampsTheGameGetsTheSameHoweverFramesArrive) {
+TEST(DeviceHands, TimeStampsMakeTheGameEqualHoweverFramesArrive) {
     const auto story = [](int burst) {
         HandStream stream;
         DeviceHands device(DeviceTime::Stamps);

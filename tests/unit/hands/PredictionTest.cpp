@@ -57,7 +57,7 @@ Delay delayAt(double speed_mps, double rate_Hz) {
 
 // Delays after the simulation are not counted: 8 ms of game::interpolate, then 17 ms of drawing and of the
 // display's refresh. The sum is below 40 ms.
-TEST(HandDelay, OfAWebcamIsMadeGoodButForWhatItsSlowingDownLeaves) {
+TEST(HandDelay, IsMadeGoodForAWebcamExceptWhereItSlowsDown) {
     for (const double speed_mps : {0.1, 0.3, 1.0}) {
         const Delay delay = delayAt(speed_mps, 30);
         std::printf("%.1f m/s: picture to simulation %.1f ms, at most %.1f\n", speed_mps, delay.mean_ms,

@@ -115,7 +115,7 @@ TEST(HapticDevices, TwoAtOnceAreBothFeltAndOneGoingDoesNotHarmTheOther) {
     EXPECT_EQ(fake.written["c"].size(), 3u);
 }
 
-TEST(HapticDevices, WhoIsNotLetInIsToldTheRuleOnce) {
+TEST(HapticDevices, AUserWithoutPermissionIsToldTheRuleOnce) {
     FakeBus fake;
     fake.plug("/dev/hidraw7", kSony, kDualSense);
     fake.plugged[0].permitted = false;

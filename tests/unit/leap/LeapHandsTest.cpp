@@ -318,7 +318,7 @@ TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
 }
 
 // Fingers as straight as rulers do not tell which of the two is wrong: such a hand is not shown.
-TEST(LeapHands, WhereNothingTellsWhatIsWrongTheHandIsDropped) {
+TEST(LeapHands, AHandThatCannotBeMendedIsDropped) {
     Server server;
     const Tracker hands = connectTo(server);
     test::MadeHand made{Side::Right, 1, rig().pose(Side::Right, {}, {{0.05f, 0.2f, 0.1f}, {1, 0, 0, 0}})};

@@ -34,7 +34,7 @@ class BlockMeans : public testing::TestWithParam<BlockLoop> {
 
 // Whole frames of one colour, over all of them that share few digits: every value of luma that there is comes
 // near one of these.
-TEST_P(BlockMeans, OfOneColourAreItsRadiance) {
+TEST_P(BlockMeans, OneColourGivesItsRadiance) {
     const int width = 64, height = 4;
     ImageRgb8 frame(width, height);
     ImageRgbF out(width / 4, 1);
@@ -76,7 +76,7 @@ struct NoisyFrame {
 };
 
 // Both orders of bytes.
-TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
+TEST_P(BlockMeans, NoiseGivesWeighedMeansTheSameForEveryLoop) {
     const NoisyFrame frame(false);
     constexpr int width = NoisyFrame::kWidth, height = NoisyFrame::kHeight;
     const std::vector<float> weights = weightsFor(height);
@@ -107,7 +107,7 @@ double linearOf(int coded) { return math::linearFromSrgb(coded / 255.0); }
 double allowed(int coded) { return std::min(2e-4, (coded < 10 ? 0.06 : 0.01) * linearOf(coded)) + 1e-9; }
 
 // Every value, in each channel beside others.
-TEST_P(BlockMeans, OfOneColourAreDecodedSrgb) {
+TEST_P(BlockMeans, OneColourGivesDecodedSrgb) {
     const int width = 64, height = 4;
     ImageRgb8 frame(width, height);
     ImageRgbF out(width / 4, 1);
@@ -127,7 +127,7 @@ TEST_P(BlockMeans, OfOneColourAreDecodedSrgb) {
 }
 
 // The same for decoded sRGB; half of the values are near white.
-TEST_P(BlockMeans, OfNoiseAreDecodedAndClippedMeansAndTheSameForEveryLoop) {
+TEST_P(BlockMeans, NoiseGivesDecodedAndClippedMeansTheSameForEveryLoop) {
     const NoisyFrame frame(true);
     constexpr int width = NoisyFrame::kWidth, height = NoisyFrame::kHeight;
     const std::vector<float> weights = weightsFor(height);

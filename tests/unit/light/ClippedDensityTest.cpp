@@ -51,7 +51,7 @@ TEST(ClippedDensity, IsOneInsideAndLessAtTheHorizon) {
             ASSERT_NEAR(weighed.at(x, y), y < kAbove - 4 ? 1 : 2 / 3.0f, 1e-5) << x << ' ' << y;
 }
 
-TEST(ClippedDensity, OfOneCellIsItsShareOfTheCellsAround) {
+TEST(ClippedDensity, OneCellCountsItsShareOfTheCellsAround) {
     for (const int y : {8, 40, 128, 240})       // 3 to 84 degrees from the zenith
         for (const int x : {0, 4, 512, 1020}) { // over the seam too
             UpperHalf frame;

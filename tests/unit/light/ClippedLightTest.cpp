@@ -295,7 +295,7 @@ ImageRgb8 skyWithSun(int width, int size, int left, int top) {
 // Averaged over blocks first, or pixel by pixel: noise and a sun across edges of blocks. Where it is clipped
 // a block has the gain of its middle, at most 1.5 rows of 512 away: 0.009 radians, at 54 degrees 0.0054 of
 // the sine and 0.014 of the exponent, of a gain of at most 30 times the usual one 5 %.
-TEST(ClippedLight, OfBlocksIsThatOfPixels) {
+TEST(ClippedLight, BlocksAgreeWithPixels) {
     ImageRgb8 frame = skyWithSun(1024, 13, 700, 101);
     uint32_t seed = 3;
     for (uint8_t& value : frame.pixels) {

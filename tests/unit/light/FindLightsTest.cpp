@@ -147,7 +147,7 @@ TEST(FindLights, TwoDominantLightsAreTwoLightsTheStrongerFirst) {
     EXPECT_LT(degreesBetween(found.lights[1].direction, weak), 0.5);
 }
 
-TEST(FindLights, WhereLightComesFromEverywhereThereIsNone) {
+TEST(FindLights, EvenLightHasNoSource) {
     EXPECT_EQ(lightsIn(uniform(512, glm::dvec3(0))).count, 0u) << "black";
     EXPECT_EQ(lightsIn(uniform(512, glm::dvec3(0.7, 0.8, 0.9))).count, 0u) << "uniform";
     const auto along = [](const glm::dvec3& axis) {

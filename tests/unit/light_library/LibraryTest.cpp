@@ -180,7 +180,7 @@ TEST(LightLibrary, MirrorsAreMadeForSmoothSurfacesOnly) {
     EXPECT_LT(light.maps().mapCount, 17);
 }
 
-TEST(LightLibrary, WhatIsWrongIsSaidAndLeavesTheLight) {
+TEST(LightLibrary, WrongInputIsSaidAndLeavesTheLight) {
     const std::vector<uint8_t> rgba = scene();
     shoallight::Maker maker;
     shoallight::Light light;

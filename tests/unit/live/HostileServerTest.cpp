@@ -90,7 +90,7 @@ TEST(HostileServer, PlayListsAndDescriptionsOpenNothing) {
 }
 
 // A picture that claims two gigabytes; headers and data without an end.
-TEST(HostileServer, WhatNeverEndsIsLeftAndTakesNoMemory) {
+TEST(HostileServer, AnEndlessAnswerIsLeftAndTakesNoMemory) {
     const double before_MB = peakMemory_MB();
     const std::string parts = "Content-Type: multipart/x-mixed-replace; boundary=b\r\n\r\n";
     const std::string heads[] = {

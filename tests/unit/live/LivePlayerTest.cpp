@@ -48,7 +48,7 @@ TEST(LivePlayer, ABurstShowsItsNewestAndCountsTheRest) {
     EXPECT_EQ(p.player->newest()->index, 5);
 }
 
-TEST(LivePlayer, WhatIsShownStaysUntouchedWhileOthersCome) {
+TEST(LivePlayer, TheShownFrameStaysUntouchedWhileOthersCome) {
     Played p;
     p.begin(p.options());
     const VideoFrame* shown = p.player->newest();

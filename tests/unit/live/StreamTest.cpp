@@ -149,7 +149,7 @@ std::string refusalOf(const std::string& answer) {
     return player ? "" : player.error().message();
 }
 
-TEST(Stream, WhatIsNoStreamIsRefusedWithASentence) {
+TEST(Stream, AnAddressThatIsNoStreamIsRefusedWithASentence) {
     const std::string ok = "HTTP/1.1 200 OK\r\nConnection: close\r\n";
     EXPECT_NE(refusalOf("HTTP/1.1 404 Not Found\r\n\r\n").find("404"), std::string::npos);
     EXPECT_NE(refusalOf(ok + "\r\n<html>no video here</html>").find("is no video of a known kind"),

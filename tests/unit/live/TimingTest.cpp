@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kFrame_s = 1 / 32.0; // exact in binary
 
-TEST(TokenBucket, WhatComesAtItsOwnRateNeverWaits) {
+TEST(TokenBucket, AStreamAtItsOwnRateNeverWaits) {
     TokenBucket bucket(0.05);
     for (int i = 0; i < 100000; ++i) EXPECT_EQ(bucket.wait_s(i * kFrame_s, 7 + i * kFrame_s), 0);
 }

@@ -14,7 +14,7 @@ TEST(Quantile, IsAValueThatTheShareOfAllAreLessThan) {
     EXPECT_EQ(quantile(values, 1), 5);
 }
 
-TEST(Quantile, OfTwoInTheMiddleTheUpperAndOfNothingNothing) {
+TEST(Quantile, TakesTheUpperOfTwoAndNothingOfNone) {
     std::vector<double> values = {4, 1, 3, 2}, none;
     EXPECT_EQ(median(values), 3);
     EXPECT_EQ(median(none), 0);

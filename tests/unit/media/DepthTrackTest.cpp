@@ -153,7 +153,7 @@ TEST_F(DepthTracks, TellFilmsByTheirBeginning) {
     EXPECT_NE(*filmIdentity(folder_ / "a"), before);
 }
 
-TEST_F(DepthTracks, OfAnotherKindAreRefused) {
+TEST_F(DepthTracks, TracksOfAnotherKindAreRefused) {
     const std::string another = "is a depth track of another version";
     EXPECT_NE(reason(), ""); // there is none
     ASSERT_TRUE(write(file_, kSmall));
@@ -170,7 +170,7 @@ TEST_F(DepthTracks, OfAnotherKindAreRefused) {
 }
 
 // Width and height as Matroska codes them: one byte 0xb0 or 0xba, the length of the number, the number.
-TEST_F(DepthTracks, OfAnotherSizeAreRefused) {
+TEST_F(DepthTracks, TracksOfAnotherSizeAreRefused) {
     ASSERT_TRUE(write(file_, {64, 32, 3, 0.25}));
     const std::string good = readBytes(file_);
     const size_t width = good.find("\xb0\x81\x40"), height = good.find("\xba\x81\x20");
@@ -199,7 +199,7 @@ TEST_F(DepthTracks, OfAnotherSizeAreRefused) {
     }
 }
 
-TEST_F(DepthTracks, OfImpossibleLengthsAreNotWritten) {
+TEST_F(DepthTracks, TracksOfImpossibleLengthsAreNotWritten) {
     EXPECT_FALSE(DepthTrackWriter::make({256, 128, 0, 1}, {}));
     EXPECT_FALSE(DepthTrackWriter::make({256, 128, 10, 0}, {}));
     EXPECT_FALSE(DepthTrackWriter::make({256, 128, 10, std::nan("")}, {}));

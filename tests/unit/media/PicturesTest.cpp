@@ -135,7 +135,7 @@ TEST(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
     EXPECT_NE(altered.error().reason.find("damaged"), std::string::npos);
 }
 
-TEST(Pictures, WhatIsNoPictureIsRefusedByName) {
+TEST(Pictures, AFileThatIsNoPictureIsRefusedByName) {
     const TempFolder folder;
     writeBytes(folder / "text.png", "this is no picture");
     writeBytes(folder / "empty.png", "");
@@ -228,7 +228,7 @@ TEST(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
     EXPECT_EQ(grey->radianceLin.pixels, (std::vector<float>{2, 2, 2, 1, 1, 1}));
 }
 
-TEST(HdrPictures, WhatIsNoLightIsReplacedAndCounted) {
+TEST(HdrPictures, ValuesThatAreNoLightAreReplacedAndCounted) {
     const TempFolder folder;
     constexpr float kInf = std::numeric_limits<float>::infinity();
     ImageRgbF image(2, 2);

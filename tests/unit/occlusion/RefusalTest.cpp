@@ -11,7 +11,7 @@
 namespace shoal::occlusion {
 namespace {
 
-TEST(Refusal, OfBrokenMeshesSaysWhy) {
+TEST(Refusal, SaysWhyAMeshIsBroken) {
     const Body good = oneTriangle();
     const auto refused = [](const Body& body, const char* why) {
         const auto cured = TracedOllfb::make(body.mesh());
@@ -45,7 +45,7 @@ TEST(Refusal, OfBrokenMeshesSaysWhy) {
 }
 
 // Rays that are no rays end, and meet nothing.
-TEST(Refusal, OfOddRaysIsNoHit) {
+TEST(Refusal, OddRaysHitNothing) {
     const TracedOllfb cured = TracedOllfb::make(sphere(1, 24, 12).mesh(), {.views = 20}).value();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const glm::vec3 origin : {glm::vec3(1e30f, 0, 0), glm::vec3(nan, 0, 0), glm::vec3(0, 0, -1e8f)})

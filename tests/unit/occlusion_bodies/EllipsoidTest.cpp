@@ -38,7 +38,7 @@ TEST(Axes, AreSpreadEvenly) {
 
 // Straight ahead a sphere takes sin^2 of its half angle. Few axes see it now larger, now smaller: within a
 // twentieth of the hemisphere each, and less on the mean.
-TEST(Ellipsoid, OfASphereAheadTakesTheSquareOfItsSine) {
+TEST(Ellipsoid, ASphereAheadTakesTheSquareOfItsSine) {
     for (const float sine : {0.3f, 0.5f, 0.7f, 0.9f}) {
         float mean = 0;
         for (const glm::vec3& normal : kSlants) {
@@ -52,8 +52,8 @@ TEST(Ellipsoid, OfASphereAheadTakesTheSquareOfItsSine) {
     }
 }
 
-// Seen from its skin it is a half space: facing it nothing is left, looking away hardly anything is taken, and
-// looking along it half.
+// Seen from its skin it is a half space: facing it nothing is left, looking away hardly anything is taken,
+// and looking along it half.
 TEST(Ellipsoid, IsAHalfSpaceFromItsSkinAndWithin) {
     const glm::mat3 turn = glm::mat3_cast(glm::normalize(glm::quat(0.6f, 0.3f, -0.5f, 0.2f)));
     for (const float depth : {0.0f, 0.01f, 0.1f}) {
@@ -66,7 +66,7 @@ TEST(Ellipsoid, IsAHalfSpaceFromItsSkinAndWithin) {
     EXPECT_TRUE(std::isfinite(shareOf({0, 1, 0}, {&around, 1})));
 }
 
-TEST(Ellipsoid, OfNoSizeFarAwayOrBehindTakesNothing) {
+TEST(Ellipsoid, NoSizeFarAwayOrBehindTakesNothing) {
     const Occluder none[] = {sphereAt({0, 1, 0}, 1e-4f),
                              sphereAt({0, 300, 0}, 0.1f),
                              sphereAt({0, -2, 0}, 1),
@@ -89,7 +89,7 @@ TEST(Ellipsoid, TakesMuchTheSameWhicheverWayTheSceneIsTurned) {
     EXPECT_GT(minimum, 0.15f);
 }
 
-TEST(Take, OfNothingIsExactlyNothing) {
+TEST(Take, NothingTakesExactlyNothing) {
     SmoothLight light;
     light.ahead.fill({1, 2, 3});
     light.behind.fill({3, 2, 1});
@@ -100,7 +100,7 @@ TEST(Take, OfNothingIsExactlyNothing) {
 }
 
 // White walls all around, a furnace, send back what they take.
-TEST(Take, OfWhiteBodiesInEvenLightIsSmall) {
+TEST(Take, WhiteBodiesInEvenLightTakeLittle) {
     SmoothLight light;
     light.ahead.fill(glm::vec3(1));
     light.behind.fill(glm::vec3(1));
@@ -114,7 +114,7 @@ TEST(Take, OfWhiteBodiesInEvenLightIsSmall) {
 }
 
 // A dominant light behind a sphere is gone, beside it whole, and in between fades.
-TEST(Take, OfADominantLightRunsFromAllToNoneAcrossTheEdge) {
+TEST(Take, ADominantLightRunsFromAllToNoneAcrossTheEdge) {
     SmoothLight light;
     light.dominantShare = 0.02f;
     light.dominantRadiance = glm::vec3(1 / light.dominantShare);

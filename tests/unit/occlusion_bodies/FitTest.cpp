@@ -127,7 +127,7 @@ TEST(SmoothLight, FindsTheDominantLightAndKeepsTheMean) {
     EXPECT_NEAR(static_cast<double>(light.even[0].x), mean, 1e-4 * mean);
 }
 
-TEST(SmoothLight, OfEvenLightHasNoDominantLight) {
+TEST(SmoothLight, EvenLightHasNoDominantLight) {
     ImageRgbF map(64, 32);
     std::fill(map.pixels.begin(), map.pixels.end(), 2.0f);
     const SmoothLight light = smoothLight(map);

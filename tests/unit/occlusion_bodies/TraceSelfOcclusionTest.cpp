@@ -121,7 +121,7 @@ TEST(TraceSelfOcclusion, GiveBackSomeOfTheDominantLightThatOwnEllipsoidsHide) {
 // Half a hollow sphere hides half of what each place in it sees, for all of a sphere's inside sees all of it
 // alike. Six rays leave no speckles there; where each corner kept its own noise, neighbours differed by
 // 0.076.
-TEST(TraceSelfOcclusion, OfFewRaysAreSmooth) {
+TEST(TraceSelfOcclusion, FewRaysAreSmooth) {
     Sheets bowl;
     constexpr int kRound = 64, kDeep = 32;
     for (int y = 0; y <= kDeep; ++y)
@@ -152,7 +152,7 @@ TEST(TraceSelfOcclusion, OfFewRaysAreSmooth) {
     EXPECT_NEAR(off / count, 0, 0.01);
 }
 
-TEST(TraceSelfOcclusion, OfNothingAreNone) {
+TEST(TraceSelfOcclusion, NothingHasNone) {
     EXPECT_TRUE(traceSelfOcclusion({}, 8).empty());
     const std::vector<glm::vec3> point(3, glm::vec3(1)), up(3, glm::vec3(0, 1, 0));
     const std::vector<uint32_t> indices = {0, 1, 2};
@@ -166,7 +166,7 @@ TEST(TraceSelfOcclusion, OfNothingAreNone) {
 
 // A tile hangs before a board: the board's shade ends an edge of the tile away. Two triangles cannot carry it
 // and would be darkened from corner to corner; small ones are dark behind the tile alone.
-TEST(TraceSelfOcclusion, WhatCornersCannotCarryIsLeftOut) {
+TEST(TraceSelfOcclusion, DetailThatCornersCannotCarryIsLeftOut) {
     const auto boardOf = [](int cells) {
         Sheets sheets;
         sheets.add({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, cells);              // the board, facing +z
@@ -192,7 +192,7 @@ Occluder roundOccluder(const glm::vec3& centre, float radius) {
     return {{centre, glm::mat3(1), glm::vec3(radius)}, 1, {}};
 }
 
-TEST(Joining, OfThoseSideBySideIsNearlyTheirSum) {
+TEST(Joining, SideBySideIsNearlyTheSum) {
     const glm::vec3 up(0, 1, 0);
     const Occluder left = roundOccluder({-1.2f, 1, 0}, 1), right = roundOccluder({1.2f, 1, 0}, 1);
     const float one = occlusionMoments(axisOcclusion({}, up, {&left, 1}), up).w;
@@ -205,7 +205,7 @@ TEST(Joining, OfThoseSideBySideIsNearlyTheirSum) {
     EXPECT_NEAR(hidden.x, 0, 0.05f * one);
 }
 
-TEST(Joining, OfManyNeverTakesMoreThanAll) {
+TEST(Joining, ManyNeverTakeMoreThanAll) {
     std::vector<Occluder> many;
     for (int k = 0; k < 24; ++k) {
         const float angle = 0.8f * static_cast<float>(k);

@@ -122,7 +122,8 @@ TEST(PolarCaps, GroundKeepsItsGrainAndDoesNotRepeat) {
     cv::GaussianBlur(grey, blurred, {}, 20);
     grey -= blurred;
     cv::meanStdDev(grey, mean, spread);
-    // The part of 0.04 that is finer than the two blurs: 0.022 where the square itself is laid there, unblended.
+    // The part of 0.04 that is finer than the two blurs: 0.022 where the square itself is laid there,
+    // unblended.
     EXPECT_NEAR(spread[0], 0.022, 0.005);
 
     const cv::Mat piece = grey(cv::Rect(100, 100, 64, 64));
@@ -251,7 +252,7 @@ TEST(Panorama, ProgressRisesToOne) {
     EXPECT_EQ(shares.back(), 1);
 }
 
-TEST(Panorama, WhatCannotBeGrownIsRefused) {
+TEST(Panorama, APictureThatCannotBeGrownIsRefused) {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 400}, {400, 1}, {15, 15}, {16 * 9, 16}})
         EXPECT_FALSE(panoramaFromPhoto(ImageRgb8(width, height), {})) << width << "x" << height;
     for (const double fov : {0.0, 9.9, 151.0, std::nan("")})

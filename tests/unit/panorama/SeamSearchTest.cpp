@@ -109,7 +109,7 @@ TEST(SeamInsertion, MapsNeverFallAndKeepTheirEnds) {
 }
 
 // Flat to the left, noise to the right: the flat half takes the growth.
-TEST(SeamInsertion, WhereItIsFlat) {
+TEST(SeamInsertion, IsPlacedWhereThePictureIsFlat) {
     Case made = noise(40, 30, 5);
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 20; ++x) made.colours.at<cv::Vec3f>(y, x) = cv::Vec3f::all(0.5f);

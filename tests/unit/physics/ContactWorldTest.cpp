@@ -149,7 +149,7 @@ TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
 }
 
 // A hand that appears in a fish has no past; even where the core segments cross there is a way out.
-TEST(ContactWorld, WhatAppearsInsideGetsAWayOut) {
+TEST(ContactWorld, ABodyThatAppearsInsideGetsAWayOut) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> contacts;
     for (glm::vec3 across : {glm::vec3(0.03f, 0, 0), glm::vec3(0, 0.03f, 0), glm::vec3(0.01f, 0, 0.03f)}) {

@@ -37,7 +37,7 @@ float gap(const Finger& f, const Capsule& body) {
     return minimum;
 }
 
-TEST(Finger, ThatMeetsNothingStaysAsItIs) {
+TEST(Finger, AFingerThatMeetsNothingStaysAsItIs) {
     const Finger given = bent(0.9f);
     const Finger out = wrapped(given, {{5, 0, 0}, {5, 0, 0}, 0.02f});
     for (int i = 0; i < hands::kMaxFingerJoints; ++i) {

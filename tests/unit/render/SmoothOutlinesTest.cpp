@@ -47,7 +47,7 @@ double error(const std::vector<uint32_t>& pixels, const Inside& inside) {
     return count ? std::sqrt(sum / count) : 0;
 }
 
-TEST(SmoothOutlines, OfHalfPlanesAreTheirCoverage) {
+TEST(SmoothOutlines, HalfPlanesAreTheirCoverage) {
     double before = 0, after = 0;
     constexpr int kTurns = 72;
     for (int k = 0; k < kTurns; ++k) {
@@ -63,7 +63,7 @@ TEST(SmoothOutlines, OfHalfPlanesAreTheirCoverage) {
     EXPECT_LT(after, before / 2);
 }
 
-TEST(SmoothOutlines, OfDiscsAreNearerToTheirCoverage) {
+TEST(SmoothOutlines, DiscsAreNearerToTheirCoverage) {
     for (const double radius : {4.0, 9.0, 15.0}) {
         const Inside inside = [&](double x, double y) { return std::hypot(x - 48.2, y - 32.3) < radius; };
         std::vector<uint32_t> pixels = drawn(inside);

@@ -36,7 +36,7 @@ TEST(Dielectric, OneAndAHalfIsTheUsualIndex) {
 }
 
 // F0 = ((n - 1) / (n + 1))^2; 0 stands for infinity.
-TEST(Dielectric, FromTheIndexOfRefraction) {
+TEST(Dielectric, FollowsFromTheIndexOfRefraction) {
     expectF0(materialWith({{"ior", 1}}), glm::vec3(0), 1);
     expectF0(materialWith({{"ior", 3}}), glm::vec3(0.25f), 1);
     expectF0(materialWith({{"ior", 0}}), glm::vec3(1), 1);

@@ -58,14 +58,14 @@ TEST(LayerTextures, AreTransformed) {
     }
 }
 
-TEST(LayerTextures, ThatAreNotThereAreRefused) {
+TEST(LayerTextures, MissingTexturesAreRefused) {
     for (const Json& wrong : {Json(2), Json(-1), Json("0"), Json(1e300), Json()})
         EXPECT_THAT(refusal(layered({{"specularTexture", {{"index", wrong}}}}, Json::object()).load()),
                     HasSubstr("specularTexture refers to texture"))
             << wrong;
 }
 
-TEST(LayerTextures, OfACoatsNormalsAreLeftOut) {
+TEST(LayerTextures, ACoatsNormalsAreLeftOut) {
     const auto model =
         layered(Json::object(), {{"clearcoatFactor", 1}, {"clearcoatNormalTexture", {{"index", 0}}}}).load();
     ASSERT_TRUE(model) << model.error().message();
@@ -74,7 +74,7 @@ TEST(LayerTextures, OfACoatsNormalsAreLeftOut) {
 }
 
 // Light is made for the smoothest that reflects it.
-TEST(LayerTextures, OfACoatsRoughnessCountAsItDoes) {
+TEST(LayerTextures, ACoatsRoughnessCounts) {
     auto model = layered(Json::object(), {{"clearcoatFactor", 1},
                                           {"clearcoatRoughnessFactor", 0.5},
                                           {"clearcoatRoughnessTexture", {{"index", 0}}}})

@@ -295,7 +295,7 @@ TEST(Meshopt, LayoutsThatCannotBeAreRefused) {
 }
 
 // A few bytes that say they become half a terabyte, once or little by little: refused before memory is taken.
-TEST(Meshopt, WhatBecomesTooMuchIsRefused) {
+TEST(Meshopt, AMeshThatBecomesTooLargeIsRefused) {
     Compressed made = square();
     made.compression(0)["count"] = 2'147'483'647;
     made.compression(0)["byteStride"] = 256;

@@ -158,7 +158,7 @@ TEST(Tangents, AgreeWithThoseOfVertexColorTest) {
 }
 
 // Its tangents are to be generated. Wherever the texture has area, they point along growing u.
-TEST(Tangents, OfNormalTangentTestFollowTheTexture) {
+TEST(Tangents, FollowTheTextureOfNormalTangentTest) {
     const Path file = sharedData() / "fidelity/khronos-NormalTangentTest/NormalTangentTest.gltf";
     if (!exists(file)) GTEST_SKIP() << "no " << file;
     const auto model = loadModel(file);

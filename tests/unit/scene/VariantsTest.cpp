@@ -38,7 +38,7 @@ TEST(Variants, DressThePrimitivesThatTheyName) {
     EXPECT_EQ(model->meshes[0].primitives[0].material, 0);
 }
 
-TEST(Variants, WhatNothingWearsNeedsNoTexture) {
+TEST(Variants, AVariantThatNothingWearsNeedsNoTexture) {
     auto model = dressed().load();
     ASSERT_TRUE(model) << model.error().message();
     for (Material& material : model->materials) material.baseColour.texture = 0;
@@ -62,7 +62,7 @@ TEST(Variants, ReferToWhatIsThere) {
 }
 
 // Nothing of an extension is checked by glTF's schema: all of it may be of any type.
-TEST(Variants, OfTheWrongTypesAreNone) {
+TEST(Variants, WrongTypesGiveNone) {
     for (const Json& wrong : {Json(7), Json("x"), Json::array({1, 2}), Json::object(), Json()}) {
         Gltf file = dressed();
         file.root["extensions"] = wrong;

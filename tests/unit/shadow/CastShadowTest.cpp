@@ -85,7 +85,7 @@ Difference compare(const Ellipsoid& body, const CastingLight& light) {
 
 // A disc is no square, and the product of strips no rectangle's share of a disc: that is most for a sphere
 // about as large as the light.
-TEST(CastShadow, OfASphereUnderACapAsRaysFindIt) {
+TEST(CastShadow, ASphereUnderACapShadesAsRaysFindIt) {
     for (const float radius_deg : {4.0f, 10.0f, 16.0f, 25.0f})
         for (const float elevation_deg : {90.0f, 66.0f}) {
             const Ellipsoid sphere{.half = glm::vec3(0.12f)};
@@ -95,7 +95,7 @@ TEST(CastShadow, OfASphereUnderACapAsRaysFindIt) {
         }
 }
 
-TEST(CastShadow, OfAShark) {
+TEST(CastShadow, ASharkCastsAShadow) {
     for (const float radius_deg : {4.0f, 10.0f, 16.0f, 25.0f})
         for (const float elevation_deg : {90.0f, 66.0f}) {
             const Ellipsoid shark{.centre = {1, 0, -2},
@@ -111,7 +111,7 @@ TEST(CastShadow, OfAShark) {
 }
 
 // A part behind another part of the same body hides nothing more, and parts that touch leave no gap.
-TEST(CastShadow, OfPartsIsThatOfTheirUnion) {
+TEST(CastShadow, PartsShadeAsTheirUnion) {
     const CastingLight light = lightAt(90, 10);
     const auto sphere = [](const glm::vec3& centre, float radius) {
         return occlusion::Ellipsoid{centre, glm::mat3(1), glm::vec3(radius)};
@@ -131,7 +131,7 @@ TEST(CastShadow, OfPartsIsThatOfTheirUnion) {
                 3 * one, 0.1f * one);
 }
 
-TEST(CastShadow, OfALevelPlaneLosesNothingOfItsShare) {
+TEST(CastShadow, ALevelPlaneLosesNothingOfItsShare) {
     const CastingLight light = lightAt(66, 12);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(light.shareAt(light.towards.y)[c], light.share[c], 1e-6f);
     EXPECT_EQ(light.shareAt(0), glm::vec3(0));

@@ -206,7 +206,7 @@ TEST(FilmShadows, DoNotFallThroughWhatTheyFallOn) {
     EXPECT_EQ(below, 0);
 }
 
-TEST(FilmShadows, WhereNothingCastsNothingIsShaded) {
+TEST(FilmShadows, NothingIsShadedWhereNothingCasts) {
     const auto ground = levelGround();
     const auto unknown = filmOf([](const glm::vec3&) { return INFINITY; });
     const auto isEmpty = [](const FilmShadows& shadows) {

@@ -266,7 +266,7 @@ TEST(SoundCues, CaptionsTellWhatAndWhereAndGo) {
     EXPECT_TRUE(hear.captions().empty());
 }
 
-TEST(SoundCues, WhatMattersHasACaption) {
+TEST(SoundCues, EachEventThatMattersHasACaption) {
     // Somebody who hears nothing must learn what happens out of sight, and that a catch counted.
     for (const EventRow& row :
          {rowOf(EventKind::Catch), rowOf(EventKind::Escape), rowOf(EventKind::SharkNear),

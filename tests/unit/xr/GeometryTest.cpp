@@ -63,7 +63,7 @@ TEST(Pose, BetweenTheEyesIsTheHead) {
     EXPECT_NEAR(std::abs(head.orientation.w), 1, 1e-6f);
 }
 
-TEST(Pose, WhatCannotBeIsNotBelieved) {
+TEST(Pose, AnImpossiblePoseIsNotBelieved) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_TRUE(believable(Pose{}));
     EXPECT_FALSE(believable(Pose{{nan, 0, 0}}));

@@ -20,7 +20,7 @@ TEST(Vibration, TheStrongestFingerOfEachHandCounts) {
     EXPECT_EQ(vibrationOf({}, 0).amplitude, 0);
 }
 
-TEST(Vibration, WhatIsNoNumberIsNothingAndTooMuchIsAll) {
+TEST(Vibration, NoNumberIsNothingAndTooMuchIsAll) {
     HapticFrame frame;
     frame.actuators[0].amplitude = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(vibrationOf(frame, 0).amplitude, 0);
