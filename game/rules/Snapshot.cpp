@@ -100,7 +100,7 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
     if (before.creatures.size() != after.creatures.size() || after.tick != before.tick + 1 ||
         after.time_s < before.time_s)
         return;
-    // Moves the value, which is the one after, back towards the one before.
+    // Both set `to`, the value after, to the one between it and `from`.
     const auto mix = [&](const auto& from, auto& to) { to = from + (to - from) * alpha; };
     const auto turn = [&](const glm::quat& from, glm::quat& to) { to = blended(from, to, alpha); };
     out.time_s = before.time_s + (after.time_s - before.time_s) * static_cast<double>(alpha);

@@ -204,7 +204,7 @@ TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
 }
 
 TEST(FilmSpace, AHiddenFishIsNeitherShownNorHelpedToNorTaken) {
-    // All of the film is 0.65 m away; the fish is put back behind it in every tick.
+    // The whole film is 0.65 m away; the fish is put back behind it in every tick.
     const auto near = madeSpace(1, 1, [](glm::vec3, double) { return 0.65f; });
     const glm::vec3 behind(0, -0.1f, -0.8f);
     for (const bool hidden : {false, true}) {
