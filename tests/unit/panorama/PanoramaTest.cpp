@@ -122,7 +122,8 @@ TEST(PolarCaps, GroundKeepsItsGrainAndDoesNotRepeat) {
     cv::GaussianBlur(grey, blurred, {}, 20);
     grey -= blurred;
     cv::meanStdDev(grey, mean, spread);
-    // The part of 0.04 that is finer than the two blurs: 0.022 where the square itself is laid there, unblended.
+    // The part of 0.04 that is finer than the two blurs: 0.022 where the square itself is laid there,
+    // unblended.
     EXPECT_NEAR(spread[0], 0.022, 0.005);
 
     const cv::Mat piece = grey(cv::Rect(100, 100, 64, 64));
