@@ -12,7 +12,7 @@ namespace shoal {
 
 using Path = std::filesystem::path;
 
-// Of the program that runs.
+// Folder of the program that runs.
 Path programFolder();
 
 // Folder of content/ and shaders/: $SHOAL_DATA; else where `cmake --install` puts them, seen from the
@@ -31,13 +31,13 @@ Path cacheFolder();
 enum class UserFolder { Pictures, Videos, Downloads };
 Path userFolder(UserFolder which);
 
-// With its dot and in lower case (of ASCII): ".png" of "A.PNG".
+// Returns the extension with its dot and in lower case (of ASCII): ".png" of "A.PNG".
 std::string extensionOf(const Path& file);
 
-// The whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before memory
-// is taken).
+// Reads the whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before
+// memory is taken).
 Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes);
-// At most its first maxBytes.
+// Reads at most its first maxBytes.
 Result<std::vector<uint8_t>> readFileBegin(const Path& file, uint64_t maxBytes);
 Result<std::string> readText(const Path& file, uint64_t maxBytes = 16u << 20);
 

@@ -1,5 +1,5 @@
-// Owns an object of a type that a header declares and its .cpp alone defines, so that who includes the header
-// needs none of its parts. Moves and destruction need no declaration.
+// Owner of an object whose type is declared in a header and defined in its .cpp alone, so that users of the
+// header need none of its parts. Moves and destruction need no declaration.
 #pragma once
 
 #include <memory>

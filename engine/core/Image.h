@@ -16,7 +16,7 @@ template <class T, int kChannels> struct Image {
     Image() = default;
     Image(int w, int h) : width(w), height(h), pixels(static_cast<size_t>(w) * h * kChannels) {}
 
-    // Where it has another size it gets this one, all 0.
+    // Gives a picture of another size this size, all 0.
     void fit(int w, int h) {
         if (width != w || height != h) *this = Image(w, h);
     }

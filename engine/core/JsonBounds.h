@@ -15,8 +15,8 @@ struct JsonBounds {
     uint64_t objects;
 };
 
-// Which bound the text exceeds, "is nested deeper than 64 levels"; empty: none. Reads brackets and commas
-// only; the parser finds what is not JSON at all.
+// Returns the bound that the text exceeds, "is nested deeper than 64 levels"; empty: none. Reads brackets and
+// commas only; text that is no JSON at all is left to the parser.
 inline std::string exceededBound(std::string_view json, const JsonBounds& bounds) {
     uint64_t values = 1, objects = 0;
     int depth = 0;

@@ -16,7 +16,7 @@ void write(Level level, fmt::string_view format, fmt::format_args arguments) {
 }
 
 void setUp(bool verbose) {
-    // A way of its own to standard error, which QuietStandardError leaves open.
+    // The logger has its own descriptor of standard error, which QuietStandardError leaves open.
     std::FILE* file = ::fdopen(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1), "w");
     using Sink = spdlog::sinks::stdout_sink_base<spdlog::details::console_mutex>;
     const auto close = [file](Sink* sink) {

@@ -8,10 +8,10 @@
 
 namespace shoal {
 
-// Within no range if it is NaN.
+// False for NaN.
 template <class T> bool isWithin(T number, T low, T high) { return number >= low && number <= high; }
 
-// The decimal number that the whole text is; empty: it is none, or T cannot hold it.
+// Returns the decimal number that the whole text is; empty where it is none, or T cannot hold it.
 template <class T>
 std::optional<T> parseNumber(std::string_view text, T low = std::numeric_limits<T>::lowest(),
                              T high = std::numeric_limits<T>::max()) {

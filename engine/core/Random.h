@@ -15,7 +15,7 @@ class Random {
         next();
     }
 
-    // Uniform over all 32-bit values.
+    // Returns any 32-bit value, uniformly.
     uint32_t next() {
         const uint64_t old = state_;
         state_ = old * 6364136223846793005ull + increment_;

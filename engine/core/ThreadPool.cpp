@@ -22,7 +22,7 @@ ThreadPool::~ThreadPool() {
     for (std::thread& helper : helpers_) helper.join();
 }
 
-// With the lock held; parts are so large that taking one costs nothing beside it.
+// Call it with the lock held. Parts are so large that taking one costs nothing beside it.
 void ThreadPool::work(std::unique_lock<std::mutex>& lock) {
     while (next_ < parts_) {
         const int mine = next_++;
@@ -61,8 +61,7 @@ void ThreadPool::finish() {
 
 void lowerThreadPriority() {
 #ifdef __linux__
-    // On Linux niceness is each thread's own. 10: a tenth of the weight of a thread that has not stepped
-    // back.
+    // Each thread has its own niceness on Linux. 10 is a tenth of the usual weight.
     constexpr int kNiceness = 10;
     setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNiceness);
 #endif

@@ -1,5 +1,5 @@
-// Functions for x86-64 processors that have more than every one has. Contraction is off, so all give the same
-// bits. The library ShoalLight is built with this file too.
+// Versions of functions for newer x86-64 processors. Contraction is off, so all give the same bits. The
+// library ShoalLight is built with this file too.
 #pragma once
 
 // Inner loops that are worth compiling thrice: for every x86-64, for AVX2 and for AVX-512, chosen when the

@@ -20,8 +20,8 @@ Error cannotWrite(const Path& file, int code) {
     return cannotWrite(file, std::generic_category().message(code));
 }
 
-// The place that a name leads to through symbolic links, whether something is there or not; a link where they
-// lead in a circle.
+// Returns the place that a name leads to through symbolic links, whether something is there or not; a link
+// where they lead in a circle.
 Path placeOf(const Path& file) {
     std::error_code code;
     const Path place = fs::weakly_canonical(fs::absolute(file, code), code);
@@ -122,7 +122,7 @@ Status GrowingFile::write(std::string_view bytes) {
 }
 
 Status GrowingFile::finish() {
-    // File systems, devices and pipes that cannot be asked to answer EINVAL.
+    // File systems, devices and pipes that cannot be synced answer EINVAL.
     const bool synced = ::fsync(::fileno(out_.get())) == 0 || errno == EINVAL || errno == EROFS;
     const int problem = errno;
     if (std::fclose(out_.release()) == 0 && synced) return Done{};
@@ -140,7 +140,7 @@ static Status checkOutput(const NamedFile& output) {
     return ::access(written.c_str(), W_OK) == 0 ? Status(Done{}) : cannotWrite(output.file, errno);
 }
 
-// Two names of one file that keeps what is written to it: a device may be named twice.
+// Returns whether two names are of one file that keeps its bytes: a device may be named twice.
 static bool isSame(const Path& a, const Path& b) {
     std::error_code code;
     const Path place = placeOf(a), other = placeOf(b);

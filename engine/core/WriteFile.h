@@ -3,7 +3,7 @@
 // A file is written beside its place, brought to the disk, then renamed: a reader, a crash or a full disk
 // finds the old file or the new one, never half of one. The name beside NAME is .NAME.PID.part, of the
 // process that writes; a process that is killed in the middle leaves it there. Symbolic links are followed,
-// so that a link stays one; into devices, FIFOs and sockets is written as they are.
+// so that a link stays one; devices, FIFOs and sockets are written into directly.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -25,15 +25,16 @@ struct NamedBytes {
     std::string bytes;
 };
 
-// All of them or none: nothing is put in place before everything has been written beside. Creates the folder.
+// Writes all of them or none: nothing is put in place before everything has been written beside. Creates the
+// folder.
 Status writeFolderWhole(const Path& folder, std::span<const NamedBytes> files);
 
-// A file that grows while the program runs, written under its final name; for what must survive a crash.
+// A file that grows while the program runs, under its final name, so that it survives a crash.
 class GrowingFile {
   public:
-    // Replaces what was there.
+    // Replaces the file.
     static Result<GrowingFile> create(const Path& file);
-    // Goes on behind the first `bytes` of a file that is there; what it holds beyond them is dropped.
+    // Cuts a file to its first `bytes` and continues it.
     static Result<GrowingFile> extend(const Path& file, uint64_t bytes);
 
     Status write(std::string_view bytes);
@@ -53,8 +54,8 @@ struct NamedFile {
     Path file; // empty: not given
 };
 
-// Before work whose result would be lost: every output has a folder that can be written to, is no folder
-// itself, and is neither another output nor one of the inputs.
+// Checks, before work whose result would be lost, that every output has a folder that can be written to, is
+// no folder itself, and is neither another output nor one of the inputs.
 Status checkOutputs(std::span<const NamedFile> outputs, std::span<const NamedFile> inputs = {});
 
 } // namespace shoal

@@ -1,7 +1,7 @@
 #include "engine/depth/DepthRange.h"
 
 #include "engine/core/Vectorise.h"
-#include "engine/math/LatLongCap.h"
+#include "engine/math/LatLong.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-// Measures the GPU time of each render pass, and opens debug groups by which a frame debugger names them.
-// Only the thread of the context.
+// Measures the GPU time of each render pass, and opens debug groups by which a frame debugger names them. Use
+// it on the context's thread only.
 #pragma once
 
 #include "engine/gl/Objects.h"

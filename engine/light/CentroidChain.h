@@ -16,10 +16,10 @@ struct Sampling {
 };
 
 // Each halving distributes every texel's flux over the two nearest rows and columns, in the shares that keep
-// its centroid: (1 3 3 1) / 8 along rows and meridians, over the poles too. A small light then keeps its
-// position, and it is spread by the same amount wherever it is (3/16 of a texel squared for each halving, in
-// each direction), so that a filter can take that back. Plain means move a light by up to half a texel:
-// summed over 64 texels around, 2 % of the diffuse light of a small sun.
+// its centroid: (1 3 3 1) / 8 along rows and meridians, over the poles too. A small light keeps its position,
+// and is spread by the same amount everywhere (3/16 of a texel squared for each halving, in each direction),
+// which a filter takes back. Plain means move a light by up to half a texel: 2 % of a small sun's diffuse
+// light.
 class CentroidChain {
   public:
     // minWidth .. baseWidth, powers of two >= 16.

@@ -12,9 +12,9 @@
 //      that serves where there is no ground to be seen (covered, black, clipped). The higher clipped light
 //      stands, the more the ground tells of it: what comes from the side, as through windows and from a
 //      bright horizon, falls on walls and slopes first.
-// To a pixel's decoded radiance is added
+// The radiance added to a pixel's decoded radiance is
 //     (gain(row) - 1) * clippedShare(row) * density(pixel) * clippedSteps(pixel) / kClippedSteps * tint
-// Only above the horizon: what is clipped below it is mostly ground in the sun, and not far above white. The
+// above the horizon only: clipped pixels below it are mostly ground in the sun, not far above white. The
 // tint is what the whole of the picture and its brightest parts that are not white have in common, as under
 // water: a white sun in a blue sky is white. Error by pictures with known light:
 // tests/bench/figures/chart.md. The constants are those that bring 42 public HDR pictures, none of them on

@@ -2,18 +2,15 @@
 // every frame's radiance pyramid.
 //
 // A texel counts as light by how many standard deviations its luminance lies above the mean of the sphere, as
-// in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360 Panoramic Videos", which
-// takes two; here from the square root of three on, where a linear gradient over the sphere ends, and fully a
-// little above. By Cantelli's inequality no more than a quarter of any sphere lies there: an overcast sky
-// throws no shadow, and is no light. A window starts at the brightest texel, shifts to the mode (mean shift:
-// Cheng 1995) and takes the size of the light in it as it goes (Bradski 1998, "Computer Vision Face Tracking
-// for Use in a Perceptual User Interface"); position and size are its spherical moments.
+// in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360 Panoramic Videos": from
+// the square root of three on, where a linear gradient ends. No more than a quarter of any sphere lies there
+// (Cantelli's inequality), so an overcast sky is no light. A window starts at the brightest texel, shifts to
+// the mode (mean shift: Cheng 1995) and takes the size of the light in it (Bradski 1998, "Computer Vision
+// Face Tracking for Use in a Perceptual User Interface"); position and size are its spherical moments.
 //
-// A sun is ten thousand times as bright as the white to which a camera clips it, and haze, clouds and horizon
-// shape the glow that is left around it. In a window no wider than a sun with its glow texels therefore count
-// by the fifth power of their excess over the mean, and the window closes in on the brightest. That changes
-// nothing if a dominant light is evenly bright. A wider window contains half a scene, whose middle is that of
-// all its light.
+// Haze, clouds and horizon shape the glow around a clipped sun. In a window no wider than a sun with its
+// glow, texels therefore count by the fifth power of their excess over the mean, and the window closes in on
+// the brightest. A wider window contains half a scene, whose middle is that of all its light.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"

@@ -1,4 +1,4 @@
-// Which glossy levels there are, how each is made, and where between them a roughness lies.
+// The plan of the glossy levels, and the level of detail of a roughness between them.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"

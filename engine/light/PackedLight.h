@@ -31,8 +31,8 @@ struct PackedLight {
     // All maps, each with a border of one texel that continues the sphere, so that linear lookups need to
     // know of neither seam nor pole.
     HalfImage atlas;
-    // Where filtered map k lies, roughest first (the first is the diffuse map too): its u, v times xy plus zw
-    // is a place in the atlas.
+    // Place of each filtered map in the atlas, roughest first (the first is the diffuse map too): u, v of the
+    // map times xy plus zw.
     std::vector<glm::vec4> places;
     std::vector<HalfImage> mirrors;     // mip levels
     std::vector<float> mirrorRoughness; // of the unfiltered levels, then of the smoothest filtered one

@@ -14,15 +14,13 @@ namespace shoal::light {
 // out(r) = sum over all texels of flux times the lobe at the texel, over the same sum for light of radiance
 // 1. The lobe is math::ggxMirrorLobe; alpha = 1 is the clamped cosine of a matte surface.
 //
-// Turning the environment by one column turns the result, so for a row out and a row in the sum over columns
-// is a circular convolution with an even kernel; in the transformed rows it is one product for each
-// frequency. A narrow lobe has high frequencies, but those reach over few rows; a wide lobe reaches over all
-// rows, but has low frequencies only. Values below kNegligible of the whole are left out, and the rest is
-// scaled so that uniform light stays exactly as it is.
+// The sum over the columns of a row in, for a row out, is a circular convolution with an even kernel; in the
+// transformed rows it is one product for each frequency. A narrow lobe has high frequencies that reach over
+// few rows; a wide lobe reaches over all rows, with low frequencies only. Values below kNegligible of the
+// whole are left out, and the rest is scaled so that uniform light stays exactly as it is.
 //
-// The kernel compensates, to second order, for how far the map's texels spread the light (Sampling::octaves),
-// and for what linear lookups between its texels take away: among maps of this size it is nearly the one with
-// the least squared error.
+// The kernel compensates, to second order, for the texels' spread of light (Sampling::octaves) and for linear
+// lookups between them: it is nearly the map of this size with the least squared error.
 class ZonalFilter {
   public:
     // sampling.width: a power of two >= 32, the width of the maps in and out. Kernels take 1 ms (64) to 1 s

@@ -28,8 +28,9 @@ template <class T> glm::vec<2, T> latLongFromDirection(const glm::vec<3, T>& dir
             T(0.5) - std::asin(std::clamp(dir.y, T(-1), T(1))) * invPi};
 }
 
-// As latLongFromDirection(), within 4e-6 of the map's height, without calls and branches; for maps of few
-// texels; dir may have any length. Abramowitz and Stegun 1964, 4.4.49, with an error of at most 1e-5 radians.
+// Computes latLongFromDirection() within 4e-6 of the map's height, without calls and branches; for maps of
+// few texels; dir may have any length. Abramowitz and Stegun 1964, 4.4.49, with an error of at most 1e-5
+// radians.
 inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
     const auto angle = [](float y, float x) { // angle of a point of a plane, -pi to pi
         const float ay = std::abs(y), ax = std::abs(x);
@@ -67,6 +68,29 @@ inline double texelSolidAngle(int y, int width, int height) {
     const double top = std::sin(pi * (0.5 - static_cast<double>(y) / height));
     const double bottom = std::sin(pi * (0.5 - static_cast<double>(y + 1) / height));
     return 2.0 * pi * (top - bottom) / width;
+}
+
+// --- Cells of a grid over the map that a cap of the sphere touches
+
+struct CellRange {
+    glm::ivec2 first{0}, last{-1}; // rows are within the grid; columns may lie beyond an edge, and repeat
+};
+
+// Returns the cells that a cap touches. The cap's outermost meridians are sin(longitude) = sin(angle) /
+// cos(latitude) from its middle; a cap that holds a pole touches all. dirEnv: unit; halfAngle: radians.
+inline CellRange cellsOfCap(const glm::ivec2& cells, const glm::vec3& dirEnv, float halfAngle) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    const glm::vec2 uv = latLongFromDirection(dirEnv);
+    const float latitude = (0.5f - uv.y) * kPi;
+    const bool polar = std::abs(latitude) + halfAngle >= kPi / 2;
+    const float across = polar ? 0.5f : std::asin(std::sin(halfAngle) / std::cos(latitude)) / (2 * kPi);
+    const auto cell = [](float share, int count) {
+        return static_cast<int>(std::floor(share * static_cast<float>(count)));
+    };
+    const int left = cell(uv.x - across, cells.x);
+    return {{left, std::max(cell(uv.y - halfAngle / kPi, cells.y), 0)},
+            {std::min(cell(uv.x + across, cells.x), left + cells.x - 1),
+             std::min(cell(uv.y + halfAngle / kPi, cells.y), cells.y - 1)}};
 }
 
 } // namespace shoal

@@ -1,7 +1,7 @@
 // Tiles of a lat-long frame: tells which of them may show objects.
 #pragma once
 
-#include "engine/math/LatLongCap.h"
+#include "engine/math/LatLong.h"
 #include "engine/scene/Model.h"
 
 #include <glm/common.hpp>

@@ -13,7 +13,7 @@ namespace {
 
 using Interpolation = Channel::Interpolation;
 
-// Where a moment lies among the keys.
+// A moment's place among the keys.
 struct Moment {
     size_t key = 0;       // the last key not after it
     float fraction = 0;   // 0 .. 1 of the way to the next
@@ -29,7 +29,7 @@ Moment momentAt(const std::vector<float>& times_s, float time_s) {
     return {key, (time_s - times_s[key]) / duration_s, duration_s};
 }
 
-// Number `component` of the value at this moment, size numbers a value; rotations only where not Linear.
+// Returns one of the `size` numbers of the value at this moment; of rotations only where they are not Linear.
 float sampled(const Channel& channel, const Moment& at, size_t size, size_t component) {
     const float* values = channel.values.data();
     if (channel.interpolation != Interpolation::CubicSpline) {

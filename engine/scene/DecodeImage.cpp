@@ -7,9 +7,8 @@
 
 namespace {
 
-// The most that stb may take in one piece. A PNG's lengths and its compressed data can both ask for gigabytes
-// that its width and height do not account for. Per thread, set around each decoding: stb's hooks carry no
-// context.
+// The most bytes that stb may take in one piece: a PNG's lengths and its compressed data can both ask for
+// gigabytes, whatever its width and height. Per thread, because stb's hooks carry no context.
 thread_local size_t largestPiece = 0;
 
 void* takePiece(size_t bytes) { return bytes <= largestPiece ? std::malloc(bytes) : nullptr; }
@@ -43,8 +42,7 @@ struct FreePixels {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
-// A progressive JPEG may be gone over in as many scans as its author likes, each the work of a whole
-// decoding. Encoders write about ten.
+// Each scan of a progressive JPEG is the work of a whole decoding. Encoders write about ten.
 constexpr int kMaxScans = 100;
 
 // Whether some Huffman table of a JPEG lists more than 256 codes: stb_image before 2.28 takes any number for
@@ -60,7 +58,7 @@ bool hasOverlongHuffmanTable(std::span<const uint8_t> bytes) {
         while (byte(at) == 0xFF) ++at; // fill bytes
         const size_t marker = byte(at++);
         if (marker == 0xD9) return false; // end of the image
-        // Those without a segment: stuffed zero, restarts, start of the image.
+        // Stuffed zeros, restarts and the start of the image have no segment.
         if (marker == 0 || (marker >= 0xD0 && marker <= 0xD8)) continue;
         const size_t end = at + std::max<size_t>(byte(at) << 8 | byte(at + 1), 2);
         for (size_t table = at + 2; marker == 0xC4 && table < end;) {

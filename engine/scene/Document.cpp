@@ -126,7 +126,7 @@ std::string percentDecoded(const std::string& uri) {
     return plain;
 }
 
-// Where a relative URI leads. Links may lead anywhere below the folder, but not out of it.
+// Returns the file of a relative URI. Links may lead anywhere below the folder, but not out of it.
 Path confined(const Path& folder, const std::string& uri, const std::string& who) {
     namespace fs = std::filesystem;
     const std::string plain = percentDecoded(uri);

@@ -17,7 +17,7 @@ enum class Side { Left, Right };
 
 constexpr int kJointCount = 26;
 
-// In OpenXR's order; content/models/hand_*.glb names its joints the same.
+// Names in OpenXR's order; the joints of content/models/hand_*.glb are named the same.
 constexpr std::array<std::string_view, kJointCount> kJointNames = {
     "palm",
     "wrist",
@@ -71,7 +71,7 @@ constexpr int fingerOfJoint(int joint) {
     return -1;
 }
 
-// What can be touched and felt: the five fingers, by Finger, and the palm.
+// Parts of a hand that touch and feel: the five fingers, by Finger, and the palm.
 constexpr int kHandParts = kFingerCount + 1;
 constexpr int kPalmPart = kFingerCount;
 
@@ -87,11 +87,11 @@ struct HandPose {
     float confidence = 0; // 0 to 1
     float grip = 0;       // 0 open to 1 fist
     float pinch = 0;      // 0 open to 1 thumb and index touch; a fist is not also a pinch
-    // May push and touch. False while the hand glides to where it is seen again, or has only just appeared:
-    // what it holds stays held, all else it passes through.
+    // Whether it pushes and touches. False while the hand glides to where it is seen again, or has only just
+    // appeared: it keeps the thing that it holds, and passes through everything else.
     bool solid = true;
     int64_t time_us = 0; // when it was seen, by the source's own clock
-    // In the viewer's frame: eye at the origin, -Z ahead, +Y up, metres.
+    // Viewer's frame: eye at the origin, -Z ahead, +Y up, metres.
     std::array<Joint, kJointCount> joints{};
 };
 
@@ -101,8 +101,7 @@ constexpr float kGripOpens = 0.35f;
 // A hand that is not seen for longer is lost: it lets go of its fish. Devices give 5 to 200 frames a second.
 constexpr float kHandLost_s = 0.3f;
 
-// The middle of what a closing hand encloses: below the palm, between thumb and fingers. Same frame as the
-// joints.
+// Returns the middle of the space that a closing hand encloses, in the joints' frame.
 inline glm::vec3 graspCentre(const std::array<Joint, kJointCount>& joints) {
     const Joint& palm = joints[kPalmJoint];
     return palm.position + palm.orientation * glm::vec3(0, -0.045f, -0.035f);

@@ -36,7 +36,7 @@ std::vector<Lod> makeLods(const Primitive& primitive) {
         meshopt_optimizeVertexCache(coarser.data(), coarser.data(), coarser.size(), vertexCount);
         lods.push_back(compact(coarser, vertexCount, relativeError * extent));
     };
-    // Each from the original, so that errors do not add up.
+    // Each is made from the original, so that errors do not add up.
     size_t triangles = primitive.indices.size() / 3;
     while (triangles >= 2 * kMinTriangles) {
         float error = 0;

@@ -1,5 +1,4 @@
-// Levels of detail of a mesh. A triangle smaller than a few pixels costs as much as a large one, so that
-// distant models would otherwise cost most.
+// Levels of detail of a mesh: a triangle smaller than a few pixels costs as much as a large one.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -15,8 +14,8 @@ struct Lod {
     float error = 0;                // how far the surface moves at most, about, in the primitive's units
 };
 
-// Finest first, each of about half the triangles of the one before; empty for what cannot be reduced, and for
-// primitives with morph targets. Quadric edge collapse (meshoptimizer).
+// Makes levels of about half the triangles of the one before, finest first, by quadric edge collapse
+// (meshoptimizer). Makes none of meshes that cannot be reduced and of primitives with morph targets.
 std::vector<Lod> makeLods(const Primitive& primitive);
 
 } // namespace shoal::scene

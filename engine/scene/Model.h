@@ -1,4 +1,4 @@
-// A glTF 2.0 model in memory: what tinygltf read, checked, in types that can be drawn and posed.
+// A glTF 2.0 model in memory, checked, in types that can be drawn and posed.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -153,7 +153,7 @@ struct Pose {
     std::vector<std::vector<float>> morphWeights; // per node; empty without morph targets
 };
 
-// The model as its file stands, without any animation; modelFromNode included.
+// Sets the pose of the file, without any animation; modelFromNode included.
 void restPose(const Model&, Pose&);
 
 // Overwrites the animated transforms and weights of pose.local at this time (clamped to the animation's span;
@@ -166,7 +166,7 @@ void updateGlobals(const Model&, Pose&);
 // modelFromMesh matrices of a skin's joints: modelFromNode * jointFromMesh. out is resized to the joint
 // count.
 void skinMatrices(const Model&, int skin, const Pose&, std::vector<glm::mat4>& out);
-// By which a vertex moves that hangs on joints. joints: of skinMatrices().
+// Returns the matrix by which a vertex with joints moves. joints: of skinMatrices().
 glm::mat4 skinMatrix(const Primitive&, size_t vertex, std::span<const glm::mat4> joints);
 
 struct MorphedVertex {
@@ -179,7 +179,7 @@ struct Bounds {
     glm::vec3 low{0}, high{0};
 };
 using shoal::Sphere;
-// Of the posed model's vertices, skinned and morphed, in the model frame.
+// Returns the bounds of the posed model's vertices, skinned and morphed, in the model frame.
 Bounds posedBounds(const Model&, const Pose&);
 
 } // namespace shoal::scene

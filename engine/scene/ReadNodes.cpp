@@ -24,7 +24,7 @@ bool makeAffine(glm::mat4& m) {
     return true;
 }
 
-// The transform that gives this affine matrix, if there is one (no shear, no flattened axis).
+// Returns the transform that gives this affine matrix, if there is one (no shear, no flattened axis).
 std::optional<Transform> split(const glm::mat4& parentFromNode) {
     Transform t;
     t.translation = glm::vec3(parentFromNode[3]);
@@ -86,7 +86,7 @@ Node readNode(GltfFile& file, const tinygltf::Node& from, const std::string& who
     return node;
 }
 
-// These nodes and all below them, parents first. Only for nodes that form trees.
+// Returns these nodes and all below them, parents first. Only for nodes that form trees.
 std::vector<int> withDescendants(const Model& model, std::vector<int> nodes) {
     for (size_t i = 0; i < nodes.size(); ++i)
         for (const int child : model.nodes[nodes[i]].children) nodes.push_back(child);
@@ -107,7 +107,7 @@ std::vector<int> joinParents(Model& model) {
     std::vector<int> roots;
     for (int i = 0; i < count; ++i)
         if (model.nodes[i].parent < 0) roots.push_back(i);
-    // With one parent each, what no root reaches is a cycle.
+    // Each has one parent, so a node that no root reaches is in a cycle or below one.
     const std::vector<int> all = withDescendants(model, roots);
     const std::set<int> reached(all.begin(), all.end());
     for (int i = 0; i < count; ++i)

@@ -22,12 +22,12 @@ struct Spine {
     float length_m = 1;        // of the rest pose along z
 };
 
-// The longest line of a skin's joints, each the parent of the next, that runs along the model's z: three or
-// more, each step within 45 degrees of it, all one way. length_m, low_m: extent of the rest pose along z and
-// its hind end.
+// Finds the longest line of a skin's joints, each the parent of the next, that runs along the model's z:
+// three or more, each step within 45 degrees of it, all one way. length_m, low_m: extent of the rest pose
+// along z and its hind end.
 Spine findSpine(const Model&, float length_m, float low_m);
 
-// What a clip's body wave is: where it lies in the loop, and how far it swings the tail.
+// A clip's body wave: its phase in the loop, and how far it swings the tail.
 struct TailBeat {
     float perLoop = 1;   // beats (left and right) in one loop: the strongest whole number of them
     float offset = 0;    // of the loop: where the tail passes the middle, going left
@@ -35,7 +35,7 @@ struct TailBeat {
 };
 TailBeat measureBeat(const Model&, const Spine&, int animation, Pose& scratch);
 
-// Scales what the clip did to the spine: 0 leaves it straight, 1 as it is.
+// Scales the bend that the clip gave the spine: 0 straightens it, 1 leaves it.
 void scaleWave(const Spine&, float factor, Pose&);
 
 // Adds a curve of even curvature. Both are angles between the ends of the body, radians: curvature times

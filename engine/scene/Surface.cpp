@@ -47,8 +47,8 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
     }
 }
 
-// Skin that several nodes move lies beside where any of them would take it, and so do triangles between two
-// spheres. Of radii: what fingers bent by more than a right angle need.
+// Factor on radii, for skin that several nodes move and triangles between two spheres; fingers bent by more
+// than a right angle need it.
 constexpr float kWider = 1.2f;
 constexpr float kLongest = 1.6f;    // of the next longest side: longer things are two,
 constexpr size_t kMinPositions = 8; // but not things of so few positions
@@ -135,7 +135,7 @@ glm::vec3 meanBaseColour(const Model& model) {
 
 namespace {
 
-// Of a channel, 0 to 1: the least of all but the smallest hundredth of the values.
+// Returns the least of all but the smallest hundredth of a channel's values, 0 to 1.
 float minOf(const ImageRgba8& texels, size_t channel) {
     std::array<size_t, 256> counts{};
     for (size_t i = channel; i < texels.pixels.size(); i += 4) ++counts[texels.pixels[i]];

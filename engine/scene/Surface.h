@@ -1,5 +1,5 @@
-// The surface of a posed model as one triangle mesh, what its materials are like on the
-// whole, and how far it reaches however its joints turn.
+// The surface of a posed model as one triangle mesh, means over its materials, and spheres that hold it
+// however its joints turn.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -17,13 +17,13 @@ struct Surface {
     std::vector<uint16_t> nodesOf; // the node that moves each position most: a joint, or the mesh's own
 };
 
-// Every primitive of every node, in the order of model.order. The pose's globals must be up to date.
+// Joins every primitive of every node, in the order of model.order. The pose's globals must be up to date.
 Surface posedSurface(const Model& model, const Pose& pose);
 
 bool isBlended(const Model& model, const Primitive& primitive);
 
-// Mean reflectance over the texels of all materials in use, weighed by the area of their triangles in the
-// mesh; linear.
+// Returns the mean reflectance over the texels of all materials in use, weighed by the area of their
+// triangles in the mesh; linear.
 glm::vec3 meanBaseColour(const Model& model);
 
 // Roughness and metalness of a material, from factors and textures: they decide which prefiltered light maps
@@ -37,22 +37,22 @@ struct Gloss {
 
 Gloss glossOf(const Model& model, const Material& material);
 
-// The least of each over all materials that some mesh uses; 1 where there are none.
+// Returns the least of each over all materials that some mesh uses; 1 where there are none.
 Gloss minGloss(const Model& model);
 
-// Some of what a node moves most, in the node's frame; all of it lies in the node's spheres, and skin between
-// two joints, which lies between where each would take it, in theirs.
+// A sphere in a node's frame around vertices that the node moves most. All of them lie in the node's spheres,
+// and skin between two joints in the spheres of both.
 struct NodeSphere {
     int node = 0;
     glm::vec3 centre{0};
     float radius = 0;
 };
 
-// One sphere or more for each node that moves anything. The pose's globals must be up to date; the model's
-// meshes must still be there.
+// Makes one sphere or more for each node that moves anything. The pose's globals must be up to date; the
+// model's meshes must still be there.
 std::vector<NodeSphere> boundingSpheresOf(const Model& model, const Pose& rest);
 
-// Of another pose, world frame: one sphere for each. worldFromModel may scale, alike in all directions.
+// Places each sphere by another pose, in the world frame. worldFromModel may scale, alike in all directions.
 void placeSpheres(const std::vector<NodeSphere>& reach, const Pose& pose, const glm::mat4& worldFromModel,
                   std::vector<Sphere>& spheres);
 

@@ -26,7 +26,7 @@ glm::vec3 triangleNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dv
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
-// For each vertex one that stands for all that differ in nothing that shapes the tangent.
+// Returns for each vertex the one that stands for all with the same position, normal and texture coordinates.
 std::vector<uint32_t> weld(const Primitive& primitive, const std::vector<glm::vec2>& uv) {
     std::vector<std::array<float, 8>> keys(primitive.positions.size());
     for (size_t v = 0; v < keys.size(); ++v) {
@@ -51,7 +51,7 @@ struct Mapping {
 Mapping mappingOf(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec2, 3>& uv) {
     const glm::dvec2 e1 = uv[1] - uv[0], e2 = uv[2] - uv[0];
     const double twiceArea = e1.x * e2.y - e1.y * e2.x;
-    // From p1 - p0 = e1.u U + e1.v V and p2 - p0 = e2.u U + e2.v V, solved for U up to its length.
+    // Solves p1 - p0 = e1.u U + e1.v V and p2 - p0 = e2.u U + e2.v V for U up to its length.
     const glm::dvec3 along = (e2.y * (p[1] - p[0]) - e1.y * (p[2] - p[0])) * (twiceArea < 0 ? -1.0 : 1.0);
     const glm::vec3 alongU = safeNormalize(along, glm::vec3(0));
     const bool flat =
@@ -125,7 +125,7 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
     const std::vector<glm::vec2>& uv = primitive.texCoords[texCoord];
     const std::vector<uint32_t>& indices = primitive.indices;
     const std::vector<uint32_t> welded = weld(primitive, uv);
-    // Of all triangles that meet in a welded vertex, by hand.
+    // Sums over all triangles that meet in a welded vertex, by hand.
     std::vector<std::array<glm::vec3, 2>> sums(welded.size(), {glm::vec3(0), glm::vec3(0)});
     std::vector<std::array<bool, 2>> any(welded.size(), {false, false});
     std::vector<Hand> hands;

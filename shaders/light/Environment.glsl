@@ -21,7 +21,7 @@ vec3 filteredRadiance(vec2 uv, int map) {
 vec3 diffuseRadiance(vec3 normal) { return filteredRadiance(latLongFromDirection(normal), 0); }
 
 #ifdef MIRRORS
-// For surfaces smoother than the smoothest map: the radiance pyramid, the roughness of its levels and of that map.
+// The radiance pyramid, for surfaces smoother than the smoothest map; the roughness of its levels and of that map.
 uniform sampler2D radianceMap;
 uniform float mirrorRoughness[6];
 uniform int mirrorLevels;

@@ -26,16 +26,6 @@ TEST(ThreadPool, DoesEachPartOnceWhoeverDoesIt) {
     }
 }
 
-TEST(ThreadPool, BeginsBeforeItIsFinished) {
-    ThreadPool threadPool(1);
-    std::atomic<bool> began = false;
-    auto part = [&](int) { began = true; };
-    threadPool.start(1, part);
-    while (!began) {
-    } // by the helper: this thread has not come to finish()
-    threadPool.finish();
-}
-
 TEST(ThreadPool, LeavesWhatIsNotFinished) {
     std::atomic<int> done = 0;
     auto part = [&](int) { ++done; };
