@@ -47,9 +47,9 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     floorIsShaded_ = false;
     if (!passes_.compositor.drawsObjects()) return;
     const bool bounces = setup_.skip != render::SkippedPass::Bounce;
-    animalLight_.follow(snapshot,
-                        bounces && environment.depth() ? &environment.player().frame().lightDifference : nullptr,
-                        environment.envFromWorld());
+    animalLight_.follow(
+        snapshot, bounces && environment.depth() ? &environment.player().frame().lightDifference : nullptr,
+        environment.envFromWorld());
     creatureModels_.show(snapshot, animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }
