@@ -54,6 +54,17 @@ GlossyMethod fittedPrefilter(int narrowest);
 // Harmonics of the radiance times those of the lobe. Fit for wide lobes only.
 GlossyMethod harmonicGlossy(int bands);
 
+// --- From frame to pyramid -------------------------------------------------------------------------------
+
+enum class PyramidSource {
+    Whole,
+    HalfDropped, // every second texel of every second row
+    HalfMean,    // means of 2 x 2 coded bytes, as a decoder that scales would give
+};
+
+// weighted: levels are means weighed by solid angle (PyramidMaker); else plain means, as the thesis has them.
+PyramidMethod pyramidFrom(PyramidSource source, bool weighted);
+
 // --- From display to light -------------------------------------------------------------------------------
 
 // Thesis eq. 4.1 to 4.3. linearised: of sRGB-decoded values instead of coded ones.
@@ -95,6 +106,7 @@ InverseToneMapMethod banterle();
 
 std::vector<DiffuseMethod> diffuseMethods();
 std::vector<GlossyMethod> glossyMethods();
+std::vector<PyramidMethod> pyramidMethods();
 std::vector<InverseToneMapMethod> inverseToneMapMethods();
 
 } // namespace shoal::light::baselines

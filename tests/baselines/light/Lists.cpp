@@ -23,6 +23,12 @@ std::vector<GlossyMethod> glossyMethods() {
     return methods;
 }
 
+std::vector<PyramidMethod> pyramidMethods() {
+    return {pyramidFrom(PyramidSource::Whole, true), pyramidFrom(PyramidSource::Whole, false),
+            pyramidFrom(PyramidSource::HalfDropped, true), pyramidFrom(PyramidSource::HalfDropped, false),
+            pyramidFrom(PyramidSource::HalfMean, true)};
+}
+
 std::vector<InverseToneMapMethod> inverseToneMapMethods() {
     return {thesisInverse(false),
             thesisInverse(true),

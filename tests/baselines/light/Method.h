@@ -55,6 +55,12 @@ struct GlossyMethod {
     std::function<void(std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out)> shade;
 };
 
+// Way from a coded frame to the radiance pyramid.
+struct PyramidMethod {
+    Label label;
+    std::function<void(const FrameView& frame, RadiancePyramid& out)> make;
+};
+
 // Operator from a coded frame to linear radiance, of any scale.
 struct InverseToneMapMethod {
     Label label;

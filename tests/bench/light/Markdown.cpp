@@ -75,6 +75,21 @@ std::string roughnessTable(const Chart& chart) {
     return out;
 }
 
+std::string pyramidTable(const Chart& chart) {
+    std::string out =
+        "| pyramid | us | times a plain read | error of the diffuse light, % | worst direction |\n"
+        "|---|--:|--:|--:|--:|\n";
+    for (const Measured& each : chart.pyramids) {
+        Pool pool;
+        for (const auto& errors : each.errors)
+            for (const EnvironmentError& error : errors) pool.add(error);
+        out += text("| %s | %.0f | %.1f | %s | %s |\n", nameOf(each).c_str(), each.cost.update_us,
+                    each.cost.update_us / chart.read_us, percent(pool.rms()).c_str(),
+                    percent(pool.worst()).c_str());
+    }
+    return out;
+}
+
 std::string toneMapTable(const Chart& chart) {
     std::string
         out = "| operator | ms | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % |",
@@ -137,6 +152,13 @@ columns of figures.
     md += glossyTable(chart) +
           "\n![With point suns](suns.svg)\n\nError in %, by roughness, environments without point suns:\n\n" +
           roughnessTable(chart);
+    md += R"(
+## The radiance pyramid
+
+Of the 8-bit environments: the diffuse light integrated over the pyramid's level of 128x64, against the truth.
+
+)";
+    md += pyramidTable(chart);
     md += R"(
 ## Inverse tone mapping
 

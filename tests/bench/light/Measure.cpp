@@ -1,6 +1,7 @@
 #include "tests/bench/light/Measure.h"
 
 #include "engine/light/Pyramid.h"
+#include "tests/baselines/light/Levels.h"
 #include "tests/bench/light/Input.h"
 
 #include <cstdio>
@@ -25,15 +26,26 @@ EnvironmentError errorOfLobe(const std::vector<glm::vec3>& got, const Truth& tru
     return errorOf(std::vector<glm::dvec3>(got.begin(), got.end()), column(truth, lobe));
 }
 
+// The diffuse light that a pyramid's level of 128 texels gives, all of it integrated.
+EnvironmentError pyramidError(const PyramidMethod& method, const Environment& environment,
+                              std::span<const glm::dvec3> dirs, const Truth& truth) {
+    light::RadiancePyramid pyramid;
+    method.make(environment.view(), pyramid);
+    const light::Lobe lobe[] = {light::diffuseLobe()};
+    return errorOf(column(integrals(levelOfWidth(pyramid, 128), dirs, lobe), 0), column(truth, 0));
+}
+
 } // namespace
 
 Chart measure(const SessionConfig& plan) {
     Chart chart;
     auto diffuse = diffuseMethods();
     auto glossy = glossyMethods();
+    auto pyramids = pyramidMethods();
     for (const auto& each : diffuse) chart.diffuse.push_back({each.label, {}, {}});
     for (const auto& each : glossy) chart.glossy.push_back({each.label, {}, {}});
-    timeMethods(chart, diffuse, glossy, plan.quick);
+    for (const auto& each : pyramids) chart.pyramids.push_back({each.label, {}, {}});
+    timeMethods(chart, diffuse, glossy, pyramids, plan.quick);
 
     const auto dirs = chartDirections(plan.spread);
     const std::vector<glm::vec3> floatDirs(dirs.begin(), dirs.end());
@@ -64,6 +76,12 @@ Chart measure(const SessionConfig& plan) {
                 glossy[i].shade(floatDirs, kRoughnesses[k], out);
                 chart.glossy[i].errors.back().push_back(errorOfLobe(out, truth, k + 1));
             }
+        }
+        for (size_t i = 0; i < pyramids.size(); ++i) {
+            chart.pyramids[i].errors.emplace_back();
+            if (environment->coded())
+                chart.pyramids[i].errors.back().push_back(
+                    pyramidError(pyramids[i], *environment, dirs, truth));
         }
         std::fprintf(stderr, ".\n");
     }

@@ -39,6 +39,7 @@ struct Chart {
     double pyramid_us = 0;  // what those are charged with that read it
     std::vector<EnvironmentFact> environments;
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
+    std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded environments count
     // Two lobes: diffuse, roughness 0.5; over toneMapEnvironments: clippedSources(), the first
     // toneMapsClipped of them, then filmedSources().
     std::vector<Measured> toneMaps;
@@ -55,7 +56,8 @@ struct SessionConfig {
 
 // The costs of all methods in the chart, which has their labels in the same order.
 void timeMethods(Chart& chart, std::vector<light::baselines::DiffuseMethod>& diffuse,
-                 std::vector<light::baselines::GlossyMethod>& glossy, bool quick);
+                 std::vector<light::baselines::GlossyMethod>& glossy,
+                 std::vector<light::baselines::PyramidMethod>& pyramids, bool quick);
 
 // Fills toneMaps and toneMapEnvironments.
 void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs);

@@ -49,12 +49,12 @@ SHOAL_VECTORISE void readBytesWide(const ImageRgb8& frame, volatile uint64_t& ke
 } // namespace
 
 void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<GlossyMethod>& glossy,
-                 bool quick) {
+                 std::vector<PyramidMethod>& pyramids, bool quick) {
     const Environment timed{"timed", timedFrame(), {}};
     const auto normals = sphereNormals();
     std::vector<glm::vec3> out(normals.size());
     light::PyramidMaker maker;
-    light::RadiancePyramid pyramid;
+    light::RadiancePyramid pyramid, made;
     maker.make(timed.view(), timed.baseWidth(), pyramid);
     const Input input = inputOf(timed, pyramid);
     light::LightMaker reefMaker({512, kReefRoughness});
@@ -95,6 +95,9 @@ void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<
                 sum += shade([&] { glossy[i].shade(normals, roughness, out); });
             keepLess(cost.shade_ns, sum / std::size(kRoughnesses));
         }
+        for (size_t i = 0; i < pyramids.size(); ++i)
+            keepLess(chart.pyramids[i].cost.update_us,
+                     shortest_us(budget_ms, [&] { pyramids[i].make(timed.view(), made); }));
     }
     for (size_t i = 0; i < diffuse.size(); ++i)
         if (diffuse[i].readsPyramid) chart.diffuse[i].cost.update_us += chart.pyramid_us;

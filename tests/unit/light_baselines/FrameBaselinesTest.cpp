@@ -8,11 +8,47 @@
 namespace shoal::light::baselines {
 namespace {
 
+FrameView viewOf(const ImageRgb8& frame, bool bgr = false) {
+    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, bgr};
+}
+
 ImageRgb8 filled(int width, int height, uint8_t red, uint8_t green, uint8_t blue) {
     ImageRgb8 frame(width, height);
     for (size_t i = 0; i < frame.pixels.size(); i += 3)
         frame.pixels[i] = red, frame.pixels[i + 1] = green, frame.pixels[i + 2] = blue;
     return frame;
+}
+
+TEST(PyramidBaselines, UniformFrameStaysInEveryLevel) {
+    const glm::vec3 want = radianceFromDisplay(glm::vec3(200, 120, 40) / 255.0f);
+    for (const auto& [width, height, bgr] :
+         {std::tuple(2048, 1024, false), {2048, 1024, true}, {600, 300, true}}) {
+        const ImageRgb8 frame =
+            bgr ? filled(width, height, 40, 120, 200) : filled(width, height, 200, 120, 40);
+        for (const PyramidMethod& method : pyramidMethods()) {
+            RadiancePyramid pyramid;
+            method.make(viewOf(frame, bgr), pyramid);
+            ASSERT_EQ(pyramid.levels.back().width, 2) << method.label.name;
+            for (const ImageRgbF& level : pyramid.levels)
+                for (size_t i = 0; i < level.pixels.size(); ++i)
+                    ASSERT_NEAR(level.pixels[i], want[static_cast<int>(i % 3)], 1e-5f) << method.label.name;
+        }
+    }
+}
+
+// A cap of 30 degrees about the zenith, a sixth of the rows, is (1 - cos 30) / 2 = 6.7 % of the sphere; plain
+// means take it for 16.7 %. Where the frame is resampled, the
+// edge moves by up to a row of 512.
+TEST(PyramidBaselines, PlainMeansGiveTheZenithTooMuch) {
+    ImageRgb8 frame = filled(2048, 1020, 0, 0, 0);
+    for (int y = 0; y < 170; ++y) std::fill(frame.at(0, y), frame.at(0, y) + 3 * 2048, uint8_t{255});
+    for (const PyramidMethod& method : pyramidMethods()) {
+        RadiancePyramid pyramid;
+        method.make(viewOf(frame), pyramid);
+        const bool plain = method.label.name.starts_with("plain");
+        EXPECT_NEAR(pyramid.levels.back().pixels[0] / 11.8f, plain ? 0.1667f : 0.0670f, 2e-3f)
+            << method.label.name;
+    }
 }
 
 float expanded(const InverseToneMapMethod& method, uint8_t value) {
