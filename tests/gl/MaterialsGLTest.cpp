@@ -19,7 +19,8 @@ const render::View kSphereView{
     .eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kAcross};
 
 ImageRgba8 drawn(const scene::Model& model, const Lit& lit, render::Detail detail, float exposure_ev = 0) {
-    return drawn(model, lit, detail, exposure_ev);
+    return drawSphere(model, lit.environment, kSphereView, kAcross,
+                      {.exposure_ev = exposure_ev, .detail = detail});
 }
 
 // A dielectric that reflects this share of light head on and at the rim.
