@@ -12,7 +12,8 @@ namespace shoal::light {
 namespace {
 
 TEST(FilmSun, IsFoundAndDoesNotJump) {
-    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.small.mp4");
+    const Path file = dataRoot() / "content/video/reef.mp4";
+    auto player = media::VideoPlayer::open(file);
     if (!player) GTEST_SKIP() << player.error().message();
     // content/make/video/Reef.toml: 58 degrees high in air, 66.7 in water of index 1.34; azimuth 205 degrees
     // from -Z over +X.
@@ -50,7 +51,7 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
 // content/truth holds a few frames as they were before the camera: suns with a clipped glow, clouds and waves
 // about them, and the tunnel's mouth.
 TEST(FilmSun, LightsAreFoundWhereTheyWereBeforeTheCamera) {
-    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.small.mp4");
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4");
     if (!player) GTEST_SKIP() << player.error().message();
     PyramidMaker pyramid;
     RadiancePyramid radiance;
