@@ -13,7 +13,7 @@ namespace shoal::environment {
 
 namespace {
 
-// Returns the left eye's picture, which lights all: the eyes' light differs by less than its own error.
+// Returns the left eye's picture. It lights both eyes, whose light differs by less than the light's error.
 light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bgr) {
     const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
@@ -23,7 +23,7 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
-// Reads a photo, and grows it unless it is an environment, on a thread of its own.
+// Reads a photo on a thread of its own. grow: extrapolates it to a panorama unless it is one already.
 Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
     std::atomic<float> share = 0;
     auto reading = std::async(std::launch::async, [&]() -> Result<ImageRgb8> {
@@ -122,7 +122,7 @@ void Player::prepareFor(light::LightQuality quality, size_t slots) {
     shown_ = frames_.data();
 }
 
-// Opens the film's depth track; without one, or with a broken one, no depth is known.
+// Opens the film's depth track. The depth stays unknown if the track is missing or broken.
 void Player::openDepth() {
     const Path film = setup_.source.video, file = media::depthTrackOf(film);
     std::error_code missing;
@@ -187,7 +187,7 @@ bool Player::show(const media::VideoFrame& frame, double time_s) {
     return true;
 }
 
-// Runs for every picture and not only new frames: smoother than the video.
+// Smooths the findings over time; called for every drawn picture, so that light is smoother than the video.
 void Player::follow(double time_s) {
     const AnalysisOptions& wanted = setup_.analysis;
     const FrameFindings& now = shown_->found;

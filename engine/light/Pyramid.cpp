@@ -14,7 +14,7 @@ namespace shoal::light {
 
 namespace {
 
-// Decodes a row of bytes to linear planes; the arithmetic of radianceFromDisplay().
+// Decodes a row of bytes to linear planes with the arithmetic of radianceFromDisplay().
 SHOAL_VECTORISE
 void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                float* __restrict green, float* __restrict blue) {
@@ -47,7 +47,7 @@ void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, floa
     }
 }
 
-// Writes a row's clippedSteps() times `unit`; returns their sum without that factor.
+// Writes each pixel's clippedSteps() times `unit`; returns the sum of the steps, without the factor.
 SHOAL_VECTORISE
 int decodeClippedRow(const uint8_t* __restrict bytes, int width, float unit, float* __restrict out) {
     int sum = 0;
@@ -110,14 +110,14 @@ void halveRow(const float* __restrict top, const float* __restrict bottom, float
 // half the difference of its edges' sines.
 double edgeSine(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
 
-// Returns whether the value had to be changed.
+// Clamps a value to 0 .. kMaxRadianceIn; infinity becomes kMaxHalf, NaN 0. Returns whether it changed.
 bool repair(float& value) {
     if (value >= 0 && value <= kMaxRadianceIn) return false;
     value = std::isinf(value) && value > 0 ? kMaxHalf : value > 0 ? kMaxRadianceIn : 0.0f;
     return true;
 }
 
-// Levels that have their size already stay.
+// Resizes the levels; a level that already has its size is not touched.
 void fitLevels(int width, RadiancePyramid& pyramid) {
     const auto count = static_cast<size_t>(std::bit_width(static_cast<unsigned>(width)) - 1);
     pyramid.levels.resize(count);
@@ -138,8 +138,8 @@ int baseWidthFor(int sourceWidth, int askedWidth) {
 void halve(const ImageRgbF& in, ImageRgbF& out) {
     assert(in.width >= 4 && in.height >= 2);
     out.fit(in.width / 2, in.height / 2);
-    // A row's solid angle is proportional to the cosine of its middle's latitude; two rows with a border at
-    // latitude m have the shares (1 -+ tan m tan d) / 2, d half a row.
+    // A row's solid angle is proportional to the cosine of its central latitude. Two rows that meet at
+    // latitude m have the shares (1 -+ tan m tan d) / 2, where d is half a row's height.
     const double half = std::tan(0.5 * std::numbers::pi / in.height);
     for (int y = 0; y < out.height; ++y) {
         const double more = half * std::tan(std::numbers::pi * (0.5 - (y + 0.5) / out.height));
@@ -148,9 +148,9 @@ void halve(const ImageRgbF& in, ImageRgbF& out) {
     }
 }
 
-// Computes shares in whole numbers, so that no texel is left over or counted twice: edges of the source are
-// multiples of `target`, edges of the target multiples of `source`, in a map of their product. edge(row):
-// decreases from one edge of the target to the next by the measure of the band between.
+// Computes shares in integers, so that no texel is left out or counted twice: in units of 1 / (source *
+// target), source edges are multiples of `target`, and target edges of `source`. edge(position): a decreasing
+// function whose difference between two target edges is the measure of the band between them.
 template <class Edge>
 void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares) {
     shares.clear();
@@ -203,7 +203,7 @@ void PyramidMaker::narrowRow() {
     }
 }
 
-// decodeRow(y): decodes row y of the source into the planes; returns whether it holds anything but zeros.
+// Resamples the source into `base`. decodeRow(y): decodes row y into the planes; false if it is all zeros.
 template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, ImageRgbF& base) {
     size_t share = 0;
     for (int y = 0; y < sourceHeight_; ++y) {
@@ -215,8 +215,8 @@ template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, Ima
     }
 }
 
-// Finds the clipped light's gain, and returns its tint. clippedRow(y): row y of `width` clipped shares, above
-// the horizon; asked for twice, and left multiplied by the densities.
+// Finds the clipped light's gain, and returns its tint. clippedRow(y): returns row y above the horizon, of
+// `width` clipped shares. It is called twice a row; the second result is multiplied by the densities.
 template <class ClippedRow>
 glm::vec3 PyramidMaker::measureClipped(int width, int height, const ImageRgbF& decoded,
                                        ClippedRow&& clippedRow) {
@@ -273,7 +273,7 @@ void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRa
                          blocks.width, blocks.at(0, y));
 }
 
-// Averages blocks of 4 x 4 pixels first, if the base needs no finer ones; a sixteenth is left to average.
+// Averages 4 x 4 blocks first, so that a sixteenth is left to resample. Returns false if sizes rule it out.
 bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out,
                                 FrameRadiance from) {
     const int base = baseWidthFor(frame.width, askedWidth);

@@ -17,11 +17,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr int kRows = 16;      // ZonalFilter::kBlock
-constexpr size_t kSignals = 6; // three channels at frequency k and at N - k, which have the same kernel
+constexpr size_t kSignals = 6; // three channels at frequencies k and width - k, which share a kernel
 
-// Computes for each signal in turn out[0 .. 15] = sum over `count` input rows of kernel row times signal.
-// step: between input rows, 1, or -1 for the southern half, whose results are counted from the south too.
-// Written out for each register width: compilers would keep the sums in memory.
+// Computes out[0 .. 15] for each signal in turn: the sum over `count` input rows of kernel row times signal.
+// step: from one input row to the next, 1, or -1 for the southern half, whose output also counts from the
+// south. Each register width has its own version, because compilers would keep the sums in memory.
 #ifdef SHOAL_VERSIONS
 #define SHOAL_TARGET __attribute__((target("arch=x86-64-v4")))
 #define SHOAL_FLOATS 16
@@ -38,7 +38,7 @@ constexpr size_t kSignals = 6; // three channels at frequency k and at N - k, wh
 
 using Four = float __attribute__((vector_size(16)));
 
-// Transposes a 4 x 4 square. stride: floats from row to row.
+// Transposes and scales a 4 x 4 square, and clamps it to 0 from below. strides: floats from row to row.
 inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_t outStride, float scale) {
     Four a, b, c, d;
     std::memcpy(&a, in, sizeof a);
@@ -59,7 +59,7 @@ inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_
     }
 }
 
-// Writes out[x][y] = in[y][x] times scale, at least 0.
+// Writes out[x][y] = max(0, scale * in[y][x]).
 SHOAL_VECTORISE
 void transpose(const float* in, int width, int height, float scale, float* out) {
     for (int y = 0; y < height; y += 4)
@@ -69,7 +69,7 @@ void transpose(const float* in, int width, int height, float scale, float* out) 
 
 double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
 
-// Adds to out[d] the lobe at two points of column difference d.
+// Adds to out[d] the sum of the lobe's values at the two Gauss points of column difference d.
 SHOAL_VECTORISE
 void addLobe(const double* __restrict cosines, int count, double sine, double ring, double alpha,
              double* __restrict out) {
@@ -78,8 +78,8 @@ void addLobe(const double* __restrict cosines, int count, double sine, double ri
                   math::ggxMirrorLobe(sine + ring * cosines[2 * d + 1], alpha);
 }
 
-// Computes the lobes around kRows + 2 rows from `out` on over as many input rows from `in` on: the mean over
-// a texel of the input row, for column differences 0 .. width / 2; two by two Gauss points, exact for cubics.
+// Computes the lobes of kRows + 2 output rows from `out` on at as many input rows from `in` on, for column
+// differences 0 to width / 2. Each is a sum over 2 x 2 Gauss points of the input texel, exact for cubics.
 // Rows beyond a pole lie on the other side of it. Result: [row out][row in][column difference].
 void lobesOfTile(int out, int in, int width, double alpha, const std::vector<double>& cosines,
                  std::vector<double>& lobes) {
@@ -98,20 +98,20 @@ void lobesOfTile(int out, int in, int width, double alpha, const std::vector<dou
     }
 }
 
-// Returns the variance, in texels squared, by which the map and the mean over a texel spread light, less that
-// of the plain means it came from: how light was distributed within those is unknown.
+// Returns the variance, in texels^2, by which the halvings and the mean over a texel spread light. The
+// spread within the original texels is left out, because how light is distributed in them is unknown.
 double spreadVariance(int octaves) {
     const double rest = std::pow(0.25, octaves);
     return 0.25 * (1 - rest) + (1 - rest) / 12;
 }
 
-// Returns a factor for frequency m along a row: takes back what the same spread, exactly, leaves of it, and
-// prepares linear lookups: least squares among linear splines on these texels.
+// Returns the gain for frequency m along a row. It undoes the exact attenuation by the same spread, and it
+// prefilters for linear lookups: the result is the least-squares fit of a linear spline on these texels.
 double columnGain(int m, int width, int octaves) {
     const double x = pi * m / width;
     double response = sinc(x) / sinc(x * std::pow(0.5, octaves));
     for (int i = 1; i <= octaves; ++i) response *= std::pow(std::cos(x * std::pow(0.5, i)), 3);
-    constexpr double kMin = 0.4; // where the response is lower aliasing outweighs light
+    constexpr double kMin = 0.4; // below this response, aliasing outweighs light
     const double spline = sinc(x) * sinc(x) * 3 / (2 + std::cos(2 * x));
     return spline / std::max(response, kMin);
 }
@@ -129,7 +129,7 @@ ZonalFilter::ZonalFilter(const Sampling& sampling, const std::vector<double>& al
 
 ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling) {
     assert(alpha > 0);
-    std::vector<double> cosines; // at the two points of each column difference
+    std::vector<double> cosines; // at the two Gauss points of each column difference
     for (int d = 0; d <= width_ / 2; ++d)
         for (int t = 0; t < 2; ++t)
             cosines.push_back(std::cos(2 * pi * (d + (t - 0.5) / std::numbers::sqrt3) / width_));
@@ -137,7 +137,7 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
     std::vector<double> gains;
     for (int m = 0; m < frequencies; ++m) gains.push_back(columnGain(m, width_, sampling.octaves));
     const double spread = -0.5 * spreadVariance(sampling.octaves);
-    constexpr double kSide = -1.0 / 12; // prepares linear lookups from row to row too
+    constexpr double kSide = -1.0 / 12; // prefilters for linear lookups between rows, too
 
     const auto n = static_cast<size_t>(frequencies);
     std::vector<double> raw(n * (kRows + 2) * (kRows + 2)), sharp(n * (kRows + 2));
@@ -176,14 +176,14 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
     return kernel;
 }
 
-// Appends a block of rows out with the input rows that matter. lobes: [frequency][row in][row out].
+// Appends the kernel of a block, only for contributing input rows. lobes: [frequency][row in][row out].
 void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const std::vector<double>& gains,
                               Kernel& kernel) const {
     const int blocks = northernBlocks();
     const auto lobe = [&](int m, int in, size_t out) {
         return static_cast<double>(lobes[static_cast<size_t>(m * height_ + in) * kRows + out]);
     };
-    // Frequency 0 is the sum over the columns: the result in uniform light. The rows kept must sum to 1.
+    // Frequency 0 sums over the columns: the result in uniform light. The kept rows are scaled to sum to 1.
     std::array<double, kRows> whole{}, kept{};
     for (int in = 0; in < height_; ++in)
         for (size_t out = 0; out < kRows; ++out) whole[out] += lobe(0, in, out);

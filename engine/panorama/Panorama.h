@@ -31,13 +31,13 @@ inline constexpr double kMaxAspect = 8; // longer over shorter side
 
 template <class Picture> struct Panorama {
     Picture latLong;         // 2:1
-    glm::dvec2 lightInPhoto; // pixels, the middle of the first is 0.5
+    glm::dvec2 lightInPhoto; // pixels; the centre of the first is at 0.5
     double lightLatitude_deg = 0;
     double wrapStep = 0, usualStep = 0; // of coded values, see WrapDiscontinuity
 };
 
-// Makes the panorama: coded if the photo is, of linear radiance if the photo is. Deterministic. Fails,
-// without a path, if the photo is too small, too long, or the field of view out of range.
+// Extrapolates the photo; the panorama is display-coded or linear, as the photo is. Deterministic. Fails if
+// the photo is too small or too elongated or the field of view is out of range; the error has no path.
 template <class Picture> // ImageRgb8, or ImageRgbF of linear light
 Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const PanoramaOptions& options);
 
@@ -50,8 +50,8 @@ struct PanoramaPart {
 };
 
 // Copies the part to its place; extrapolates sky and ground (PolarCaps.h); fills a gap at the sides by
-// cross-fading mirror images of the columns between either end and the light. Fails, without a path, if less
-// than a pixel would be left of the part.
+// cross-fading mirror images of the columns between either end and the light. Fails if the part would be
+// less than two pixels wide or high; the error has no path.
 template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part);
 
 } // namespace shoal::panorama

@@ -20,13 +20,13 @@ struct BakedOcclusion {
     std::vector<glm::vec4> selfOcclusion, besideOwn;
 };
 
-// Returns a hash of all that a model's self-occlusion and ellipsoids come from, as its file has it.
+// Returns a hash of the meshes and skins, as read from the model's file, from which occlusion is baked.
 uint64_t skinHash(const scene::Model& model);
 
 // Returns hand.occlusion.json for hand.glb.
 Path bakedOcclusionBeside(const Path& model);
 
-constexpr double kSelfOcclusionSteps = 250;  // steps of 1 in the file: a step is a tenth of the error of rays
+constexpr double kSelfOcclusionSteps = 250;  // integers in the file per 1; each is a tenth of the rays' error
 constexpr int kMaxSelfOcclusionSteps = 2000; // largest magnitude; total occlusion needs fewer
 
 // Both fail if a value is out of range or a list is cut short.

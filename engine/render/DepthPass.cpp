@@ -16,7 +16,7 @@ void DepthPass::draw(const gl::Target& from, float part, GLuint into, const EyeP
     if (copySize_ != fromSize) {
         copySize_ = fromSize;
         copy_ = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
-        // The target's own format: depth is copied between equal formats only.
+        // The copy has the target's own format, because depth is copied between equal formats only.
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, fromSize.x, fromSize.y, 0, GL_DEPTH_COMPONENT,
                      GL_UNSIGNED_INT, nullptr);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy_.name(), 0);

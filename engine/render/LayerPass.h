@@ -1,5 +1,5 @@
-// An off-screen picture of the objects alone, at a resolution of its own. Where it is laid over the
-// background it is enlarged as the background's texels are. Pairs with shaders/render/Layer.
+// An off-screen picture of the objects alone, at its own resolution. The pass composites it over the
+// background, enlarged as much as the background's texels are. Pairs with shaders/render/Layer.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -14,7 +14,7 @@
 
 namespace shoal::render {
 
-// A rectangle of the picture: -1 to 1, right and up positive.
+// A rectangle of the picture in normalised device coordinates: -1 to 1, right and up positive.
 struct Box {
     glm::vec2 low{-1}, high{1};
 };
@@ -23,8 +23,8 @@ struct Box {
 // beyond the edges.
 Box boxAround(const glm::vec3& centreWorld, float radius, const View& view);
 
-// Returns the size, at most `pixels`, at which a picture has to be drawn to be as fine in its middle, where a
-// picture of a plane is coarsest, as a lat-long frame of frameRows rows.
+// Returns the size, at most `pixels`, at which a picture is as fine as a lat-long frame of frameRows rows.
+// The two are compared in the picture's middle, where a perspective picture is coarsest.
 glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows);
 
 // Returns the view of the same eye with an image plane larger by factor.
@@ -40,8 +40,8 @@ class LayerPass {
     // Ends drawing into the layer; leaves another framebuffer bound.
     void end() const { layer_->resolve(); }
 
-    // Smooths outlines in the layer after end(), instead of more samples a pixel. Waits until it is drawn:
-    // for software renderers.
+    // Antialiases outlines in the layer after end(), instead of multisampling. Waits until the layer is
+    // drawn, so it suits software renderers.
     void smoothOutlines();
 
     // Lays the layer over the bound framebuffer wherever one of the spheres is seen; the layer must be empty
@@ -55,7 +55,7 @@ class LayerPass {
     std::vector<uint32_t>& pixels();
 
   private:
-    bool isEmpty(const glm::ivec2& cell) const; // of pixels_, and beside it
+    bool isEmpty(const glm::ivec2& cell) const; // whether its pixels_ and those beside it are 0
 
     gl::Program program_;
     TriangleBatch drawn_;
@@ -64,8 +64,8 @@ class LayerPass {
     std::vector<uint32_t> pixels_;   // of the layer
     bool areRead_ = false;           // whether pixels_ has been read since begin()
     bool areNewer_ = false;          // whether pixels_ is newer than the layer's texture
-    std::vector<bool> marked_;       // scratch: the cells of a grid over the picture
-    std::vector<glm::vec2> corners_; // scratch: of these cells' triangles
+    std::vector<bool> marked_;       // scratch: whether each cell of a grid is drawn
+    std::vector<glm::vec2> corners_; // scratch: triangles of the marked cells
 };
 
 } // namespace shoal::render

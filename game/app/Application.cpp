@@ -1,4 +1,4 @@
-// Application: how it opens, and the frames of title screen and dives.
+// Opening of the application, and the frames of the title screen and of dives.
 #include "game/app/Application.h"
 
 #include "engine/core/Log.h"
@@ -24,14 +24,14 @@ namespace {
 
 constexpr float kTitleTurn_radps = 0.03f; // rate at which the view behind the title turns
 constexpr float kGoalsAtFirst_s = 8;      // time for which the goals are shown as a dive begins
-constexpr float kGoalsOnNews_s = 4;       // and after one has been reached
+constexpr float kGoalsOnNews_s = 4;       // time for which they are shown after one is reached
 constexpr float kResultsRest_s = 1;       // time without a press before the results accept a choice,
 constexpr float kMaxResultsRest_s = 3;    // limit of that wait
 constexpr float kMet_s = 4;               // time for which a new animal in the field guide is named
-// Eye height above the floor between a tall person's on a chair and a small one's standing.
+// Eye height above the floor that tells tall people who sit from small people who stand.
 constexpr float kStandingEyes_m = 1.35f;
-constexpr double kMinimisedWait_s = 0.25; // interval of input from a minimised window
-constexpr double kWarmUp_s = 5;           // time of a dive that warms up before one is measured
+constexpr double kMinimisedWait_s = 0.25; // time between polls of a minimised window's input
+constexpr double kWarmUp_s = 5;           // length of the warm-up dive before a measured one
 
 // Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
 std::vector<DiveName> divesThereAre() {
@@ -69,7 +69,7 @@ Status Application::open() {
     if (Status opened = openContext(); !opened) return opened;
     statistics_.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     gl::spreadRasterThreads();
-    // The display comes before what takes longer to open: a headset fails more often.
+    // The display is opened before the slower parts, because a headset is the most likely to fail.
     if (Status opened = openDisplay(); !opened) return opened;
     screens_.facts = {.species = &config_.species,
                       .dive = &config_.dive,
@@ -97,13 +97,13 @@ Status Application::openContext() {
                                                   options_.vsync && !options_.timedemo && !options_.xr})
                               .moveTo(window_);
     if (opened) opened = Hud::make().moveTo(hud_);
-    if (opened) drawLoading(0); // no black window
+    if (opened) drawLoading(0); // instead of a black window
     return opened;
 }
 
 Status Application::openDisplay() {
     const int samples = gl::defaultSamples();
-    quality_.reset(); // another display, another rate
+    quality_.reset(); // another display may have another refresh rate
     const bool vsync = options_.vsync && !options_.timedemo;
     if (!options_.xr) {
         if (window_) window_->setVsync(vsync);
@@ -144,7 +144,7 @@ bool Application::drawLoading(float progress) {
     return !leaving_;
 }
 
-// Opens film, models and renderer as far as the options want others.
+// Opens those of film, models and renderer that the options have changed.
 Status Application::openScene() {
     const bool filmFirst = window_ && !options_.xr && options_.environment.isOwnVideo();
     if (Status s = content_.open(options_, config_, display_->seesRoom(), filmFirst); !s) return s;
@@ -172,7 +172,7 @@ Status Application::run(bool measured) {
         if (!played) break;
         if (played = beginSeated(measured); !played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
-        if (!play_ || play_->isOver()) break; // it is empty if the player has left while a film was loading
+        if (!play_ || play_->isOver()) break; // play_ is empty if the player left while a film was loading
         awaitHeadset();
         if (!measured && play_->session.shown.time_s >= kWarmUp_s) break;
         if (played && play_->tutorial.stepsAreOver()) played = endFirstSteps();
@@ -190,7 +190,7 @@ Mode Application::firstMode() const {
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
 }
 
-// measured: false to warm up.
+// Begins a session in a mode. measured: false for the warm-up.
 Status Application::begin(Mode mode, bool measured) {
     if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
@@ -218,7 +218,7 @@ bool Application::isSeated() const {
     return eyes_m && *eyes_m < kStandingEyes_m;
 }
 
-// Begins again with seated rules: a headset finds its player only after the first dive's set-up.
+// Restarts with seated rules: a headset knows the eye height only after the first dive has been set up.
 Status Application::beginSeated(bool measured) {
     constexpr uint64_t kFirst_ticks = 60; // half a second
     const GameSession& session = play_->session;
@@ -291,7 +291,7 @@ void Application::readInput() {
             window_->holdCursor(play_->controls.turns);
             return photograph();
         }
-        // A lost focus means nothing in a headset, which tells itself whether it is worn.
+        // In a headset the window's focus does not matter: the headset reports whether it is worn.
         const bool windowPlayer = display_->audience() == Audience::WindowPlayer;
         if (!menus || !states.byPerson())
             states.input(play_->controls, windowPlayer && !play_->input->focused, leaving_);
@@ -300,7 +300,7 @@ void Application::readInput() {
             if (states.byPerson()) screens_.dropped(file);
     }
     display_->feed(session);
-    // A script in a headset waits for its onlooker.
+    // A script in a headset stands still while the session is paused: it waits for somebody to watch.
     if (display_->audience() == Audience::HeadsetPlayer && session.paused && !states.byPerson())
         play_->elapsed_s = 0;
     auto* mouse = std::get_if<MouseSource>(&session.source);
@@ -313,7 +313,7 @@ void Application::readInput() {
                      window_ ? window_->framebufferSize() : options_.look.size);
 }
 
-// Notes whether the player uses the gamepad; the texts on the screen follow it.
+// Notes whether the player uses the gamepad; the texts on the screen suit that device.
 void Application::noteDevice() {
     const platform::WindowInput& input = *play_->input;
     const platform::Gamepad& pad = input.gamepad;
@@ -363,7 +363,7 @@ void Application::noteTracker() {
     screens_.refresh();
 }
 
-// before: number of animals in the field guide before this frame.
+// Announces a new animal in the field guide. before: number of animals in it before this frame.
 void Application::noteMet(size_t before) {
     const std::vector<std::string>& met = screens_.facts.met;
     play_->metLeft_s -= static_cast<float>(play_->elapsed_s);

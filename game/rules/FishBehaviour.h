@@ -1,4 +1,4 @@
-// Behaviour of free fish: company, choice of route, swimming and flight.
+// Behaviour of free fish: schooling, choice of route, swimming and escape.
 //
 // Schooling has zones of repulsion, orientation and attraction around each fish, as in Couzin, Krause, James,
 // Ruxton & Franks 2002, "Collective memory and spatial sorting in animal groups"; here their edges are soft
@@ -15,16 +15,16 @@ namespace shoal::game {
 // Moves fish that would be behind a surface of the film towards the camera, before they are first seen.
 void startInRoom(std::span<Fish>, const DiveContext&);
 
-// Influence of the other fish on one, gathered once a tick.
+// Influence of all other fish on one fish, gathered once a tick.
 struct Neighbours {
     glm::vec3 giveWay{0};  // m/s, away from fish that are or soon will be too near
-    glm::vec3 push{0};     // m/s, parts touching bodies, for which steering comes too late
+    glm::vec3 push{0};     // m/s, separates bodies that touch, where steering is too slow
     glm::vec3 headings{0}; // sum of the headings of companions in the zone of orientation
-    glm::vec3 towards{0};  // sum of the ways to companions in the zone of attraction, metres
+    glm::vec3 towards{0};  // sum of the vectors to companions in the zone of attraction, metres
     int aligned = 0, attracted = 0;
 };
 
-// Fills out with one entry for each fish.
+// Writes one entry of `out` for each fish.
 void gatherNeighbours(std::span<const Fish>, const SpeciesTable&, std::span<Neighbours> out);
 
 // Advances all fish by a tick: free fish swim, held ones struggle.
@@ -34,7 +34,7 @@ void swimFish(std::span<Fish>, const DiveContext&, std::span<Neighbours>, Random
 // hand or a mouth is not affected.
 void startle(Fish&, int id, glm::vec3 from, const DiveContext&, Random&, Events&);
 
-// Startles fish that a fast hand comes upon.
+// Startles fish that a fast hand approaches.
 void frightenByHands(std::span<Fish>, const DiveContext&, Random&, Events&);
 
 } // namespace shoal::game

@@ -15,7 +15,7 @@ float openRadius(glm::vec3 place, const SharkPlan& plan, const Species& kind, co
     if (!film.known()) return plan.radius_m;
     const glm::vec3 outward = placeOf(place).outward, along = glm::cross(kUp, outward) * kind.bodyHalf_m;
     float fits = kSharkEyeRoom_m, tooFar = plan.radius_m + 0.1f;
-    for (int halving = 0; halving < 6; ++halving) { // to 6 cm
+    for (int halving = 0; halving < 6; ++halving) { // accurate to 6 cm
         const float radius = 0.5f * (fits + tooFar);
         const glm::vec3 at = outward * radius + kUp * plan.height_m;
         (film.overshoot_m({at - along, at + along, kind.bodyRadius_m}) > 0 ? tooFar : fits) = radius;
@@ -30,7 +30,7 @@ float openRadius(glm::vec3 place, const DiveContext& in, float ahead_s = 0) {
                       in.film.as(FilmSpace::Room::Shark, ahead_s));
 }
 
-// Returns the lesser openRadius() of the near and the later future.
+// Returns the smaller of the two values of openRadius() at kSoon_s and at kLater_s from now.
 float futureOpenRadius(glm::vec3 place, const DiveContext& in) {
     return std::min(openRadius(place, in, kSoon_s), openRadius(place, in, kLater_s));
 }
@@ -43,7 +43,7 @@ float fromMouth(const Shark& shark, const Hand& hand, const DiveContext& in) {
     return glm::distance(mouthOf(shark, in), hand.graspCentre);
 }
 
-// Returns the hand that holds a fish, or else the one nearest to its mouth; -1 if none is visible.
+// Returns the hand that holds a fish, or else the one nearest to the shark's mouth; -1 if none is visible.
 int watchedHand(const Shark& shark, const DiveContext& in) {
     int best = -1;
     float minimum = 1e9f;
@@ -56,8 +56,8 @@ int watchedHand(const Shark& shark, const DiveContext& in) {
     return best;
 }
 
-// Returns how much nearer its mouth may come while it threatens that hand: it keeps its distance from the
-// hand and from the player's head. Negative: it is too near.
+// Returns how much nearer the shark's mouth may come while it threatens that hand; negative if it is too
+// near. The shark keeps its distance from the hand and from the player's head.
 float threatSpare(const Shark& shark, int hand, const DiveContext& in) {
     return std::min(fromMouth(shark, in.state.hands[hand], in) - kThreatRoom_m,
                     glm::distance(mouthOf(shark, in), in.head()) - kSharkApart_m);
@@ -131,7 +131,7 @@ void decideStriking(Shark& shark, const DiveContext& in) {
     goOn(shark);
 }
 
-// Returns whether it is on its circle, or as far from the player as the film lets it swim there.
+// Returns whether the shark is back on its circle, or as far out as the film's surfaces let it swim there.
 bool isFarOut(const Shark& shark, const DiveContext& in) {
     return placeOf(shark.position).radius > openRadius(shark.position, in) - kFarOut_m;
 }
@@ -150,7 +150,7 @@ void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& ev
     shark.gait.set(Motion::Bite);
 }
 
-// Moves the fish in its mouth with it, across the jaws.
+// Moves the caught fish along with the shark's mouth and turns it to lie across the jaws.
 void carryInMouth(const Shark& shark, glm::vec3 mouth, Fish& f) {
     const glm::vec3 was = f.position;
     const glm::vec3 at = mouth - 0.05f * kUp;
@@ -165,7 +165,7 @@ void carryInMouth(const Shark& shark, glm::vec3 mouth, Fish& f) {
     f.shape.amplitude += (0.1f - f.shape.amplitude) * (5 * kDt);
 }
 
-// Frees the fish in its mouth, which flees towards its band.
+// Frees the fish in the shark's mouth; the fish flees inwards, towards its school's band.
 void breakFree(Shark& shark, Fish& f) {
     f.state = Fish::State::Dart;
     f.flight.left_s = 1.0f;
@@ -213,7 +213,7 @@ void bite(Shark& shark, Hands& hands, std::span<Fish> fish, Score& score, const 
 
 void bumpHands(Shark& shark, std::span<const physics::Contact> own, Hands& hands, std::span<Fish> fish,
                const DiveContext& in, Events& events) {
-    // A shark that a wall or the room around the eyes pushes along a hand only brushes it: no bump.
+    // If a wall or the room around the eyes pushes the shark along a hand, it only brushes the hand: no bump.
     constexpr float kMovedAside_mps = 0.25f, kBrushRest_s = 0.5f;
     if (!own.empty() && glm::distance(shark.velocity, shark.forward * shark.speed) > kMovedAside_mps)
         shark.bumpRest_s = std::max(shark.bumpRest_s, kBrushRest_s);
@@ -234,22 +234,22 @@ void bumpHands(Shark& shark, std::span<const physics::Contact> own, Hands& hands
 
 namespace {
 
-constexpr float kNarrow_m = 1.5f;          // radius of a circle that passes the player too near
+constexpr float kNarrow_m = 1.5f;          // circle radius below which it passes the player too near
 constexpr float kSharkRockShy_m = 0.8f;    // gap to the film's surfaces below which it turns away
 constexpr float kHandShy_m = 0.8f;         // distance of its nose from hands in films with distances
-constexpr float kRoomy_m = 2.8f;           // it turns back from less room than this ahead...
-constexpr float kWider_m = 0.5f;           // ...where the other way has so much more
+constexpr float kRoomy_m = 2.8f;           // the shark turns back if it has less room ahead...
+constexpr float kWider_m = 0.5f;           // ...and this much more room the other way
 constexpr float kSharkGiveRoom_mps = 3.0f; // greatest speed at which an approaching wall moves it
 
-// The way, the speed and the turning rate that it wants.
+// Direction, speed and turning rate that the shark wants.
 struct Course {
     glm::vec3 way{0};
     float speed_mps = 0;
     float turn_radps = 0;
 };
 
-// Returns the course along its state's circle. A visit is a row of approaches: close past the player, wide
-// out, and in again.
+// Returns the course along the circle of the shark's state. A visit is a series of approaches: close past
+// the player, far out, and in again.
 Course circle(const Shark& shark, const DiveContext& in) {
     const Species& kind = in.kindOf(shark);
     const SharkPlan& plan = in.dive.shark;
@@ -319,7 +319,7 @@ void avoidPlayer(const Shark& shark, const DiveContext& in, Course& course) {
         if (hand.visible) avoid(hand.graspCentre, kHandShy_m, 0);
 }
 
-// Returns the future open radius at a bearing, at most kSharkApart_m where a hand leaves no way past it.
+// Returns the future open radius at a bearing, at most kSharkApart_m if a hand there leaves no room to pass.
 float roomAt(glm::vec3 outward, const DiveContext& in) {
     const float open = futureOpenRadius(outward, in);
     for (const Hand& hand : in.state.hands) {
@@ -330,7 +330,7 @@ float roomAt(glm::vec3 outward, const DiveContext& in) {
     return open;
 }
 
-// Returns the most future room at three bearings to one side, less what the narrowest on the way lacks.
+// Returns the greatest future room at three bearings to one side; narrow places on the way there reduce it.
 float roomTowards(const Shark& shark, const DiveContext& in, float direction) {
     float most = 0, passed = in.dive.shark.radius_m;
     glm::vec3 outward = placeOf(shark.position).outward;
@@ -343,7 +343,7 @@ float roomTowards(const Shark& shark, const DiveContext& in, float direction) {
     return most;
 }
 
-// Turns it back where its circle leads on to a wall and the other way has more room.
+// Reverses the shark if its circle leads to a wall and there is more room the other way.
 void turnBack(Shark& shark, const DiveContext& in) {
     if (!in.film.known() || shark.state == State::Threaten || shark.state == State::Strike) return;
     const float ahead = roomTowards(shark, in, shark.direction);
@@ -358,7 +358,7 @@ void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, 
     course.turn_radps *= 1 + 0.5f * film.keepOff(course.way, soon, gap, kSharkRockShy_m, 1);
 }
 
-// Moves its axis out of the room around the eyes.
+// Moves the shark so that its body's axis leaves the room around the player's eyes.
 void keepFromEyes(Shark& shark, float room_m, const DiveContext& in) {
     const float reach = 0.46f * in.kindOf(shark).length_m;
     const glm::vec3 fromHead = shark.position - in.head();
@@ -420,7 +420,7 @@ void swimShark(Shark& shark, const DiveContext& in) {
 
 void startInRoom(Shark& shark, const DiveContext& in) {
     if (!shark.present) return;
-    // Takes the first of sixteen bearings with a whole circle's room, or else the one with most.
+    // Takes the first of sixteen bearings that has room for the whole radius, or else the one with most room.
     constexpr int kBearings = 16;
     const SharkPlan& plan = in.dive.shark;
     const glm::quat turn = math::rotationAbout(kUp, 2 * std::numbers::pi_v<float> / kBearings);

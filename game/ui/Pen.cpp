@@ -23,7 +23,7 @@ glm::vec2 Pen::extent(std::string_view text, TextSize textSize, float width) con
 void Pen::text(float x, float y, float anchor, TextSize textSize, uint32_t colour,
                std::string_view text) const {
     x -= extent(text, textSize).x * anchor;
-    // Text lies on whole pixels, where the font's texels are shown as rasterised.
+    // Text starts at whole pixels, so that glyphs are shown as rasterised, without filtering.
     list->AddText(fonts->at(textSize), fonts->pixels(textSize), ImVec2(std::round(x), std::round(y)), colour,
                   text.data(), text.data() + text.size());
 }

@@ -13,7 +13,7 @@ uint8_t scaled(float amplitude, float full) {
     return static_cast<uint8_t>(std::lround(driveOf(amplitude) * full));
 }
 
-// Adds the CRC-32 of the whole packet that Sony wants over Bluetooth; A2 is the header of an output report.
+// Adds the CRC-32 that Sony wants over Bluetooth, of the whole packet; 0xA2 is an output report's header.
 void addSonyChecksum(Report& report) {
     constexpr uint8_t kHeader = 0xA2;
     constexpr size_t kAt = 74;
@@ -22,8 +22,8 @@ void addSonyChecksum(Report& report) {
     for (size_t i = 0; i < 4; ++i) report.bytes[kAt + i] = static_cast<uint8_t>(crc >> (8 * i));
 }
 
-// Returns whether vibration has another enabling bit: from firmware 2.21 on, and on every Edge. Feature
-// report 20 tells the version.
+// Returns whether the newer bit enables vibration: from firmware 2.21 on, and on every DualSense Edge.
+// Feature report 0x20 holds the firmware's version.
 bool hasNewVibration(const DeviceContext& given) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;
@@ -33,9 +33,9 @@ bool hasNewVibration(const DeviceContext& given) {
            (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
 }
 
-// id (over Bluetooth also the sequence number, and 10: for the controller itself, not its audio), then enable
-// 1 (bit 0 vibration, bit 1 haptics instead of audio), enable 2, right motor, left motor; 38 bytes after
-// enable 1 enable 3 (bit 2 vibration, new firmware).
+// Bytes: id; over Bluetooth also sequence number and 0x10 (for the controller itself, not its audio); enable
+// 1 (bit 0: vibration, bit 1: haptics instead of audio); enable 2; right motor; left motor. Enable 3 (bit 2:
+// vibration with new firmware) lies 38 bytes after enable 1.
 Report dualSense(const HapticFrame& frame, bool bluetooth, bool newVibration) {
     const Motors motors = motorsOf(frame);
     Report report{.size = bluetooth ? 78u : 48u};
@@ -54,8 +54,8 @@ void sealDualSenseBluetooth(Report& report, uint8_t sequence) {
     addSonyChecksum(report);
 }
 
-// id (over Bluetooth also C0: a HID report with a checksum, and an unused byte), enable (bit 0 rumble), two
-// unused, right motor, left motor; light and blink not enabled.
+// Bytes: id; over Bluetooth also 0xC0 (HID report with a checksum) and an unused one; enable (bit 0: rumble);
+// two unused; right motor; left motor. The light and its blinking are not enabled.
 Report dualShock4(const HapticFrame& frame, bool bluetooth) {
     const Motors motors = motorsOf(frame);
     Report report{.size = bluetooth ? 78u : 32u};
@@ -70,8 +70,8 @@ Report dualShock4(const HapticFrame& frame, bool bluetooth) {
 
 void sealDualShock4Bluetooth(Report& report, uint8_t) { addSonyChecksum(report); }
 
-// id, enabled motors (all four), left trigger, right trigger, strong, weak in per cent; on for 2.55 s, no
-// pause, repeated: it runs until it is told otherwise. The triggers' motors are for each hand's fingers.
+// Bytes: id; motors to enable (all four); left trigger, right trigger, strong and weak motor, in per cent; on
+// for 2.55 s; no pause; repeats, so that it runs until the next report. Each trigger serves a hand's fingers.
 Report xbox(const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     return {{0x03, 0x0F, scaled(motorsOf(handOf(frame, 0)).weak, 100),
@@ -80,7 +80,7 @@ Report xbox(const HapticFrame& frame) {
             9};
 }
 
-// Adds the strengths of the strong and of the weak motor: 16 bits each, the low byte first.
+// Appends the strengths of the strong and of the weak motor, 16 bits each, little-endian.
 Report withMotors16(Report report, const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     for (const float amplitude : {motors.strong, motors.weak}) {

@@ -15,11 +15,11 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kLanes = 16; // texels of a row that are painted at once: loops of this length become vectors
+constexpr int kLanes = 16; // texels of a row painted at once: compilers vectorise loops of this length
 using Lanes = std::array<float, kLanes>;
 using Colours = std::array<Lanes, 4>; // blue, green, red, alpha: 0 to 255, premultiplied
 
-// A bilinear function over a tile: its value at the first texel's corner, and differences to the others.
+// A bilinear function over a tile: its value at the first corner, and its differences to the other corners.
 struct Patch {
     glm::vec3 first, right, down, both;
 
@@ -47,7 +47,7 @@ inline uint32_t packed(float b, float g, float r) {
     return byte(b) | byte(g) << 8 | byte(r) << 16 | 0xff000000u;
 }
 
-// Samples the layer along rays from `ray` on. Returns false if all of it is empty.
+// Samples the layer in kLanes directions: `ray`, then one for every `step`. Returns false if all are empty.
 SHOAL_VECTORISE bool sampleLayer(const TexelPaint& paint, const glm::vec3& ray, const glm::vec3& step,
                                  Colours& out) {
     const int width = paint.layerSize.x, lastColumn = width - 2, lastRow = paint.layerSize.y - 2;
@@ -86,13 +86,13 @@ SHOAL_VECTORISE bool sampleLayer(const TexelPaint& paint, const glm::vec3& ray, 
     return true;
 }
 
-// Lays the layer over texels as the video's camera would show it. c: of the layer; c2: of the row that it
-// shares colours with; place: of the first texel; glow: scattered light there.
+// Composites the layer over texels as the video's camera would have filmed it. c: the layer's colours; c2:
+// those of the row that shares chroma with it; place: of the first texel; glow: scattered light there.
 SHOAL_VECTORISE void film(const TexelPaint& paint, const Colours& c, const Colours& c2,
                           const glm::ivec2& place, const glm::vec3& glow, const glm::vec3& glowStep,
                           uint32_t* texels) {
     const CameraUniforms n = *paint.filmed;
-    Colours square; // mean over the texels that share a colour, of two rows
+    Colours square; // mean colour of the texels that share chroma, over both rows
     for (int i = 0; i < 4; ++i) {
         Lanes down;
         for (int k = 0; k < kLanes; ++k) down[k] = mix(c[i][k], c2[i][k], 0.5f * n.shares.y);
@@ -113,7 +113,7 @@ SHOAL_VECTORISE void film(const TexelPaint& paint, const Colours& c, const Colou
         squareLuma[k] = luma(square[0][k], square[1][k], square[2][k]);
     }
     float shown[3][kLanes];
-    for (int i = 0; i < 3; ++i) { // blue first; vectors have red first
+    for (int i = 0; i < 3; ++i) { // lanes have blue first, glm vectors red first
         const float black = n.black[2 - i], range = n.range[2 - i], around = glow[2 - i],
                     aroundStep = glowStep[2 - i];
         for (int k = 0; k < kLanes; ++k) {
@@ -168,7 +168,7 @@ void paintTexels(const TexelPaint& paint, const glm::ivec2& low, const glm::ivec
     }
     const Patch ray(rays), glow(glows);
     const glm::vec2 perTexel = 1.0f / glm::vec2(high - low);
-    // Squares of two by two texels share a colour: two rows at a time, from even ones.
+    // Squares of 2 x 2 texels share chroma, so rows are painted in pairs that begin at an even row.
     for (int y0 = low.y & ~1; y0 < high.y; y0 += 2)
         for (int x0 = low.x & ~1; x0 < high.x; x0 += kLanes) {
             const auto placeOf = [&](int row) {

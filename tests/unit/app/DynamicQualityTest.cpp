@@ -1,5 +1,5 @@
-// The dynamic quality control against artificial loads: a machine whose frames cost a fixed part and one for
-// each pixel.
+// Tests the dynamic quality control on a simulated machine, whose frame time is the sum of a fixed part, a
+// part for each pixel and a part for the light.
 #include "game/views/DynamicQuality.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Ride {
     Quality end;
     int changes = 0, ups = 0;
     double last_ms = 0;
-    float largestStep = 0; // of the scale, from one frame to the next
+    float largestStep = 0; // largest change of the scale between two frames
 };
 
 Ride ride(DynamicQuality& dynamicQuality, const Machine& machine, int frames) {
@@ -50,14 +50,14 @@ TEST(DynamicQuality, LeavesAFastMachineAlone) {
     EXPECT_EQ(result.end.lightEvery, 1);
 }
 
-// Half as much again as there is time for: fewer pixels, within two seconds, and no going to and fro after.
+// Frames take 1.5 times the budget: pixels must become fewer within two seconds, and then stay steady.
 TEST(DynamicQuality, DrawsFewerPixelsUntilFramesFit) {
     DynamicQuality dynamicQuality(kBudget_ms);
     const Machine slow{4, 20, 1};
     ride(dynamicQuality, slow, 120);
     const Ride settled = ride(dynamicQuality, slow, 3600);
     EXPECT_LT(settled.last_ms, kBudget_ms);
-    EXPECT_GT(settled.end.scale, 0.6f); // no less than needed: 0.72 would just fit
+    EXPECT_GT(settled.end.scale, 0.6f); // not lower than needed: 0.72 would just fit
     EXPECT_EQ(settled.end.lightEvery, 1);
     EXPECT_LE(settled.changes, 6);
 }
@@ -67,7 +67,7 @@ TEST(DynamicQuality, StepsAreSmallWhereTheLoadIs) {
     EXPECT_LT(ride(dynamicQuality, {4, 13, 1}, 600).largestStep, 0.065f);
 }
 
-// Not even half the width is enough: then the light comes less often, down to both ends.
+// Half of the width is not enough: then the light is made less often, too, down to the limits of both.
 TEST(DynamicQuality, ThenMakesLightLessOften) {
     DynamicQuality some(kBudget_ms), most(kBudget_ms);
     const Ride result = ride(some, {12, 12, 4}, 1200), end = ride(most, {500, 500, 50}, 3000);
@@ -78,7 +78,7 @@ TEST(DynamicQuality, ThenMakesLightLessOften) {
     EXPECT_EQ(end.end.lightEvery, DynamicQuality::kMaxLightEvery);
 }
 
-// An artificial load comes and goes: everything is back within half a minute of its end.
+// An artificial load comes and goes: full quality must be back 40 s after its end.
 TEST(DynamicQuality, TakesItBackWhenTheLoadIsGone) {
     DynamicQuality dynamicQuality(kBudget_ms);
     ride(dynamicQuality, {}, 600);
@@ -89,7 +89,7 @@ TEST(DynamicQuality, TakesItBackWhenTheLoadIsGone) {
     EXPECT_EQ(after.end.lightEvery, 1);
 }
 
-// Just between two steps: trying ever more seldom, at last once in a quarter of a minute.
+// The load lies between two steps: the control tries the upper one ever less often, at last every 15 s.
 TEST(DynamicQuality, DoesNotSwingAtTheEdge) {
     for (double pixels_ms = 10; pixels_ms < 30; pixels_ms += 0.37) {
         DynamicQuality dynamicQuality(kBudget_ms);

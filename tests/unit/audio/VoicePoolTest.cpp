@@ -1,4 +1,4 @@
-// Which sounds play, for how long, and which make room for others.
+// Tests which sounds play, how long they play, and which sounds give up their voices to others.
 #include "Heard.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace shoal::audio {
 namespace {
 
-// One frame at 60 Hz.
+// Audio that renders into memory; `samples` holds one frame at 60 Hz: 800 stereo samples.
 struct LoopbackScene {
     Audio audio;
     std::vector<float> samples = std::vector<float>(2 * 800);
@@ -32,7 +32,7 @@ const Sound kAhead{.id = 7, .position = {0, 0, -0.5f}};
 
 TEST(VoicePool, EmittersGoOnWhileListedAndEndAfter) {
     LoopbackScene scene;
-    for (int i = 0; i < 90; ++i) scene.frame({&kAhead, 1}); // thrice the clip: it loops
+    for (int i = 0; i < 90; ++i) scene.frame({&kAhead, 1}); // three times the clip's length: it loops
     EXPECT_GT(scene.level(), 0.1);
     for (int i = 0; i < 6; ++i) scene.frame({});
     EXPECT_EQ(scene.audio.sounding(), 0);
@@ -46,7 +46,7 @@ TEST(VoicePool, AnEmitterEndsWithoutAClick) {
     const float steepest = scene.steepest();
     for (int i = 0; i < 6; ++i) {
         scene.frame({});
-        // A tone that is faded within 800 samples is steeper by a part in 30 at most; a cut would be by 25.
+        // Fading within 800 samples makes a tone at most 1/30 steeper; a cut makes it 25 times as steep.
         EXPECT_LT(scene.steepest(), 1.1f * steepest) << i;
     }
 }
@@ -78,7 +78,7 @@ TEST(VoicePool, ShotsEndByThemselves) {
     const Sound shot{.position = {0, 0, -1}};
     scene.frame({}, {&shot, 1});
     EXPECT_EQ(scene.audio.sounding(), 1);
-    for (int i = 0; i < 40; ++i) scene.frame({}); // 0.67 s of a clip of 0.5
+    for (int i = 0; i < 40; ++i) scene.frame({}); // 0.67 s; the clip lasts 0.5 s
     EXPECT_EQ(scene.audio.sounding(), 0);
 }
 
@@ -90,7 +90,7 @@ TEST(VoicePool, TheNearTakesThePlaceOfTheFar) {
     const Sound near{.position = {0.5f, 0, 0}};
     scene.frame({}, {&near, 1});
     EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
-    // One at full level right against 31 times 0.7 / 300 left.
+    // The near sound has full level on the right, the other 31 have 0.7 / 300 each on the left.
     EXPECT_GT(loudness(scene.samples).right, loudness(scene.samples).left);
 }
 
@@ -117,7 +117,7 @@ TEST(VoicePool, TheBedGivesWayToNobody) {
     scene.frame({&bed, 1}, crowd);
     EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
     scene.frame({&bed, 1});
-    EXPECT_GT(scene.level(), 0.02); // the crowd is mute
+    EXPECT_GT(scene.level(), 0.02); // the crowd has gain 0, so this is the bed
 }
 
 TEST(VoicePool, PauseStandsStill) {
@@ -142,15 +142,15 @@ TEST(VoicePool, APauseIsSilenceAndDoesNotClick) {
         scene.audio.setPaused(paused);
         for (int i = 0; i < 30; ++i) {
             scene.frame({&kAhead, 1});
-            EXPECT_LT(scene.steepest(), 1.1f * steepest) << paused << i; // as where an emitter ends
+            EXPECT_LT(scene.steepest(), 1.1f * steepest) << paused << i; // the limit for an emitter's end
         }
         EXPECT_EQ(scene.level() > 0, !paused);
     }
     scene.audio.setPaused(true);
-    scene.audio.setVolume(0.7f); // turned while paused: still silent
+    scene.audio.setVolume(0.7f); // a change of volume leaves the pause silent
     for (int i = 0; i < 10; ++i) scene.frame({&kAhead, 1});
     EXPECT_EQ(scene.level(), 0);
-    scene.audio.setPaused(false); // and back before anything stood still
+    scene.audio.setPaused(false); // the next pause ends before its fade has ended
     scene.audio.setPaused(true);
     scene.audio.setPaused(false);
     for (int i = 0; i < 10; ++i) scene.frame({&kAhead, 1});

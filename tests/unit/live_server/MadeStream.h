@@ -1,4 +1,4 @@
-// A stream as a live encoder makes it: H.264 without pictures that wait for later ones.
+// A stream as a live encoder makes it: H.264 without B-frames.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@ namespace shoal::media::test {
 
 struct MadeStream {
     std::string description;                      // SDP
-    std::vector<std::vector<std::string>> pieces; // by picture: what goes over the line, piece by piece
+    std::vector<std::vector<std::string>> pieces; // [picture][piece]: the bytes that are sent
 };
 
-// Grey pictures of these levels (0 to 255), 30 a second, every eighth a key picture. format: of FFmpeg, such
-// as "mpegts" or "rtp", with its options as "name=value". Empty: FFmpeg has no encoder for it here.
+// Encodes a grey picture of each level (0 to 255), 30 a second, every eighth a keyframe. format: FFmpeg's
+// name, such as "mpegts" or "rtp". options: "name=value". Returns nothing if FFmpeg lacks the encoder.
 std::optional<MadeStream> makeStream(const std::string& format, const std::string& options,
                                      const std::vector<int>& greys, int width = 64, int height = 32);
 

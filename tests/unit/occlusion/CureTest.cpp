@@ -1,4 +1,4 @@
-// Our layers and the thesis' against exact rays: gaps, depth, and the picture of a mirror that shows itself.
+// Compares our layers and the thesis' with exact rays: gaps, depth, and a mirror that reflects itself.
 #include "Animals.h"
 #include "Measure.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
@@ -42,8 +42,8 @@ TEST_P(Cure, ClosesGapsAndSmoothsThePicture) {
     std::printf("%s, 150 views of 64 x 64, %zu triangles\n", GetParam().name, body.triangles.size());
     show("thesis", *thesis, chords, reflections, mirror, radius);
     show("thesis, 486 views", *larger, chords, reflections, mirror, radius);
-    // The thesis' steps catch rays where they begin; further on it meets less of itself, and less of what is
-    // there.
+    // The thesis' stepped layers hit rays at their own origin. A later start has fewer of these false hits,
+    // but misses more real ones, so the best of several starts counts.
     double was = INFINITY, fewest = INFINITY;
     for (const float start : {1.0f, 2.0f, 4.0f, 8.0f, 12.0f}) {
         was = std::min(was, pictureError(*larger, mirror, start * radius));
@@ -55,7 +55,7 @@ TEST_P(Cure, ClosesGapsAndSmoothsThePicture) {
     const Errors through = measure(*cured, chords, radius), back = measure(*cured, reflections, radius);
     EXPECT_LE(through.gaps(), 0.01);
     EXPECT_LE(back.gaps(), 0.01);
-    // A quarter of its gaps and half of its error at its best, though it has thrice the memory.
+    // At most a quarter of the larger one's gaps and half of its least error, though that has 3 x the memory.
     EXPECT_LE(cured->bytes(), larger->bytes());
     EXPECT_LE(through.gaps(), measure(*larger, chords, radius).gaps() / 4);
     EXPECT_LE(back.gaps(), measure(*larger, reflections, radius).gaps() / 4);

@@ -11,7 +11,7 @@
 namespace shoal::physics {
 namespace {
 
-// An index finger along -z over the origin's side, bent towards -y by that angle at each knuckle.
+// Returns an index finger along -z, 8 mm above the origin, bent towards -y by `angle` at each knuckle, rad.
 Finger bent(float angle) {
     Finger f;
     const float length[] = {0, 0.067f, 0.045f, 0.027f, 0.023f};
@@ -64,7 +64,7 @@ TEST(Finger, WrapsAroundAFishWithoutEnteringItAndKeepsItsBones) {
 
 TEST(Finger, AFistsTipComesRoundToTheFarSide) {
     const Finger out = wrapped(bent(1.4f), fish(0.024f));
-    // Past the fish's equator: the last bone presses it back up to the palm.
+    // The last bone lies beyond the fish's equator, so it presses the fish up to the palm.
     ASSERT_TRUE(out.touches[4]);
     const glm::vec3 middle = 0.5f * (out.joints[3] + out.joints[4]);
     EXPECT_LT(middle.y, fish(0.024f).a.y);
@@ -75,7 +75,7 @@ TEST(Finger, ClosesSteadily) {
     for (float angle = 0; angle < 1.5f; angle += 0.02f) {
         const Finger out = wrapped(bent(angle), fish(0.024f));
         const float closed = glm::distance(out.joints[4], bent(0).joints[4]);
-        EXPECT_GT(closed, before - 1e-3f) << angle; // up to what a knuckle leaves to the next
+        EXPECT_GT(closed, before - 1e-3f) << angle; // tolerance where the next knuckle takes over
         EXPECT_LT(closed - before, 0.02f) << "no jump at " << angle;
         before = closed;
     }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kLines = 80;         // lines of samples across the body's longest side
 constexpr int kSweeps = 12;        // rounds of assigning samples to parts
-constexpr float kThinnest = 0.25f; // least depth, by a sample's size: sheets without volume block light
-constexpr float kFlattest = 0.02f; // shortest semi-axis by the longest
+constexpr float kThinnest = 0.25f; // least depth of a sample, in steps: thin sheets block light, too
+constexpr float kFlattest = 0.02f; // least ratio of a semi-axis to the longest
 constexpr float kMinShare = 0.004f;
 
 constexpr size_t kMaxCrossings = 64;
@@ -39,7 +39,7 @@ std::vector<Crossing> crossingsAlong(const RestBody& body, const Bvh& bvh, const
     glm::vec3 direction(0);
     direction[axis] = 1;
     std::vector<Crossing> crossings;
-    int around = 0; // surfaces around the line: a body and its fins overlap
+    int around = 0; // number of enclosing surfaces: a body and its fins overlap
     for (float at = 0; crossings.size() < kMaxCrossings;) {
         const auto touch = bvh.first(origin, direction, at, INFINITY);
         if (!touch) break;
@@ -55,8 +55,8 @@ std::vector<Crossing> crossingsAlong(const RestBody& body, const Bvh& bvh, const
     return crossings;
 }
 
-// Returns points inside the body, and on parts that are too thin to have an inside, along lines in the
-// direction that most of its surface faces.
+// Samples the body's volume, and its sheets that have no volume, along lines parallel to the coordinate axis
+// that most of its surface faces.
 std::vector<Sample> fill(const RestBody& body) {
     glm::vec3 low(INFINITY), high(-INFINITY), facing(0);
     for (size_t i = 0; i + 2 < body.indices.size(); i += 3) {
@@ -92,7 +92,7 @@ std::vector<Sample> fill(const RestBody& body) {
             origin[right] = low[right] + (static_cast<float>(u) + 0.5f) * step;
             origin[up] = low[up] + (static_cast<float>(v) + 0.5f) * step;
             const std::vector<Crossing> crossings = crossingsAlong(body, bvh, origin, axis);
-            const bool open = !crossings.empty() && crossings.back().around != 0; // open somewhere: sheets
+            const bool open = !crossings.empty() && crossings.back().around != 0; // not closed, so sheets
             size_t entered = 0;
             for (size_t k = 0; k < crossings.size(); ++k) {
                 if (open)
@@ -142,7 +142,7 @@ glm::dvec3 eigen(glm::dmat3 a, glm::dmat3& axes) {
     return {a[0][0], a[1][1], a[2][2]};
 }
 
-// Returns the solid ellipsoid with these moments: its variance along a semi-axis is a fifth of that squared.
+// Returns the solid ellipsoid with these moments. Its variance along a semi-axis of length s is s^2 / 5.
 Ellipsoid solidOf(const Moments& m) {
     glm::dmat3 axes;
     const glm::dvec3 variance = eigen(m.spread, axes);
@@ -152,7 +152,7 @@ Ellipsoid solidOf(const Moments& m) {
     return {glm::vec3(m.mean), glm::mat3(axes), glm::vec3(semi)};
 }
 
-// Assigns samples by the distance to each part in units of its spread, and by the part's likelihood.
+// Assigns each sample to the part of least Mahalanobis distance^2 plus log-determinant of its covariance.
 void assign(std::span<const Sample> samples, size_t count, float minimum, std::vector<size_t>& partOf) {
     struct Part {
         glm::dvec3 mean;
@@ -179,7 +179,7 @@ void assign(std::span<const Sample> samples, size_t count, float minimum, std::v
     }
 }
 
-// Assigns samples to parts that start from samples as far apart from each other as possible.
+// Assigns each sample to the part of the nearest seed; seeds come from farthest-point sampling.
 std::vector<size_t> byShape(std::span<const Sample> samples, size_t maximum) {
     std::vector<size_t> partOf(samples.size(), 0);
     std::vector<float> far(samples.size(), INFINITY);
