@@ -25,7 +25,7 @@ namespace {
 constexpr float kTitleTurn_radps = 0.03f; // rate at which the view behind the title turns
 constexpr float kGoalsAtFirst_s = 8;      // time for which the goals are shown as a dive begins
 constexpr float kGoalsOnNews_s = 4;       // time for which they are shown after one is reached
-constexpr float kResultsRest_s = 1;       // time without a press before the results accept a choice,
+constexpr float kResultsRest_s = 1;       // time without a press before the results accept a choice
 constexpr float kMaxResultsRest_s = 3;    // limit of that wait
 constexpr float kMet_s = 4;               // time for which a new animal in the field guide is named
 // Eye height above the floor that tells tall people who sit from small people who stand.
@@ -144,7 +144,7 @@ bool Application::drawLoading(float progress) {
     return !leaving_;
 }
 
-// Opens those of film, models and renderer that the options have changed.
+// Opens the film, the models and the renderer again, each only if its options have changed.
 Status Application::openScene() {
     const bool filmFirst = window_ && !options_.xr && options_.environment.isOwnVideo();
     if (Status s = content_.open(options_, config_, display_->seesRoom(), filmFirst); !s) return s;

@@ -26,7 +26,7 @@ class Application {
 
     Status open();
 
-    // Runs until the player leaves or the run is complete; not measured: a few seconds, to warm up.
+    // Runs until the player leaves or the run is complete. measured: false for a few seconds of warm-up.
     Status run(bool measured);
 
     bool hasPicture() const { return !display_->pictures().empty(); }

@@ -57,7 +57,7 @@ Status findFilmSpace(const Path& film, const EnvironmentOptions& options, Sessio
     return config.replay ? game::checkFilmSpace(config.replay->header(), config.dive.space.get()) : Done{};
 }
 
-// Loads the models before the light is made that they need.
+// Loads the models first, because the light is made for the least roughness of their surfaces.
 Status ContentLoader::open(const PlayOptions& options, SessionConfig& config, bool seesRoom, bool filmFirst) {
     EnvironmentSetup wanted = environmentSetup(options, config.dive, seesRoom);
     Models models{reflectanceIn(options.environment), enumName(options.skin),

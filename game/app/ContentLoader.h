@@ -1,5 +1,5 @@
-// Loader of what a dive shows and is lit by: film, models and the renderer. Opens again only what other
-// options change. The thread of the OpenGL context only.
+// Loads the film, its light, the models and the renderer of a dive, and after a change of options again only
+// the parts that it affects. Only on the thread of the OpenGL context.
 #pragma once
 
 #include "game/session/GameSession.h"
@@ -17,9 +17,9 @@ class ContentLoader {
     // progress: draws the loading screen with the share done, -1 if unknown; returns false to stop.
     explicit ContentLoader(std::function<bool(float)> progress) : progress_(std::move(progress)) {}
 
-    // Opens what these options want and is not open: after each change of a setting, and for another dive or
-    // film. Sets what the config's rules know of the film. seesRoom: the display can show the player's room.
-    // filmFirst: shows the dive's film while the models are loaded. After an error nothing may be drawn.
+    // Opens the parts that these options need and that are not open yet, after a change of settings, dive or
+    // film. Sets the film's length and distances in the config's dive. seesRoom: the display can show the
+    // player's room. filmFirst: shows the film while models load. After an error nothing may be drawn.
     Status open(const PlayOptions& options, SessionConfig& config, bool seesRoom, bool filmFirst);
 
     // Returns whether there is a picture to draw, while the rest is loaded too.
@@ -45,8 +45,8 @@ class ContentLoader {
     std::shared_ptr<const game::FilmSpace> space_;
 };
 
-// Gives the rules the distances of the film, none without a file. A replay recorded without them is played
-// without them.
+// Sets the FilmSpace of the config's dive from the film's depth track; null without a track, or for a replay
+// that was recorded without one.
 Status findFilmSpace(const Path& film, const EnvironmentOptions& options, SessionConfig& config);
 
 } // namespace shoal::app

@@ -46,7 +46,7 @@ class Display {
     virtual std::optional<double> elapsed_s() const { return std::nullopt; }
     virtual double period_s() const = 0;           // time between two pictures; 0: not known yet
     virtual bool leaving() const { return false; } // the player has ended the game in the display's own menu
-    virtual bool lost() const { return false; } // a call failed because the device is gone; it may come back
+    virtual bool lost() const { return false; }    // the device is gone, so a call failed; it may come back
     virtual const game::Notice* notice() const { return nullptr; } // message for the player now, or null
 
     // Gives the session the head and hands that the display tracks, and whether it is worn.
@@ -55,7 +55,7 @@ class Display {
 
     // Height of the player's eyes now; empty: the display does not know.
     virtual std::optional<float> eyesAboveFloor_m() const { return std::nullopt; }
-    // Makes the direction that the player now looks in the one ahead, if the display tracks the head.
+    // Makes the player's present view direction the direction ahead, if the display tracks the head.
     virtual void recentre() {}
 
     virtual bool seesRoom() const { return false; } // whether showRoom() can show the room
@@ -78,7 +78,7 @@ class Display {
 // Returns a picture of both eyes side by side.
 ImageRgb8 pictureOf(std::span<const gl::Target> eyes);
 
-// Makes `count` targets of this size, unless they are so already.
+// Replaces the targets by `count` new ones of this size, unless they have this count and size already.
 void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples);
 
 } // namespace shoal::app

@@ -17,9 +17,9 @@ namespace shoal::app {
 class FrameClock {
   public:
     enum class Mode {
-        RealTime,  // game time is the clock's
+        RealTime,  // game time follows the system's clock
         FixedStep, // every frame takes 1 / fps, and shows just its frame of the video
-        TimeDemo   // the same for the dive, as fast as possible; the video keeps the clock's time
+        TimeDemo   // FixedStep for the dive, as fast as possible, while the video runs in real time
     };
     FrameClock(Mode mode, double fps) : mode_(mode), fps_(fps) {}
 
@@ -33,7 +33,7 @@ class FrameClock {
     uint64_t frame() const { return frame_; } // 0: the first frame
     double sinceBegin_ms() const { return 1e3 * Seconds(Clock::now() - frameStart_).count(); }
 
-    // Returns the dive's time since the last frame. display: time between two pictures by the display.
+    // Returns the dive's time since the last frame. display: that time by the display; empty: unknown.
     double elapsed_s(std::optional<double> display) const {
         constexpr double kMaximum_s = 0.5; // a longer pause is not made up for
         if (display) return std::min(*display, kMaximum_s);
@@ -45,8 +45,8 @@ class FrameClock {
     }
     bool exactVideo() const { return mode_ == Mode::FixedStep; }
 
-    // Waits at the end of a frame with a live video, which has the clock's time, so that fixed steps go no
-    // faster.
+    // Waits at the end of a frame with a live video, which runs in real time, so that fixed steps are not
+    // faster than it.
     void waitForLiveVideo() const {
         if (mode_ != Mode::FixedStep) return;
         const Seconds due(static_cast<double>(frame_ + 1) / fps_);

@@ -34,7 +34,7 @@ class FirstSteps {
     void draw(const Pen& pen, const render::View& view) const;
     // Returns the pose of the ghost hand, viewer's frame.
     hands::HandPose ghost(const render::View& view) const;
-    std::optional<glm::vec3> target() const { return target_; } // world; the ghost hand's goal
+    std::optional<glm::vec3> target() const { return target_; } // goal of the ghost hand, world frame
 
     static constexpr float kTurned_rad = 0.6f; // turn of the view that completes the step Look
     static constexpr float kNear_s = 0.25f;    // time within reach of a fish that ends the step Reach
@@ -60,7 +60,7 @@ class Hints {
 
     static constexpr int kTimes = 3;                     // how often each hint is shown at most
     static constexpr int kUnderstood = 3;                // catches after which only the shark's hint is shown
-    static constexpr float kStay_s = 5, kWithout_s = 14; // time of a hint; time without a catch before one
+    static constexpr float kStay_s = 5, kWithout_s = 14; // a hint's time; time without a catch before it
 
   private:
     enum Kind { FastHand, Wait, Shark };

@@ -18,7 +18,7 @@ namespace {
 constexpr glm::ivec2 kPanelPixels(960, 640);
 constexpr glm::vec2 kPanel_m(1.5f, 1.0f);
 constexpr glm::vec4 kDark(0.01f, 0.05f, 0.08f, 1); // display values; deep water
-constexpr glm::vec4 kClear(0);                     // shows the room through
+constexpr glm::vec4 kClear(0);                     // transparent: the room shows through
 constexpr double kNoRoom_s = 5;
 constexpr auto kIdle = std::chrono::milliseconds(10);
 
@@ -84,7 +84,7 @@ void HeadsetDisplay::feed(GameSession& session) {
                       .results = session.after.phase == game::Phase::Results};
     for (size_t i = 0; i < poses.size(); ++i) {
         now.menu |= tracking.controllers[i].menu;
-        // A hand with a pointing finger chooses in a menu, however closed the others are.
+        // A hand that points counts as open, however closed its other fingers are: it chooses in a menu.
         if (poses[i].tracked) now.grip[i] = points(poses[i]) ? 0 : poses[i].grip;
         pointing_[i] = pointingOf(i, poses[i]);
     }
@@ -202,7 +202,7 @@ Status HeadsetDisplay::drawPanel(const Painter& painter) {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
     const xr::Pose& head = headset_.tracking().worldFromHead;
-    // The panel's view is that of a window of its size at its distance: to tell what lies beyond its edges.
+    // The view has the panel's angular size, so that captions know which sounds lie beyond the panel's edges.
     painter.hud(HudPart::Panel, Audience::HeadsetPlayer,
                 {.eyeWorld = head.position,
                  .worldFromEye = head.orientation,

@@ -96,7 +96,7 @@ std::string explained(const CLI::ParseError& error, const CLI::App& app, const C
     return "there is no option " + option + didYouMean(option, known);
 }
 
-// Doubles backslashes: zenity and kdialog take a backslash and the next character for one.
+// Doubles backslashes, because zenity and kdialog read a backslash as the start of an escape sequence.
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) out += c == '\\' ? "\\\\" : std::string(1, c);
@@ -112,8 +112,8 @@ bool startedFromMenu() {
     return false;
 }
 
-// Shows the text until the player closes it, by the first of these programs that is installed; they work
-// where no window with OpenGL can be opened.
+// Shows the text in a message box until the player closes it, by the first installed of three programs. They
+// work even where no window with OpenGL can be opened.
 void showMessageBox(const std::string& text) {
     const auto shows = [](std::vector<std::string> words) {
         return runProgram(std::move(words)).value_or(127) != 127; // 127: a shell found no such program

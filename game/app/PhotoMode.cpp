@@ -68,7 +68,7 @@ PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad,
                         : game::Notice{"Click: picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
                                        movingKeys(bindings)}) {
     for (game::HandView& hand : shown_.hands) hand.visible = false;
-    for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // nor a mark
+    for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // no highlight either
 }
 
 PhotoMode::Command PhotoMode::step(const Controls& controls, const platform::WindowInput& input,

@@ -36,13 +36,13 @@ Status report(const PlayOptions& options, const Statistics& statistics, const st
     return verdict;
 }
 
-// Returns whether a picture is needed. A live video always needs one: it has the clock's time.
+// Returns whether a picture is needed. A live video always needs one, because it runs in real time.
 bool isSeen(const PlayOptions& options) {
     const auto address = media::liveAddress(options.environment.video);
     return !options.headless || options.timedemo || !options.screenshot.empty() || !address || *address;
 }
 
-// Plays a session without a picture, as fast as possible: of the film only its distances are read.
+// Plays a session without a picture, as fast as possible; reads only the distances of the film.
 Status playUnseen(const PlayOptions& options) {
     SessionConfig config;
     if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;

@@ -17,7 +17,7 @@ class ProgramStates {
     State state() const;
     Mode mode() const { return mode_; }
     bool byPerson() const { return playedByAPerson(session_.source); }
-    // Whether nobody moves the hands, because the player is in the menus.
+    // Whether the title screen is shown, behind which nobody moves the hands.
     bool idle() const { return state() == State::Title; }
 
     // Handles input of the game; menus read their own.

@@ -67,7 +67,7 @@ Status Application::openFilm(const std::string& file) {
     return reopen(wanted, Mode::Title, Screen::Films);
 }
 
-// Opens the headset from the title screen; or in mid-dive after its loss, and the dive goes on in it.
+// Opens the headset, from the title screen or, after its loss, in mid-dive; the dive then goes on in it.
 Status Application::startHeadset() {
     if (play_->states.mode() != Mode::Title) {
         if (Status entered = enterHeadset(); !entered) screens_.showError(entered.error().message());
@@ -99,8 +99,8 @@ void Application::showRoom() {
     options_.passthrough = false;
 }
 
-// Moves the dive to the window after the headset or its runtime has gone: it pauses, and the mouse goes on
-// with it, or the headset when it is back.
+// Moves the dive to the window after the headset or its runtime has gone. The dive pauses; the player goes on
+// with the mouse, or with the headset once it is back.
 void Application::leaveHeadset(const Error& why) {
     log::warn("{}", why.message());
     options_.xr = false;
@@ -159,12 +159,12 @@ Status Application::openContent() {
     return Done{};
 }
 
-// Restores the options and content of before, and shows the error on the page that made the request.
+// Restores the earlier options and content, and shows the error on the page that made the request.
 Status Application::goBack(const PlayOptions& before, const Error& why, Screen asker) {
     if (leaving_) return Done{};
     log::warn("{}", why.message());
     options_ = before;
-    if (Status back = openContent(); !back) { // the earlier film's disk may be gone: the dive has its own
+    if (Status back = openContent(); !back) { // the earlier film may be gone: opens the dive's own
         options_.environment = PlayOptions().environment;
         if (Status own = openContent(); !own) return own;
     }

@@ -52,7 +52,7 @@ std::string keysText(const Bindings::Keys& keys, game::Language language) {
     return text;
 }
 
-// Returns what a goal asks for.
+// Returns a goal's text.
 std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
     const auto text = [&](game::Text words) { return words.in(language); };
     switch (goal.kind) {

@@ -67,12 +67,12 @@ struct ScreenFacts {
     const game::DiveFile* dive = nullptr;
     std::vector<DiveName> dives;
     bool headset = false;         // a headset is there
-    bool headsetLost = false;     // the headset was lost in mid-dive, and the dive is in the window since
+    bool headsetLost = false;     // the headset was lost in mid-dive, which goes on in the window
     bool ownFilm = true;          // the dive's own film is shown
     uint64_t seed = 0;            // of the present dive
     DiveScores scores;            // scores of this dive, before the last one
     std::vector<std::string> met; // names of the species that the player has touched
-    game::Snapshot results;       // at the end of the last dive
+    game::Snapshot results;       // when the present program state began
     bool freeSwim = false, firstSteps = false;
     bool webcam = false;                     // a webcam tracks the hands
     std::optional<game::Notice> handsNeed{}; // TrackedHands::needs()
@@ -92,7 +92,7 @@ class Screens {
     bool isOpen() const { return !stack_.empty(); }
     std::optional<Screen> top() const;
     bool showsCamera() const; // the page shows the webcam's image
-    // Whether a binding waits for the next key or button, which is then no input for the menus.
+    // Returns whether a binding waits for the next key or button, which the menus must then not read.
     bool capturesKey() const { return captured_.has_value(); }
 
     void input(const MenuInput& input);

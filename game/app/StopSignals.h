@@ -1,4 +1,4 @@
-// SIGINT, SIGTERM and SIGHUP ask the program to end in order: it first writes its files.
+// SIGINT, SIGTERM and SIGHUP ask the program to shut down cleanly: it first writes its files.
 #pragma once
 
 #include <csignal>
@@ -9,7 +9,7 @@ namespace shoal::app {
 // handler may touch only this.
 inline volatile std::sig_atomic_t stopSignal = 0;
 
-// Notes these signals from now on instead of ending; a second one of a kind ends the program at once.
+// Makes these signals set stopSignal from now on; a second one of a kind ends the program at once.
 inline void noteStopSignals() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { stopSignal = signal; };

@@ -11,12 +11,12 @@ namespace shoal::game {
 namespace {
 
 // Actuation while a touch lasts; the pulses of events are in EventTable.h.
-constexpr float kPress = 0.25f, kPressFull_m = 0.02f; // steady pressing, and the depth at which it is full
+constexpr float kPress = 0.25f, kPressFull_m = 0.02f; // greatest amplitude of pressing, and its depth
 constexpr float kPress_Hz = 45;
-constexpr float kStroke = 0.5f, kStrokeFull_mps = 0.8f; // stroking along, and the speed at which it is full
-constexpr float kScale_m = 0.004f; // distance of a fish's scales: stroking vibrates at their rate
+constexpr float kStroke = 0.5f, kStrokeFull_mps = 0.8f; // greatest amplitude of stroking, and its speed
+constexpr float kScale_m = 0.004f; // spacing of a fish's scales: frequency = stroking speed / spacing
 constexpr float kStrokeLow_Hz = 40, kStrokeHigh_Hz = 240;
-constexpr float kHeld = 0.15f, kStruggle = 0.6f; // a fish in the hand at rest, and its struggle on top
+constexpr float kHeld = 0.15f, kStruggle = 0.6f; // amplitude of a held fish at rest; its struggle's part
 constexpr float kHeld_Hz = 48, kStruggle_Hz = 30;
 
 // Returns the actuation of a finger while it touches.

@@ -11,16 +11,16 @@ namespace shoal::game {
 
 namespace {
 
-constexpr float kPass_m = 1; // distance from the head within which a pass is heard; twice that for large ones
+constexpr float kPass_m = 1; // distance from the origin within which a pass is heard; twice it for large ones
 constexpr float kPass_mps = 0.45f; // slower passes are silent
 constexpr float kPassQuiet_s = 4;  // time between two passes of the same creature
 constexpr float kLarge_m = 1;      // body length from which a pass sounds large
-// Time from a clip's start to its loudest: it starts that much before the creature is nearest.
+// Time from a clip's start to its loudest moment; the clip starts that long before the creature is nearest.
 constexpr float kPassPeakSmall_s = 0.3f, kPassPeakLarge_s = 0.75f;
 constexpr size_t kCaptions = 3;
 constexpr Text kStruggleCaption = "it struggles", kPassCaption = "something large passes",
                kCountdownCaption = "the last seconds";
-constexpr float kTouchQuiet_s = 0.12f; // one sound for all bones of a touch
+constexpr float kTouchQuiet_s = 0.12f; // time without another touch sound: one touch has several bones
 constexpr int kCountdown_s = 5;
 constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
 constexpr float kCross_s = 2;          // cross-fade between beds
@@ -74,7 +74,7 @@ void SoundCues::struggling(const CreatureView& creature) {
                          .gain = gainOf(Sound::Struggle),
                          .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f), // large ones beat slower
                          .velocity = creature.velocity});
-    // A struggle goes on, so its caption keeps its place among the others.
+    // A struggle lasts, so its caption is only renewed and keeps its place among the others.
     for (Caption& shown : captions_)
         if (shown.text == kStruggleCaption) {
             shown = {shown.text, creature.position, 0};

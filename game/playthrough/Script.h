@@ -21,8 +21,8 @@ struct ScriptStep {
         Close, // close it (and keep following the fish just reached for)
         Open,
         Wave,  // swing it 0.5 m to both sides of where it is at `speed` m/s for `seconds`
-        Hover, // bring it in the shark's way, for `seconds`
-        Offer, // bring the held fish as near to the shark as the hand reaches, for `seconds`
+        Hover, // bring it towards the middle of the shark, for `seconds`
+        Offer, // bring the held fish as near to the shark's mouth as the hand reaches, for `seconds`
         Rest,  // take it back to the side
         // Steps of either:
         Hold,    // wait `seconds` with hands as they are
@@ -46,7 +46,7 @@ struct ScriptStep {
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
     enum class At { Given, Shark, Fish };
-    At at = At::Given;              // looks at the shark, or points at a fish, instead of the numbers below
+    At at = At::Given;              // Look at the shark, or Point at a fish, not at the numbers below
     glm::vec3 offset{0}, to{0};     // viewer's frame, metres
     glm::vec2 pointer_px{640, 360}; // place in a window of 1280x720: +x right, +y down
     float near_m = 0;
@@ -73,7 +73,7 @@ constexpr std::array kEndValues = {
 struct ScriptExpect {
     int line = 0;
     enum class Water { Open, Film };
-    std::optional<Water> water; // expected only in open water, or only in the room of a film
+    std::optional<Water> water; // checked only in a dive without FilmSpace, or only with one
     std::array<std::optional<int>, kEndValues.size()> atEnd;
     std::optional<float> fishAbove_m; // least height of all fish, relative to the eyes
     std::optional<EventKind> event;   // an event that occurs at least `count` times in the given time
@@ -102,8 +102,8 @@ Result<Script> loadScript(const Path& file);
 // Loads the script's dive, with the film that it names.
 Result<DiveFiles> loadDiveFiles(const Script&);
 
-// Plays a script: makes each tick's TickInput from the snapshot after the last tick. Motions keep below 1.5
-// m/s (but for Wave), as a person's do. Depends on snapshots and events alone, never on the display.
+// Plays a script: makes each tick's TickInput from the snapshot after the last tick. Hands move at 1.5 m/s at
+// most, as a person's do, but Move and Wave at their own speed. Depends on snapshots and events alone.
 class ScriptRun {
   public:
     // inFilm: the dive has a FilmSpace; some expectations hold only with one, or only without.

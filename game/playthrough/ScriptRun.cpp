@@ -18,7 +18,7 @@ namespace {
 constexpr float kHandSpeed_mps = 1.5f;
 constexpr float kHeadSpeed_radps = 2.2f;
 constexpr float kCloseTime_s = 0.12f;
-constexpr float kReach_m = 1.2f; // reach of a person's arm; the rig reaches farther
+constexpr float kReach_m = 1.2f; // reach of a person's arm; the hand rig allows more
 constexpr float kNear_m = 0.3f;
 constexpr float kThere_m = 0.045f; // distance of grasp centre and fish's middle at which the hand closes
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -27,7 +27,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr glm::vec2 kHalfWindow_px(640, 360);
 constexpr float kWindowFov = 65 * kPi / 180;
 constexpr float kVisibleReach_m = 1.4f;
-constexpr float kMouseThere_m = 0.07f; // distance at which the mouse's hand is seen to be at a fish
+constexpr float kMouseThere_m = 0.07f; // distance from grasp centre to fish at which Point is done
 
 glm::vec3 withinReach(glm::vec3 p) {
     const float distance = glm::length(p);
@@ -178,7 +178,7 @@ void ScriptRun::movePointer(glm::vec2 goal_px) {
     mouseInput_.cursor += length > farthest ? way * (farthest / length) : way;
 }
 
-// Points at a place, or at a fish, another after three seconds. Returns whether pointer or hand is there.
+// Points at a place, or at a fish, chosen anew every three seconds. Returns whether pointer or hand is there.
 bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
     if (step.at != ScriptStep::At::Fish) {
         movePointer(step.pointer_px);
@@ -309,7 +309,7 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     const glm::quat worldFromView =
         glm::normalize(math::rotationAbout(kUp, -yaw_) * math::rotationAbout(glm::vec3(1, 0, 0), pitch_));
     out.worldFromView = worldFromView;
-    if (script_.usesMouse) { // as the program does: help with depth, then the hand
+    if (script_.usesMouse) { // the same order as in the program: first the help with depth, then the hand
         mouseInput_.reach_m =
             reach_.update(now, species_, rayThroughCursor(mouseInput_), mouse_.distance_m());
         out.hands = mouse_.update(mouseInput_, kDt);

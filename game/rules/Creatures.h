@@ -12,7 +12,7 @@ namespace shoal::game {
 
 // The circle around the player that a fish swims; companions share their leader's.
 struct Route {
-    int leader = -1; // index of the fish whose route it follows: its own if alone
+    int leader = -1; // index of the fish whose route it follows; its own index if it leads
     float radius = 1, height = 0;
     float cruise_mps = 0.3f;
     float direction = 1; // +1 circles to the left of looking outward, -1 to the right
@@ -50,8 +50,8 @@ struct FishHold {
     float struggle = 0;      // strength of its wriggling as the hand feels it, 0 to 1
     int unopposed = 0;       // ticks without contacts that hold it from opposing sides
     float noPush_s = 0;      // seconds after the release in which the fingers do not push it
-    float bout_s = 0;        // seconds left of this bout of struggling, or of this rest
-    bool struggles = false;  // whether this is a bout
+    float bout_s = 0;        // seconds left of the present bout of struggling, or of the rest between two
+    bool struggles = false;  // true in a bout, false in a rest
 };
 
 // A fish's visit to a resting hand (game/rules/Curiosity.h).
@@ -72,17 +72,17 @@ struct Fish : Swimmer {
 
     // Velocities added to its own swimming, m/s.
     glm::vec3 push{0};       // caused by hands and neighbours; fades within a second
-    glm::vec3 separation{0}; // leads out of a hand that it overlaps; lasts one tick
+    glm::vec3 separation{0}; // moves it out of a hand that it overlaps; lasts one tick
 
     State state = State::Cruise;
     Flight flight;
-    // Tick until which a touch counts, by hand and by its part (a finger or hands::kPalmPart).
+    // Tick until which a touch is remembered, by hand and by its part (a finger or hands::kPalmPart).
     std::array<std::array<uint32_t, hands::kHandParts>, 2> touchedUntil{};
     float uncatchable_s = 0; // seconds before a hand can take hold of it
     int heldBy = -1;         // 0 left, 1 right, -1 none
     FishHold hold;
     Visit visit;
-    // 1: a hand that closes now takes it; eased from 0 and back. catchableBy: that hand, -1 none.
+    // 1 if a hand that closes now takes it, else 0, eased in between. catchableBy: that hand, -1 none.
     float catchable = 0;
     int catchableBy = -1;
 

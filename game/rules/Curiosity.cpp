@@ -17,7 +17,7 @@ constexpr float kInView = 0.82f;   // cosine of the angle from the middle of the
 constexpr float kNearest_m = 0.25f, kFarthest_m = 2.2f; // distance of a possible visitor from the hand
 constexpr float kComes_s = 7;                           // longest time on its way
 constexpr float kThere_m = 0.12f;                       // distance from its place at which it has arrived
-constexpr float kBefore_m = 0.06f;                      // distance of its place from the grasp centre
+constexpr float kBefore_m = 0.06f;                      // distance from the grasp centre to its place
 
 bool isStill(const Hand& hand, const Viewpoint& view) {
     const bool open = hand.visible && hand.solid && hand.grip < kGripOpens && hand.stung_s == 0;

@@ -64,7 +64,7 @@ std::string filmOf(const sim::RecordingHeader&, const std::string& own);
 // A recording made with a FilmSpace replays only with an equal one, and one made without it only without. An
 // error says what differs.
 bool needsFilmSpace(const sim::RecordingHeader&);
-Status checkFilmSpace(const sim::RecordingHeader&, const FilmSpace*); // null: none
+Status checkFilmSpace(const sim::RecordingHeader&, const FilmSpace*); // null: the film has no distances
 
 // Returns how enclosed the video, which repeats every videoLength_s, is at a time: 0 to 1. A mark's amount
 // ramps up over the two seconds before it and down over the two after it, across the video's end too; of

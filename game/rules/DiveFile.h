@@ -118,11 +118,11 @@ struct DiveFile {
     SharkPlan shark;
     EncounterPlan encounter;
     std::vector<Goal> goals;          // at most kMaxGoals
-    std::vector<VideoMark> enclosure; // by stretches of the video
-    // Length of the video, which starts with the dive and repeats. Not in the file: set by the code that
-    // opens the video; 0: no video, or not the dive's own.
+    std::vector<VideoMark> enclosure; // how enclosed stretches of the video are
+    // Length of the video, which starts with the dive and repeats; 0: no video, or not the dive's own. The
+    // file does not hold it: the code that opens the video sets it.
     double videoLength_s = 0;
-    // Distances to what the video shows. Not in the file either; null: unknown, all is open water.
+    // Distances to the surfaces in the video, not in the file either; null: unknown, all is open water.
     std::shared_ptr<const FilmSpace> space;
 };
 

@@ -28,7 +28,7 @@ struct DiveState {
     std::vector<Fish> fish;
     Shark shark;                            // its creature id is fish.size()
     Passer passer;                          // its creature id comes after the shark's
-    std::vector<physics::Contact> contacts; // found in this tick; the next one continues the lasting ones
+    std::vector<physics::Contact> contacts; // of this tick; the next tick continues those that last
 
     float time_s() const { return static_cast<float>(tick) * kDt; } // since the dive began
 };

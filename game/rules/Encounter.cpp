@@ -5,7 +5,7 @@
 
 namespace shoal::game {
 
-// Distance at which its sound is placed, in its true direction: a whale's voice carries far.
+// Distance at which its sound is placed, in the giant's true direction: a whale's voice carries far.
 static constexpr float kHeardFrom_m = 1.5f;
 
 void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events& events) {

@@ -34,7 +34,7 @@ enum class EventKind {
 
 struct Event {
     EventKind kind;
-    int creature = -1;                   // id of Snapshot::creatures; -1: none, as for hand and part
+    int creature = -1;                   // CreatureView::id; -1: none, as for hand and part
     int hand = -1;                       // 0 left, 1 right
     std::optional<glm::vec3> position{}; // world frame; empty: everywhere
     int part = -1;                       // hands::Finger or hands::kPalmPart

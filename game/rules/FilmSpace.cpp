@@ -29,7 +29,7 @@ glm::vec2 unfolded(const glm::vec3& dir) {
 
 size_t cellAt(int x, int y) { return static_cast<size_t>(y + 1) * kBordered + static_cast<size_t>(x + 1); }
 
-// Fills the cells around the square: the octahedron continues with the same edge, read backwards.
+// Fills the border cells around the square: beyond an edge the octahedron continues at that edge, mirrored.
 template <class T> void fillBorder(T* grid) {
     constexpr int n = FilmSpace::kSide;
     for (int i = 0; i < n; ++i) {
@@ -47,8 +47,8 @@ template <class T> void fillBorder(T* grid) {
 constexpr std::array<std::array<int, 2>, 8> kAround = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-// Returns for each cell by how many millimetres it may be farther than each of its neighbours. A chord is
-// shorter than its angle, so the room narrows a little more slowly than it may.
+// Returns by how many millimetres each cell may exceed each of its neighbours. The angle between two cells is
+// taken as its chord, which is shorter, so the room narrows a little more slowly than the limit.
 std::vector<std::array<float, 8>> allowances(float narrowing_m) {
     std::vector<glm::vec3> directions(kStride);
     for (int cell = 0; cell < FilmSpace::kCells; ++cell)
@@ -65,8 +65,8 @@ std::vector<std::array<float, 8>> allowances(float narrowing_m) {
     return allowed;
 }
 
-// Sets each cell to the nearest of itself and its neighbours: a place between four cells' middles is then not
-// farther than what any of them shows.
+// Sets each cell to the minimum of itself and its neighbours, so that interpolation between four cells gives
+// no distance greater than any of theirs.
 void widen(const uint16_t* surface, float* room) {
     for (int y = 0; y < FilmSpace::kSide; ++y)
         for (int x = 0; x < FilmSpace::kSide; ++x) {
@@ -112,8 +112,8 @@ FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
     for (const Room of : {Room::Fish, Room::Shark}) makeRoom(of);
 }
 
-// Makes the lower envelope of the surface under cones in time and direction: the largest function below it
-// that changes no faster than the two limits. Both limits add, so they are applied one after the other.
+// Makes the room: the largest function below the surface that changes no faster than the limits with time and
+// with direction. The limits add, so they can be applied one after the other.
 void FilmSpace::makeRoom(Room of) {
     const Shrinking& may = kShrinking[static_cast<size_t>(of)];
     const auto allowed = allowances(may.narrowing_m);
@@ -223,12 +223,12 @@ glm::vec3 FilmMoment::pulledIn(glm::vec3 place, const physics::Capsule& body, fl
 
 bool FilmMoment::hides(glm::vec3 headWorld, glm::vec3 place) const {
     if (!known()) return false;
-    constexpr float kBehind_m = 0.05f; // a body half in a surface is seen
+    constexpr float kBehind_m = 0.05f; // tolerance: a body that is half in a surface counts as seen
     constexpr int kLooks = 6;
     const glm::vec3 way = place - headWorld;
     const float distance = glm::length(way);
     if (distance < FilmSpace::kNearest_m) return false;
-    // Tests places along the line of sight: a head beside the camera sees past other directions than its own.
+    // Tests points on the line of sight, whose directions from the camera differ if the head is beside it.
     for (int i = 1; i <= kLooks; ++i) {
         const float share = static_cast<float>(i) / kLooks;
         if (share * distance < FilmSpace::kNearest_m) continue;

@@ -25,7 +25,7 @@ class FilmSpace {
     static constexpr float kNearest_m = 0.6f; // a place nearer to the eyes is never hidden
     static constexpr int kMaxSteps = 2400;    // enough for ten minutes
 
-    // The room left to a kind of animal. A shark may follow a wall faster than a small fish does.
+    // Kind of animal that a room is for. A shark's room may change faster than a small fish's.
     enum class Room { Fish, Shark };
 
     // surface_mm: for every time step, evenly over the film, kCells distances in millimetres, each the
@@ -60,7 +60,7 @@ class FilmSpace {
 
     double length_s_;
     int steps_;
-    // The grids of all steps, each with a border of one cell, as the octahedron continues there.
+    // The grids of all steps, each with a border of one cell that repeats the octahedron's adjacent cells.
     std::vector<uint16_t> surface_mm_;
     std::array<std::vector<uint16_t>, 2> room_mm_; // by Room
 };
@@ -84,9 +84,9 @@ class FilmMoment {
     float gap_m(glm::vec3 place) const;
     // Returns the direction in which that gap grows fastest, unit length.
     glm::vec3 inward(glm::vec3 place) const;
-    // Turns the wanted way along rock and away from it: the nearer the rock, the less of the way leads out of
-    // the room. soon: where the body will be; gap_m: its gap there; shy_m: the gap that it wants; push: added
-    // to the way, away from rock. Returns the missing share of shy_m, 0 to 2.
+    // Steers the wanted way off the film's surfaces: reduces its outward component, and adds up to 2 * push
+    // inwards, more for a smaller gap. soon: predicted place of the body; gap_m: its gap there; shy_m: the
+    // gap that it wants. Returns the missing share of shy_m, 0 to 2.
     float keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy_m, float push) const;
     // Returns how far the body reaches out of its room; 0: not at all.
     float overshoot_m(const physics::Capsule& body) const;

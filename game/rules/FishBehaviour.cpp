@@ -22,7 +22,7 @@ constexpr float kForesee_s = 0.5f;  // look-ahead for fish that will be too near
 // Returns the distance at which two strangers start to give way, centre to centre.
 float roomBetween(const Species& a, const Species& b) { return 0.45f * (a.length_m + b.length_m) + 0.08f; }
 
-// Adds to out how one of two fish keeps its distance from the other; gap: between the bodies, metres.
+// Adds one fish's avoidance of another to out. away: unit; gap: between the bodies, metres; urgency: 0 to 1.
 void giveWay(const Fish& f, const Species& kind, glm::vec3 away, float gap, float urgency, Neighbours& out) {
     const float pace = std::max(kind.cruise_mps, f.speed);
     out.giveWay += away * (1.8f * urgency * pace);
@@ -132,7 +132,7 @@ constexpr float kSnap_s = 0.07f;
 bool darts(const Fish& f) { return f.state == Fish::State::Dart; }
 bool snaps(const Fish& f) { return f.flight.spent_s > 0 && f.flight.spent_s <= kSnap_s; }
 
-// The way and the speed that a fish wants.
+// Desired direction of a fish, as a sum of steering velocities, and its desired speed.
 struct Desire {
     glm::vec3 way{0}; // m/s
     float speed = 0;  // m/s
@@ -281,7 +281,7 @@ void chooseGliding(Fish& f, const Species& kind, const Desire& desire) {
 }
 
 void accelerate(Fish& f, const Species& kind, Desire desire, glm::vec3 goal) {
-    // Sharp turns are swum slowly.
+    // It swims slowly while it turns sharply.
     if (!desire.afraid) desire.speed *= 0.6f + 0.4f * std::max(0.0f, glm::dot(f.forward, goal));
     if (kind.coasts && !desire.afraid) desire.speed *= f.route.gliding ? 0.0f : 1.35f;
     const float drag = f.route.gliding ? 0.9f * f.speed : std::max(1.2f, 0.8f * f.speed);
@@ -298,7 +298,7 @@ void bendAndBeat(Fish& f, const Species& kind, glm::vec3 desiredSpin) {
         eased(shape.bendUp, bendFor(f, -glm::dot(desiredSpin, leftOf(f.forward)), kind.length_m, 0.35f), 6);
     shape.finsDown = eased(shape.finsDown, 0, 6);
 
-    // Bends into the C of a fast start, then the tail's stroke back, then along its path.
+    // In a fast start the body bends into a C, then back for the tail's stroke; else it bends along its path.
     constexpr float kC_s = 0.07f, kStroke_s = 0.17f, kC = 1.9f, kStroke = -0.7f;
     if (f.flight.spent_s > 0 && f.flight.spent_s < kStroke_s) {
         const float goal = f.flight.spent_s < kC_s ? kC : kStroke;
@@ -314,7 +314,7 @@ void keepInBounds(Fish& f, const DiveContext& in) {
     const float outer = in.dive.schools[f.school].radiusHigh_m + kOuterSlack_m;
     const auto [radius, outward] = placeOf(f.position);
     const float kept = std::clamp(radius, kInner_m, outer);
-    // It is drawn back at no more than a brisk swim, so that nobody sees it jump.
+    // It moves back at no more than 1 m/s, so that nobody sees it jump.
     if (kept != radius) f.position += outward * std::clamp(kept - radius, -0.008f, 0.008f);
     const glm::vec3 fromHead = f.position - in.head();
     const float room = kEyeRoom_m + 0.5f * kind.length_m - glm::length(fromHead);
@@ -393,7 +393,7 @@ void swim(Fish& f, int id, const Neighbours& around, const DiveContext& in) {
 } // namespace
 
 void startInRoom(std::span<Fish> fish, const DiveContext& in) {
-    // Each move changes which directions the body covers: a few rounds converge.
+    // Each move changes the directions that the body covers, so it is repeated; four rounds converge.
     for (int round = 0; round < 4; ++round)
         for (Fish& f : fish) keepInRoom(f, in, FilmSpace::kFar_m);
 }

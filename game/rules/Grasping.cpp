@@ -75,7 +75,7 @@ physics::Hold holdOn(int fish, const Hands& hands, std::span<const physics::Cont
     for (const Hand& hand : hands)
         if (hand.grasp.encloses == fish)
             for (int i = 0; i < hand.fingers.pressCount; ++i) presses[count++] = hand.fingers.presses[i];
-    for (const physics::Contact& contact : contacts) // of a hand that only presses on it
+    for (const physics::Contact& contact : contacts) // adds contacts of hands that only press on it
         if (static_cast<int>(contact.body) == fish && contact.lasting &&
             hands[contact.group].grasp.encloses != fish && count < presses.size())
             presses[count++] = {contact.normal, physics::pressForce_N(contact.depth)};
@@ -113,7 +113,7 @@ void wrapAround(const Fish& f, Hand& hand, const DiveContext& in) {
 void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
     hand.grasp.holds = hand.grasp.encloses = id;
     hand.grasp.window = 0;
-    hand.grasp.firmest = 1; // it takes hold again only after it has opened
+    hand.grasp.firmest = 1; // so that it takes hold again only after it has opened
     hand.lastMiss = Miss::None;
     f.state = Fish::State::Held;
     f.heldBy = h;
@@ -184,7 +184,7 @@ void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveContext& in,
     });
 }
 
-// Takes hold of the fish between the fingers, or draws it in. Returns whether it is held.
+// Takes hold of the fish between the fingers, or else moves it into the hand. Returns whether it is held.
 bool takeHold(Hands& hands, int h, int id, Fish& f, const DiveContext& in, Events& events) {
     Hand& hand = hands[h];
     wrapAround(f, hand, in);
@@ -253,8 +253,8 @@ glm::vec3 askedForce_N(Fish& f, const Species& kind, const Hand& hand) {
     return thrust - drag - mass * hand.calmAcceleration;
 }
 
-// Advances how fish `id` lies in the hand: friction against its struggle, the water's drag and the hand's
-// acceleration. Returns false once it has slipped out.
+// Advances the slipping of fish `id` in the hand: the grip's friction acts against the fish's struggle, the
+// water's drag and the hand's acceleration. Returns false once the fish has slipped out.
 bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) {
     const Species& kind = in.kindOf(f);
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);

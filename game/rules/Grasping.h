@@ -13,7 +13,7 @@ namespace shoal::game {
 constexpr int kCloseWindow = 12;  // ticks after it has stopped closing in which a hand still takes hold
 constexpr int kHelpedWindow = 22; // the same for a hand that is helped to a fish
 constexpr float kHoldToCatch_s = 1;
-constexpr float kShowCatch_s = 0.2f; // time from the catch to the release
+constexpr float kShowCatch_s = 0.2f; // time from the catch until the fish is let go
 constexpr float kUncatchable_s = 2;  // time before a fish can be caught again, after a catch or the shark
 constexpr float kSting_s = 1;        // time in which a stung hand cannot hold
 

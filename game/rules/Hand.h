@@ -26,23 +26,23 @@ struct Grasp {
     int encloses = -1;   // index of the fish its fingers close around: held, or about to be
 };
 
-// The fish that the hand reaches for, and the help that it gets to take it; see game/rules/Intent.h.
+// The fish that the hand reaches for, and the help for the hand to take it; see game/rules/Intent.h.
 struct Intent {
     int fish = -1;          // -1: none
     bool inRange = false;   // that fish is taken if the hand closes now
-    float unseen_s = 0;     // seconds since the fish was in range
-    bool helps = false;     // the hand has been helped to it since it began to close
+    float unseen_s = 0;     // seconds since the fish was last in range
+    bool helps = false;     // the hand has been helped to that fish since the hand began to close
     glm::vec3 movedView{0}; // how far the help has moved the hand, viewer's frame
     float closing_Hz = 0;   // growth of the grip a second, smoothed over about 30 ms
     float fastest_mps = 0;  // greatest speed of the hand since it began to close
-    Miss miss = Miss::None; // reason why it takes nothing, if so, decided when the grip closed
+    Miss miss = Miss::None; // reason if it takes nothing, decided when the grip closed
 };
 
 // Fingers that rest on the fish they close around instead of entering it.
 struct FingerWrap {
     Joints shown{}; // the hand's joints, with fingers resting on that fish
-    // Offset of each joint on the fish from where the device sees it, palm's frame; eased, so that no finger
-    // jumps when the fist opens.
+    // Offset of each joint, as it rests on the fish, from the joint that the device sees, palm's frame. It is
+    // eased, so that no finger jumps when the fist opens.
     struct Lift {
         glm::vec3 move{0};
         glm::quat turn{1, 0, 0, 0};
@@ -79,7 +79,7 @@ struct Hand {
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
     glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
-    // Returns where a fish of that radius lies in the hand; of a thicker one the flesh gives way.
+    // Returns the position in the hand of a fish of that radius, which is capped at physics::kEnclosed_m.
     glm::vec3 hollow(float radius_m) const {
         const float radius = std::min(radius_m, physics::kEnclosed_m);
         return palm().position + palm().orientation * glm::vec3(0, -0.008f - radius, -0.030f);

@@ -92,8 +92,8 @@ void pushFish(Fish& f, int id, std::span<const physics::Contact> own, const Dive
             (hand.grasp.closed && hand.grasp.window == 0))
             startle(f, id, hand.palm().position, in, random, events);
     }
-    // Fingers that close around the fish hold it and do not bat it away; neither does an open hand that it
-    // swims into: a player's fingers would give way.
+    // Fingers that close around the fish do not push it away. Neither does an open hand that it swims into,
+    // because a player's fingers would give way.
     const auto bats = [&](int h) {
         const Hand& hand = in.state.hands[h];
         const bool lets = !hand.grasp.closed && onPalmSide(f, hand) &&

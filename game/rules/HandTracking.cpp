@@ -16,7 +16,7 @@ bool nearUnit(const glm::quat& q) {
     return norm > 0.9f && norm < 1.1f; // false for NaN
 }
 
-// Stops a hand that appears or jumps: no fish feels it move, and it takes hold of none.
+// Zeroes the velocities of a hand that appears or jumps, so that it pushes no fish and takes hold of none.
 void stop(Hand& hand) {
     hand.velocity = hand.calmVelocity = hand.ownVelocity = hand.calmAcceleration = glm::vec3(0);
     hand.velocities.fill(glm::vec3(0));

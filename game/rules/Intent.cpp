@@ -11,9 +11,9 @@ namespace shoal::game {
 
 namespace {
 
-// Range in which a hand can reach for a fish, and how far the hand is helped to it.
+// Range within which a fish can be a hand's target, and limit of the hand's displacement towards it.
 struct Help {
-    float across_m;   // gap between grasp centre and body, across the line of sight...
+    float across_m;   // range of the gap between grasp centre and body, across the line of sight...
     float along_m;    // ...and along it, where eyes judge worse
     float moveHand_m; // farthest that the hand is moved
 };
@@ -36,8 +36,8 @@ constexpr float kMoveBack_mps = 0.25f; // ...and back when it is open and empty
 constexpr float kPull_mps2 = 30;       // acceleration of a fish into the hand
 constexpr float kShow_Hz = 12;         // easing rate of Fish::catchable
 
-// Returns the distance of the fish from the hand, now or soon, in units of the range: 0 in the hand, 1 at the
-// range's edge, more beyond; very large where the hand cannot mean it.
+// Returns the smaller of the fish's distances from the hand now and in kLook_s, in units of the range (0 in
+// the hand, 1 at the range's edge), plus a penalty for speed; very large if the fish cannot be the target.
 float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
     constexpr float kNever = std::numeric_limits<float>::max();
     const Help& help = kHelp[static_cast<size_t>(in.assist)];
@@ -45,7 +45,7 @@ float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
     const glm::vec3 apart = f.velocity - hand.calmVelocity;
     const float speed = glm::length(apart);
     if (speed > kTooFast_mps) return kNever;
-    const float behindPalm = 2 * help.moveHand_m; // hand and fish meet half way
+    const float behindPalm = 2 * help.moveHand_m; // as hand and fish both move
     if (glm::dot(f.position - hand.palm().position, hand.outOfPalm()) < -behindPalm) return kNever;
     if (in.hides(f.position)) return kNever;
     const auto gapAt = [&](glm::vec3 centre) {
@@ -61,7 +61,7 @@ float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
                          across * across / (help.across_m * help.across_m));
     };
     const float now = gapAt(hand.graspCentre), soon = gapAt(hand.graspCentre - apart * kLook_s);
-    // The lesser of both: a fish in the hand is not lost because it will swim through.
+    // The minimum of both: a fish in the hand stays the target although it is about to leave.
     return std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
 }
 

@@ -1,12 +1,12 @@
 // Finds the fish that a hand reaches for, and helps a hand that closes beside it.
 //
-// Whether a hand means to take a fish is read from where both will be when the fingers have closed (distance,
-// with their velocities), from how fast they are against each other, and from the side of the palm; that it
-// closes is read from its aperture and the aperture's speed. A fish once meant stays so for a moment while it
-// slips out of range: people close a reaction time after they have seen that they can. Games score objects
-// near a closing hand in this way (Owlchemy Labs' Job Simulator, Meta's Interaction SDK), and Prachyabrued &
-// Borst 2012, "Virtual grasp release method and evaluation", show the hand where it helps the user. Here hand
-// and fish each go part of the way, at limited speed, while the hand closes.
+// The fish that a hand means to take is inferred from their distance, now and when the fingers will have
+// closed, from their relative speed, and from the side on which the palm is. Whether the hand closes is
+// inferred from its grip and the grip's rate of change. A target that leaves the range is kept for a moment,
+// because people close a reaction time after they have seen that they can. Games score objects near a closing
+// hand in this way (Owlchemy Labs' Job Simulator, Meta's Interaction SDK), and Prachyabrued & Borst 2012,
+// "Virtual grasp release method and evaluation", show the hand where it helps the user. Here hand and fish
+// each move part of the way towards the other, at limited speed, while the hand closes.
 #pragma once
 
 #include "game/rules/DiveState.h"
@@ -25,11 +25,11 @@ bool onPalmSide(const Fish&, const Hand&);
 // A hand or a fish that the film hides takes no part.
 void readIntents(Hands&, std::span<Fish>, const DiveContext&);
 
-// Returns the push with which the fish goes into the hollow of the hand.
+// Returns the value of Fish::push that moves the fish into the hollow of the hand, m/s.
 glm::vec3 pushIntoHollow(const Fish&, const Species&, const Hand&);
 
-// Moves a closing hand towards the fish it reaches for, and the fish into the hand, both by as much as a tick
-// allows. The hand's part shows in the next tick's joints.
+// Moves a closing hand towards the fish it reaches for, and accelerates the fish into the hand, both within a
+// tick's limits. The hand's displacement takes effect in the next tick's joints.
 void helpClosing(Fish&, Hand&, const DiveContext&);
 
 // Returns whether the hand is closing, from its grip and the grip's speed.

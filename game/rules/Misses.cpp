@@ -8,11 +8,11 @@
 namespace shoal::game {
 
 Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
-    constexpr float kCone = 0.12f, kBeside_m = 0.12f; // room beside the line of sight: tangent, and metres
+    constexpr float kCone = 0.12f, kBeside_m = 0.12f; // cone around the line of sight: tangent, radius at eye
     constexpr float kFarthest_m = 3;
     const glm::vec3 sight = normalizedOr(hand.graspCentre - in.head(), {0, 0, -1});
     const Fish* meant = nullptr;
-    float nearest = 1, depth = 0; // depth: beyond the hand, metres
+    float nearest = 1, depth = 0; // depth: distance beyond the hand, metres
     glm::vec3 beside(0);
     for (const Fish& f : fish) {
         if (!f.free() || f.uncatchable_s > 0) continue;
@@ -41,7 +41,7 @@ Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in)
 }
 
 EventKind eventOf(Miss miss) {
-    constexpr auto kFirst = static_cast<int>(EventKind::Miss); // both lists have the reasons in one order
+    constexpr auto kFirst = static_cast<int>(EventKind::Miss); // both enumerations have the same order
     return static_cast<EventKind>(kFirst + std::max(0, static_cast<int>(miss) - 1));
 }
 

@@ -11,12 +11,12 @@ namespace {
 // Reach of hands that are tracked above a desk, a third of a metre ahead of its middle (see Mount in
 // input/hands/HandTracker.h), so that mouse and hands have the same fish within reach. The wheel goes beyond.
 constexpr float kNear_m = 0.3f, kFar_m = 1.3f;
-// The cone around the ray, beyond the fish's own outline: full help up to the first angle, none from the
-// second on. Tangents: 4 and 12 degrees.
+// Angles between the ray and the fish's outline, as tangents: full help up to the first (4 degrees), none
+// from the second on (12 degrees).
 constexpr float kFull = 0.07f, kNone = 0.21f;
-constexpr float kKeptTo = 0.06f;      // advantage of the present target, a tangent...
-constexpr float kNearerPer_m = 0.08f; // ...and of each metre nearer
-constexpr float kLead_s = 0.15f;      // delay of the hand behind the fish that it follows
+constexpr float kKeptTo = 0.06f;      // bonus of the present target, a tangent...
+constexpr float kNearerPer_m = 0.08f; // ...and bonus for each metre that a fish is nearer
+constexpr float kLead_s = 0.15f;      // look-ahead that makes up for the hand's delay behind the fish
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// Depth of hands that a pointer moves: finds the fish under the pointer and its distance.
+// Help with depth for a hand that a pointer moves: finds the fish under the pointer and its distance.
 #pragma once
 
 #include "game/rules/DiveFile.h"
@@ -8,13 +8,13 @@
 
 namespace shoal::game {
 
-// One for each pointer; no part of the simulation's state. The target stays until the pointer is clearly
-// nearer to another fish.
+// Each pointer has its own; it is no part of the simulation's state. The target stays until the pointer is
+// clearly nearer to another fish.
 class ReachHelp {
   public:
-    // Returns how far from the eye a hand on the ray should be, metres, a little ahead of a fish that comes
-    // or goes; empty: no catchable fish is around the ray. rayView: unit, viewer's frame; hand_m: the hand's
-    // distance now. Called once a frame.
+    // Returns the distance from the eye, metres, that a hand on the ray should have: that of the fish near
+    // it, predicted a short time ahead; empty if no catchable fish is near the ray. rayView: unit, viewer's
+    // frame; hand_m: the hand's distance now. Called once a frame.
     std::optional<float> update(const Snapshot&, const SpeciesTable&, glm::vec3 rayView, float hand_m);
 
   private:

@@ -15,7 +15,7 @@ float openRadius(glm::vec3 place, const SharkPlan& plan, const Species& kind, co
     if (!film.known()) return plan.radius_m;
     const glm::vec3 outward = placeOf(place).outward, along = glm::cross(kUp, outward) * kind.bodyHalf_m;
     float fits = kSharkEyeRoom_m, tooFar = plan.radius_m + 0.1f;
-    for (int halving = 0; halving < 6; ++halving) { // accurate to 6 cm
+    for (int halving = 0; halving < 6; ++halving) { // accurate to 6 cm for a radius of 4.2 m
         const float radius = 0.5f * (fits + tooFar);
         const glm::vec3 at = outward * radius + kUp * plan.height_m;
         (film.overshoot_m({at - along, at + along, kind.bodyRadius_m}) > 0 ? tooFar : fits) = radius;
@@ -236,7 +236,7 @@ namespace {
 
 constexpr float kNarrow_m = 1.5f;          // circle radius below which it passes the player too near
 constexpr float kSharkRockShy_m = 0.8f;    // gap to the film's surfaces below which it turns away
-constexpr float kHandShy_m = 0.8f;         // distance of its nose from hands in films with distances
+constexpr float kHandShy_m = 0.8f;         // distance from its mouth to a hand below which it turns away
 constexpr float kRoomy_m = 2.8f;           // the shark turns back if it has less room ahead...
 constexpr float kWider_m = 0.5f;           // ...and this much more room the other way
 constexpr float kSharkGiveRoom_mps = 3.0f; // greatest speed at which an approaching wall moves it
@@ -281,7 +281,7 @@ Course courseOf(const Shark& shark, const DiveContext& in) {
         return {in.state.hands[shark.watched].graspCentre - shark.position,
                 0.4f * kind.cruise_mps * std::clamp(2 * spare, 0.0f, 1.0f), 1.8f};
     }
-    if (shark.state == State::Strike) { // it turns, then dashes, and brakes so as to snap rather than ram
+    if (shark.state == State::Strike) { // it turns, dashes, and brakes before it bites: it does not ram
         const glm::vec3 prey = in.state.fish[shark.prey].position, way = prey - shark.position;
         const float distance = glm::length(prey - mouthOf(shark, in));
         const float aimed = std::max(0.0f, glm::dot(shark.forward, normalizedOr(way, shark.forward)));

@@ -8,14 +8,14 @@
 
 namespace shoal::game {
 
-constexpr float kJaws_m = 0.28f;         // distance of its mouth from a fish at which it takes it
+constexpr float kJaws_m = 0.28f;         // distance from mouth to fish at which the shark takes the fish
 constexpr float kSharkEyeRoom_m = 0.55f; // least distance of its axis from the player's eyes in a strike...
 constexpr float kSharkApart_m = 1.1f;    // ...and otherwise
 constexpr float kStrikeTime_s = 2.5f;    // longest strike
 constexpr float kFarOut_m = 0.6f;        // distance from its circle at which it has left and loses its prey
 constexpr float kBumpRest_s = 2;         // time between two bumps
 constexpr float kNotice_s = 1;           // time without bumps at the start of a visit
-constexpr float kTempted = 4;            // Shark::interest that brings it before a visit is due
+constexpr float kTempted = 4;            // Shark::interest above which it comes before a visit is due
 constexpr float kStrikeFrom_m = 3.0f;    // greatest distance of a strike's start
 
 // Time for which it points at a hand, slowly and in full view, before it may strike.
@@ -25,12 +25,12 @@ constexpr float kThreat_s = 4.5f;             // longest threat
 constexpr float kThreatRest_s = 2.5f;         // time between two threats
 constexpr float kThreatFrom_m = 2.6f;         // greatest distance from mouth to hand for a threat
 constexpr float kThreatRoom_m = 0.7f;         // least distance from mouth to hand in a threat
-constexpr float kSoon_s = 1.2f, kLater_s = 3; // look-aheads for walls that come
-constexpr float kVisitRoom_m = 2.2f;          // room below which the visit's clock stops
+constexpr float kSoon_s = 1.2f, kLater_s = 3; // look-ahead times for approaching walls
+constexpr float kVisitRoom_m = 2.2f;          // open radius below which the visit's clock stops
 constexpr float kWide_m = 2.6f;               // radius from which it begins the next approach
 
-// Returns the radius, at most the plan's, up to which its body fits along a circle at the bearing of the
-// place.
+// Returns the largest circle radius, at most the plan's, at which the shark's body fits into the film's room
+// at the bearing of the place.
 float openRadius(glm::vec3 place, const SharkPlan&, const Species&, const FilmMoment&);
 
 // Places the shark where the film leaves room for it, before it is first seen.

@@ -1,4 +1,4 @@
-// State as picture, sound and haptics see it after a tick. Immutable once made; plain data.
+// The state after a tick that picture, sound and haptics read. Immutable once made; plain data.
 #pragma once
 
 #include "engine/scene/HandPose.h"
@@ -18,11 +18,11 @@ namespace shoal::game {
 
 enum class Phase { Diving, Results };
 
-// The animation clips of a species' model, by the names below.
+// The animation clips of a species' model; kMotionNames are their names in the file.
 enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
 constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
 
-// A body's bend on top of its clip, whose tail wave is scaled to the amplitude.
+// The bend that is added to a body's clip, and the amplitude to which the clip's tail wave is scaled.
 struct BodyShape {
     float beats = 0;     // tail beats, left and right, since the dive began
     float amplitude = 0; // half the tail's sweep, in body lengths
@@ -32,7 +32,7 @@ struct BodyShape {
     float finsDown = 0; // how far the pectoral fins are lowered, radians
 };
 
-// Which animation clip plays, and which one it blends from.
+// The animation clip that plays, and the clip from which it blends.
 struct Gait {
     Motion motion = Motion::Swim, before = Motion::Swim;
     float blend = 1;   // 0: all `before`, 1: all `motion`
@@ -52,7 +52,7 @@ struct CreatureView {
     Gait gait;
     BodyShape shape; // the spine
     int heldBy = -1; // 0 left, 1 right, -1 free
-    // 1: a hand that closes now takes it; eased from 0 and back. catchableBy: that hand, -1 none.
+    // 1 if a hand that closes now takes it, else 0, eased in between. catchableBy: that hand, -1 none.
     float catchable = 0;
     int catchableBy = -1;
     bool hidden = false; // the film hides it from the player's head

@@ -17,7 +17,7 @@ glm::vec3 randomAround(Random& random) {
     }
 }
 
-// Makes a fish. Those of one school mostly circle the same way; companions start beside their leader.
+// Makes a fish. Most fish of a school circle the same way; companions start beside their leader.
 Fish spawnOne(const School& school, int schoolIndex, const Species& kind, float mainDirection,
               const Fish* leader, Random& random) {
     Fish fish;

@@ -1,5 +1,5 @@
-// Hash of simulation state: of all fields in the order of their declarations. A struct with a base ties the
-// base and its own fields in a member fields(); one that forgets a field does not compile.
+// Hash of simulation state over all fields in the order of their declarations. A struct with a base class
+// has a member fields() that ties the base and its own fields; if it omits a field, it does not compile.
 #pragma once
 
 #include "engine/core/Hash.h"
@@ -15,7 +15,7 @@
 
 namespace shoal::game {
 
-// Returns the number of elements of an aggregate: as many initialisers as it accepts.
+// fieldCount() returns the number of an aggregate's elements: the most initialisers that it accepts.
 struct AnyField {
     template <class T> operator T() const;
 };
@@ -35,7 +35,7 @@ template <class T>
 requires requires(const T& state) { state.fields(); }
 auto fieldsOf(const T& state) { return state.fields(); }
 
-// Ties the fields of an aggregate, for the numbers of fields that there are.
+// Ties the fields of an aggregate, for the numbers of fields that occur in the state.
 template <class T> auto fieldsOf(const T& state) {
 #define SHOAL_TIE(number, ...)                                                                               \
     if constexpr (fieldCount<T>() == number) {                                                               \

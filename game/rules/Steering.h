@@ -38,9 +38,9 @@ inline glm::vec3 leftOf(glm::vec3 forward) {
     return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
 }
 
-// Turns the unit heading towards the unit goal as a body with inertia does: without a jump of its angular
-// velocity (spin, rad/s, world frame, never along forward) and, at rates below the limit, without overshoot:
-// a spring and a damper that are critical for a rate of `eager` 1/s. Returns the spin that it strives for.
+// Turns the unit heading towards the unit goal as a body with inertia does, by a critically damped spring of
+// rate `eager`, 1/s: the angular velocity (spin, rad/s, world frame, never along forward) does not jump, and
+// at rates below the limit the heading does not overshoot. Returns the desired spin.
 inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goal, float eager,
                               float max_radps, float max_radps2, float dt) {
     const float along = glm::dot(forward, goal);
@@ -50,9 +50,9 @@ inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goa
         axis /= sine;
     else
         axis = along > 0 ? glm::vec3(0) : kUp;
-    float angle = sine; // the sine is near enough
+    float angle = sine; // approximated by its sine
     if (along < 0) {
-        // Turns sideways, not over the top; where the goal is straight behind, it keeps the turn under way.
+        // Turns about the vertical; if the goal is well behind, a turn already under way keeps its side.
         const glm::vec3 left = leftOf(forward);
         const float side = along < -0.5f && std::fabs(spin.y) > 0.05f ? spin.y : glm::dot(goal, left);
         axis = glm::cross(forward, side < 0 ? -left : left);
@@ -65,7 +65,7 @@ inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goa
     return request;
 }
 
-// Keeps a heading from pointing steeply up or down: |y| <= most, unit length.
+// Limits the pitch of a unit heading: |y| <= maximum, unit length.
 inline glm::vec3 levelled(glm::vec3 forward, float maximum) {
     if (std::fabs(forward.y) <= maximum) return forward;
     const glm::vec3 flat = normalizedOr({forward.x, 0, forward.z}, {0, 0, 1});

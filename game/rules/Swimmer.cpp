@@ -42,8 +42,8 @@ float eased(float value, float goal, float rate) {
 }
 
 float bendFor(const Swimmer& s, float rate_radps, float length_m, float maximum) {
-    // The curvature is the turning rate over the speed, for which at least this many lengths a second are
-    // taken: a hovering body would curl up.
+    // The path's curvature is the turning rate divided by the speed. The speed's lower bound, body lengths a
+    // second, keeps a hovering body from curling up.
     constexpr float kMinSpeed_lps = 1.5f;
     return std::clamp(rate_radps * length_m / std::max(s.speed, kMinSpeed_lps * length_m), -maximum, maximum);
 }

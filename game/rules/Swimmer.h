@@ -31,7 +31,7 @@ struct Swimmer {
 physics::Capsule capsuleOf(const Swimmer&, const Species&, float maxRadius_m = 1);
 
 // Puts a swimmer on a circle around the vertical axis through the player, swimming along it; outward is unit
-// and level; sense +1 circles to the left of looking outward, -1 to the right.
+// and level; sense: +1 to the left as seen by a player who looks outward, -1 to the right.
 void startCircling(Swimmer&, glm::vec3 position, glm::vec3 outward, float sense, float speed_mps);
 
 // Banks a swimmer into its turn: towards `gain` times the yaw rate, at most maxBank, at `rate` 1/s.
@@ -45,7 +45,7 @@ float eased(float value, float goal, float rate);
 float bendFor(const Swimmer&, float rate_radps, float length_m, float maximum);
 constexpr float kMaxBendLeft = 0.9f; // radians between head and tail, swimming
 
-// Muscles of small fish twitch faster (Wardle 1975, "Limit of fish swimming speed"); displays show no more.
+// Small fish can beat faster (Wardle 1975, "Limit of fish swimming speed"), but a display could not show it.
 constexpr float kFastestBeat_Hz = 12;
 constexpr float kFullBeat = 0.1f; // half the tail's sweep at speed, body lengths: Bainbridge 1958
 
@@ -57,7 +57,7 @@ inline float tailBeat_Hz(float speed_mps, float length_m, float stride) {
 }
 
 // Returns half the tail's sweep in body lengths; pace: speed divided by the cruising speed. It grows with
-// speed while that is low and hardly at all when it is high (Bainbridge 1958): a saturating curve.
+// speed and saturates at high speed (Bainbridge 1958).
 inline float tailAmplitude(float pace) { return kFullBeat * pace / (pace + 0.3f); }
 
 // Beats the tail for its speed and stride, but at least minBeat_Hz.

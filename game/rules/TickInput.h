@@ -1,4 +1,4 @@
-// All input of one tick: all that enters the simulation from outside.
+// All input of one tick. Nothing else enters the simulation from outside.
 #pragma once
 
 #include "engine/scene/HandPose.h"

@@ -1,5 +1,5 @@
-// Reading our small TOML files strictly: every key known, every value of its type and in its range, or an
-// error with its line.
+// Strict reader of the game's small TOML files: an unknown key, or a value of a wrong type or out of its
+// range, is an error that names the line.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -17,7 +17,7 @@
 
 namespace shoal::game {
 
-// Returns the node's number; empty: it is none, or out of the range.
+// Returns the node's number; empty if the node holds no number, or one out of the range.
 std::optional<float> numberIn(const toml::node& node, float low, float high);
 
 // One table of the file. Optional keys keep the default. The first mistake ends the reading: it is thrown as
@@ -38,9 +38,9 @@ class TomlTable {
     }
     void flag(std::string_view key, bool& value);
     void text(std::string_view key, std::string& value);
-    // Reads a list of as many texts as there are values, or fewer.
+    // Reads a list of texts, at most values.size() of them.
     void texts(std::string_view key, std::span<std::string> values);
-    // One of the names, as a value that counts them from 0.
+    // Reads one of the names; the value becomes its index in the list.
     template <class E> void choice(std::string_view key, std::span<const char* const> names, E& value) {
         if (const auto index = readChoice(key, names)) value = static_cast<E>(*index);
     }

@@ -75,7 +75,7 @@ struct Controls {
     bool mouseCloses = false;    // the left button
     bool turns = false;          // the right button
     glm::vec2 look{0}, reach{0}; // gamepad's sticks: -1 to 1, +x right, +y up
-    float trigger = 0;           // gamepad's trigger, 0 to 1: closes the hand by degrees
+    float trigger = 0;           // gamepad's trigger, 0 to 1: how far the hand closes
     bool mouseMoved = false;
 
     bool is(Action action) const { return down[static_cast<size_t>(action)]; }

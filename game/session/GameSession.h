@@ -25,7 +25,7 @@ struct SessionConfig {
     uint64_t seed = 1;
     HandSourceChoice handSource;
     HandOptions hands; // options of the tracking devices
-    bool live = true;  // real time, with an onlooker
+    bool live = true;  // runs in real time, with somebody watching
     std::optional<game::Script> script;
     std::optional<sim::RecordingReader> replay;
 };
@@ -46,14 +46,14 @@ struct GameSession {
 
     // Writes every tick to that file, from now on until endRecording().
     Status record(const Path& file);
-    // Ends the recording; the error is the first that kept it from being written whole.
+    // Ends the recording. Returns the first error that kept the file from being complete.
     Status endRecording();
 
     // Runs the ticks of this much time.
     void advance(double elapsed_s);
 
     HandSource source;
-    std::optional<TrackedHands> tracked; // hands tracked beside the mouse
+    std::optional<TrackedHands> tracked; // tracking device of a dive played by mouse
     game::Dive dive;
     sim::FixedStep clock;
     game::Snapshot before, after, shown;
@@ -66,7 +66,7 @@ struct GameSession {
     std::string summary; // of a script that has ended: its file's name, and the hash of all states
 
   private:
-    // Runs one tick. share: its time between the frame before (0) and this one (1); ago_s: before this frame.
+    // Runs one tick, ago_s before this frame. share: its time as a fraction, last frame 0 to this frame 1.
     void tick(float share, float ago_s);
     void addToRecording(const game::TickInput& input, uint64_t hash);
     std::map<std::string, std::string> inputSettings_; // for the recording's header

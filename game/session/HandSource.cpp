@@ -34,7 +34,7 @@ glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, b
     const float up = options.invertLook ? -1.0f : 1.0f;
     glm::vec2 turn = (keys + c.look * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
     if (options.turning == Turning::Snap) {
-        constexpr float kOn = 0.6f, kOff = 0.3f; // of the stick's range
+        constexpr float kOn = 0.6f, kOff = 0.3f; // shares of the stick's range
         const float step =
             static_cast<float>(c.was(Action::LookRight)) - static_cast<float>(c.was(Action::LookLeft));
         const bool pushed = std::abs(c.look.x) > kOn && !snapped;
@@ -116,7 +116,7 @@ void TrackedHands::announce() {
     if (state_.present) {
         announcement_ = game::Notice{"Hands: {}", name};
         log::info("Hands: {}, {}", name, state_.description);
-    } else if (asked_) { // why not the chosen one
+    } else if (asked_) { // says why the chosen device is not used
         announcement_ = needs();
         if (!announcement_) announcement_ = game::Notice{"{} is not there; the mouse has the hands", name};
         log::info("Hands: mouse; {}: {}", name, state_.description);

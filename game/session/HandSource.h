@@ -32,7 +32,7 @@ class MouseSource {
                float dt_s, float verticalFov, float aspect);
     // Hides the hands and turns the head by itself, while nobody plays. yaw: radians a second, to the right.
     void idle(float dt_s, float yaw_radps);
-    // Keeps hands and view while the player is in a menu; the press that ends the menu closes no hand.
+    // Keeps hands and view as they are while a menu is open; the press that ends the menu closes no hand.
     void release() { awaitsOpen_ = true; }
     void next(game::TickInput& out) const;
     void recentre() { look_ = {}; }
@@ -46,11 +46,11 @@ class MouseSource {
     std::array<hands::HandPose, 2> poses_{};
     LookAngles look_;
     float turning_radps_ = 0;
-    glm::vec2 pointer_{0}; // place the hand reaches for: -1 to 1 across the window, +x right, +y up
+    glm::vec2 pointer_{0}; // position that the hand reaches for: -1 to 1 across the window, +x right, +y up
     Handedness hand_ = Handedness::Right; // the player's chosen hand
     bool wasDown_ = false;
-    bool toggled_ = false;   // hand closed, if each press closes or opens it
-    bool awaitsOpen_ = true; // until the press that ended a menu is released
+    bool toggled_ = false;   // the hand is closed; used with Closing::Toggle
+    bool awaitsOpen_ = true; // true until the press that ended a menu is released
     bool snapped_ = false;   // the stick has turned the view by a step and has not come back yet
 };
 
@@ -65,7 +65,7 @@ struct ReplaySource {
 
     sim::RecordingReader recording;
     uint64_t hash = 0;       // recorded hash of the state after the last input
-    Status verdict = Done{}; // error: a state differed, or the file is damaged
+    Status verdict = Done{}; // an error if a state differed or the file is damaged
 };
 
 // The hand tracking device of a session, which has threads of its own. While it sees no hands, the mouse
@@ -95,12 +95,12 @@ class TrackedHands {
     bool look(ImageRgba8& out);
     bool hasCamera() const { return tracker_->preview() != nullptr; }
 
-    // Returns the distance from the camera to the palm of the only hand seen, if it is open, taken for one of
-    // the rig's size, metres.
+    // Returns the distance in metres from the camera to the palm if exactly one hand is seen and it is open,
+    // estimated as for a hand of the rig's size.
     std::optional<float> openHand_m() const;
     void setHandSize(float size) { tracker_->setHandSize(size); }
 
-    // Returns what the player has to do so that the device finds hands; empty: nothing.
+    // Returns the instruction that the player must follow before the device can find hands; empty: none.
     std::optional<game::Notice> needs() const;
     // Returns the message to show now: the device in use, or why it is not. Null: none.
     const game::Notice* notice() const;
@@ -113,7 +113,7 @@ class TrackedHands {
     hands::DeviceHands hands_;
     hands::DeviceState state_;
     hands::HandSourceSelector choice_;        // chooses between its hands and the mouse's
-    std::optional<bool> announced_;           // last announcement: the device is there, or not
+    std::optional<bool> announced_;           // whether the last announcement said that the device is there
     std::array<glm::vec3, 2> towardsElbow_{}; // viewer's frame, eased to and from 0
     std::optional<game::Notice> announcement_;
     double played_s_ = 0, announcedAt_s_ = 0;
@@ -126,7 +126,7 @@ Status checkHandSource(const HandSourceChoice& source);
 class OpenXrSource {
   public:
     void frame(const std::array<hands::HandPose, 2>& poses) { before_ = std::exchange(poses_, poses); }
-    // share: the tick's time between the frame before (0) and this one (1).
+    // share: fraction of the time from the last frame (0) to this one (1) at which the tick lies.
     void next(game::TickInput& out, float share) const;
 
   private:

@@ -1,5 +1,5 @@
-// Pauses and resumes a dive in a headset, whose player may have bare hands only: it pauses when the headset
-// is taken off or loses the head's orientation, and reads closed hands as answers. Has no clock of its own.
+// Pauses and resumes a dive in a headset, whose player may have bare hands only. The dive pauses when the
+// headset is taken off or loses the head's orientation; closed hands are the player's answers. Has no clock.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ class HeadsetPause {
     void readFists(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart);
 
     bool begun_ = false;    // the headset has been worn and tracked once
-    bool byItself_ = false; // the pause ends by itself
+    bool byItself_ = false; // the present pause ends without an answer
     bool waiting_ = false;  // paused or over in the frame before
     bool menuWas_ = false;
     float steady_s_ = 0;

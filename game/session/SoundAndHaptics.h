@@ -38,7 +38,7 @@ class SoundAndHaptics {
     game::SoundCues sounds_;
     game::HapticFeedback hapticFeedback_;
     const PlayOptions& options_;
-    float volume_;                           // the audio's
+    float volume_;                           // last volume set on the audio
     std::optional<media::SoundTrack> track_; // declared before the audio, which reads it
     std::optional<audio::Audio> audio_;
     std::optional<haptics::HapticOutput> haptics_;

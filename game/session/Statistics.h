@@ -33,7 +33,7 @@ struct Statistics {
     // is drawn; and LivePlayer::displayFrames().
     Series liveLatency_ms, liveDisplayFrames;
     media::LiveCounts live;
-    float sim_ms = 0; // of the last frame, as draws and triangles
+    float sim_ms = 0; // of the last frame, as are draws and triangles
     int draws = 0, triangles = 0;
     float minScale = 1; // least Quality::scale, see DynamicQuality.h
     int caught = 0, score = 0;

@@ -14,7 +14,7 @@ namespace shoal::app {
 
 enum class Tone { Auto, Aces, Linear };
 
-// How bodies occlude each other and themselves.
+// Method of ambient occlusion within a body and between bodies.
 enum class Occlusion {
     Off,
     Ellipsoids,
@@ -32,7 +32,7 @@ enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
 enum class Handedness { Right, Left };
 enum class Closing { Hold, Toggle }; // how a button closes the hand
 enum class Turning { Smooth, Snap };
-enum class Posture { Auto, Seated, Standing }; // Auto: as the headset finds the player
+enum class Posture { Auto, Seated, Standing }; // Auto: from the height of the eyes that the headset measures
 enum class CaptionSize { Small, Medium, Large };
 enum class LanguageChoice { Auto, English, German, French }; // Auto: the system's
 enum class Start { Auto, Title, Dive };

@@ -33,7 +33,7 @@ Result<Json> readObject(const Path& file) {
     return json;
 }
 
-// Returns the entry's score; empty if it is none that a dive can have.
+// Returns the entry's score; empty if no dive can have that score.
 std::optional<int> scoreIn(const Json& entry) {
     constexpr int kMaxScore = 1'000'000;
     return entry.is_number() ? parseNumber(entry.dump(), -kMaxScore, kMaxScore) : std::nullopt;
@@ -64,7 +64,7 @@ struct ReadEntry {
     bool operator()(const TextSetting& text) const {
         return entry.is_string() && text.set(entry.get<std::string>());
     }
-    bool operator()(std::vector<std::string>*) const { return false; } // these are not kept
+    bool operator()(std::vector<std::string>*) const { return false; } // no list is a kept setting
 };
 
 constexpr std::array kEndings = {".mp4",  ".mkv", ".webm", ".mov", ".jpg",

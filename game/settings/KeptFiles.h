@@ -37,9 +37,9 @@ Status addScore(const std::string& dive, int score);
 std::vector<std::string> readGuide();
 Status saveGuide(const std::vector<std::string>& species);
 
-// Returns the player's own films and photos for the list on the screen: the files in the folders for videos,
-// pictures and downloads, not in subfolders, whose names end as those of files that can be opened, the newest
-// kMaxFilms first.
+// Returns the player's own films and photos for the list on the screen, at most kMaxFilms, the newest first:
+// the files in the folders for videos, pictures and downloads, without subfolders, whose extensions are those
+// of files that can be opened.
 constexpr size_t kMaxFilms = 60;
 std::vector<Path> filmsAndPhotos();
 

@@ -21,7 +21,7 @@ bool setVector(Vector& value, std::string_view text, char between, T low, T high
     return true;
 }
 
-// Numbers in ranges up to this are shares or factors, shown as percent.
+// Numbers with at most this upper limit are shares or factors, which are shown as percent.
 constexpr double kPercentRange = 3;
 
 double stepOf(const Setting::Range& range) { return range.high - range.low <= kPercentRange ? 0.05 : 5; }
@@ -32,7 +32,7 @@ double rounded(double value, const Setting::Range& range) {
     return std::clamp(std::round(value / step) * step, range.low, range.high);
 }
 
-// Returns the value as text, and all values that the menus offer; none of a number.
+// Returns the value as text, and all values that the menus offer, which is none for a number.
 std::pair<std::string, std::vector<std::string>> choicesOf(const Setting& setting) {
     if (const auto* flag = std::get_if<bool*>(&setting.value)) return {**flag ? "on" : "off", {"off", "on"}};
     if (const auto* text = std::get_if<TextSetting>(&setting.value))

@@ -32,7 +32,7 @@ struct TextSetting {
     std::function<bool(const std::string& text)> set; // false, and no change, if the text is malformed
     std::string wants;                                // says what is accepted: "wants ..."
     std::function<std::string()> get;                 // returns the value, for a kept setting
-    std::vector<std::string> names{};                 // all names, if it is one of a few
+    std::vector<std::string> names{};                 // all names, if the text must be one of them
 };
 
 // Makes the setting of an enumeration. values: those allowed, empty: all.
@@ -73,7 +73,7 @@ struct Setting {
     // On a menu page; numbers are sliders there, so they need a range.
     SettingsPage page = SettingsPage::None;
     std::optional<game::Text> label{};
-    std::vector<std::string> suggestions{}; // values offered there for any other text
+    std::vector<std::string> suggestions{}; // values that the page offers for a free text
 
     Setting& between(double low, double high) { return range = {low, high}, *this; }
     Setting& takes(std::string what) { return placeholder = std::move(what), *this; }

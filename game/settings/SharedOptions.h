@@ -11,7 +11,7 @@
 
 namespace shoal::app {
 
-struct EnvironmentOptions : environment::Source { // none is given: the dive's own video
+struct EnvironmentOptions : environment::Source { // if none is given, the dive's own video
     float envYaw_deg = 0; // column u of the environment appears (u - 0.5) * 360 + this to the right of -Z
 
     bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); }
@@ -56,7 +56,7 @@ struct LookOptions {
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
 
-    // oneBody: the command shows a single model at rest, which has more ways of occlusion.
+    // oneBody: the command shows a single model at rest, for which there are more methods of occlusion.
     void addTo(SettingsTable& table, bool oneBody) {
         std::vector<Occlusion> occlusions = {Occlusion::Ellipsoids, Occlusion::Off};
         std::string occlusionHelp = "ellipsoids (also called on): bodies take light from each other, and "

@@ -57,7 +57,7 @@ struct ViewOptions {
 struct LightOptions {
     std::string file, out;
     LightFormat format = LightFormat::Pfm;
-    light::DiffuseMethod method = light::DiffuseMethod::Default; // Thesis: its glossy maps too
+    light::DiffuseMethod method = light::DiffuseMethod::Default; // Thesis: the thesis' glossy maps too
     light::FrameRadiance frames = light::FrameRadiance::Auto;
     float at_s = 0;
 

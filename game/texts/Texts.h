@@ -400,7 +400,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"The kelp forest", "Der Kelpwald", "La forêt de kelp"},
 });
 
-// Returns the row of a text; kTexts.size(): it has none.
+// Returns the index of a text's row; kTexts.size() if it has none.
 constexpr size_t findText(std::string_view english) {
     size_t row = 0;
     while (row < kTexts.size() && english != kTexts[row].english) ++row;
@@ -413,7 +413,7 @@ constexpr const char* textIn(const TextRow& row, Language language) {
                                           : row.english;
 }
 
-// A text with a row, by its English words.
+// A text that has a row in kTexts, made from its English words.
 class Text {
   public:
     consteval Text(const char* english) : row_(findText(english)) { (void)kTexts.at(row_); }
@@ -424,7 +424,7 @@ class Text {
     size_t row_;
 };
 
-// One sentence to the player: a text, and the value put into it. There is no other way to write one.
+// One message to the player: a text, and the value that replaces its "{}". All messages are of this type.
 struct Notice {
     Text text;
     std::string value{}; // a name, a number or a file, in place of "{}"
@@ -443,7 +443,7 @@ inline std::string_view translated(std::string_view english, Language language) 
     return row < kTexts.size() ? textIn(kTexts[row], language) : english;
 }
 
-// Returns the language of a locale such as "de_AT.UTF-8" in LC_ALL; English for all but the game's.
+// Returns the language of a locale such as "de_AT.UTF-8" in LC_ALL; English if the game does not have it.
 constexpr Language languageOf(std::string_view locale) {
     if (locale.starts_with("de")) return Language::German;
     if (locale.starts_with("fr")) return Language::French;

@@ -12,7 +12,7 @@ Status play(const PlayOptions& options);
 Status view(const ViewOptions& options);
 Status light(const LightOptions& options);
 Status panorama(const PanoramaOptions& options);
-// Prints a line for each file: "usable: FILE: what it is" to standard output, or "not usable: FILE: why" to
+// Prints a line for each file: "usable: FILE: KIND" to standard output, or "not usable: FILE: REASON" to
 // standard error. Returns the exit status, 1 if a file is not usable.
 int check(const CheckOptions& options);
 int devices(const DevicesOptions& options);

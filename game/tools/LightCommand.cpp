@@ -65,8 +65,8 @@ template <class F> void fill(ImageRgbF& map, F&& radianceIn) {
         }
 }
 
-// Replaces the maps for which the thesis has methods of its own. Levels narrower than a texel of the pyramid
-// stay the pyramid's.
+// Replaces the diffuse map and the filtered glossy levels by the thesis' methods. Levels whose lobes are
+// narrower than a texel of the pyramid stay as they are.
 void makeAsTheThesis(light::EnvironmentLight& made) {
     light::BruteForceDiffuse().make(made.radiance, made.diffuse);
     for (light::GlossyLevel& level : made.glossy)

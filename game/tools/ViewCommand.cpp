@@ -27,7 +27,7 @@ namespace shoal::app {
 
 namespace {
 
-constexpr int kSupersampling = 2; // each way, on top of multisampling, for pictures written to a file
+constexpr int kSupersampling = 2; // in width and in height, besides multisampling, for written pictures
 
 struct Clip {
     int animation = -1;
@@ -102,7 +102,7 @@ class Viewer {
     scene::Pose pose_;
     Clip clip_;
     render::ModelGpu gpu_;
-    render::BodyOccluders body_; // no parts: alone in the world
+    render::BodyOccluders body_; // without parts: no other body is near
     std::unique_ptr<Environment> environment_;
     std::unique_ptr<render::BackgroundPass> background_;
     std::optional<render::ObjectPass> objects_;
@@ -153,7 +153,7 @@ void Viewer::aim() {
     orbit_.theta = glm::radians(orbit.x);
     orbit_.phi = glm::radians(orbit.y);
     const float fits = orbit_.modelRadius / std::sin(glm::radians(options_.fov_deg) / 2) * 1.05f;
-    // Radius 0 puts the camera onto the target, as near as a direction can still be told.
+    // A radius of 0 becomes the smallest for which the camera's direction can still be computed.
     orbit_.radius = options_.orbit ? std::max(orbit.z, 1e-5f) : fits;
 }
 
@@ -274,7 +274,7 @@ Status Viewer::writePicture() {
     return media::writePng(options_.out, reduced(target.read()));
 }
 
-// Rebuilds the layers for a still pose. They take up to a second, so a moving body is shown without.
+// Rebuilds the layers for a still pose. This takes up to a second, so a moving body is shown without layers.
 Status Viewer::followPose(bool moving) {
     if (!wantsLayers() || (!moving && layers_)) return Done{};
     const std::string title = "Shoal: " + options_.model;
@@ -297,7 +297,7 @@ Status Viewer::showWindow() {
     if (clip_.animation < 0 && !model_.animations.empty()) clip_.animation = 0;
     for (;;) {
         const platform::WindowInput& input = window_->poll();
-        // Presses and not held keys count: a key may be pressed and released between two frames.
+        // Reads presses, not held keys: a key may be pressed and released between two frames.
         if (input.closing || std::ranges::count(input.keysPressed, GLFW_KEY_ESCAPE)) return Done{};
         for (const int key : input.keysPressed) {
             if (key == GLFW_KEY_SPACE) moving = !moving;

@@ -60,7 +60,7 @@ void drawHold(const Pen& pen, const HudInfo& info) {
     }
 }
 
-// Darkens the edges, the more the faster the view turns.
+// Darkens the edges in proportion to the view's turning speed, up to a limit.
 void drawVignette(const Pen& pen, float turning_radps) {
     constexpr float kFull_radps = 1.2f, kWidth = 0.3f; // share of the picture's size
     const float strength = std::min(turning_radps / kFull_radps, 1.0f);
@@ -196,11 +196,11 @@ Pen Hud::beginFrame(Audience audience, bool hasText, const TextOptions& text, gl
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(size.x), static_cast<float>(size.y));
     io.DeltaTime = 1.0f / 60; // ImGui animates nothing here
-    // Lines of text that fill the picture; a headset shows fewer pixels.
+    // Number of text lines that fill the picture's height; fewer in a headset, which shows fewer pixels.
     const float lines = audience == Audience::HeadsetPlayer ? 22 : 30;
     const float height = static_cast<float>(std::min(size.y, size.x * 9 / 16)) / lines * text.scale;
     float line = std::round(std::clamp(height, 11.0f, 90.0f));
-    // The onlookers' window uses the panel's fonts: two sizes would be rasterised in turns.
+    // The onlookers' window uses the panel's fonts; other sizes would be rasterised again in every frame.
     if (audience == Audience::Onlooker && fonts_.ready())
         line = fonts_.pixels(TextSize::Body);
     else if (hasText || !fonts_.ready())

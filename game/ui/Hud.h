@@ -28,11 +28,11 @@ namespace shoal::app {
 struct TextOptions {
     game::Language language = game::Language::English;
     float scale = 1;        // factor on all text
-    float captionScale = 1; // factor on captions besides
+    float captionScale = 1; // further factor on captions
     bool highContrast = false;
 };
 
-// Part to draw. In a headset the text is on a panel, and marks are at their things in the world.
+// Part to draw. In a headset the text is on a panel, and marks are at their places in the world.
 enum class HudPart { All, Panel, Marks };
 
 struct HudInfo {

@@ -34,7 +34,7 @@ void Menu::show(MenuPage page, size_t focus) {
     areas_.clear();
     focus_ = focus;
     if (focus_ >= page_.items.size() || !page_.items[focus_].enabled) {
-        focus_ = page_.items.size() - 1; // the next step leads to the first
+        focus_ = page_.items.size() - 1; // one step further is the first item
         moveFocus(1);
     }
 }
@@ -54,7 +54,7 @@ void Menu::moveFocus(int steps) {
         }
 }
 
-// Moves the focus too, as its item is kept in sight.
+// Scrolls the list, and moves the focus to an item that is still in sight.
 void Menu::scrollBy(float pixels) {
     scroll_ = std::clamp(scroll_ + pixels, 0.0f, maxScroll());
     for (size_t tries = 0; tries < areas_.size() && !areaOf(focus_); ++tries) moveFocus(pixels > 0 ? 1 : -1);
@@ -222,7 +222,7 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
         pen.text(track.low.x, y, 0, TextSize::Body, colour::kGold, "\u2039");
         pen.text(track.high.x, y, 1, TextSize::Body, colour::kGold, "\u203a");
     }
-    // The value is centred in its place; a longer one grows to the left.
+    // The value is centred in its field; one that is too long extends to the left.
     const float half = pen.extent(item.value, TextSize::Body).x / 2;
     pen.text(std::min((track.low.x + track.high.x) / 2, area->high.x - 0.5f * line_ - half), y, 0.5f,
              TextSize::Body, ink, item.value);

@@ -38,7 +38,7 @@ struct MenuPage {
 
 // Input since the last frame.
 struct MenuInput {
-    int down = 0, right = 0; // steps of the focus, and of its item's value
+    int down = 0, right = 0; // steps of the focus downwards, and of its item's value
     bool accept = false, back = false;
     std::optional<glm::vec2> pointer;   // pixels of the menu's picture; empty: it has not moved
     bool pressed = false, held = false; // the pointer's button
@@ -91,7 +91,7 @@ class Menu {
     float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
     float textHeight_ = 0, textScroll_ = 0; // height of the whole text; how far it is moved up in text_
     float pictureHeight_ = 0;
-    std::string picture_; // the page's, or that of the last focused item with one
+    std::string picture_; // the page's picture, or that of the last focused item that has one
     TextSize titleSize() const { return page_.wordmark ? TextSize::Display : TextSize::Heading; }
     glm::vec2 pointer_{-1};
 };

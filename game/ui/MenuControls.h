@@ -1,4 +1,4 @@
-// Makes menu input of mouse, keys, gamepad or a fingertip. Main thread.
+// Converts input of mouse, keys, gamepad or a fingertip to menu input. Main thread.
 #pragma once
 
 #include "engine/platform/Window.h"
@@ -43,7 +43,7 @@ class FingerPoke {
   private:
     bool pointing_ = false, pressed_ = false, held_ = false, pulled_ = false;
     float mean_m_ = 0;
-    glm::vec2 at_{0}, steady_{0}; // steady: place before it moved forward
+    glm::vec2 at_{0}, steady_{0}; // steady_: last position before it moved forward
 };
 
 class MenuControls {
@@ -60,7 +60,7 @@ class MenuControls {
 
   private:
     glm::ivec2 held_{0}; // direction held by keys or stick: +x right, +y down
-    float repeat_s_ = 0; // seconds until it counts again
+    float repeat_s_ = 0; // seconds until the held direction counts as another step
     std::array<FingerPoke, 2> pokes_;
     float fingersRest_s_ = 0; // seconds left
     std::optional<glm::vec2> finger_;

@@ -14,7 +14,7 @@ struct ImDrawList;
 
 namespace shoal::app {
 
-// Reader of what is drawn.
+// Person who reads the text.
 enum class Audience {
     WindowPlayer,  // uses mouse and keys
     GamepadPlayer, // the same, but used the gamepad last
@@ -22,8 +22,8 @@ enum class Audience {
     Onlooker       // watches the window of a headset's player, and may use its keys
 };
 
-// Display colours, 0xAABBGGRR. Gold and orange are of Okabe and Ito's palette, which the colour-blind tell
-// apart. White and grey text on a panel over a white sky has a contrast of at least 4.5 to 1 (MenuTest).
+// Display colours, 0xAABBGGRR. Gold and orange are from the palette of Okabe and Ito, safe for colour-blind
+// people. White and grey text on a panel over a white sky has a contrast of at least 4.5 to 1 (MenuTest).
 namespace colour {
 inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFC8C4BC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
                           kPanel = 0xD82A1A06, kSolid = 0xFF000000, kFocus = 0xFF6B4A1C, kTrack = 0xFF4F3A22;

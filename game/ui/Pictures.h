@@ -13,8 +13,8 @@
 
 namespace shoal::app {
 
-// Reads a PNG, with its alpha not premultiplied, or a JPEG of the program's own. By stb_image: readPicture()
-// would load OpenCV's codecs (engine/media/Codecs.h), and drops alpha.
+// Reads one of the program's own PNG (alpha not premultiplied) or JPEG files by stb_image. readPicture()
+// would load OpenCV's codecs (engine/media/Codecs.h), and it drops alpha.
 Result<ImageRgba8> readSmallPicture(const Path& file);
 
 class Pictures {

@@ -9,9 +9,9 @@
 namespace shoal::app {
 
 namespace {
-constexpr size_t kEachTime = 4; // animals looked up each time: 35 take nine pictures
+constexpr size_t kEachTime = 4; // animals looked up for each picture, so 35 animals take nine pictures
 constexpr float kFollow_s = 0.25f;
-constexpr float kJump_m = 0.5f; // movement between two pictures that means another animal or dive
+constexpr float kJump_m = 0.5f; // movement between two pictures from which it counts as another animal
 } // namespace
 
 void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDifference* light,

@@ -1,5 +1,5 @@
-// Light that rock near the animals adds to the light at the camera's place, followed for each animal over
-// time. Only on the rendering thread.
+// Difference between the light at each animal and the light at the camera, caused by rock near the animal,
+// smoothed over time. Only on the rendering thread.
 #pragma once
 
 #include "engine/depth/LightDifference.h"
@@ -13,9 +13,9 @@ namespace shoal::app {
 
 class AnimalLight {
   public:
-    // Updates the light of all animals, once for each picture. Each call looks up a few animals in turn, and
-    // all follow their last look-up with a time constant of 0.25 s. light: null for a film without distances.
-    // Allocates nothing once it has grown.
+    // Updates the light of all animals, once for each picture. Each call looks up the light of a few animals
+    // in turn; the light of all eases towards their last look-up with a time constant of 0.25 s. light: null
+    // for a film without distances. Allocates nothing once it has grown.
     void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
                 const glm::mat3& envFromWorld);
 

@@ -14,7 +14,7 @@ namespace {
 // Position of the right shoulder from the eyes, yawed frame (+x right, +y up, +z behind), metres: for a
 // person of 1.75 m.
 constexpr glm::vec3 kShoulder{0.21f, -0.29f, 0.06f};
-// The shoulder's least distances behind the plane through the eyes, and from the line of sight.
+// Least distances of the shoulder: behind the plane through the eyes, and from the line of sight.
 constexpr float kBehindEyes_m = 0.03f, kAside_m = 0.33f;
 // Direction in which a loosely hanging right elbow points, same frame: down, outwards and back.
 constexpr glm::vec3 kElbowHint{0.60f, -0.72f, 0.35f};
@@ -32,16 +32,16 @@ glm::quat yawOf(const glm::quat& worldFromView) {
     return glm::angleAxis(std::atan2(-level.x, -level.z), glm::vec3(0, 1, 0));
 }
 
-// Returns the direction of v's part at right angles to the axis, which may be 0; of otherwise's part if v has
-// none.
+// Returns the normalised component of v perpendicular to the axis, which may be 0; that of `otherwise` if v
+// is parallel to the axis.
 glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& otherwise) {
     glm::vec3 part = v - axis * glm::dot(v, axis);
     if (glm::dot(part, part) < 1e-6f) part = otherwise - axis * glm::dot(otherwise, axis);
     return glm::normalize(part);
 }
 
-// Returns the direction of the elbow off the unit vector `back`, unit. A given direction counts unless it
-// lies close to that line, where it is noise.
+// Returns the unit direction, perpendicular to the unit vector `back`, in which the elbow bends. `given` has
+// no weight where it is close to that line, as its direction around the line is noise there.
 glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::vec3& back,
                      const glm::vec3& aside) {
     constexpr float kNone = 0.05f, kFull = 0.2f; // sines: 3 and 12 degrees
@@ -51,8 +51,8 @@ glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::v
     return trust > 0 ? across(glm::mix(loose, across(given, back, loose), trust), back, loose) : loose;
 }
 
-// Returns the rotation that takes +Z to `axis` and kElbowAtRest of this side to `point`, at right angles to
-// it.
+// Returns the rotation that takes +Z to `axis` and kElbowAtRest of this side to `point`, which is
+// perpendicular to `axis`.
 glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& point) {
     const glm::vec3 rest = ofSide(side, kElbowAtRest);
     const glm::mat3 from(rest, glm::cross(glm::vec3(0, 0, 1), rest), glm::vec3(0, 0, 1));
@@ -84,7 +84,7 @@ ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& he
     const glm::quat yaw = yawOf(head.worldFromView);
     const glm::vec3 hint = yaw * ofSide(side, kElbowHint), aside = yaw * ofSide(side, {1, 0, 0});
     const glm::vec3 apart = shoulder - wrist;
-    // For a wrist nearer to the shoulder than the bones differ, the elbow goes where it would just reach.
+    // The triangle needs a distance of at least the difference of both bones' lengths.
     const float distance = std::max(glm::length(apart), kUpperArm_m - kForearm_m + 1e-3f);
     const glm::vec3 back = across(apart, glm::vec3(0), yaw * glm::vec3(0, 0, 1));
     const glm::vec3 point = elbowPoint(hint, towardsElbow, back, aside);
@@ -96,7 +96,7 @@ ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& he
     const glm::vec3 elbow = wrist + along * back + std::sqrt(fore * fore - along * along) * point;
 
     const glm::vec3 foreAxis = (elbow - wrist) / fore, upperAxis = (wrist + distance * back - elbow) / upper;
-    const glm::vec3 hinge = glm::cross(back, point); // the elbow's axis, at right angles to both bones
+    const glm::vec3 hinge = glm::cross(back, point); // the elbow's axis, perpendicular to both bones
     const glm::quat forearm = frameOf(side, foreAxis, glm::cross(hinge, foreAxis));
     const glm::quat upperArm = frameOf(side, upperAxis, glm::cross(hinge, upperAxis));
     // The hand's rotation without the bend of the wrist; the middle of the forearm takes half of its twist.

@@ -32,9 +32,9 @@ struct Head {
 glm::vec3 shoulderWorld(hands::Side side, const Head& head);
 
 // Poses the arm; the wrist stays where it is. If it is farther from the shoulder than the arm is long, both
-// bones are stretched alike. towardsElbow: direction from the wrist, world frame, if a tracker gives it: of
-// length 1, shorter the less it is trusted, 0: the elbow hangs loosely. It decides only to which side of the
-// line from wrist to shoulder the elbow bends.
+// bones are scaled by one factor. towardsElbow: direction from the wrist, world frame, if a tracker gives it;
+// its length is its weight, from 1 down to 0, where the elbow hangs loosely. It decides only to which side of
+// the line from wrist to shoulder the elbow bends.
 ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& head,
                 const glm::vec3& towardsElbow = glm::vec3(0));
 

@@ -19,7 +19,7 @@ constexpr std::array kArmModels = {"models/arm_left.glb", "models/arm_right.glb"
 constexpr float kArmMargin = 1.3f; // factor on an arm's bounding spheres: a bend moves its flesh
 constexpr float kMinSwing =
     0.01f; // swing of the tail in a clip, body lengths: below, there is no wave to scale
-constexpr float kMaxScale = 2.5f; // of the wave: more would fold the body
+constexpr float kMaxScale = 2.5f; // largest scale of that wave: more would fold the body
 
 // Returns the clip's time at this phase: clips loop.
 float clipTime(const scene::Animation& clip, float phase_s) {
@@ -34,7 +34,7 @@ void placeJoints(std::span<const hands::Joint> joints, std::span<const int> node
             glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
 }
 
-// Returns one ellipsoid that fills the bounds, for a model that none could be made for.
+// Returns one ellipsoid that fills the bounds, for a model whose ellipsoids could not be made.
 std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const scene::Bounds& bounds) {
     if (model.order.empty()) return {};
     return {{{0.5f * (bounds.low + bounds.high), glm::mat3(1),
@@ -83,7 +83,7 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
 }
 
 void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail) {
-    // Lean detail draws materials at their means.
+    // Lean detail draws each material with the mean of its textures.
     const scene::Gloss gloss = scene::minGloss(instance.model);
     minRoughness_ =
         std::min(minRoughness_, detail == render::Detail::Lean ? gloss.meanRoughness : gloss.minRoughness);
@@ -132,8 +132,8 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
     return models;
 }
 
-// Poses a creature. The animation moves fins and jaws in its own time. The spine's wave is the animation's
-// too, but at the tail beat's time and with the snapshot's amplitude; then the bend is added.
+// Poses a creature. The clip moves fins and jaws at its own time. The spine follows the clip at the time of
+// the tail's beat, with its wave scaled to the snapshot's amplitude; then the bend is added.
 void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& instance) {
     const game::BodyShape& shape = creature.shape;
     scene::restPose(instance.model, instance.pose);
@@ -179,7 +179,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                                                         glm::mat4_cast(creature.worldFromBody),
                                                     glm::vec3(creature.length / instance.length_m));
         scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
-        // No fin reaches farther from the middle than this, however the body bends.
+        // The bounding sphere, of 0.7 body lengths, holds all fins however the body bends.
         pass.add({.model = instance.model,
                   .gpu = instance.gpu,
                   .pose = instance.pose,

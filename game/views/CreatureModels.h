@@ -41,7 +41,7 @@ class CreatureModels {
     struct ModelInstance {
         scene::Model model;
         render::ModelGpu gpu;
-        scene::Pose pose, wave; // pose of the whole body; pose of its spine, at the tail beat's time
+        scene::Pose pose, wave; // whole body at the clip's time; spine at the tail beat's time
         scene::Spine spine;
         std::array<scene::TailBeat, game::kMotionNames.size()> beats{}; // tail beat of each clip, by Motion
         std::array<int, 2> pectorals{-1, -1};                           // nodes: left, right fin
@@ -57,7 +57,7 @@ class CreatureModels {
         ModelInstance* into;
         std::string variant;                      // material variant; empty: the default
         std::span<const std::string_view> joints; // joints it must have, posed in the world: hands and arms
-        bool onItself = false;                    // its parts shade each other
+        bool onItself = false;                    // its parts occlude each other
         glm::vec3 colour{1};                      // multiplies the materials' colours
     };
     // Reads a model on any thread, without what upload() makes.

@@ -10,7 +10,7 @@ namespace {
 constexpr double kStep = 0.94;   // factor on the width for each step: an eighth of the pixels
 constexpr int kScaleSteps = 11;  // 0.94^11 = 0.506
 constexpr double kFull = 0.95;   // share of the budget above which quality takes a step down
-constexpr double kRoom = 0.78;   // share below which a step up, which costs at most an eighth, would fit
+constexpr double kRoom = 0.78;   // share below which a step up fits, which costs at most an eighth more
 constexpr int kMaxPatience = 64; // windows: a quarter of a minute at 60 frames a second
 
 } // namespace

@@ -1,5 +1,5 @@
 // Dynamic quality control: keeps frames within the display's period by drawing fewer pixels, then by making
-// light less often, in steps too small to be seen; reversed when there is time again.
+// light less often, in steps too small to be seen. It takes the steps back when there is time again.
 #pragma once
 
 namespace shoal::app {
@@ -31,7 +31,7 @@ class DynamicQuality {
     int frames_ = 0, late_ = 0;
     double sum_ms_ = 0;
     int patience_ = 8, calm_ = 0; // windows with spare time needed before a step up, and counted so far
-    bool roseLast_ = false;       // the last step was up: if it fails at once, patience_ grows
+    bool roseLast_ = false;       // the last step raised quality: if it fails at once, patience_ grows
 };
 
 } // namespace shoal::app

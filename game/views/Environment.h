@@ -1,5 +1,5 @@
-// Environment of a dive on the graphics side: the frame around the player and the light made from it, as
-// OpenGL textures. Used on the thread of the OpenGL context.
+// Environment of a dive as OpenGL textures: the picture around the player, and the light made from it.
+// Used on the thread of the OpenGL context.
 #pragma once
 
 #include "engine/environment/Player.h"
@@ -24,7 +24,7 @@ struct EnvironmentSetup {
     bool operator==(const EnvironmentSetup&) const = default;
 };
 
-// Returns how reflectance is represented for the light of this environment; before it is opened.
+// Returns how reflectance is represented for this environment's light; needed before the environment is open.
 render::Reflectance reflectanceIn(const environment::Source& source);
 
 // Returns the file of a dive's film to play: the film itself, or NAME.small.mp4 beside NAME.mp4 if there is
@@ -44,7 +44,7 @@ class Environment {
     const EnvironmentSetup& setup() const { return setup_; }
     void setLightEvery(int frames) { player_->setLightEvery(frames); }
 
-    // Distances to what the frame shows; null: unknown. For a stereo film, those of the left picture.
+    // Distances to the surfaces in the frame; null: unknown. In a stereo film, those of the left picture.
     const depth::DepthMap* depth() const { return gpu_[0].depth(); }
     // eye: 0 left, 1 right.
     const render::EnvironmentGpu& gpu(int eye) const {

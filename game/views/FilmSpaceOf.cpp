@@ -18,7 +18,7 @@ using game::FilmSpace;
 constexpr double kSteps_Hz = 4;
 constexpr int kBelieved = media::kMaxDepthCode / 2; // confidence below which a distance is ignored
 
-// Returns the cell of each texel of the track. Without the C library's trigonometry: the rules hash the grid.
+// Returns the cell of each texel of the track. Uses no C library trigonometry, because the grid is hashed.
 std::vector<int> cellsOf(int width, int height, float yaw) {
     constexpr float kPi = std::numbers::pi_v<float>;
     std::vector<glm::vec2> ahead; // direction of each column: towards +X and -Z

@@ -8,9 +8,9 @@
 
 namespace shoal::app {
 
-// Returns the grid; null without a track, or with one that cannot be read (a warning says why). yaw: of the
-// environment about the player, radians to the right. Opens the track for itself, as the film's player reads
-// it on another thread at another time. Decodes a few hundred frames, in half a second.
+// Returns the grid; null without a track, or with one that cannot be read (a warning says why). yaw: turn of
+// the environment about the player, radians to the right. Opens the track a second time, because the film's
+// player reads other frames of it on another thread. Decodes a few hundred frames, in half a second.
 std::shared_ptr<const game::FilmSpace> filmSpaceOf(const Path& film, float yaw);
 
 } // namespace shoal::app

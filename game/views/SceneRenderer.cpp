@@ -60,7 +60,7 @@ bool SceneRenderer::castsShadows() const {
 
 // Returns the light that casts shadows; none if no light stands out.
 std::optional<render::CastingLight> SceneRenderer::castingLight() const {
-    constexpr float kWidest = 0.75f; // radians; a wider cap is no disc
+    constexpr float kWidest = 0.75f; // radians; limit of the light's angular radius
     const light::ShadowLight& found = environment_->player().shadowLight();
     render::CastingLight light;
     light.towards = glm::transpose(environment_->envFromWorld()) * found.light.direction;
@@ -86,7 +86,7 @@ void SceneRenderer::castShadows() {
     for (size_t eye = 0; eye < pictures_.size(); ++eye)
         pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
     const uint64_t frame = pictures_[0].environment.frameNumber();
-    // Shadows belong to the film's picture: while the view rests they are made only for a new frame.
+    // Shadows are made again only for a new frame of the film or another view.
     if (shadowsOn_.map == map && shadowsOn_.frame == frame && shadowsOn_.from == filmed_) return;
     shadowsOn_.map = map, shadowsOn_.frame = frame, shadowsOn_.from = filmed_;
     const render::NearBodies& bodies = passes_.objects.bodies();
@@ -112,8 +112,8 @@ void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
             passes_.floorShadows->add(bodies.ellipsoids(body), *light, *floor_m, look_.exposure.frames);
 }
 
-// Returns the eye's place in a film, which is drawn as filmed from the world's origin, or without distances
-// as endlessly far. An eye beyond the reach of depth takes the film along.
+// Returns the eye's position relative to the film's camera, env frame; 0 without distances or with a picture
+// for each eye. It is limited to 0.3 m: an eye farther away moves the film along.
 glm::vec3 SceneRenderer::eyeInFilm(const render::View& view) const {
     constexpr float kNearest_m = 0.001f, kFurthest_m = 0.3f;
     const float away = glm::length(view.eyeWorld);
@@ -143,7 +143,7 @@ Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::
     Status drawn = passes_.compositor.draw(pictures_, *this, afterEye);
     if (drawn || !beforeReload_) return drawn;
     log::warn("{}", drawn.error().message());
-    passes_ = std::move(*beforeReload_); // drawn with from the next frame on
+    passes_ = std::move(*beforeReload_); // they draw from the next frame on
     beforeReload_.reset();
     return Done{};
 }
@@ -183,8 +183,8 @@ Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::E
     return passes_.particles.draw(on, picture, water, time_s_);
 }
 
-// Returns the view as the background is drawn: from the eye's place in the film or, with a picture for each
-// eye, from beside its camera.
+// Returns the view from which the background is drawn: from the eye's position in the film or, with a picture
+// for each eye, from the eye's offset from the head.
 render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const {
     render::View view = picture.view;
     view.eyeWorld = picture.sharesFrame ? glm::transpose(picture.envFromWorld) * picture.eyeInFilm

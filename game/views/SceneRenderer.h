@@ -34,7 +34,7 @@ struct SceneRendererSetup {
 struct Look {
     render::Exposure exposure;
     render::Glossy glossy = render::Glossy::Prefiltered;
-    bool particles = true; // drift in the water, where there is water
+    bool particles = true; // particles drift in the water, if there is water
 };
 
 class SceneRenderer final : private render::CompositorScene {
@@ -61,8 +61,8 @@ class SceneRenderer final : private render::CompositorScene {
     // Draws into each eye's canvas; calls afterEye when a picture is complete, with its canvas bound.
     Status draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye = {});
 
-    // Draws the depth of the last picture of this eye, objects and film, into a framebuffer with depth; the
-    // far plane's if the film's is unknown.
+    // Draws the depth of this eye's last picture, objects and film, into a framebuffer with depth. A film of
+    // unknown depth gets the far plane's.
     Status drawDepth(const Eye& eye, uint32_t into) {
         return passes_.compositor.drawDepth(pictureOf(eye), into);
     }
@@ -115,7 +115,7 @@ class SceneRenderer final : private render::CompositorScene {
         std::vector<render::View> from;
     } shadowsOn_;
     std::vector<scene::Sphere> spheres_; // scratch
-    bool floorIsShaded_ = false;         // in this frame
+    bool floorIsShaded_ = false;         // castOnFloor() has run in this frame
     double time_s_ = 0;
     glm::vec3 headWorld_{0};
 };
