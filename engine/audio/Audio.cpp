@@ -102,7 +102,7 @@ Result<Device> Device::open(bool loopback, bool headphones) {
 struct Audio::State {
     AudioOptions options;
     std::vector<Clip> clips;
-    // While pausing all first glides to silence, and then stands still.
+    // paused: all sounds fade to silence. standing: after that, they stand still.
     bool paused = false, standing = false;
     double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which runs on in a pause
     Clock::time_point retry;

@@ -56,7 +56,7 @@ struct Sound {
 struct TrackSource {
     int64_t length = 0;                             // frames; then it loops
     std::function<void(int64_t frame)> seek;        // the next read begins there
-    std::function<size_t(std::span<int16_t>)> read; // interleaved; frames that were ready, without waiting
+    std::function<size_t(std::span<int16_t>)> read; // interleaved; returns the frames that were ready
 };
 
 class Audio {
@@ -64,7 +64,7 @@ class Audio {
     // Fails if there is no sound device.
     static Result<Audio> open(const AudioOptions& options);
 
-    // Returns the index for Sound::clip, counted from 0 in the order of the calls. Keeps the clip, for a
+    // Adds a clip and returns its index for Sound::clip, counted from 0. Keeps the clip's samples, for a
     // device that comes back.
     int add(Clip clip);
 

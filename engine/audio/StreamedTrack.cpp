@@ -14,8 +14,8 @@ constexpr double kCorrection_s = 2;   // time constant of small corrections
 constexpr double kJump_s = 0.08;      // larger offsets, which would be seen, restart it
 constexpr double kLead_s = 0.05;      // starts reading so far ahead, because reading takes time
 constexpr double kSmoothing = 0.1;    // weight of each new measurement of the offset
-constexpr int kMinPieces = 4;         // queued before it starts
-constexpr double kMaxSilence_s = 0.1; // queued in front of its first samples
+constexpr int kMinPieces = 4;         // number of pieces queued before it starts
+constexpr double kMaxSilence_s = 0.1; // longest silence queued in front of its first samples
 
 int64_t framesOf(double seconds) { return std::llround(seconds * kRate_Hz); }
 

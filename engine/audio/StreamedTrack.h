@@ -31,7 +31,7 @@ class StreamedTrack {
     double ahead_s() const { return ahead_s_; } // offset to the picture, smoothed; 0 while silent
 
   private:
-    static constexpr int kBuffers = 16, kPieceFrames = 1024; // together 0.34 s: a frame may take so long
+    static constexpr int kBuffers = 16, kPieceFrames = 1024; // 0.34 s in all, for a slow frame
     enum class State { Stopped, Waiting, Playing };
 
     void begin(const TrackSource& sound, double position_s);
@@ -44,7 +44,7 @@ class StreamedTrack {
 
     ALuint source_ = 0;
     std::array<ALuint, kBuffers> buffers_{};
-    std::array<ALuint, kBuffers> spare_{}; // those that are not queued
+    std::array<ALuint, kBuffers> spare_{}; // the first spares_ of them are not queued
     int spares_ = 0;
     State state_ = State::Stopped;
     std::vector<int16_t> piece_ = std::vector<int16_t>(2 * kPieceFrames);

@@ -20,7 +20,7 @@ constexpr double kEnding_s = 0.05;
 constexpr float kTakeOver = 1.3f;
 constexpr float kAmbientLoudness = 10; // sounds without a position are never replaced by placed ones
 
-// The water, chosen by ear: over the distances of this game real sea water would be inaudible.
+// Effects of the water, chosen by ear: over this game's distances those of real sea water would be inaudible.
 constexpr float kReference_m = 0.7f; // within this a sound keeps its level; beyond, it falls as 1 / distance
 constexpr float kSpeed_mps = 1500;   // speed of sound in water, 4.4 times that in air
 // Exaggeration of the Doppler effect. At the speed of sound in water a shark at 3 m/s shifts by 3.5 cents,

@@ -17,8 +17,8 @@ class VoicePool {
     void setUp();
     void tearDown();
 
-    // Indexed by Sound::clip. update() is called once a frame; now_s: the device's clock, minus the time
-    // paused.
+    // Clips and their OpenAL buffers, indexed by Sound::clip. update() is called once a frame; now_s: the
+    // device's clock, minus the time paused.
     struct Clips {
         std::span<const ALuint> buffers;
         std::span<const Clip> clips;
@@ -26,8 +26,8 @@ class VoicePool {
     void update(const Clips& clips, const glm::vec3& listener, std::span<const Sound> emitters,
                 std::span<const Sound> shots, double now_s);
 
-    // Reverberation: 0 open water, where only ground and surface reflect, to 1 a tunnel. silent: no
-    // reverberation; the listener's gain silences the rest.
+    // Set the reverberation. enclosure: from 0, open water where only ground and surface reflect, to 1, a
+    // tunnel. silent: no reverberation; the listener's gain silences the rest.
     void setEnclosure(float enclosure);
     void setSilent(bool silent);
     void setPaused(bool paused);

@@ -21,7 +21,7 @@ struct FrameFindings {
     light::PackedLight light;
     occlusion::SmoothLight smooth; // for occlusion between bodies
     ImageRgbF radianceLin;         // small map, for the light at places beside the camera
-    // Empty unless AnalysisOptions asks for it:
+    // The members below are empty unless AnalysisOptions asks for them:
     water::WaterEstimate water;
     light::FoundLights lights;
     camera::CameraResponseEstimate cameraResponse;
@@ -51,7 +51,7 @@ class FrameAnalysis {
     // Makes the light alone, for an HDR picture.
     void analyse(const ImageRgbF& radianceLin, FrameFindings& out);
 
-    // Makes light for every frame (1), every second ...; the frames between keep the last. Any thread.
+    // Makes light (and water and light sources) once in this many frames; others keep the last. Any thread.
     void setLightEvery(int frames) { lightEvery_.store(frames, std::memory_order_relaxed); }
 
   private:

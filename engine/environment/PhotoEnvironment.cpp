@@ -13,7 +13,7 @@ namespace shoal::environment {
 
 namespace {
 
-// A progress line that is overwritten on a terminal; one log line where none is attached.
+// Display of the progress: a line that is overwritten on a terminal, or one log line without a terminal.
 class ProgressLine {
   public:
     explicit ProgressLine(const Path& file) : watched_(isatty(STDERR_FILENO) == 1) {
@@ -38,8 +38,8 @@ class ProgressLine {
     int shown_ = -1;
 };
 
-// Returns whether the picture is lat-long, for one eye or two. Squares and strips of four to one have the
-// shape of two eyes' pictures, but are as often ordinary; so their content must look like two eyes'.
+// Returns whether the picture is lat-long, mono or stereo. Squares and 4:1 strips have the shape of stereo
+// pictures, but are as often ordinary photos, so their content must look like a stereo pair.
 bool isLatLong(const ImageRgb8& picture) {
     const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
     if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
@@ -50,8 +50,8 @@ bool isLatLong(const ImageRgbF& picture) {
     return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
 }
 
-// Returns a clause on whether the seam where a grown environment's ends meet can be seen. A step of one level
-// of 8 bits cannot, nor can one that is usual in the picture itself.
+// Returns a clause that says whether the seam between a grown environment's two ends is visible. It is not if
+// its step is at most one level of 8 bits, or no larger than the picture's usual steps.
 template <class Picture> std::string seamClause(const panorama::Panorama<Picture>& grown) {
     const bool hidden = grown.wrapStep <= std::max(grown.usualStep, 1 / 255.0);
     return fmt::format(

@@ -13,13 +13,13 @@ namespace shoal::environment {
 
 template <class Picture> struct PhotoEnvironment {
     Picture picture;  // lat-long; unchanged if the photo was one
-    std::string what; // what was done, one clause for a person to read
+    std::string what; // description of what was done: one clause, for a message to the user
 };
 
-// Returns the photo as an environment. A photo whose metadata (GPano) tell its place is put there and
-// completed; one that is lat-long, mono or stereo, by shape and content stays as it is; any other is grown,
-// which takes seconds and shows its progress on a terminal. fov_deg, if given, declares an ordinary photo.
-// file: the photo's file.
+// Returns the photo as an environment. A partial panorama, whose metadata (GPano) give its place, is put
+// there and completed; a photo that is lat-long (mono or stereo) by its shape and content stays as it is; any
+// other is extrapolated, which takes seconds and shows progress on a terminal. fov_deg: declares an ordinary
+// photo with this field of view. file: the photo's file.
 template <class Picture> // ImageRgb8, or ImageRgbF of linear light
 Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
                                                   std::optional<double> fov_deg,

@@ -13,7 +13,7 @@ namespace shoal::environment {
 
 namespace {
 
-// Returns the left eye's picture. It lights both eyes, whose light differs by less than the light's error.
+// Returns the left eye's picture. Its light serves both eyes: theirs differ by less than the light's error.
 light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bgr) {
     const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
@@ -175,7 +175,7 @@ bool Player::update(double time_s, bool exact) {
     return show(*frame, time_s);
 }
 
-// Returns false if the frame is shown already.
+// Makes this frame the one that is shown. Returns false if it was already.
 bool Player::show(const media::VideoFrame& frame, double time_s) {
     shown_ = &frames_[frame.slot];
     follow(time_s);

@@ -1,5 +1,5 @@
-// Player of an environment: opens a video, live video, photo or HDR picture, makes the light of its frames
-// and finds what else they tell. One thread uses it; a video's frames are analysed on the decode thread.
+// Player of an environment (video, live video, photo or HDR picture), with the analysis of its frames. One
+// thread uses it; a video's frames are analysed on the decode thread.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -27,15 +27,15 @@ struct Source {
     bool operator==(const Source&) const = default;
 };
 
-// Sets the source's file, by its content: an HDR picture, a photo, or else a video or live stream. Empty:
-// none.
+// Sets the one member of the source that fits the file's content: env for an HDR picture, photo for another
+// picture, else video. An empty name leaves all three empty.
 void setFile(Source& source, const std::string& file);
 
 struct Setup {
     Source source;
-    bool drawsDepth = true;     // else only the rules use the video's distances
-    bool roomIsSeen = false;    // the room shows, and shadows may fall on its floor without distances
-    bool waterIsCertain = true; // trust the analysis' water; false: only as far as the picture shows it
+    bool drawsDepth = true;     // false: only the game's rules use the video's distances
+    bool roomIsSeen = false;    // the room shows: shadows may fall on its floor even without a depth track
+    bool waterIsCertain = true; // take the estimated water as it is; false: weight it by its evidence
     AnalysisOptions analysis;
 
     bool operator==(const Setup&) const = default;
@@ -45,15 +45,15 @@ struct Setup {
 // to 1, or -1 if unknown. Returns false to stop waiting for a live video.
 using Wait = std::function<bool(float)>;
 
-// Damaged: the last good picture of a film stays. Stopped, Lost: that of a live video, as media::LiveState.
+// Trouble that leaves the last good picture shown. Damaged: a film's file. Stopped, Lost: media::LiveState.
 enum class Trouble { None, Damaged, Stopped, Lost };
 
-// A frame, and all that was found in it.
+// A frame and its analysis.
 struct Frame {
-    ImageRgba8 picture;    // as it is uploaded; empty for an HDR picture
-    ImageRgbF radianceLin; // only of an HDR picture
+    ImageRgba8 picture;    // pixels to upload, blue first; empty for an HDR picture
+    ImageRgbF radianceLin; // only for an HDR picture
     FrameFindings found;
-    depth::DepthMap depth, widened; // empty: unknown. For a stereo film, those of the left picture
+    depth::DepthMap depth, widened; // empty: unknown; of a stereo film's left picture; see widenNear()
     depth::DepthRange depthRange;
     depth::LightDifference lightDifference;
 };
@@ -68,13 +68,13 @@ class Player {
     // shows its newest frame. Returns whether the frame changed.
     bool update(double time_s, bool exact);
 
-    // The frame as of the last update(), as all below; valid until the next.
+    // Returns the frame of the last update(), valid until the next; the functions below describe it too.
     const Frame& frame() const { return *shown_; }
     media::Layout layout() const { return layout_; }
     bool isHdr() const { return hdr_; }
     water::Water water() const { return water_.water(); } // none if the environment is dry
-    // Light that casts shadows, env frame; none unless the setup asks for it and there is something to cast
-    // on.
+    // Returns the light that casts shadows, env frame. There is none unless the setup asks for lights and
+    // there are distances or a room's floor to cast shadows on.
     const light::ShadowLight& shadowLight() const { return casting_; }
     // Response of the camera; neutral unless the setup asks for it, and for an HDR picture.
     const camera::CameraResponse& cameraResponse() const { return cameraResponse_.response(); }
@@ -84,7 +84,7 @@ class Player {
     // Time in the video, seconds from the first picture of its pass; 0 for stills and live videos.
     double videoPosition_s() const { return videoPosition_s_; }
     Trouble trouble() const { return trouble_; }
-    // Times for the newest frame; 0 for stills after the first.
+    // Time of the newest frame's analysis, and of its decoding; a still keeps the time of its one analysis.
     float light_ms() const { return light_ms_; }
     float decode_ms() const { return decode_ms_; }
 
@@ -93,7 +93,7 @@ class Player {
     double length_s() const { return player_ ? player_->info().duration_s : 0; }
     const media::LivePlayer* live() const { return live_ ? &*live_ : nullptr; } // null: a file
 
-    // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
+    // Makes light once in this many frames of the video; the frames between keep the last.
     void setLightEvery(int frames) { analysis_->setLightEvery(frames); }
 
   private:
@@ -115,8 +115,8 @@ class Player {
     bool hdr_ = false;
     media::Layout layout_ = media::Layout::Mono;
     std::optional<FrameAnalysis> analysis_;
-    // Made on the decode thread, slot by slot, and handed over with the video's frame. Declared before the
-    // players, whose threads write them until they are destroyed.
+    // Filled on the decode thread, one for each slot, and handed over with the video's frame. Declared before
+    // the players, so that they outlive the players' threads, which write them.
     std::vector<Frame> frames_;
     const Frame* shown_ = nullptr;
     std::optional<media::DepthTrack> depthTrack_;
@@ -134,7 +134,7 @@ class Player {
     double lastUpdate_s_ = 0, videoPosition_s_ = 0;
     float light_ms_ = 0, decode_ms_ = 0;
     Trouble trouble_ = Trouble::None;
-    std::string liveNotice_; // the last live notice in the log, with the reason
+    std::string liveNotice_; // the live player's notice that was logged last
 };
 
 } // namespace shoal::environment

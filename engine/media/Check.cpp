@@ -19,7 +19,7 @@ std::string shapeNote(int width, int height) {
     return "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
 }
 
-// Returns what checkVideo() adds about a film's depth; empty if no track lies beside it.
+// Returns checkVideo()'s clause about a film's depth; empty if no track lies beside the film.
 std::string depthNote(const Path& film) {
     const Path file = depthTrackOf(film);
     std::error_code missing;

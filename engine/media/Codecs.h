@@ -1,6 +1,6 @@
-// OpenCV's picture codecs and cameras, as a plug-in that is loaded on first use. Linked directly they bring
-// some 100 libraries into the process, 36 MiB and 90 ms, which a dive into a video does not need. For this
-// folder and the webcam's.
+// OpenCV's picture codecs and cameras, as a plug-in that is loaded on first use. If it were linked directly,
+// it would bring some 100 libraries into the process, 36 MiB and 90 ms, which a dive into a video does not
+// need. This folder and the webcam's use it.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -20,10 +20,10 @@ struct CameraRequest {
     int waiting = 0;           // length of the driver's queue; 0: its default
 };
 
-// Null: waits for the next picture. Else: converts it, blue first. Returns false when no more pictures come.
+// Reader of a camera. Null: waits for the next picture; else: converts it, blue first. False: no more come.
 using CameraReader = std::function<bool(cv::Mat* bgr)>;
 
-// OpenCV's functions of these names, which may throw. Empty, false or null on failure.
+// OpenCV's functions of these names, and openCamera(). They may throw. Empty, false or null on failure.
 struct Codecs {
     cv::Mat (*imdecode)(cv::InputArray bytes, int flags);
     cv::Mat (*imread)(const std::string& file, int flags);
@@ -32,8 +32,8 @@ struct Codecs {
     CameraReader (*openCamera)(int index, const CameraRequest& request);
 };
 
-// Loads the plug-in with the first call, from any thread: from beside the program, else from where it is
-// installed or was built. Error: it, or a library that it needs, is missing. Sets up OpenCV (Ffmpeg.h,
+// Loads the plug-in at the first call, which any thread may make: from beside the program, else from where it
+// is installed or was built. Fails if it, or a library that it needs, is missing. Sets up OpenCV (Ffmpeg.h,
 // setUpDecoders()).
 Result<const Codecs*> codecs();
 

@@ -13,9 +13,9 @@
 
 namespace shoal::media {
 
-// Inverse metres and confidence are stored in ten bits.
+// Highest code: inverse distances and confidences are stored in ten bits.
 constexpr int kMaxDepthCode = 1023;
-constexpr float kMaxInverse_perM = 4; // of the highest code: nearer than 0.25 m counts as 0.25 m
+constexpr float kMaxInverse_perM = 4; // of the highest code: anything nearer than 0.25 m counts as 0.25 m
 
 // One frame, equirectangular as the film is, rows from the top. Distances are radial, from the film's camera.
 struct DepthFrame {
@@ -43,8 +43,8 @@ Result<std::string> filmIdentity(const Path& film);
 
 class DepthTrack {
   public:
-    // Opens a track, which reads from the file as long as it lives. Fails if the file is cut short, of
-    // another film, or no track of this version. film: empty accepts a track of any film.
+    // Opens a track, which reads from the file as long as it lives. Fails if the file is cut short, belongs
+    // to another film or is no track of this version. film: the film's file; empty accepts any film's track.
     static Result<DepthTrack> open(const Path& file, const Path& film = {});
 
     const DepthTrackInfo& info() const;

@@ -20,11 +20,11 @@ constexpr const char* kFrames = "SHOAL_FRAMES";
 constexpr const char* kDuration = "SHOAL_DURATION"; // of the film, seconds
 constexpr const char* kLayout = "SHOAL_LAYOUT";
 constexpr const char* kLayoutValue = "equirectangular mono";
-constexpr const char* kFilms = "SHOAL_FILMS"; // identities, with blanks between
+constexpr const char* kFilms = "SHOAL_FILMS"; // identities of films, with blanks between them
 } // namespace depth_tags
 
-// Returns true if a track can have this size. Widths are powers of two, so that maps of distances hold each
-// texel a whole number of times.
+// Returns whether a track can have this size, frame count and duration. Widths are powers of two, so that a
+// texel fills a whole number of texels in maps of distances.
 inline bool isDepthTrack(const DepthTrackInfo& info) {
     constexpr int kMinWidth = 16, kMaxWidth = 4096;
     constexpr double kMaxFps = 240; // frames need time stamps of their own, which are whole milliseconds

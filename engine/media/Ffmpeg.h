@@ -1,5 +1,5 @@
-// Setup of FFmpeg and OpenCV for the process, owners of FFmpeg's objects, and how it opens a file. Internal
-// to this folder.
+// Setup of FFmpeg and OpenCV for the process, smart pointers to FFmpeg's objects, and opening of files.
+// Internal to this folder.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -14,14 +14,14 @@ extern "C" {
 
 namespace shoal::media {
 
-// The functions that free take the address of the pointer.
+// Deleter that passes the address of the pointer, as FFmpeg's freeing functions expect it.
 template <auto kFree> struct FreeAt {
     template <class T> void operator()(T* object) const { kFree(&object); }
 };
 struct CloseParser {
     void operator()(AVCodecParserContext* parser) const { av_parser_close(parser); }
 };
-// Frees a file that is made in memory (avio_open_dyn_buf()), with its contents so far.
+// Frees an output that is written to memory (avio_open_dyn_buf()), with its contents so far.
 struct CloseOutput {
     void operator()(AVFormatContext* output) const {
         uint8_t* bytes = nullptr;
@@ -48,7 +48,7 @@ void setUpDecoders();
 // names of the containers that are allowed, comma separated; null: all. Returns null if it cannot be opened.
 Input openInput(const Path& file, const char* formats = nullptr);
 
-// Returns side data of a stream; null if there is none, or too little. FFmpeg 6.1 moved it.
+// Returns side data of a stream; null if it has fewer than `count` items. FFmpeg 6.1 moved it to codecpar.
 template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType type, size_t count = 1) {
 #if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 0)
     const AVCodecParameters& in = *of.codecpar;

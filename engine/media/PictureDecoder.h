@@ -29,7 +29,7 @@ struct FreeScaler {
     void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
 };
 
-// ByThreads: each thread decodes a picture of its own, which is faster but delays pictures by as many.
+// ByThreads: each thread decodes its own picture, which is faster but delays pictures by one for each thread.
 enum class FrameThreading { None, ByThreads };
 
 class PictureDecoder {
@@ -39,7 +39,7 @@ class PictureDecoder {
     Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
                 int threads, int64_t maxPixels = kMaxPixels);
 
-    // Sends a packet; null drains the decoder. Skips damaged packets, and if hurry non-reference pictures.
+    // Sends a packet; null drains the decoder. Skips damaged packets; hurry: non-reference pictures too.
     void send(const AVPacket* packet, bool hurry = false);
     void flush() { avcodec_flush_buffers(codec_.get()); } // after a seek, or after packets were left out
 
@@ -61,7 +61,7 @@ class PictureDecoder {
     Codec codec_;
     Frame frame_ = makeFrame();
     std::unique_ptr<SwsContext, FreeScaler> scaler_; // for rare pixel formats
-    std::vector<uint8_t> rows_;                      // its output, with a margin behind each row
+    std::vector<uint8_t> rows_;                      // the scaler's output, with a margin behind each row
 };
 
 } // namespace shoal::media

@@ -159,7 +159,7 @@ struct Kind {
     bool (*is)(ByteSpan);
     std::optional<Size> (*size)(ByteSpan);
 };
-// Rows by PictureKind.
+// Kinds of pictures, indexed by PictureKind.
 constexpr Kind kKinds[] = {
     {"JPEG", [](ByteSpan b) { return hasText(b, 0, "\xff\xd8\xff"); }, jpegSize},
     {"PNG", [](ByteSpan b) { return hasText(b, 0, "\x89PNG\r\n\x1a\n"); }, pngSize},

@@ -58,7 +58,7 @@ template <class T, int kChannels> cv::Mat viewOf(const Image<T, kChannels>& imag
             const_cast<T*>(image.pixels.data())};
 }
 
-// Converts OpenCV's picture to red first. decode: returns a matrix of `type`, empty if it cannot; may throw.
+// Decodes a picture by OpenCV, to red first. decode: returns a matrix of `type`, empty on failure; may throw.
 template <class Picture, class Decode>
 Result<Picture> decoded(const Path& file, PictureKind kind, int type, Decode&& decode) {
     const Error undecodable{file.string(), std::string("cannot be decoded as ") + nameOf(kind) +
@@ -103,7 +103,7 @@ struct LineReader {
         return true;
     }
 
-    // Reads pixels one after another; mantissas of 1 1 1 repeat the pixel before, in base 256 if in a row.
+    // Reads whole pixels. Mantissas 1 1 1 mark a repeat count; counts in a row are one number in base 256.
     bool flat(std::span<uint8_t> line, size_t width) {
         int shift = 0;
         for (size_t x = 0; x < width;) {
@@ -231,7 +231,7 @@ void repair(HdrPicture& picture) {
     }
 }
 
-// Encodes as the extension says. toOpenCv: the conversion to blue first.
+// Encodes by extension. toOpenCv: OpenCV's code for the conversion to blue first.
 Result<std::string> encoded(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
                             const char* uncodable) {
     assert(!rgb.empty());

@@ -1,5 +1,5 @@
-// Reading and writing of picture files. Any thread; the first call before other threads are started
-// (Codecs.h).
+// Reading and writing of picture files. Any thread may call these functions; the first call must come before
+// other threads are started (Ffmpeg.h).
 #pragma once
 
 #include "engine/core/Files.h"
@@ -23,8 +23,8 @@ Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
 struct HdrPicture {
     ImageRgbF radianceLin; // linear, Rec. 709 primaries assumed, as the file says (no exposure applied)
-    // Number of components that were replaced: NaN and negative by 0, infinite by the largest finite one; and
-    // of those above kMaxRadiance, which became that. Worth a warning if above 0.
+    // repaired: number of components that were NaN or negative (now 0) or infinite (now the largest finite
+    // one). clamped: number of those above kMaxRadiance (now that). Either deserves a warning if above 0.
     int64_t repaired = 0, clamped = 0;
 
     // Returns a sentence about these numbers, empty if both are 0.
@@ -42,11 +42,11 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
 enum class PictureContent { None, Coded, Hdr };
 PictureContent pictureContent(const Path& file);
 
-// Lossless; the file appears whole or not at all (engine/core/WriteFile.h).
+// Write a lossless file, which appears whole or not at all (engine/core/WriteFile.h).
 Status writePng(const Path& file, const ImageRgb8& image);
 Status writePng(const Path& file, const ImageRgba8& image);
 
-// File format by extension, in either case.
+// Format of a picture file by its extension, in upper or lower case.
 enum class WrittenAs { Nothing, Png, Jpeg, Hdr };
 WrittenAs writtenAs(const Path& file);
 
@@ -58,8 +58,8 @@ Status writePicture(const Path& file, const ImageRgb8& image);
 Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin);
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin);
 
-// Copies pixels with a fourth byte of 255, blue first, into the image's own memory if it has the size. bgr:
-// whether blue comes first in `in`.
+// Copies a picture to blue, green, red and alpha 255. Reuses out's memory if it has the size. bgr: whether
+// blue comes first in `in`.
 void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out);
 
 } // namespace shoal::media

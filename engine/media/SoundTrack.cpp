@@ -22,12 +22,12 @@ namespace shoal::media {
 
 namespace {
 
-// Bounds of a pass: shorter ones would only seek.
+// Bounds of a pass's length: in a shorter pass the thread would only seek.
 constexpr double kShortest_s = 0.1, kLongest_s = 24 * 3600;
 constexpr int kMaxChannels = 64, kMinRate_Hz = 1000, kMaxRate_Hz = 384000;
 constexpr int kMaxBlock = 1 << 16; // samples of one decoded block
 constexpr int kMaxBadPackets = 64; // in a row; fewer are skipped
-// A time stamp that differs by more frames than this is believed; smaller differences are rounding.
+// A time stamp is believed if it differs from the expected frame by more than this; less is rounding.
 constexpr int64_t kHole = kSoundRate_Hz / 50;
 
 // Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time.

@@ -16,8 +16,8 @@ namespace shoal::media {
 
 namespace {
 
-// Returns the text of <name>value</name> or name="value" in XMP; empty if absent. No XML parser is needed for
-// single values, and none meets hostile entities.
+// Returns the text of <name>value</name> or name="value" in XMP; empty if absent. Single values need no XML
+// parser, which hostile entities could attack.
 std::string_view xmpValue(std::string_view xmp, const std::string& name) {
     const size_t at = xmp.find(name);
     const size_t begin = at == xmp.npos ? at : xmp.find_first_not_of(" \t\r\n=>\"'", at + name.size());

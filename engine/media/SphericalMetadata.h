@@ -26,7 +26,7 @@ struct SphericalMetadata {
 // Reads a video's metadata from libavformat, and from the file what libavformat drops.
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file);
 
-// Pixels of the full equirectangular picture, and the part of it that the file holds, from the top left.
+// Size of the full equirectangular picture, and the part that the file holds; pixels from the top left.
 struct PanoramaPlacement {
     int fullWidth = 0, fullHeight = 0;
     int left = 0, top = 0, width = 0, height = 0;

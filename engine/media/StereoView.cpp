@@ -10,8 +10,8 @@ namespace shoal::media {
 
 namespace {
 
-constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // cells of a half; of a block
-constexpr int kMaxShift = 6;     // either way: 17 degrees, twice what an arm's length away has
+constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // size of a half, and side of a block, in cells
+constexpr int kMaxShift = 6;     // cells to either side: 17 degrees, twice the disparity at arm's length
 constexpr double kStructure = 3; // least standard deviation along a block's rows, in levels of 255
 // The least correlation of a block with the other half, and the least share of structured blocks that must
 // reach it. In two stereo pictures at hand 97 % do; in a room that repeats itself 76 %; in ten other
@@ -21,7 +21,7 @@ constexpr int kMinStructured = 12; // least number of structured blocks, of 128:
 
 // Returns the brightness of a part of the frame, by cell.
 cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
-    constexpr int kSamples = 4; // a cell each way, whatever the frame's size
+    constexpr int kSamples = 4; // samples of a cell in each direction, whatever the frame's size
     cv::Mat samples, cells, brightness;
     cv::resize(frame(part), samples, {kWidth * kSamples, kHeight * kSamples}, 0, 0, cv::INTER_NEAREST);
     samples.convertTo(samples, CV_32F);
@@ -31,7 +31,7 @@ cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
 }
 
 // Returns a block row by row, each minus its mean: the gradient of a sky or of water is no structure. Columns
-// wrap around at the right end.
+// wrap around at both ends.
 std::array<float, kBlock * kBlock> blockAt(const cv::Mat& half, int x, int y) {
     std::array<float, kBlock * kBlock> block;
     for (int row = 0; row < kBlock; ++row) {

@@ -8,10 +8,10 @@
 
 namespace shoal::media {
 
-// Auto is only a request ("detect"), never a result. TopBottom: left eye above; LeftRight: left eye left.
+// Auto: to be detected, or unknown. TopBottom: left eye above; LeftRight: left eye left.
 enum class Layout { Auto, Mono, TopBottom, LeftRight };
 
-// The part of a frame that an eye sees, pixels. If the frame has an odd size both halves fit in.
+// Part of a frame that one eye sees, pixels. The halves of an odd size are rounded down.
 struct EyePart {
     int x = 0, y = 0, width = 0, height = 0;
 };

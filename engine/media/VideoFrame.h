@@ -28,7 +28,7 @@ struct VideoInfo {
     int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
     double duration_s = 0;     // frameCount / fps
     std::string codec;         // such as "h264"; empty if the container does not say
-    ColourMatrix matrix = ColourMatrix::Bt601; // stated, or by size; frames are decoded with it
+    ColourMatrix matrix = ColourMatrix::Bt601; // stated by the file, else by size; used to decode
     SphericalMetadata metadata;
     Layout layout = Layout::Mono;  // never Auto
     const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"
@@ -38,11 +38,11 @@ struct VideoFrame {
     ImageRgb8 pixelsBgr;          // sRGB-coded, blue first; see PlayerOptions::keepPixels
     Layout layout = Layout::Mono; // never Auto
     glm::ivec2 chromaTexels{2};   // texels that share a colour, across and down; 2, 2 is 4:2:0
-    int64_t index = -1;           // counted from the start, from 0; in a file it grows on as the file repeats
+    int64_t index = -1;           // counts frames from 0; a file's frames count on as it repeats
     int64_t number = -1;          // within the file; -1: live
     double time_s = 0;            // within the file; 0: live
     size_t slot = 0;              // index of its slot, below kFrameSlots
-    double arrived_s = 0;         // of a live frame, by LiveOptions::now_s
+    double arrived_s = 0;         // arrival of a live frame, by LiveOptions::now_s
     double decode_ms = 0;         // decoding and conversion of this frame alone
     double prepare_ms = 0;        // time of PlayerOptions::prepare
 };
@@ -59,7 +59,7 @@ struct PlayerOptions {
     bool keepPixels = true;
 };
 
-// Internal to this folder.
+// Slots for a player's frames, each with its state. Internal to this folder.
 class FrameSlots {
   public:
     enum class State { Free, Filling, Ready, Shown };
@@ -86,9 +86,9 @@ class FrameSlots {
         shown_ = &slot;
         slot.state = State::Shown;
     }
-    const VideoFrame& shown() const { return shown_->frame; } // once there is one
+    const VideoFrame& shown() const { return shown_->frame; } // requires an earlier show()
 
-    // Returns where the decode thread puts the pixels of a slot that it fills.
+    // Returns the image into which the decode thread writes the pixels of a slot.
     ImageRgb8& pixelsOf(Slot& slot, const PlayerOptions& options) {
         return options.keepPixels ? slot.frame.pixelsBgr : pixels_;
     }

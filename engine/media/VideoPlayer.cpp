@@ -19,13 +19,13 @@ using Clock = std::chrono::steady_clock;
 using Slot = FrameSlots::Slot;
 using State = FrameSlots::State;
 
-// A jump ahead of more than this is a seek: below it, decoding all frames is about as quick.
+// A jump ahead by more than this is a seek; for a shorter one, decoding all frames is about as quick.
 constexpr double kSeekAhead_s = 3;
-// While catching up, newest() shows at least one of so many frames.
+// While catching up, newest() shows at least one of this many frames.
 constexpr int64_t kMaxSkip = 16;
 constexpr double kBackwardSlack_s = 0.5;
-// Frames that a pass may have fewer than stated without counting as damaged: containers count frames that
-// their edit list or a missing key frame hides.
+// Number and share of stated frames that a pass may lack without counting as damaged: containers also count
+// frames that their edit list or a missing key frame hides.
 constexpr int64_t kMissingFrames = 4;
 constexpr double kMissingShare = 0.02;
 
@@ -63,7 +63,7 @@ struct VideoPlayer::Impl {
     }
 
     int64_t due() const { return std::min(wanted, last); }
-    // Returns how many frames beyond the due one are kept, and from how far ahead decoding continues.
+    // Returns how far ahead of the due frame, in frames, pictures are kept and decoding need not go back.
     int64_t slack() const { return framesIn(kBackwardSlack_s) + static_cast<int64_t>(kFrameSlots); }
 
     // --- Decode thread -------------------------------------------------------------------------------------
@@ -124,7 +124,7 @@ struct VideoPlayer::Impl {
     }
 
     // Decodes the frame's picture. Returns how many pictures the video is known to have: more than
-    // frame.number, or fewer if it ends before (or the thread is to stop).
+    // frame.number on success, else at most that many (it ends before, or the thread is to stop).
     int64_t fill(Slot& slot, const std::stop_token& ending) {
         const int64_t number = slot.frame.number;
         if (number < source.position() || number > source.position() + framesIn(kSeekAhead_s))
@@ -152,7 +152,7 @@ struct VideoPlayer::Impl {
             passLength = count;
             return;
         }
-        // Reading again failed before the last good frame: give up.
+        // Gives up if there is no good frame, or if reading fails again before the last good one.
         broken = broken || made < 0 || damaged || pass + count == 0;
         last = std::min(last, pass + count - 1);
         made = std::min(made, last);

@@ -30,8 +30,8 @@ class VideoPlayer {
     // newest() or waitFor().
     const VideoFrame* newest(double videoTime_s);
 
-    // Returns exactly the frame due at this time, however far ahead or back, and waits for it. The same times
-    // give the same frames on every machine. Before that time damage stops it: the last good frame.
+    // Waits for exactly the frame due at this time, however far ahead or back, and returns it. The same times
+    // give the same frames on every machine. If damage comes before that time, returns the last good frame.
     const VideoFrame* waitFor(double videoTime_s);
 
     // Returns a message for the user if something went wrong since the last call, else an empty one.
@@ -40,7 +40,7 @@ class VideoPlayer {
   private:
     struct Impl;
     explicit VideoPlayer(Hidden<Impl> impl) : impl_(std::move(impl)) {}
-    Hidden<Impl> impl_; // its destructor ends the decode thread, after at most the frame in work
+    Hidden<Impl> impl_; // its destructor ends the decode thread, after the frame in progress at most
 };
 
 } // namespace shoal::media

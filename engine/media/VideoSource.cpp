@@ -28,7 +28,7 @@ constexpr const char* kContainers = "mov,matroska,avi,ogg,flv,mpeg,mpegts";
 
 double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
 
-// Returns the clockwise quarter turns that make the stream's pictures upright: telephones record them.
+// Returns the clockwise quarter turns that make the stream's pictures upright; phones store them.
 int quarterTurnsOf(const AVStream& stream) {
     const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9);
     const double turn_deg = matrix ? av_display_rotation_get(matrix) : 0;

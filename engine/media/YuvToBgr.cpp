@@ -16,7 +16,7 @@ namespace shoal::media {
 
 namespace {
 
-// Sums are in 1/32 of a level: 16 bits hold them, and rounding each product takes 1/64 at most.
+// Sums are in units of 1/32 level: they fit in 16 bits, and rounding a product changes it by 1/64 at most.
 constexpr int kSumBits = 5;
 constexpr int kLumaBits = 7, kDifferenceBits = 8; // shifts that fill 16 bits before they are multiplied
 constexpr int kMiddle = 128;                      // code of a difference of 0
@@ -24,7 +24,7 @@ constexpr int kMiddle = 128;                      // code of a difference of 0
 // Returns the rounded product of two fractions of 2^15, in a form that GCC compiles to one instruction.
 int16_t product(int16_t a, int16_t b) { return static_cast<int16_t>((((a * b) >> 14) + 1) >> 1); }
 
-// black: luma. The others: factors of luma times 2^13, of differences times 2^12.
+// Fixed-point factors: of luma times 2^13, of differences times 2^12. black: the luma code of black.
 struct Factors {
     int16_t black, luma, blueOfBlue, greenOfBlue, greenOfRed, redOfRed;
 };

@@ -17,8 +17,8 @@ enum class ColourMatrix { Bt709 = 1, Bt601 = 5, Bt2020 = 9 };
 
 const char* nameOf(ColourMatrix matrix);
 
-// code: as containers state it, 2 or 0 if they do not.
-// Unstated ones follow from the size, as in other players: BT.709 from 1280 wide or above 576 high.
+// Returns the matrix that a container's code states. Without a known code (2 and 0 mean unstated) it follows
+// from the size, as in other players: BT.709 from 1280 wide or above 576 high.
 ColourMatrix colourMatrixOf(int code, int width, int height);
 
 // Weights of red and blue in luma; green's is 1 minus both.
@@ -34,7 +34,7 @@ struct YuvPicture {
     std::array<ptrdiff_t, 3> strides; // bytes
     int rowsPerDifference;            // 1 or 2
     ColourMatrix matrix;
-    bool fullRange; // luma 0 to 255, differences by 255; else 16 to 235 and by 224 (BT.601 and 709)
+    bool fullRange; // luma 0 to 255, differences span 255; else 16 to 235 and 224 (BT.601 and 709)
 };
 
 // Writes a picture of the size that bgr has. Values are within 0.6 of the formula's, clamped to 0 .. 255.

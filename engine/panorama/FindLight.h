@@ -12,8 +12,8 @@ struct MainLight {
 
 // Finds the light: blurs the radiance (after the thesis' inverse tone mapping) over about a hundredth of the
 // picture's width, and takes the connected region around its maximum that is brighter than four fifths of it;
-// the position is the region's centroid, weighted by radiance. Wide photos are reduced first. photo: 3 coded
-// floats.
+// the position is the region's centroid, weighted by radiance. Wide photos are reduced first. photo: 3
+// perceptually coded floats a pixel.
 MainLight findMainLight(const cv::Mat& photo);
 
 } // namespace shoal::panorama

@@ -8,10 +8,10 @@ namespace shoal::panorama {
 
 // A photo taken with a level pinhole camera: the horizon is its middle row.
 //
-// A column of the photo is a meridian, and a point on it has latitude atan(up * cos(longitude)), up in focal
-// lengths: at the sides the photo reaches less high than in the middle. To make a rectangle of it without
-// cropping, the factor cos(longitude) is blended to 1 towards the top and bottom edges: exact at the horizon,
-// while each edge becomes one parallel.
+// A column of the photo is a meridian. A point `up` focal lengths above the horizon has the latitude
+// atan(up * cos(longitude)): at its sides the photo reaches less high than in its middle. To make a rectangle
+// without cropping, the factor cos(longitude) is blended to 1 towards the top and bottom edges: the
+// projection is exact at the horizon, and each edge becomes one parallel.
 struct Lens {
     double width = 0, height = 0; // pixels
     double focal_px = 1;
@@ -25,7 +25,7 @@ struct Lens {
         return lens;
     }
 
-    // Longitudes to the right, latitudes up. Pixels: the middle of the first one is 0.5.
+    // Longitudes grow to the right, latitudes upwards, in radians. The middle of the first pixel is at 0.5.
     double columnOf(double lon) const { return width / 2 + focal_px * std::tan(lon); }
     double rowOf(double lon, double lat) const {
         const double share = std::tan(lat) / std::tan(latitude); // -1 to 1

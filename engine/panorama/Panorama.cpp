@@ -115,7 +115,7 @@ cv::Mat patchOf(const cv::Mat& photo, const Lens& lens) {
     return patch;
 }
 
-// Returns a map of the ring's columns or rows, scaled to its full size; positions in the patch, -1 to 1.
+// Scales a map of the ring's columns or rows to its full size. Returns positions in the patch, -1 to 1.
 std::vector<double> scaledUp(const std::vector<float>& map, int size, int patchSize) {
     cv::Mat large;
     cv::resize(cv::Mat(1, static_cast<int>(map.size()), CV_32F, const_cast<float*>(map.data())), large,
@@ -285,7 +285,7 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
 
 // --- Completing a part
 
-// Fills the columns from right to left + width (exclusive), between two ends of the same picture.
+// Fills the gap between a picture's two ends: columns right to left + width (exclusive), wrapping around.
 void fillGap(cv::Mat& rows, int left, int right) {
     const int gap = left + rows.cols - right;
     // Mirrors only up to the light, so that it is not repeated.
@@ -316,7 +316,7 @@ cv::Mat completed(const cv::Mat& photo, const PanoramaPart& part, int width) {
     resized.copyTo(sphere(cv::Rect(left, top, right - left, bottom - top)));
     cv::Mat rows = sphere.rowRange(top, bottom);
     if (right - left < width) fillGap(rows, left, right);
-    // Sky and ground each reach up to the horizon at most.
+    // A part on one side of the horizon is continued to it by its edge row: a polar cap fills less than half.
     for (; top >= height / 2; --top) sphere.row(top).copyTo(sphere.row(top - 1));
     for (; bottom <= height / 2; ++bottom) sphere.row(bottom - 1).copyTo(sphere.row(bottom));
     fillPoles(sphere, top, bottom);

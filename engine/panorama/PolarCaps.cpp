@@ -22,7 +22,7 @@ struct Extent {
     double colatitude(double row) const { return row / height * kPi; }
 };
 
-// Returns the slope, by least squares, upwards a row, of the log mean colour of rows first to last - 1.
+// Fits a line to the log mean colours of rows first to last - 1; returns its slope for each row upwards.
 cv::Scalar slopeUp(const cv::Mat& picture, int first, int last) {
     cv::Scalar sum;
     double weights = 0;
@@ -35,7 +35,7 @@ cv::Scalar slopeUp(const cv::Mat& picture, int first, int last) {
     return weights > 0 ? sum * (1 / weights) : cv::Scalar();
 }
 
-// Returns the colours of rows 0 to inner, by circular harmonics.
+// Returns the colours of rows 0 to inner (exclusive), extrapolated by circular harmonics.
 cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
     const int below = std::min(cap.inner + cap.rows(1), cap.height);
     cv::Mat source;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double px(double degrees) { return degrees * kMapPixelsPerDegree; }
 
-// The light and a margin are not stretched; outside of these stretching increases over kFade.
+// The light and a margin around it are not stretched; outside the margin stretching increases over kFade.
 constexpr double kLargestLight = px(10), kAroundLight = px(5), kFade = px(14);
 constexpr double kMaxSideways = 6, kMaxUpward = 4; // greatest stretching
 constexpr double kSmoothAround = px(2), kSmoothUp = px(2);

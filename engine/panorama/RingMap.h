@@ -13,7 +13,7 @@ namespace shoal::panorama {
 inline constexpr int kMapPixelsPerDegree = 4;
 inline constexpr int kMapWidth = 360 * kMapPixelsPerDegree;
 
-// The light in the patch: the photo as a piece of the lat-long picture, kMapPixelsPerDegree.
+// Light's place in the patch, which is the photo as a piece of the lat-long picture, at kMapPixelsPerDegree.
 struct LightInPatch {
     double column = 0, row = 0, radius = 0; // pixels
 };

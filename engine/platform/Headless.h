@@ -7,8 +7,8 @@
 
 namespace shoal::platform {
 
-// The versions of OpenGL that are requested, best first. Some drivers (NVIDIA's) give exactly the requested
-// version, not their newest: with 3.3 alone layers, which need 4.3, would never be available.
+// Versions of OpenGL that are requested, best first. Some drivers (NVIDIA's) give exactly the requested
+// version: if only 3.3 were requested, layers, which need 4.3, would never be available.
 struct GlVersion {
     int major, minor;
 };

@@ -13,7 +13,7 @@ namespace shoal::platform {
 namespace {
 
 glm::vec2 withDeadZone(float x, float y) {
-    constexpr float kDead = 0.18f; // share of the stick's way: sticks do not return to their exact middle
+    constexpr float kDead = 0.18f; // share of the stick's range: sticks do not return to their exact middle
     const glm::vec2 stick(x, -y);
     const float length = glm::length(stick);
     return length <= kDead ? glm::vec2(0) : stick / length * std::min((length - kDead) / (1 - kDead), 1.0f);
@@ -65,7 +65,7 @@ struct Window::State {
 
 Result<Window> Window::open(const WindowOptions& options) {
     glfwSetErrorCallback([](int, const char*) {}); // errors are reported in our own words below
-#ifdef GLFW_PLATFORM_X11 // 3.4 would open windows by Wayland, to which headsets cannot be bound
+#ifdef GLFW_PLATFORM_X11 // GLFW 3.4 would use Wayland, to which headsets cannot be bound
     glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
     if (!glfwInit())

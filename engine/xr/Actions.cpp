@@ -8,15 +8,15 @@ namespace shoal::xr {
 
 namespace {
 
-// Bindings of a controller: squeeze closes the hand, trigger bends the index finger, menu pauses. A single
-// button does the first two. Names are those of OpenXR's registry.
+// Bindings of a controller: squeeze closes the hand, trigger bends the index finger, menu pauses. A
+// controller with one button uses it for the first two. Names are those of OpenXR's registry.
 struct InteractionProfile {
     const char* extension; // the extension that defines it; null: OpenXR 1.0
     const char* name;
     const char* squeeze;
     const char* trigger;
     const char* menu; // null: none
-    bool menuOnRight; // each hand has one
+    bool menuOnRight; // both hands have a menu button; false: only the left
     bool vibrates = true;
 };
 constexpr const char* kPico = "XR_BD_controller_interaction";

@@ -25,8 +25,8 @@ Space makeSpace(XrSession session, const Pose& referenceFromSpace,
     return space;
 }
 
-// Returns a space with its origin on the floor, below LOCAL's or in the area that the player has set up.
-// Empty if the runtime has neither.
+// Returns a space with its origin on the floor: below LOCAL's origin, else in the play area that the player
+// has set up. Empty if the runtime has neither.
 Space makeFloor(XrSession session) {
     const auto offered = enumerate(XR_REFERENCE_SPACE_TYPE_LOCAL,
                                    [&](uint32_t capacity, uint32_t* count, XrReferenceSpaceType* items) {
@@ -75,7 +75,7 @@ class Swapchain {
         const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
         SHOAL_XR(xrAcquireSwapchainImage(name(), &acquire, &index));
         acquired_ = true;
-        // Limited: a runtime that hangs must not stop the window too.
+        // The wait is limited, because a runtime that hangs must not stop the window too.
         constexpr XrDuration kPatience_ns = 2'000'000'000;
         const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, kPatience_ns};
         const XrResult waited = SHOAL_XR(xrWaitSwapchainImage(name(), &wait));
@@ -229,7 +229,7 @@ void askForRefreshRate(const Instance& instance, XrSession session) {
 } // namespace
 
 struct Headset::State {
-    // Members depend on earlier ones and are destroyed first.
+    // Members use the members before them, so they are destroyed before those.
     Instance instance;
     SessionHandle session;
     Space local, world, floor;
@@ -240,13 +240,13 @@ struct Headset::State {
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false; // between xrBeginSession and xrEndSession
     bool lost = false;    // runtime or headset are gone
-    bool worn = true;     // true if the headset has no sensor for it
+    bool worn = true;     // whether a player wears the headset; true if it has no sensor for that
     bool centring = true;
     std::optional<XrTime> recentresAt_ns; // time at which the runtime moves LOCAL, on the player's request
     bool positionTracked = false;         // whether it was ever tracked, not merely valid
     bool everPlaced = false;              // whether a position was ever known
     bool centredBlind = false; // the dive was centred without a position: centred again once there is one
-    // Positions of the eyes in the head's frame, as last known; at first people's mean.
+    // Positions of the eyes in the head's frame, as last known; at first those of an average person.
     std::array<glm::vec3, 2> headFromEye{glm::vec3(-0.0315f, 0, 0), glm::vec3(0.0315f, 0, 0)};
     Frame frame;
     Tracking tracking;
@@ -355,7 +355,7 @@ Result<Frame> Headset::waitFrame() {
         s.frame.display_ns = next.predictedDisplayTime;
         s.frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
         s.frame.drawn = next.shouldRender == XR_TRUE;
-        // Until then the head's pose refers to the old LOCAL.
+        // Before that time the head's pose refers to the old LOCAL.
         if (s.recentresAt_ns && s.frame.display_ns >= *s.recentresAt_ns) {
             s.centring = true;
             s.recentresAt_ns.reset();
@@ -420,7 +420,7 @@ void Headset::State::locateEyes() {
     tracking.worldFromHead = middle();
 }
 
-// A floor too far below the eyes is ignored.
+// Ignores a floor that is above the eyes, or too far below them.
 void Headset::State::locateFloor() {
     constexpr float kHighestEyes_m = 3;
     tracking.floor_m.reset();

@@ -15,7 +15,7 @@
 
 namespace shoal::xr {
 
-// Depths belong to the eyes' pictures; not every headset takes them.
+// Pictures that the runtime shows. Depth pictures belong to the eyes' pictures; not every headset takes them.
 enum class Picture { LeftEye, RightEye, Panel, LeftDepth, RightDepth };
 
 // Distances of a frustum's planes, metres.
@@ -24,17 +24,17 @@ struct Planes {
 };
 
 struct Frame {
-    int64_t display_ns = 0; // when it is shown; the runtime's clock
+    int64_t display_ns = 0; // time at which it is shown, by the runtime's clock
     double period_s = 0;    // time from one frame to the next
     bool drawn = false;     // whether it is visible and must be drawn
 };
 
-// Pictures that end() shows: those released since begin().
+// Choice of pictures that end() shows, among those released since begin().
 struct Shown {
     bool eyes = false;
     bool room = false;            // the room shows through the eyes' pictures where their alpha is below 1
-    glm::ivec2 eyeSize{0};        // drawn part, from the lower left; at most eyeSize()
-    std::optional<Planes> planes; // of the eyes' depths, 0 to 1 from near to far; empty: no depths
+    glm::ivec2 eyeSize{0};        // size of the drawn part, from the lower left; at most eyeSize()
+    std::optional<Planes> planes; // planes of depth 0 (near) and 1 (far) of the eyes' depths; none if empty
     bool panel = false;           // with premultiplied alpha
     Pose worldFromPanel;          // pose of its middle; its front is +Z
     glm::vec2 panelSize_m{0};
@@ -48,7 +48,7 @@ class Headset {
     // Returns whether a runtime answers and has a headset. May take seconds. Any thread while there is no
     // Headset, but not before its first call has set up the loader's environment.
     static bool isThere();
-    // panelSize: of the picture for text, pixels. Needs a GLX context. Errors tell the player what to do.
+    // panelSize: pixels of the text panel's picture. Needs a GLX context. Errors tell the player what to do.
     static Result<Headset> open(glm::ivec2 panelSize);
     Headset(Headset&&) noexcept;
     ~Headset(); // ends the session properly and stops vibrations
@@ -56,7 +56,7 @@ class Headset {
     // Handles the runtime's events: begins or ends the session on demand. Fails when the headset is lost.
     Status poll();
     bool lost() const;        // a call failed because runtime or headset is gone: another open() may succeed
-    bool wantsFrames() const; // false: do not call waitFrame(), begin(), end(); empty frames are frames too
+    bool wantsFrames() const; // false: do not call waitFrame(), begin() or end(), even for an empty frame
     bool plays() const;       // the headset is worn, and no menu of the runtime covers the game
     bool leaving() const;     // the player told the runtime to end the game
     // Centres the dive at the next tracked frame: its origin becomes the eyes' position, and ahead where they
@@ -64,7 +64,7 @@ class Headset {
     void recentre();
 
     Result<Frame> waitFrame();        // sleeps until the runtime wants the next one
-    const Tracking& tracking() const; // at the time when the frame is shown
+    const Tracking& tracking() const; // tracking data predicted for the time when the frame is shown
 
     Status begin();
     // Returns a framebuffer of eyeSize() or panelSize: colour only, for display-coded values (sRGB), or depth

@@ -79,7 +79,7 @@ void findHeadset(Instance& instance) {
         return std::find(blends.begin(), blends.end(), mode) != blends.end();
     };
     instance.seesRoom = offers(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
-    // Opaque wherever the headset supports it, as the film is everywhere.
+    // Prefers the opaque mode if the headset offers it, because the film fills the whole picture.
     if (!offers(XR_ENVIRONMENT_BLEND_MODE_OPAQUE) && !blends.empty()) instance.blend = blends.front();
 }
 

@@ -32,7 +32,7 @@ struct Failure : std::exception {
     explicit Failure(std::string reason, bool runtimeLost = false)
         : error{"OpenXR", std::move(reason)}, lost(runtimeLost) {}
     Error error;
-    bool lost; // runtime or headset is gone: everything made from them is useless, a new one may come
+    bool lost; // the runtime or headset is gone: all handles are useless, but a new connection may succeed
 };
 
 XrResult check(XrResult result, const char* call);
@@ -56,7 +56,7 @@ template <class Function> Function functionOf(XrInstance instance, const char* n
     return reinterpret_cast<Function>(function);
 }
 
-// Returns the items of an OpenXR enumeration, queried twice: call(capacity, count, items); at most kMax.
+// Returns an OpenXR enumeration's items, kMax at most. call(capacity, count, items) is called twice.
 template <class Item, class Call> std::vector<Item> enumerate(const Item& blank, Call&& call) {
     constexpr uint32_t kMax = 4096;
     uint32_t count = 0;
@@ -110,7 +110,7 @@ struct Instance {
     bool uses(std::string_view extension) const {
         return std::find(enabled.begin(), enabled.end(), extension) != enabled.end();
     }
-    // withHeadset: false only finds out which runtime is active.
+    // withHeadset: whether a headset is needed; false only finds out which runtime is active.
     static Instance open(bool withHeadset);
 };
 
@@ -143,10 +143,10 @@ class Actions {
     static Actions make(const Instance& instance, XrSession session);
 
     void locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const;
-    // amplitude 0 to 1; 0 stops. Ends with the next call, after kVibration_ns at the latest.
+    // Vibrates until the next call, but for kVibration_ns at most. amplitude: 0 to 1; 0 stops.
     void vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const;
 
-    // Longer than a frame, so that it is continuous; short, so that it ends by itself if the game does.
+    // Longest vibration: longer than a frame, to be continuous; short, so that it ends if the game dies.
     static constexpr XrDuration kVibration_ns = 100'000'000;
 
   private:

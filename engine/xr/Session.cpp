@@ -1,9 +1,9 @@
-// Makes the session in the current OpenGL context. In a file of its own, because X11's headers define words
-// such as Status and None.
+// Creation of the session in the current OpenGL context. It has a file of its own, because X11's headers
+// define macros such as Status and None.
 #include "engine/core/Result.h"
 
 #include <epoxy/gl.h>
-// Included last, as it defines words that the headers above use.
+// Included last, because it defines macros that would replace words in the headers above.
 #include <epoxy/glx.h>
 
 #define XR_USE_PLATFORM_XLIB

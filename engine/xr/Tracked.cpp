@@ -33,7 +33,7 @@ bool believable(const Fov& fov) {
 
 Pose originAt(const Pose& head) {
     const glm::vec3 ahead = head.orientation * glm::vec3(0, 0, -1);
-    // Looking straight up or down, the top of the head gives the direction ahead.
+    // If the player looks straight up or down, the top of the head gives the direction ahead.
     const glm::vec3 top = head.orientation * glm::vec3(0, ahead.y > 0 ? -1.0f : 1.0f, 0);
     const glm::vec3 flat = std::hypot(ahead.x, ahead.z) > 0.1f ? ahead : top;
     const float yaw = std::atan2(-flat.x, -flat.z); // about +Y

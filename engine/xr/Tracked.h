@@ -48,28 +48,28 @@ struct Controller {
     bool active = false;
     bool gripValid = false;
     Pose worldFromGrip; // OpenXR's grip pose: in the palm
-    float squeeze = 0;  // 0 to 1: under the middle finger
-    float trigger = 0;  // 0 to 1: under the index finger
+    float squeeze = 0;  // pressure on the button under the middle finger, 0 to 1
+    float trigger = 0;  // pressure on the button under the index finger, 0 to 1
     bool menu = false;
 };
 
 // The tracking data of one moment.
 struct Tracking {
-    bool headTracked = false;  // the orientation is known; otherwise all below is as last known
+    bool headTracked = false;  // the orientation is known; otherwise head and eyes are as last known
     bool positionLost = false; // the position is not known: the last one is kept
     Pose worldFromHead;        // pose of the middle between the eyes
     // Height of the floor, world frame; empty: unknown.
     std::optional<float> floor_m;
     std::array<Eye, 2> eyes{}; // left, right
-    // Left, right; bare hands, joints in the world frame, without grip and pinch. Tracked if all joints are
-    // known; confidence: the share of joints that is not merely guessed.
+    // Bare hands, left and right: joints in the world frame; grip and pinch are not set. A hand is tracked if
+    // all joints are known; its confidence is the share of joints that are measured, not guessed.
     std::array<hands::HandPose, 2> hands{};
     std::array<Controller, 2> controllers{}; // left, right
 };
 
 // Conversion of a headset's eyes to views of the renderer, and plausibility checks of what a runtime reports.
 
-// The eye as the renderer draws it. The frustum's edges lie at the tangents of the field of view.
+// Returns the renderer's view of an eye. The frustum's edges lie at the tangents of the field of view.
 render::View viewOf(const Eye& eye);
 
 // Returns whether positions are finite and within 100 m and the orientation has unit length within a tenth.
@@ -77,8 +77,8 @@ bool believable(const Pose& pose);
 // Returns whether all edges are within 89 degrees, right of left, up above down.
 bool believable(const Fov& fov);
 
-// Returns the origin of a dive that starts with this head: at the eyes, upright, ahead where they look. Same
-// frame as the head.
+// Returns the origin of a dive that starts with this pose of the head: at the eyes, upright, with -Z where
+// they look. Both poses are in the same frame.
 Pose originAt(const Pose& head);
 
 } // namespace shoal::xr

@@ -13,7 +13,7 @@ class CameraPreview {
   public:
     static constexpr int kWidth = 240; // pixels
 
-    // Tracker's thread: whether a picture is needed, because look() was called since the last show().
+    // Returns whether look() was called since the last show(): a picture is needed. Tracker's thread.
     bool isWatched() const { return watched_; }
     void show(const ImageRgba8& picture) {
         const std::lock_guard lock(mutex_);
@@ -22,8 +22,8 @@ class CameraPreview {
         watched_ = false;
     }
 
-    // Program's thread, once a frame while the picture is on the screen. False: nothing new, out is
-    // unchanged.
+    // Copies a new picture to out; returns false if there is none. For the program's thread, once a frame
+    // while the picture is on the screen.
     bool look(ImageRgba8& out) {
         const std::lock_guard lock(mutex_);
         watched_ = true;
@@ -36,7 +36,7 @@ class CameraPreview {
   private:
     std::atomic<bool> watched_ = false;
     std::mutex mutex_;
-    ImageRgba8 picture_; // guarded, as isNew_
+    ImageRgba8 picture_; // guarded by mutex_, as is isNew_
     bool isNew_ = false;
 };
 

@@ -11,7 +11,7 @@ namespace shoal::hands {
 
 namespace {
 
-constexpr float kSizeMin = 0.6f, kSizeMax = 1.5f; // of the rig's hand, a man's: a child's, a giant's
+constexpr float kSizeMin = 0.6f, kSizeMax = 1.5f; // a child's, a giant's, relative to the rig's, a man's
 constexpr float kBentWhenUnseen = 0.9f;           // curl of a finger that an old service does not show
 
 glm::quat frameOf(glm::vec3 direction, glm::vec3 normal) {
@@ -30,8 +30,8 @@ bool agreesWithJoints(PartialHand& hand) {
                &little = hand.joints[static_cast<size_t>(kFingerJoints[4].proximal)];
     if (!index || !little || !(glm::distance(*index, *little) > 1e-3f)) return true;
     const glm::vec3 thumbwards = glm::normalize(*index - *little);
-    // The axis about which fingers bend leads to the thumb's side of a right hand, away from it of a left
-    // one. Sum of the sines of the outer two bends of four fingers: bends at the roots go either way.
+    // Fingers bend about an axis that points to the thumb's side in a right hand, away from it in a left one.
+    // bend: sum of the sines of four fingers' outer two bends; bends at the roots go either way.
     float bend = 0;
     for (int finger = 1; finger < kFingerCount; ++finger) {
         const int proximal = kFingerJoints[finger].proximal;
@@ -45,7 +45,7 @@ bool agreesWithJoints(PartialHand& hand) {
         bend += glm::dot(glm::cross(bones[0], bones[1]) + glm::cross(bones[1], bones[2]), thumbwards);
     }
     constexpr float kTells = 0.1f;  // least bend that tells the side; recorded flat hands have 0.12 and more
-    constexpr float kOverrules = 2; // least bend against both side and normal: 15 degrees a joint
+    constexpr float kOverrules = 2; // least bend that overrules side and normal: 15 degrees a joint
     const Side byBend = bend > 0 ? Side::Right : Side::Left;
     const Side byNormal =
         glm::dot(glm::cross(hand.direction, hand.normal), thumbwards) > 0 ? Side::Right : Side::Left;
@@ -77,8 +77,8 @@ float HandCompleter::sizeOf(const PartialHand& hand) const {
     return std::clamp(size, kSizeMin, kSizeMax);
 }
 
-// Fingers keep their order across the hand. Among the choices of fingers, the best is the one whose angles,
-// seen from the palm, are nearest to those of a flat hand.
+// Assigns the loose fingertips to fingers, in the same order across the hand: to those whose angles, seen
+// from the palm, are nearest to the tips' in a flat hand.
 HandCompleter::Fit HandCompleter::fitTips(const PartialHand& hand, Side side) const {
     const HandPose& rest = rest_[side == Side::Left ? 0 : 1];
     const float thumbwards = side == Side::Left ? 1.0f : -1.0f; // sign of x on the thumb's side

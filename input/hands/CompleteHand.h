@@ -8,7 +8,7 @@
 
 namespace shoal::hands {
 
-// Metres, device's frame; empty where nothing is known.
+// Positions of a hand's joints, metres, device's frame; empty where unknown.
 using JointPositions = std::array<std::optional<glm::vec3>, kJointCount>;
 
 struct PartialHand {
@@ -17,7 +17,7 @@ struct PartialHand {
     glm::vec3 palm{0};
     glm::vec3 normal{0, -1, 0};     // out of the palm, of any length
     glm::vec3 direction{0, 0, -1};  // to the fingers, of any length, not parallel to the normal
-    std::optional<glm::vec3> elbow; // as the joints
+    std::optional<glm::vec3> elbow; // metres, device's frame
     std::optional<float> palmWidth_m;
     std::optional<float> grip, pinch, confidence;
     JointPositions joints; // all but the palm
@@ -26,9 +26,9 @@ struct PartialHand {
     int looseTipCount = 0;
 };
 
-// Corrects the side and normal of a hand by its finger joints, where those are known: a service that takes
-// one hand for the other, or the palm for the back, would bend the fingers backwards. Returns false if they
-// disagree and the fingers are too straight to tell which is wrong. The hand has a side.
+// Corrects a hand's side and normal by its finger joints, where those are known: if a service takes one hand
+// for the other, or the palm for the back, the fingers would bend backwards. Returns false if they disagree
+// and the fingers are too straight to tell which is wrong. hand.side must be set.
 bool agreesWithJoints(PartialHand& hand);
 
 class HandCompleter {
@@ -40,7 +40,7 @@ class HandCompleter {
     // side: used if the hand has none.
     HandPose complete(const PartialHand& hand, Side side) const;
 
-    // Returns the side that loose fingertips indicate, if they do.
+    // Returns the side that a hand's loose fingertips indicate; empty if they do not tell.
     std::optional<Side> sideOfTips(const PartialHand& hand) const;
 
   private:

@@ -13,7 +13,7 @@ namespace shoal::hands {
 
 namespace {
 
-// Returns the way from a to b: of quaternions the shorter one, as axis times angle in a's frame.
+// Returns the displacement from a to b; for quaternions the shorter rotation, axis times angle in a's frame.
 glm::vec3 wayBetween(const glm::vec3& a, const glm::vec3& b) { return b - a; }
 glm::vec3 wayBetween(const glm::quat& a, const glm::quat& b) {
     glm::quat d = glm::conjugate(a) * b;

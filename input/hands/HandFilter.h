@@ -21,13 +21,13 @@ struct OneEuroTuning {
 // each.
 namespace tuning {
 
-// Filtering: more slope, less latency in motion; less cut-off, less jitter at rest.
+// Filtering: a larger slope gives less latency in motion, a lower cut-off less jitter at rest.
 constexpr OneEuroTuning kPosition{3.0f, 40.0f, 4.0f};   // m/s; of the palm in the viewer's frame
 constexpr OneEuroTuning kFinger{4.0f, 60.0f, 4.0f};     // m/s; of the other joints in the palm's frame
 constexpr OneEuroTuning kOrientation{4.0f, 3.0f, 4.0f}; // rad/s; of every joint
 
-// Prediction: more slope, less lag behind a hand that changes its velocity; less cut-off, less jitter at
-// rest.
+// Prediction: a larger slope gives less lag behind a hand that changes its velocity, a lower cut-off less
+// jitter at rest.
 struct VelocityTuning {
     float minCutoff_Hz;
     float slope; // Hz per unit of velocity
@@ -35,30 +35,30 @@ struct VelocityTuning {
 };
 constexpr VelocityTuning kPalmVelocity{0.5f, 40.0f, 0.15f}; // m/s, m
 constexpr VelocityTuning kPalmSpin{0.5f, 4.0f, 0.5f}; // rad/s, rad; as kPalmVelocity, 0.1 m from the wrist
-// Time in which a predicted hand slows down evenly to rest: the longer, the less it lags, and the farther it
-// goes on when it stops at once.
+// Time in which a predicted hand slows down evenly to rest. A longer time gives less lag, but more overshoot
+// when the real hand stops at once.
 constexpr float kStops_s = 0.15f;
-// A wrong prediction is corrected within an interval of the device's, but not faster than this.
+// A prediction's error is corrected within an interval of the device's frames, but within this at least.
 constexpr float kCorrect_s = 1.0f / 60;
 
 constexpr float kFastest_mps = 25.0f; // a palm that seems faster than this is another hand
-constexpr float kJump_m = 0.10f;      // besides what kFastest_mps allows
+constexpr float kJump_m = 0.10f;      // distance allowed in addition to that at kFastest_mps
 
-constexpr float kMouseReturns_s = 1; // a device that sees no hand for so long leaves the game to the mouse
+constexpr float kMouseReturns_s = 1; // a device that sees no hand for this long leaves the game to the mouse
 
 // A hand that comes back glides to where it is seen, and pushes nothing meanwhile.
 constexpr float kGlide_mps = 2.0f;  // mean speed; its peak is 1.5 times that, below what tears a fish loose
 constexpr float kGlideMin_s = 0.1f; // however near
 constexpr float kGlideMax_s = 0.5f; // however far
 constexpr float kNear_m = 0.03f;    // nearer than this it stays solid: nobody sees it glide
-constexpr float kAppear_s = 0.15f;  // a hand that was not there before is not solid for so long
+constexpr float kAppear_s = 0.15f;  // time for which a hand that was not there before is not solid
 
 // Gestures, beside kGripCloses and kGripOpens.
 constexpr float kPinchCloses = 0.75f;
 constexpr float kPinchOpens = 0.55f;
 constexpr float kPinchToFist = 0.80f; // grip that turns a pinch into a fist without opening first
-// Least strength given out while closed, and greatest while open: beyond the thresholds, so that readers
-// decide alike.
+// Least strength reported while closed, and greatest while open: they lie beyond the thresholds, so that all
+// readers decide alike.
 constexpr float kClosedMin = 0.60f, kOpenMax = 0.30f;
 constexpr float kStrengthTau_s = 0.01f; // smoothing of the strengths, time constant
 
@@ -79,7 +79,7 @@ template <class Value> class OneEuro {
     void reset(const Value& value);
     const Value& step(const Value& value, float dt_s); // dt_s <= 0: nothing new
     const Value& value() const { return value_; }
-    float lag_s() const { return lag_s_; } // of value() behind one that moves steadily
+    float lag_s() const { return lag_s_; } // of value() behind a value that moves steadily
 
   private:
     OneEuroTuning tuning_;
@@ -90,9 +90,9 @@ template <class Value> class OneEuro {
 using OneEuroPoint = OneEuro<glm::vec3>;
 using OneEuroTurn = OneEuro<glm::quat>;
 
-// Dead reckoning: predicts a filtered value by a velocity that falls to nothing within kStops_s. It is
-// low-passed with a cut-off that grows with it, as in the one-euro filter. A value that slows down is taken
-// to lose as much speed again, or a hand that stops would be drawn beyond.
+// Dead reckoning: predicts a filtered value by a velocity that falls to 0 within kStops_s. The velocity is
+// low-passed, with a cut-off that grows with its magnitude, as in the one-euro filter. A value that slows
+// down is expected to lose as much speed again; otherwise a hand that stops would be drawn beyond its place.
 template <class Value> class DeadReckoning {
   public:
     explicit DeadReckoning(const tuning::VelocityTuning& tuning) : tuning_(tuning) {}
@@ -111,7 +111,7 @@ enum class Gesture { Open, Pinch, Fist };
 class GestureLatch {
   public:
     void reset() { *this = {}; }
-    // Changes grip and pinch to below kOpenMax or above kClosedMin, as decided; at most one is closed.
+    // Keeps the strength of the decided gesture at kClosedMin or above, and the others at kOpenMax or below.
     Gesture step(float& grip, float& pinch, float dt_s);
 
   private:
@@ -140,7 +140,7 @@ class HandFilter {
     bool seen() const { return pose_.tracked; }    // in the last frame
     Gesture gesture() const { return gesture_; }
     int stretch() const { return stretch_; } // number of the stretch of unbroken tracking
-    // Time from the frame before to the last one in which it was seen; 0: the stretch begins with that one.
+    // Time between the last two frames that saw the hand; 0: the stretch of tracking begins with the last.
     float interval_s() const { return interval_s_; }
 
     // Predicts the palm at that time after the hand was last seen, without the filter's lag.

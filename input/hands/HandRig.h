@@ -30,7 +30,7 @@ class HandRig {
     // Reads content/models/hand_skeleton.json.
     static Result<HandRig> load(const Path& file);
 
-    // Returns a tracked hand, with grip and pinch as the joints show them. The left hand mirrors the right.
+    // Returns a tracked hand; grip and pinch follow from its joints. The left hand mirrors the right.
     HandPose pose(Side, const HandShape&, const WristPose&) const;
 
     // Returns the length of the bone from kJointParent[joint] to the joint, metres; 0 for the wrist.
@@ -47,7 +47,7 @@ class HandRig {
 float gripOf(const std::array<Joint, kJointCount>&);
 float pinchOf(const std::array<Joint, kJointCount>&);
 
-// Reach of a hand's grasp centre from the eye, metres.
+// Range of distances of a hand's grasp centre from the eye, metres.
 constexpr float kReachMin_m = 0.25f;
 constexpr float kReachMax_m = 1.6f;
 

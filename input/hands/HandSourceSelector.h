@@ -8,20 +8,20 @@
 
 namespace shoal::hands {
 
-// The time at which a device's frames count. Live: as they come. Stamps: when the game's time has come to
-// their time stamps, for which the game waits, so that the same recording always gives the same game.
+// Time when a device's frames are used. Live: on arrival. Stamps: when the game's time reaches their stamps;
+// the game waits for them, so that the same recording always gives the same game.
 enum class DeviceTime { Live, Stamps };
 
 class DeviceHands {
   public:
     explicit DeviceHands(DeviceTime time) : time_(time) {}
 
-    // Takes what the stream holds for the next elapsed_s of the game, which end now.
+    // Takes the stream's frames for the elapsed_s seconds of the game's time that end now.
     void advance(HandStream& stream, double elapsed_s, Clock::time_point now);
 
     const HandFilter& hand(int side) const { return filters_[static_cast<size_t>(side)]; }
-    float notSeen_s(int side) const { return notSeen_s_[static_cast<size_t>(side)]; } // since it last was
-    // Age of the pose of hand(): notSeen_s() and the time from a picture to its arrival here.
+    float notSeen_s(int side) const { return notSeen_s_[static_cast<size_t>(side)]; } // since last seen
+    // Age of hand()'s pose: notSeen_s() plus the time from its picture to its arrival here.
     float age_s(int side) const { return notSeen_s(side) + lateness_s_[static_cast<size_t>(side)]; }
     // HandFrame's values, when the hand was seen last.
     glm::vec3 towardsElbow(int side) const { return towardsElbow_[static_cast<size_t>(side)]; }

@@ -24,10 +24,10 @@ struct HandFrame {
     Clock::time_point seenAt{};      // by this machine's clock; HandStream sets it where the tracker does not
     std::array<HandPose, 2> hands{}; // left, right; unfiltered, viewer's frame
     std::array<int64_t, 2> identity{}; // changes when the device no longer knows that it is the same hand
-    // Unit vector from the wrist, viewer's frame; 0 where the device sees no elbow. For the picture only.
+    // Unit vector from the wrist to the elbow, viewer's frame; 0 if no elbow is seen. Used for drawing only.
     std::array<glm::vec3, 2> towardsElbow{};
-    // Distance from a camera to the palm if the hand were of the rig's size (HandSize.h), metres; 0 of a
-    // device that measures distances.
+    // Distance from the camera to the palm if the hand had the rig's size (HandSize.h), metres; 0 if the
+    // device measures distances.
     std::array<float, 2> asRig_m{};
 };
 
@@ -35,7 +35,7 @@ struct HandFrame {
 struct DeviceState {
     bool present = false;     // frames come, or would if there were hands
     std::string description;  // "protocol 6, peripheral attached", "not there", ...
-    bool lacksModels = false; // a webcam's, which handModelScript() fetches
+    bool lacksModels = false; // the webcam's models are missing; handModelScript() fetches them
 };
 
 // A queue of frames with one writer, the tracker's thread, and one reader.
@@ -46,7 +46,7 @@ class HandStream {
     explicit HandStream(size_t capacity = 1024, Full full = Full::Drop);
 
     void push(HandFrame frame); // a frame without seenAt counts as seen now
-    // Takes the oldest frame; false: none. Programs that do not run in real time wait up to `patience`.
+    // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time.
     bool take(HandFrame& out, std::chrono::milliseconds patience = {});
     void close(); // calls no longer wait
 
@@ -94,8 +94,8 @@ struct LeapOptions {
     int retry_ms = 500; // least time from one attempt to connect to the next
 };
 
-// Connects on a thread of its own, and again whenever the service goes. A service that closes with code 1001
-// is asked at once for the protocol one version older; one that was gone is asked for the newest again.
+// Connects on a thread of its own, and reconnects whenever the service goes. A service that closes with code
+// 1001 is asked at once for the protocol one version older; after any other loss the newest is asked for.
 constexpr int kNewestLeapVersion = 6;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
@@ -161,8 +161,8 @@ class HandPlacement {
     static constexpr float kEase_s = 0.3f;
 
   private:
-    // Returns the correction to each hand's place by the mount alone; viewer's frame, metres. palmsDevice: of
-    // the hands that are seen. touching_m: palms nearer than this may belong to hands that touch.
+    // Returns the shift of each hand from its place by the mount; viewer's frame, metres. palmsDevice: palms
+    // of the hands that are seen. touching_m: palms nearer than this may belong to hands that touch.
     std::array<glm::vec3, 2> shifts(const std::array<std::optional<glm::vec3>, 2>& palmsDevice,
                                     float touching_m, int64_t time_us);
 

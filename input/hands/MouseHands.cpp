@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kCloseTime_s = 0.12f;
 constexpr float kFollow_s = 0.025f;   // the hand lags the cursor by about this: no jitter, no felt delay
-constexpr float kSwap_s = 0.09f;      // to the side and back
+constexpr float kSwap_s = 0.09f;      // time constant of the other hand's way to its place
 constexpr float kReach_s = 0.12f;     // time in which the help closes a gap in depth
 constexpr float kReach_mps = 0.55f;   // its greatest speed: a faster hand would frighten the fish
 constexpr float kReachEase_s = 0.05f; // time in which it changes its speed
@@ -46,7 +46,7 @@ glm::vec3 rayThroughCursor(const MouseInput& input) {
 HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float closed) {
     const float sign = side == Side::Left ? -1.0f : 1.0f;
     const glm::vec3 shoulder(sign * 0.18f, -0.24f, 0.04f);
-    // Fingers along the forearm and somewhat up; the back of the hand outwards, upwards and to the player.
+    // Fingers point along the forearm and slightly up; the hand's back faces outwards, up and the player.
     const glm::vec3 fingers = glm::normalize(glm::normalize(grasp - shoulder) + glm::vec3(0, 0.35f, 0));
     const glm::vec3 back = glm::vec3(sign * 0.65f, 0.6f, 0.35f);
     WristPose wrist;
@@ -57,7 +57,7 @@ HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float clos
     shape.curl = {0.05f + 0.75f * smooth, 0.10f + 0.80f * smooth, 0.12f + 0.80f * smooth,
                   0.14f + 0.80f * smooth, 0.16f + 0.80f * smooth};
     shape.spread = 0.5f * (1 - smooth);
-    // The grasp centre hangs from the palm, the palm from the wrist: neither depends on the fingers.
+    // The grasp centre depends only on the palm, and the palm only on the wrist: the fingers move neither.
     const HandPose atOrigin = rig.pose(side, shape, wrist);
     wrist.position = grasp - graspCentre(atOrigin.joints);
     HandPose hand = atOrigin;

@@ -18,9 +18,9 @@ struct MouseInput {
     bool swapHands = false;  // true on the frame the key goes down
     float aspect = 16.f / 9; // width / height
     float fovY = 1.2f;       // radians
-    // Distance of the target under the cursor from the eye, metres, where the game offers help with depth:
-    // the hand goes there smoothly until it has closed, and the wheel counts from there. Empty: only the
-    // wheel decides.
+    // Distance from the eye to the target under the cursor, metres, if the game helps with depth: the hand
+    // moves there smoothly until it has closed, and the wheel changes the distance from there. Empty: only
+    // the wheel decides.
     std::optional<float> reach_m;
     float reachHelp = 1; // 0 to 1: share of the way there
 };

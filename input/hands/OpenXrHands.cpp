@@ -49,7 +49,7 @@ HandPose handFromController(const HandRig& rig, Side side, const xr::Controller&
         shape.curl[static_cast<size_t>(finger)] = bend(controller.squeeze);
     WristPose wrist;
     wrist.orientation = glm::normalize(headFromGrip.orientation * gripFromWrist(side));
-    // The grip pose lies on the palm's surface; the palm hangs from the wrist whatever the fingers do.
+    // The grip pose lies on the palm's surface; the palm's place depends on the wrist, not on the fingers.
     HandPose hand = rig.pose(side, shape, wrist);
     const Joint& palm = hand.joints[0];
     const glm::vec3 surface = palm.position - palm.orientation * glm::vec3(0, palm.radius, 0);

@@ -6,7 +6,7 @@
 
 namespace shoal::hands {
 
-// Converts a bare hand of xr::Tracking.
+// Converts a bare hand of xr::Tracking, and estimates its grip and pinch.
 HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead);
 
 // Returns a hand around a controller: the palm at the grip pose, the last three fingers bent by the squeeze,

@@ -9,8 +9,8 @@
 
 namespace shoal::haptics {
 
-// The shell waits for a line from a pipe. The destructor sends one; if the process dies, the pipe ends
-// without. Signals that end a program may come to both, so the shell ignores them.
+// The shell waits for a line from a pipe. The destructor sends one; if the process dies, the pipe closes
+// without a line. Signals that end the program may also reach the shell, so it ignores them.
 CrashStop::CrashStop(const std::string& file, std::span<const uint8_t> stop) {
     constexpr const char* kScript =
         R"(trap '' HUP INT QUIT TERM; read -r line || printf "$1" 2>/dev/null >"$0")";

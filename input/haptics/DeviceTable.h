@@ -25,8 +25,8 @@ struct Report {
 };
 
 struct Driver {
-    // Equal reports mean equal vibration: seal fills in what differs from one write to the next (a sequence
-    // number, a checksum).
+    // Encodes a frame as a report. Equal reports mean equal vibration: seal adds what differs from one write
+    // to the next (a sequence number, a checksum).
     std::function<Report(const HapticFrame&)> encode;
     void (*seal)(Report&, uint8_t sequence) = nullptr;
     std::vector<Report> initialReports; // written first, sealed likewise
@@ -45,7 +45,7 @@ struct DeviceContext {
     HidDevice& device;
 };
 
-// Each is defined in the file named beside it.
+// Functions that make the drivers; each is defined in the file named beside it.
 using MakeDriver = Driver(const DeviceContext&);
 MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia, makeForceFeedback; // Gamepads.cpp
 MakeDriver makeSwitch;                                                             // Switch.cpp
@@ -53,7 +53,7 @@ MakeDriver makeGlove;                                                           
 
 struct DeviceRow {
     uint16_t vendor, product;
-    Transport transport; // Any: both alike
+    Transport transport; // Any: USB and Bluetooth alike
     const char* name;
     const char* motors;
     MakeDriver* driver;

@@ -12,8 +12,8 @@ static_assert(glove::kActuators == kActuatorCount);
 
 namespace {
 
-// 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The body, for which a glove has no
-// actuator, goes to both palms.
+// Bytes: 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The body's vibration, for
+// which a glove has no actuator, goes to both palms.
 Report gloveReport(const HapticFrame& frame) {
     Report report{.size = 1 + glove::kReportBytes};
     for (size_t i = 0; i < kActuatorCount; ++i) {

@@ -12,6 +12,6 @@ constexpr uint8_t kUsage = 0x01;
 
 constexpr int kActuators = 12; // thumb, index, middle, ring, little, palm; left hand, then right
 constexpr size_t kReportBytes = 1 + kActuators + kActuators; // sequence, amplitudes, frequencies
-constexpr uint32_t kHzPerStep = 2;                           // of a frequency's byte
+constexpr uint32_t kHzPerStep = 2;                           // hertz for one step of a frequency's byte
 
 } // namespace glove

@@ -12,7 +12,7 @@ namespace shoal::haptics {
 
 namespace {
 
-constexpr double kStopping_s = 0.1; // for the last reports, each at its device's pace
+constexpr double kStopping_s = 0.1; // time limit for the last reports, each at its device's pace
 
 double secondsSince(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -48,7 +48,7 @@ const DeviceRow* recognise(const HidInfo& info) {
     return nullptr;
 }
 
-// Returns why the device cannot be used; empty: it can.
+// Opens and adds a device. Returns the reason if it cannot be used, else an empty text.
 std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double now_s) {
     auto open = bus_.open(info.path);
     if (!open) return notLetIn(info);
@@ -116,7 +116,7 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
                 return false;
             }
             if (!write(device, report, now_s)) {
-                // The device may still hear: one more report to stop it.
+                // The device may still receive reports, so one more stops it.
                 device.open->write(device.driver.sealed({}, device.sequence).view());
                 return true;
             }

@@ -70,7 +70,7 @@ class HapticDevices {
     double found_s_ = -1e9;
 };
 
-// A frame lasts that long unless a newer one comes: when the program stalls, the motors stop.
+// Time for which a frame is felt unless a newer one comes; so the motors stop when the program stalls.
 constexpr double kFelt_s = 0.25;
 
 // Haptic output on a thread of its own, so that neither finding devices nor slow writes delay a picture. The
@@ -92,7 +92,7 @@ class HapticOutput {
     std::optional<Submitted> wait(const std::stop_token& ending, double max_s);
     void run(const std::stop_token& ending, const HidBus& bus);
 
-    std::mutex mutex_; // of the following; held for a copy of one frame at a time
+    std::mutex mutex_; // guards newest_ and fresh_; held for a copy of one frame at a time
     std::condition_variable_any changed_;
     Submitted newest_;
     bool fresh_ = false;

@@ -44,7 +44,7 @@ inline Actuation stronger(const Actuation& a, const Actuation& b) {
     return b.amplitude > a.amplitude ? b : a;
 }
 
-// Returns the strongest with a frequency of min_Hz or above and below limit_Hz; amplitude 0 if there is none.
+// Returns the strongest actuation with a frequency from min_Hz to below limit_Hz; amplitude 0 if none.
 Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz = 0,
                       float limit_Hz = std::numeric_limits<float>::infinity());
 
@@ -56,7 +56,7 @@ float driveOf(float amplitude);
 // the hand's actuators and the body's. hand: 0 left, 1 right. Amplitude 0 to 1; NaN is 0.
 Actuation vibrationOf(const HapticFrame& frame, int hand);
 
-// Decides when to write to such a motor: a change at once, an ongoing vibration again before it runs out.
+// Decides when to send to such a device: a change at once, an ongoing vibration again before it runs out.
 class VibrationTimer {
   public:
     // Returns whether to send `now`. now_s: any clock that rises.

@@ -33,7 +33,7 @@ class HidapiDevice final : public HidDevice {
     std::optional<CrashStop> crashStop_;
 };
 
-// hidapi 0.13 has no call for this.
+// Returns HidInfo::device of a path, for which hidapi 0.13 has no call.
 std::string deviceOf(const std::string& path) {
     std::error_code none;
     return fs::canonical(fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device", none).string();

@@ -18,7 +18,7 @@ struct HidInfo {
     uint16_t vendor = 0, product = 0;
     Transport transport = Transport::Any;
     std::string name;   // as the device calls itself; may be empty
-    std::string device; // the system's name of the device behind the path, which may have several; or empty
+    std::string device; // the system's name of the physical device, which may have several paths; or empty
     uint16_t usagePage = 0, usage = 0; // of its first collection of reports
 };
 
@@ -30,7 +30,7 @@ class HidDevice {
     // Reads the feature report whose id is the buffer's first byte. Returns the number of bytes, with the id;
     // 0 on failure.
     virtual size_t readFeature(std::span<uint8_t>) { return 0; }
-    // Has this report written if the program dies while the device is open.
+    // Arranges that this report is written if the program dies while the device is open.
     virtual void stopAtCrash(std::span<const uint8_t>) {}
 };
 

@@ -8,11 +8,11 @@ namespace shoal::haptics {
 namespace {
 
 constexpr float kLow_Hz = 60, kHigh_Hz = 200;
-constexpr float kMinFelt = 0.2f; // of a motor's range
+constexpr float kMinFelt = 0.2f; // share of a motor's range at which it starts
 
 void add(Motors& motors, const Actuation& actuation) {
     const float quick = std::clamp((actuation.frequency_Hz - kLow_Hz) / (kHigh_Hz - kLow_Hz), 0.0f, 1.0f);
-    motors.strong = std::max(motors.strong, actuation.amplitude * (1 - quick)); // in this order NaN is lost
+    motors.strong = std::max(motors.strong, actuation.amplitude * (1 - quick)); // this order drops NaN
     motors.weak = std::max(motors.weak, actuation.amplitude * quick);
 }
 

@@ -16,7 +16,7 @@ int frequencyIndex(float frequency_Hz) {
     return static_cast<int>(std::lround(32 * std::log2(frequency_Hz / 10)));
 }
 
-// The left four bytes are of the left hand, the right of the right; a single Joy-Con takes its own half.
+// The first four bytes are for the left hand, the last for the right; a single Joy-Con takes its own half.
 Report tones(const HapticFrame& frame, size_t size) {
     Report report{.size = size};
     report.bytes[0] = 0x10;
@@ -32,10 +32,10 @@ Report tones(const HapticFrame& frame, size_t size) {
     return report;
 }
 
-// Vibration is off until it is enabled once, by subcommand 48.
+// Returns the report that enables vibration, which is off until then: subcommand 0x48.
 Report enable(size_t size) {
     Report report = tones({}, size);
-    report.bytes[0] = 0x01; // a subcommand, behind tones of its own
+    report.bytes[0] = 0x01; // a report with tones and a subcommand behind them
     report.bytes[10] = 0x48;
     report.bytes[11] = 0x01;
     return report;
@@ -45,8 +45,8 @@ void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence &
 
 } // namespace
 
-// The tables grow by a factor in each of three ranges: 2^(1/4) below 16, 2^(1/16) below 32, 2^(1/32) above;
-// 119.6, 17.03 and 8.7 fit their entries to the last place.
+// The table's amplitudes grow by a constant factor in each of three ranges of the index: 2^(1/4) below 16,
+// 2^(1/16) below 32, 2^(1/32) above; 119.6, 17.03 and 8.7 fit their entries to the last place.
 int switchAmplitudeIndex(float amplitude) {
     if (!(amplitude > 0)) return 0; // NaN too
     const auto index = [&](float perOctave, float factor) {
@@ -64,8 +64,8 @@ std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation&
                 low_Hz = lowIndex > 0 ? low.frequency_Hz : 160;
     const int highTone = 4 * (std::clamp(frequencyIndex(high_Hz), 0x61, 0xDF) - 0x60); // 0x004 to 0x1FC
     const int lowTone = std::clamp(frequencyIndex(low_Hz), 0x41, 0xBF) - 0x40;         // 0x01 to 0x7F
-    // Nine bits of frequency and seven of amplitude; seven of frequency, and an amplitude whose last bit
-    // stands before the others.
+    // High tone: nine bits of frequency and seven of amplitude. Low tone: seven bits of frequency, and the
+    // amplitude with its last bit before the others.
     return {static_cast<uint8_t>(highTone), static_cast<uint8_t>(2 * highIndex + (highTone >> 8)),
             static_cast<uint8_t>(lowTone + (lowIndex % 2 ? 0x80 : 0)),
             static_cast<uint8_t>(0x40 + lowIndex / 2)};

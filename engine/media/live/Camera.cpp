@@ -27,7 +27,7 @@ class Camera final : public LiveFeed {
         if (!with) return Error{"", "cannot be opened: " + with.error().message()};
         try {
             reader_ = nullptr;
-            // A short queue: waiting pictures grow old.
+            // The queue is short, because pictures grow old in it.
             reader_ = (*with)->openCamera(
                 index_, {.width = kRequestedWidth, .height = kRequestedHeight, .jpeg = true, .waiting = 2});
             if (!reader_) return Error{"", "cannot be opened, or is in use elsewhere"};

@@ -9,8 +9,8 @@ namespace shoal::media {
 
 namespace {
 
-// Schemes of URLs that are played, with StreamAddress::protocols; all others are refused. RTSP sends pictures
-// over its own connection: by UDP its server could have us talk to others.
+// Schemes of URLs that are played, with StreamAddress::protocols; all others are refused. RTSP has to send
+// pictures over its own connection: by UDP its server could make us send to other hosts.
 constexpr std::pair<const char*, const char*> kStreams[] = {
     {"rtsp", "tcp"}, {"http", "http,tcp"}, {"https", "https,tls,tcp"}, {"tcp", "tcp"}, {"udp", "udp"}};
 

@@ -32,8 +32,8 @@ struct StreamAddress {
 };
 using LiveAddress = std::variant<CameraAddress, PipeAddress, StreamAddress>;
 
-// Parses "camera:N", the name of a named pipe, or a URL of a scheme that is played. Empty: `text` names a
-// file, if anything. Fails for a malformed camera or URL, or a scheme that is not allowed.
+// Parses "camera:N", the name of a named pipe, or a URL of a scheme that is played; empty for other text,
+// such as a file's name. Fails for a malformed camera or URL, or a scheme that is not allowed.
 Result<std::optional<LiveAddress>> liveAddress(const std::string& text);
 
 // Returns the URL for messages: without user name and password.
@@ -73,7 +73,7 @@ class LiveFeed {
 
 struct FeedTimeouts {
     double open_s = 10;   // time limit until there is something to read
-    double silence_s = 4; // between pictures, before the connection counts as lost
+    double silence_s = 4; // longest time between pictures, after which the connection counts as lost
 };
 
 // Makes a feed without opening it. A silent camera cannot be interrupted for ten seconds.

@@ -14,7 +14,7 @@ using Slot = FrameSlots::Slot;
 using State = FrameSlots::State;
 
 constexpr Seconds kPollInterval{0.05};
-constexpr Seconds kJoinTimeout{2}; // for a feed that cannot be interrupted
+constexpr Seconds kJoinTimeout{2}; // time limit for a feed that cannot be interrupted
 
 } // namespace
 
@@ -27,24 +27,24 @@ struct LivePlayer::Impl {
     mutable std::mutex mutex;
     std::condition_variable changed;
     // Guarded by mutex:
-    FrameSlots slots; // the one being filled is the decode thread's
+    FrameSlots slots; // the decode thread owns the one being filled
     LiveCounts counts;
     double lastMade_s = 0;
     bool lost = false;
-    std::string reason; // of the loss
+    std::string reason; // reason of the loss
     bool stop = false;
     bool inFeed = false; // whether the thread is in a call that may block
     bool finished = false;
     std::thread thread;
 
-    // The frame thread's:
+    // Used by the frame's thread only:
     LiveState state = LiveState::Playing;
     std::string notice, noticedReason;
     std::array<double, 64> calls_s{}; // ring buffer: times of newest()
     size_t callCount = 0;
     int displayFrames = 0;
 
-    // The decode thread's:
+    // Used by the decode thread only:
     Layout layout = Layout::Mono;
     int width = 0, height = 0;
 
@@ -88,7 +88,7 @@ struct LivePlayer::Impl {
     // Reads until no more pictures come; returns the reason.
     Error play(std::unique_lock<std::mutex>& lock) {
         while (!stop) {
-            Slot& slot = *slots.find(State::Free); // of three, one is shown and one ready
+            Slot& slot = *slots.find(State::Free); // of three slots, at most one is shown and one ready
             slot.state = State::Filling;
             Result<LivePicture> picture = Error{};
             ImageRgb8& bgr = slots.pixelsOf(slot, options);

@@ -1,5 +1,5 @@
-// Player of live video: shows always the newest picture and never reads ahead. If nothing comes, the last
-// picture stays, and it connects again until pictures come.
+// Player of live video: always shows the newest picture and never reads ahead. If nothing comes, the last
+// picture stays, and the player connects again until pictures come.
 #pragma once
 
 #include "engine/media/VideoFrame.h"
@@ -15,7 +15,7 @@ struct LiveOptions : PlayerOptions { // layout: detected from shape or content, 
     std::function<double()> now_s = liveNow_s;
 };
 
-// Stopped: no new picture for kStill_s.
+// Stopped: no new picture for kStill_s. Lost: the connection is lost, and attempts to restore it go on.
 enum class LiveState { Playing, Stopped, Lost };
 constexpr double kStill_s = 1;
 
@@ -44,7 +44,7 @@ class LivePlayer {
     // call.
     const VideoFrame* newest();
 
-    // Returns how many display frames after its arrival the last returned frame is displayed: 1 is the next.
+    // Returns the last frame's latency in display frames, from arrival to display; 1: the next display frame.
     int displayFrames() const;
 
     // Returns the time since the last returned frame arrived.

@@ -14,7 +14,7 @@ namespace shoal::media {
 
 class PacketQueue {
   public:
-    // Empties and opens it. wait: push() waits for room and drops nothing.
+    // Empties and opens the queue. wait: push() waits for room and drops nothing.
     void reset(bool wait);
 
     // --- The reader's thread
@@ -66,7 +66,7 @@ class PacketQueue {
 // wait.
 class TokenBucket {
   public:
-    // burst_s: how much may come at once; a server that first sends the last seconds is still live.
+    // burst_s: seconds that may come at once: a live server may begin with its last few seconds.
     explicit TokenBucket(double burst_s) : max_s_(burst_s), left_s_(burst_s) {}
 
     // Returns the seconds that a packet stamped stamp_s, which came at now_s, has to wait.

@@ -36,7 +36,7 @@ std::string textOf(int error) {
 
 std::string seconds(double s) { return fmt::format("{:.3g} s", s); }
 
-// Burst that may come at once before packets are held to their own time stamps.
+// Seconds of video that may come at once before packets wait for their time stamps.
 constexpr double kLiveBurst_s = 3, kStoredBurst_s = 0.05;
 // While catching up, a picture is shown at least this often.
 constexpr double kMaxHidden_s = 0.25;
@@ -113,7 +113,7 @@ class Stream final : public LiveFeed {
 
     bool stored_ = false; // a file on a server, of known length: it sends as fast as it is read
     bool stamped_ = true; // time stamps are the sender's, not invented by FFmpeg
-    // Make open() and read() return soon; until the next open(), or permanently.
+    // Flags that make open() and read() return soon: until the next open(), or permanently.
     std::atomic<bool> stopped_{false}, interrupted_{false};
     PacketQueue queue_;
     std::thread reader_;
@@ -320,7 +320,7 @@ Result<LivePicture> Stream::read(ImageRgb8& bgr) {
     double began_s = liveNow_s();
     for (;;) {
         while (decoder_->receive()) {
-            // Outdated: decoded only because later pictures refer to it.
+            // The picture is outdated: it was decoded only because later pictures refer to it.
             if (queue_.count() > 0 && !stored_ && liveNow_s() - lastShown_s_ < kMaxHidden_s) {
                 ++picture.passedOver;
                 continue;
@@ -339,8 +339,8 @@ Result<LivePicture> Stream::read(ImageRgb8& bgr) {
         picture.passedOver += popped.dropped;
         ended_ = !popped.packet; // reported once the decoder is drained
         const bool hurry = !stored_ && queue_.count() >= kBehind;
-        // The decoder returns the stamp with the picture, in any order: the packet's time of arrival,
-        // microseconds.
+        // The stamp carries the packet's time of arrival, microseconds: the decoder returns it with the
+        // picture, in whatever order pictures come.
         if (popped.packet) popped.packet->pts = static_cast<int64_t>(popped.arrived_s * 1e6);
         decoder_->send(popped.packet.get(), hurry);
     }

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr size_t kMaxHands = 8, kMaxPointables = 64;
 constexpr double kMetresFromMillimetres = 1e-3;
-constexpr double kFarthest_m = 5; // the device sees less than one
+constexpr double kFarthest_m = 5; // far beyond the device's range, which is below a metre
 
 const json* member(const json& object, const char* key) {
     const auto found = object.find(key);
@@ -91,8 +91,8 @@ std::optional<PartialHand> readHand(const json& from) {
     return hand;
 }
 
-// A tool is no finger. The thumb's metacarpal has no length in the service's model: what it calls carp and
-// mcp is one point, our metacarpal.
+// Adds a pointable's joints to its hand; ignores tools. The thumb's metacarpal has no length in the service's
+// model: what it calls carp and mcp is one point, our metacarpal.
 void readPointable(const json& from, std::vector<PartialHand>& hands) {
     if (!from.is_object() || yes(from, "tool")) return;
     const auto owner = whole(from, "handId");

@@ -21,7 +21,7 @@ struct LeapDevice {
 
 struct LeapFrame {
     std::optional<int64_t> time_us;
-    std::vector<PartialHand> hands; // device's frame in metres, without hands that cannot be
+    std::vector<PartialHand> hands; // device's frame, metres; hands with impossible values are left out
 };
 
 using LeapMessage = std::variant<std::monostate, LeapDevice, LeapFrame>; // monostate: no known message
@@ -34,7 +34,7 @@ constexpr int kLeapMessageDepth = 16;
 // Fails if the text is no JSON object or exceeds the bounds above, before memory is taken for it.
 Result<LeapMessage> readLeapMessage(std::string_view text);
 
-// Assignment of the hands in a service's frame to left and right, completed and in the viewer's frame.
+// Assigns a service frame's hands to left and right, completes them and puts them into the viewer's frame.
 class LeapTracks {
   public:
     LeapTracks(const HandRig& rig, const Mount& mount) : completer_(rig), placement_(mount) {}

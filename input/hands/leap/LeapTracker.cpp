@@ -56,7 +56,7 @@ class LeapTracker final : public HandTracker {
     } retry_;
     int version_ = kNewestLeapVersion;
     bool greeted_ = false; // the service has sent a message on this connection
-    int64_t tried_us_ = 0; // when it was connected to, or tried
+    int64_t tried_us_ = 0; // time of the last attempt to connect
     uint16_t closeCode_ = 0;
     std::vector<const char*> unsent_;
     std::string message_; // so far
@@ -83,7 +83,7 @@ void LeapTracker::connect() {
     info.ietf_version_or_minus_one = -1;
     info.local_protocol_name = "leap";
     info.retry_and_idle_policy = &kLiveness;
-    info.ssl_connection = LCCSCF_HTTP_NO_FOLLOW_REDIRECT; // a program on its port names no other
+    info.ssl_connection = LCCSCF_HTTP_NO_FOLLOW_REDIRECT; // a server on this port cannot redirect us
     info.pwsi = &socket_;
     greeted_ = tooLong_ = false;
     tried_us_ = now_us();

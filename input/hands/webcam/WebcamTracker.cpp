@@ -41,7 +41,7 @@ class WebcamTracker final : public HandTracker {
     void setHandSize(float size) override { handSize_ = size; }
 
   private:
-    // False: the tracker is being destroyed.
+    // Waits until a point in time. Returns false if the tracker is being destroyed.
     static bool waitUntil(const std::stop_token& ending, Clock::time_point when) {
         std::mutex mutex;
         std::unique_lock lock(mutex);
@@ -88,7 +88,7 @@ class WebcamTracker final : public HandTracker {
         preview_.show(shown_);
     }
 
-    // watchClip() and watchCamera() return the reason of their end.
+    // watchClip() and watchCamera() return the state that tells why they ended.
     DeviceState watchClip(const std::stop_token& ending) {
         auto source = media::VideoSource::open(options_.file, media::Layout::Mono);
         if (!source) return {false, source.error().message()};

@@ -76,7 +76,7 @@ float overlap(const cv::Rect2f& a, const cv::Rect2f& b) {
     return both / std::max(a.area() + b.area() - both, 1e-6f);
 }
 
-// Returns the middles of the detector's cells, 0 to 1: two a cell of 8 pixels, then six a cell of 16.
+// Returns the middles of the detector's cells, 0 to 1: two in each cell of 8 pixels, then six in each of 16.
 std::vector<cv::Point2f> makeAnchors() {
     std::vector<cv::Point2f> anchors;
     for (const auto& [cells, each] : {std::pair{24, 2}, std::pair{12, 6}})
@@ -91,7 +91,7 @@ std::vector<cv::Point2f> makeAnchors() {
 } // namespace
 
 Crop cropAround(const Landmarks& hand) {
-    // All landmarks but the fingertips, which move most.
+    // All landmarks but the tips, and the fingers' last joints, which move most.
     constexpr std::array kSteady = {0, 1, 2, 3, 5, 6, 9, 10, 13, 14, 17, 18};
     constexpr float kScale = 2.0f, kTowardsFingers = 0.1f;
     const auto& at = hand.at;
@@ -131,7 +131,7 @@ void HandNets::takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPictu
 }
 
 std::span<const FoundPalm> HandNets::findPalms(const cv::Mat& bgr) {
-    // The whole picture, in the middle of a black square.
+    // The network gets the whole picture, in the middle of a black square.
     const cv::Point2f size(static_cast<float>(bgr.cols), static_cast<float>(bgr.rows));
     const float side = std::max(size.x, size.y), scale = kPalmPicture / side;
     const cv::Point2f margin(0.5f * (side - size.x), 0.5f * (side - size.y));

@@ -118,7 +118,7 @@ void LandmarkFinder::lookForNew(const cv::Mat& bgr) {
     }
 }
 
-// Two hands are a right and a left one, whichever way round the network finds likelier.
+// Decides the hands' sides: two hands are always a right and a left one, whichever pairing is likelier.
 void LandmarkFinder::decideSides() {
     for (Track& track : tracks_) track.right = std::lerp(track.right, track.hand.right, kSideShare);
     const auto decide = [&](Track& track, bool right) {
@@ -164,7 +164,7 @@ LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
                                     std::max(glm::length(before) * glm::length(after), 1e-9f));
         }
         fit.hand.curl[static_cast<size_t>(finger)] =
-            std::clamp(bend / (finger == 0 ? 2.0f : 4.1f), 0.0f, 1.0f); // of the rig's fist
+            std::clamp(bend / (finger == 0 ? 2.0f : 4.1f), 0.0f, 1.0f); // bends of the rig's fist, radians
     }
     return fit;
 }

@@ -33,7 +33,7 @@ class LandmarkFinder {
 
     struct Track {
         Landmarks hand;
-        int pictures = 0; // in a row
+        int pictures = 0; // number of pictures in a row that show it
         float right = 0.5f;
         Side side = Side::Right;
         int64_t identity = 0;

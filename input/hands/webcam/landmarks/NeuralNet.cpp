@@ -55,7 +55,7 @@ void NeuralNet::Delete::operator()(xnn_runtime* runtime) const { xnn_delete_runt
 
 class NeuralNet::Builder {
   public:
-    const char* build(std::span<const uint8_t> file); // null, or what is wrong
+    const char* build(std::span<const uint8_t> file); // returns null, or the reason why it failed
     NeuralNet net;
 
   private:

@@ -15,12 +15,12 @@ namespace shoal::hands {
 
 class NeuralNet {
   public:
-    // Reads a file whose check sum is known: nothing that it states is checked. name: for the error.
+    // Reads a file whose checksum was verified before; its contents are not checked. name: for the error.
     static Result<NeuralNet> read(std::span<const uint8_t> tfLite, const std::string& name);
 
     // The one input, to be filled before run(): rows of pixels of channels.
     std::span<float> input() { return {input_.data(), inputCount_}; }
-    const std::vector<size_t>& inputShape() const { return inputShape_; } // from the batch (1) on
+    const std::vector<size_t>& inputShape() const { return inputShape_; } // dimensions, first the batch (1)
     bool run();
     // Outputs in the file's order.
     size_t outputs() const { return outputs_.size(); }
