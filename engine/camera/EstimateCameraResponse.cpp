@@ -22,22 +22,22 @@ constexpr float kMinStep = 20.0f; // height, of 255
 constexpr int kMaxReach = 12;     // texels to either side
 constexpr float kTail = 0.06f;    // share of the peak gradient at which the edge ends
 constexpr float kInsideTails =
-    0.89f;                     // of a Gaussian's variance is left when its tails are cut at 6 % of the peak
+    0.89f;                     // share of a Gaussian's variance left if its tails are cut at 6 % of the peak
 constexpr float kSlant = 0.5f; // tangent of the maximum angle between gradient and row
 // Variance of the box filters of a texel and of the difference of two: a twelfth each.
 constexpr float kTexelVariance = 1.0f / 6;
-// Quantile of the edges' blur that counts as the camera's: most edges are soft themselves or by the codec. In
-// a film whose camera sharpens, a fifth of the edges is sharper than 0.7 texels, a twentieth than 0.2.
+// Quantile of the edges' blur that counts as the camera's: objects and the codec make most edges softer. In a
+// film whose camera sharpens, a fifth of the edges is sharper than 0.7 texels, a twentieth than 0.2.
 constexpr double kSharpest = 0.05;
-// Minimum step in standard deviations of noise: noise truncates the tails of lower steps, so that these would
-// seem the sharpest.
+// Minimum step in standard deviations of noise: noise hides the tails of lower steps, which would then seem
+// the sharpest.
 constexpr float kAboveNoise = 20;
 
 // --- Noise: from the Laplacians of a block; the flattest thirtieth of the blocks is assumed to be noise
 // alone.
 constexpr double kFlattest = 0.03;
-// Selection bias: that quantile of the measured deviation of pure noise in a 16 x 16 block, fine and coarse,
-// by simulation.
+// Selection bias: the kFlattest quantile of deviations measured in 16 x 16 blocks of simulated noise, as a
+// share of the true deviation, fine and coarse.
 constexpr float kFineLuck = 0.90f, kCoarseLuck = 0.80f;
 constexpr float kRounding = 1.0f / 12; // variance of quantisation to whole levels
 

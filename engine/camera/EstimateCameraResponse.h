@@ -1,7 +1,7 @@
 // Estimate of the camera response from one frame of a video.
 //
-// Reads only stripes of the middle half of the frame, where texels are nearly square: 8 % of a 2048 x 1024
-// frame. Does not allocate after the first frame of a size. One thread at a time.
+// Reads stripes of the frame's middle half, where texels are nearly square (8 % of 2048 x 1024), and for the
+// levels one texel in 64. Does not allocate after the first frame of a size. One thread at a time.
 #pragma once
 
 #include "engine/camera/CameraResponse.h"

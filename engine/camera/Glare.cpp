@@ -10,9 +10,9 @@ namespace shoal::camera {
 namespace {
 
 constexpr int kSamples = 4; // samples of a cell in each direction
-constexpr int kPasses = 4;  // means over 3 cells: 8/3 cells^2 and the cell's own 1/12, (4.7 degrees)^2
+constexpr int kPasses = 4;  // of means over 3 cells; variance 8/3 + 1/12 cells^2, (4.7 degrees)^2
 constexpr float kBright =
-    0.05f; // light about a cell: noise, toe and black level are faint against a few percent of it
+    0.05f; // least light around a cell: a few percent of it still exceed noise, toe and black level
 constexpr double kDarkest = 0.002; // quantile; texels below it are undershoots of sharpening
 constexpr size_t kFewCells = 100;
 

@@ -24,10 +24,10 @@ constexpr int kEdge = 8;
 constexpr float kSameColour = 16;
 
 constexpr size_t kLanes = 16;   // texels of the map that are processed at once
-constexpr float kReach = 1.3f;  // texels of the track
-constexpr float kSharpness = 3; // slope of the vote: it changes sides within 1 / this of the weights
+constexpr float kReach = 1.3f;  // reach of a texel's vote, in texels of the track
+constexpr float kSharpness = 3; // the vote turns while the near side's share changes by 1 / kSharpness
 
-// Confidence up to which nothing is believed, and from which on everything is.
+// Confidence up to which a distance is ignored, and confidence from which on it counts in full.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
 
 // Constants of searchAlong() and shaders/render/FilmDepth.glsl: the greatest step on the map; the distance, a
@@ -45,7 +45,7 @@ SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int wei
         out[i] = static_cast<uint8_t>((above[i] * (256 - weight) + below[i] * weight + (1 << 15)) >> 16);
 }
 
-// Writes the nearest of a texel and its four neighbours, if that is across an edge; columns repeat.
+// Replaces each texel by the nearest of its four neighbours if an edge lies between; columns repeat.
 SHOAL_VECTORISE void widenRow(const uint8_t* above, const uint8_t* row, const uint8_t* below, size_t count,
                               uint8_t* out) {
     const auto widened = [&](size_t left, size_t x, size_t right) {
@@ -68,8 +68,8 @@ struct Voters {
 };
 
 // Assigns each texel of the map to the texels of the track around it that are close and share its colour:
-// joint bilateral upsampling (Kopf et al. 2007), but as a vote between near and far, since at a mean of their
-// distances there is nothing. Processes kLanes texels from `begin` on.
+// joint bilateral upsampling (Kopf et al. 2007), but as a vote between near and far, since no surface lies
+// at the mean of their distances. Processes kLanes texels from `begin` on.
 SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
     using Lanes = std::array<float, kLanes>;
     Lanes c0, c1, c2, farWeight, nearWeight, farSum, nearSum;
@@ -238,8 +238,8 @@ bool DepthRefiner::findEdge(int x, int y, Edge& edge) const {
     return furthestNear - nearestFar >= kEdge;
 }
 
-// Computes how close each of the map's texels in one of the track is to each of the nine around: 1 in its
-// middle, 0 from kReach texels of the track on, along both axes.
+// Computes how close the map's texels within one of the track are to that and its eight neighbours: 1 at a
+// neighbour's middle, 0 from kReach texels of the track on, along both axes.
 void DepthRefiner::placeTexels(int scale) {
     const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
     padded_ = (count + kLanes - 1) / kLanes * kLanes;

@@ -15,7 +15,7 @@
 
 namespace shoal::depth {
 
-// The least distance that is used: a hand within it is never hidden.
+// The least distance that the film may have: it never hides a hand that is nearer.
 constexpr auto kNearest_m = static_cast<float>(FILM_NEAREST_M);
 
 constexpr int kMapWidth = 1024; // chosen by tests/bench/figures/depth.md
@@ -23,7 +23,7 @@ constexpr int kMapWidth = 1024; // chosen by tests/bench/figures/depth.md
 struct DepthMap {
     static constexpr float kSteps = 255; // code of an inverse distance of 1 / kNearest_m
 
-    // Lat-long; inverse distance in steps: within 1.2 % at 3 m, 4 % at 10 m. 0: far away, or unknown.
+    // Lat-long; inverse distance in steps: rounded within 1 % at 3 m, 3.3 % at 10 m. 0: far away, or unknown.
     Image<uint8_t, 1> inverse;
 
     static constexpr float perM(int code) { return static_cast<float>(code) / (kSteps * kNearest_m); }
@@ -68,7 +68,7 @@ class DepthRefiner {
     };
     static Interpolation interpolationOf(int fine, int fineCount, int coarseCount, bool repeats);
 
-    // A texel of the track where near and far meet, and those around it.
+    // A texel of the track at which near and far surfaces meet, with the eight texels around it.
     struct Edge {
         int x, y;
         std::array<float, 9> inverse; // steps of DepthMap, row by row
@@ -85,9 +85,9 @@ class DepthRefiner {
     // Scratch.
     std::vector<Edge> edges_;
     int placedScale_ = 0;                // the scale that nearness_ was made for
-    size_t padded_ = 0;                  // texels of the map in one of the track, rounded up to kLanes
+    size_t padded_ = 0;                  // the map's texels in one of the track, to a multiple of kLanes
     std::vector<Interpolation> columns_; // by column of the map
-    Image<uint16_t, 1> wide_;            // the track as wide as the map, in 256ths
+    Image<uint16_t, 1> wide_;            // the track enlarged to the map's width, in 256ths
     std::vector<int> filmColumns_;       // by column of the map: its first byte in the film
     std::vector<float> nearness_;        // see placeTexels()
     Image<uint8_t, 1> wanted_;           // texels of the track whose colours are needed

@@ -1,5 +1,5 @@
-// Nearest and farthest distance of a film within a part of it, without a look at every texel: tells whether
-// the film can hide an object at all, or hides it fully.
+// Nearest and farthest distance within a part of a film, found without reading every texel: tells whether the
+// film can hide an object at all, or hides it fully.
 #pragma once
 
 #include "engine/depth/DepthMap.h"

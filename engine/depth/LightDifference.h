@@ -20,8 +20,8 @@ using LightHarmonics = std::array<glm::vec3, 9>;
 
 class LightDifference {
   public:
-    // Surfaces beyond it count as infinitely far, from half of it on gradually. Places beyond it have less of
-    // this light, from half as far again on none.
+    // Surfaces beyond kFar_m count as infinitely far, those from half of it on in part. At places beyond it
+    // the difference fades; from 1.5 times it on there is none.
     static constexpr float kFar_m = 4;
 
     // radianceLin: lat-long, about 64 texels around, of the frame that the map belongs to. Allocates only on
@@ -45,7 +45,7 @@ class LightDifference {
     };
     static const std::array<Ray, kCoarse * kCoarse>& rays();
 
-    std::vector<float> inverse_perM_, near_; // by fine cell; 0: infinitely far, 1: at its own distance
+    std::vector<float> inverse_perM_, near_; // by fine cell; near_: 0 infinitely far, 1 at its distance
     std::vector<glm::vec3> radiance_;        // by coarse cell
 };
 

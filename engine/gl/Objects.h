@@ -1,5 +1,5 @@
-// OpenGL objects as move-only values: made by make(), deleted by the destructor, empty before that. All calls
-// on the thread that owns the context, which must outlive them.
+// OpenGL objects as move-only values: empty until make(), deleted by the destructor. All calls must be on the
+// thread that owns the context, which must outlive them.
 #pragma once
 
 #include <epoxy/gl.h>

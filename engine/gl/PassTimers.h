@@ -32,7 +32,7 @@ class PassTimers {
 
     // Call it once a frame. measured: whether the frame that begins is timed; debug groups are always opened.
     void beginFrame(bool measured);
-    // Returns the last frame's times that have arrived, from two or more frames back: it never waits.
+    // Returns the newest times that have arrived, from four or more frames back, so that it never waits.
     std::span<const Time> times() const { return times_; }
 
   private:

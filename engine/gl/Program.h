@@ -24,7 +24,7 @@ class Program {
 
     // stem: below shaders/, without ending ("render/Object"). Lines `#include "light/Environment.glsl"`
     // (paths below shaders/) are replaced by the file. defines: names set to 1. Errors carry file name and
-    // line of the source. glsl: the language's version; above 330 the caller has made sure that it is there.
+    // line of the source. glsl: the language's version; above 330 the caller has checked its support.
     static Result<Program> load(const std::string& stem, const std::vector<std::string>& defines = {},
                                 int glsl = 330);
 
@@ -91,13 +91,13 @@ struct ShaderSource {
 Result<ShaderSource> readShader(const std::string& name, const std::vector<std::string>& defines, int glsl);
 
 // One shader pair compiled with different sets of features. Software renderers run both sides of every
-// branch, and graphics cards hold registers for both, so what is known before a draw is decided by the
-// preprocessor.
+// branch, and graphics cards reserve registers for both, so the preprocessor makes the choices that are known
+// before a draw.
 
 class Variants {
   public:
     Variants() = default;
-    // names: of the features, bit by bit; must outlive this. Compiles nothing yet.
+    // names: the features' names in the order of their bits; must outlive this. Compiles nothing yet.
     Variants(std::string stem, std::span<const char* const> names) : stem_(std::move(stem)), names_(names) {}
 
     // Returns a program, compiled on the first call; the pointer stays valid. glsl: as in Program::load().

@@ -18,14 +18,14 @@ constexpr float kCell = 0.04f;
 // texel of a 2048 wide video) from the mean of its corners'; kSmallCell: side of the parts, pixels.
 constexpr float kCrooked_rad = 1.5e-3f;
 constexpr int kSmallCell = 8;
-// Corners whose parallaxes differ by more than this (two texels) lie on both sides of a depth edge of the
-// film. Between them pieces of kPiece pixels show what is seen in their middles, so that nothing is stretched
-// across the edge and no line of the film is drawn twice.
+// Corners whose parallaxes differ by more than this (two texels) lie on two sides of a depth edge. Between
+// them, pieces of kPiece pixels take the parallax of their middles, so that nothing is stretched across the
+// edge and no line of the film is drawn twice.
 constexpr float kTorn_rad = 6e-3f;
 constexpr int kPiece = 2;
-constexpr float kPolarV = 0.3234f; // of the map's height, from its middle: the latitude whose sine is 0.85
+constexpr float kPolarV = 0.3234f; // share of the map's height from its middle, where latitude has sine 0.85
 
-// Finds the cells' edges: whole pixels; in larger pictures multiples of 8, which are sampled together.
+// Finds the cells' edges in whole pixels; in larger pictures multiples of 8, which are sampled together.
 void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
     const int wanted = std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
     const int cells = std::clamp(wanted, 1, std::max(pixels, 1)), step = pixels / cells >= 16 ? 8 : 1;
@@ -35,8 +35,8 @@ void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
     edges.push_back(pixels);
 }
 
-// Rounds to 1/1024 texel of a 2048 wide video, so coarse that sums of a few coordinates are exact: corners
-// then lie in one plane to the last bit, by which llvmpipe recognises a rectangle.
+// Rounds to 1/1024 texel of a 2048 wide video, so that sums of a few coordinates are exact: corners then lie
+// in one plane to the last bit, by which llvmpipe recognises a rectangle.
 glm::vec2 rounded(const glm::vec2& uv) {
     constexpr float kSteps = 1 << 21;
     return glm::round(uv * kSteps) / kSteps;

@@ -1,6 +1,6 @@
-// Divides a view of an equirectangular map into rectangles within which the map's coordinates are affine to a
-// tenth of a texel, so that no pixel needs trigonometry. If the film has distances and the eye is beside its
-// camera, the film is looked up at the rectangles' corners, which are closer where distances change.
+// Divides a view of an equirectangular map into rectangular cells. Within a cell the map's coordinates are
+// affine to 0.2 texels, so that no pixel needs trigonometry. If the film has distances and the eye is beside
+// its camera, the film is searched at the cells' corners, and cells are smaller where distances change.
 #pragma once
 
 #include "engine/depth/DepthMap.h"
@@ -25,7 +25,7 @@ struct FilmParallax {
 struct BackgroundCell {
     glm::ivec2 low{0}, high{0};          // range of the picture's pixels, rows counted from the bottom
     glm::vec2 first{0}, right{0}, up{0}; // map coordinates at `low`, and the steps to the next corners
-    bool polar = false; // so near a pole that each pixel computes its coordinates from `directions`
+    bool polar = false;                  // near a pole: each pixel computes its coordinates from `directions`
     std::array<glm::vec3, 4> directions{}; // env frame: lower left, lower right, upper left, upper right
 
     // Bounds of the map coordinates that the cell shows.
@@ -35,7 +35,7 @@ struct BackgroundCell {
 
 struct CellToDraw {
     const BackgroundCell* cell;
-    bool painted; // shows the frame with objects in it, else the environment's own
+    bool painted; // whether the cell shows the frame with objects in it, not the plain frame
 };
 
 class BackgroundCells {
@@ -55,9 +55,9 @@ class BackgroundCells {
         glm::vec2 uv{0};
         glm::vec3 parallax{0}; // offset of the direction that the film's distance causes
     };
-    using Edges = std::array<std::vector<int>, 2>; // of columns and rows, in pixels
+    using Edges = std::array<std::vector<int>, 2>; // edges of the columns and of the rows, in pixels
     using Corners = std::array<Corner, 4>;         // lower left, lower right, upper left, upper right
-    struct Rays {                                  // the picture being made
+    struct Rays {                                  // rays of the picture that is divided
         glm::vec2 half{1}, shift{0};
         glm::mat3 envFromRay{1};
         glm::vec2 size{1};
@@ -74,7 +74,7 @@ class BackgroundCells {
 
     std::vector<BackgroundCell> cells_;
     std::vector<size_t> rowBegins_;
-    Edges edges_, parts_;                  // of the grid's cells; of a divided cell's parts
+    Edges edges_, parts_;                  // edges of the grid's cells, and of a divided cell's parts
     std::vector<Corner> corners_, within_; // scratch: of the grid's corners; of a divided cell's corners
 };
 

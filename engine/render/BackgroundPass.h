@@ -26,15 +26,15 @@ struct TexelLayer {
 
 class BackgroundPass {
   public:
-    // The implementation for this context; Software anywhere is allowed, and draws with OpenGL what it cannot
-    // sample. withLayers: draw() will be given layers.
+    // Makes the implementation for this context. Backend::Software works in every context, and draws with
+    // OpenGL the pictures that it cannot sample. withLayers: whether draw() will be given layers.
     static Result<std::unique_ptr<BackgroundPass>> make(Backend backend, bool withLayers);
     virtual ~BackgroundPass() = default;
     BackgroundPass(const BackgroundPass&) = delete;
     BackgroundPass& operator=(const BackgroundPass&) = delete;
 
-    // A hint that this picture is drawn next; starts work that may run beside the drawing of the layer.
-    // Tiles: null where there is no layer; they and the environment's frame must live until draw().
+    // Tells that this picture is drawn next, and starts work that may run while the layer is drawn. The tiles
+    // (null if there is no layer) and the environment's frame must live until draw().
     virtual void prepare(const EyePicture&, const FrameTiles*) {}
 
     // Draws over the whole canvas, which is bound before and after; neither tests nor changes depth. layer:

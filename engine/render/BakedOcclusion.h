@@ -26,7 +26,7 @@ uint64_t skinHash(const scene::Model& model);
 // Returns hand.occlusion.json for hand.glb.
 Path bakedOcclusionBeside(const Path& model);
 
-constexpr double kSelfOcclusionSteps = 250;  // integers in the file per 1; each is a tenth of the rays' error
+constexpr double kSelfOcclusionSteps = 250;  // integers in the file per 1; one is a tenth of the rays' error
 constexpr int kMaxSelfOcclusionSteps = 2000; // largest magnitude; total occlusion needs fewer
 
 // Both fail if a value is out of range or a list is cut short.

@@ -28,8 +28,8 @@ PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFro
             .albedo = {albedo, 0}};
 }
 
-// How far a part has moved against the first, by the body's length: below kStill it counts as at rest. An
-// idle hand's fingers move 0.12, those of one that holds a fish more than 0.3.
+// Limits of a part's displacement from the first part, divided by the body's length: below kStill it counts
+// as at rest, from kBent on as bent. An idle hand's fingers move 0.12, those that hold a fish more than 0.3.
 constexpr float kStill = 0.15f, kBent = 0.3f;
 
 occlusion::Ellipsoid transformed(const occlusion::Ellipsoid& e, const glm::mat4& to) {
@@ -85,7 +85,7 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
             for (size_t mine = 0; mine < own.size(); ++mine)
                 nearest = std::min(nearest, glm::distance(shapes_[p].centre, own[mine].centre) -
                                                 sizes_[self.first + mine].reach);
-            // The distance is that of the part's middle, so that the share goes on growing once they touch.
+            // The part's size is added to its middle's distance, so that the share grows on once they touch.
             const float away = std::max(nearest + part.size, 0.2f * part.size);
             const float share = part.size * part.size / (away * away);
             if (share > kMinShare) found_.push_back({share, p, b});

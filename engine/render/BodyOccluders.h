@@ -1,4 +1,4 @@
-// The one approximate body of a model: ellipsoids attached to its joints. Occlusion and shadows come from it.
+// The approximate body of a model: ellipsoids attached to its joints. Occlusion and shadows both use it.
 #pragma once
 
 #include "engine/occlusion/Ellipsoid.h"
@@ -15,7 +15,7 @@ struct BodyOccluders {
     struct Part {
         occlusion::Ellipsoid inNode; // in the frame of the node that carries it
         int node = 0;
-        glm::vec3 atRest{0}; // its centre at rest, from the first part's centre and in its axes
+        glm::vec3 atRest{0}; // centre at rest, relative to the first part's centre, in that part's axes
     };
     std::vector<Part> parts;
     glm::vec3 albedo{0};   // mean; linear
@@ -64,21 +64,21 @@ class NearBodies {
 
     struct Near {
         std::span<const PackedOccluder> occluders;
-        size_t own = 0;        // how many at the front are the body's own,
-        float ownStrength = 0; // and the factor for those
+        size_t own = 0;        // number of the body's own parts, which come first
+        float ownStrength = 0; // strength of the body's own parts, 0 to 1
     };
-    // Returns what occludes this body, in the light's frame: its own parts, if they do, and of other bodies
-    // at most MAX_OTHERS parts, those that take most light. Strengths fade towards the least share that
-    // counts, and towards the first part left out, so that nothing pops.
+    // Returns the ellipsoids that occlude this body, in the light's frame: its own parts, if they occlude it,
+    // and the parts of other bodies that take most light, at most MAX_OTHERS. Strengths fade to 0 at the
+    // least share that counts, or at that of the first part left out, so that no part appears suddenly.
     Near near(size_t body, const glm::mat3& lightFromWorld);
 
   private:
     struct Size {                  // of a part
-        float reach = 0, size = 0; // longest semi-axis; radius of a disc as large as its largest shadow
+        float reach = 0, size = 0; // longest semi-axis; radius of a disc with the area of the largest shadow
     };
     struct Body {
         Sphere bound;
-        size_t first = 0, count = 0; // parts
+        size_t first = 0, count = 0; // range of its parts in shapes_
         glm::vec3 albedo{0};
         float ownStrength = 0;
     };

@@ -12,10 +12,10 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kSlices = 8;       // along a body
-constexpr size_t kMaxParts = 32; // ellipsoids of a body that cast
+constexpr int kSlices = 8;       // number of slices along a body
+constexpr size_t kMaxParts = 32; // greatest number of a body's ellipsoids that cast shadows
 
-// The part of a line across the silhouettes that lies within some; depth: of its middle, towards the light.
+// A part of a line that lies within one or more silhouettes; depth: that of its middle, towards the light.
 struct Chord {
     float low = 0, high = 0, depth = 0;
 };
@@ -78,8 +78,8 @@ float CastingLight::raised() const {
     return glm::smoothstep(0.3f, 0.5f, towards.y - tangent * level);
 }
 
-// This light gives s E of the irradiance E of level ground and the rest (1 - s) E; on another surface this
-// light gives s E k, k the ratio of the cosines.
+// Level ground receives s E from this light and (1 - s) E from other light. Another surface receives s E k
+// from this light, where k is the ratio of the cosines.
 glm::vec3 CastingLight::shareAt(float cosine) const {
     if (!(towards.y > 0)) return glm::vec3(0);
     const glm::vec3 given = share * (std::max(cosine, 0.0f) / towards.y);

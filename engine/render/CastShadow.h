@@ -1,12 +1,12 @@
 // The soft shadow that a body of ellipsoids casts on what a film shows; no OpenGL.
 //
-// Seen from a place the light is a cap of even radiance. On the plane through an ellipsoid's centre at right
-// angles to the way to the light, the cap is a disc and the ellipsoid casts an ellipse. The share of a disc
-// that lies beyond a line at t of its radius is
+// Seen from a place, the light is a cap of even radiance. On a plane at right angles to the direction to the
+// light, the cap is a disc and each ellipsoid's silhouette an ellipse. The share of a disc that lies before a
+// line at t radii from its middle is
 //     C(t) = 1/2 + (t sqrt(1 - t^2) + asin t) / pi,
-// so that a strip hides C(t1) - C(t0) of it, exactly. The ellipse is taken for a rectangle of the same area
-// and axes, which hides the product of what its two strips hide: integrated over level ground a body takes no
-// more light than its silhouette does.
+// so that a strip hides exactly C(t1) - C(t0) of it. The silhouettes' union is cut into rectangles, each of
+// which is taken to hide the product of what its two strips hide: integrated over level ground, a body takes
+// no more light than its silhouette does.
 //
 // Shafts in the water are not dimmed: single scattering loses at most 9 % of the luminance around a shark at
 // 1.5 m, over 6 to 30 degrees, where the film itself changes by 10 to 20 % in half a second.
@@ -30,12 +30,12 @@ struct CastingLight {
     glm::vec3 towards{0, 1, 0}; // unit, world frame
     float tangent = 0;          // tangent of its angular radius
     glm::vec3 share{0};         // share of level ground's irradiance that it gives, 0 to 1
-    float presence = 1;         // factor for what shadows take, 0 to 1
+    float presence = 1;         // factor for the light that shadows take, 0 to 1
 
-    // Returns 1 where the light's lower edge is well above the horizon, falling to 0: a lower light's share
+    // Returns 1 if the light's lower edge is well above the horizon, falling to 0 for a low light: its share
     // on level ground does not tell its share on other surfaces.
     float raised() const;
-    // At least about twice the sun's.
+    // Returns the tangent, but at least about twice the sun's.
     float discTangent() const { return std::max(tangent, 0.01f); }
     // Returns the light's share of the irradiance of a surface; cosine: between the surface's normal and the
     // direction to the light. All other light is taken to be the same as on level ground.

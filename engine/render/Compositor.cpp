@@ -32,7 +32,7 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     made.smoothsLayers_ = made.samples_ == 1;
     if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
-    // Objects in a frame's texels are filtered with them, but an eye beside the film's camera sees none.
+    // Objects in texels are filtered with them, but for an eye beside the film's camera none are in texels.
     made.smoothsOutlines_ =
         made.samples_ > 1 && made.drawsObjects() && (!setup.frameIsCoded || made.mayDrawIntoTexels());
     if (made.mayDrawIntoTexels() || made.composition_ == Composition::MatchedResolution ||
@@ -50,8 +50,8 @@ glm::ivec2 Compositor::layerSize(const EyePicture& picture) const {
                       picture.size(), static_cast<int>(rows));
 }
 
-// Without a layer objects are drawn into the canvas, as where the video is finer than it. In front of an HDR
-// picture, which no texel blurs, a canvas of one sample would leave stairs at their outlines.
+// Without a layer, objects are drawn into the canvas, for example if the video is finer than the canvas. HDR
+// pictures have no texels to blur objects, whose outlines would show stairs in a canvas of one sample.
 bool Compositor::usesLayer(const EyePicture& picture) const {
     return drawsIntoTexels(picture) || (smoothsOutlines_ && picture.canvas.samples() == 1) ||
            ((mayDrawIntoTexels() || composition_ == Composition::MatchedResolution) &&
@@ -98,7 +98,7 @@ Status Compositor::drawBackground(const EyePicture& picture, CompositorScene& sc
 Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& scene) {
     if (!drawsObjects()) return Done{};
     if (usesLayer(picture)) {
-        // These particles lie behind the layer's objects; those before them are in it.
+        // These particles lie behind the layer's objects; the layer has the particles in front of them.
         if (Status s = scene.drawParticles(ParticlePass::On::Picture, picture); !s) return s;
         if (!drawsIntoTexels(picture))
             layerOf(picture).layOver(scene.visibleSpheres(picture.view), picture.view);
@@ -124,7 +124,7 @@ Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene
     for (const EyePicture& eye : eyes) {
         eye.canvas.bindColour();
         if (&eye != eyes.data() && drawsIntoTexels(eye)) chooseTiles(eye, scene);
-        // First, though objects hide some of the background: testing every pixel's depth would cost more.
+        // The background comes first, though objects hide some of it: testing all depths would cost more.
         if (Status s = drawBackground(eye, scene); !s) return s;
         if (Status s = drawForeground(eye, scene); !s) return s;
         if (afterEye) afterEye(eye);

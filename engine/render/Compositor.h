@@ -15,7 +15,7 @@
 
 namespace shoal::render {
 
-// Draws what a compositor asks for into the bound framebuffer.
+// Scene that draws its objects and particles into the bound framebuffer when a compositor asks.
 class CompositorScene {
   public:
     // Draws with depth, which has been cleared. Colours are premultiplied by coverage.
@@ -45,8 +45,8 @@ class Compositor {
     // Draws each eye's picture; afterEye is called with its canvas bound.
     Status draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye);
 
-    // Draws into a framebuffer with depth that of the objects just drawn in this picture, whether in the
-    // canvas or in a layer, and that of the film where it is known; elsewhere the far plane's.
+    // Draws depth into a framebuffer: that of the objects just drawn in this picture (in the canvas or in a
+    // layer) and that of the film where it is known, or else that of the far plane.
     Status drawDepth(const EyePicture& picture, GLuint into);
 
     bool drawsObjects() const { return composition_ != Composition::BackgroundOnly; }
@@ -55,8 +55,8 @@ class Compositor {
     static bool showsFilm(const EyePicture& picture) { return picture.surroundings == Surroundings::Film; }
     bool filmed() const { return composition_ == Composition::CameraResponse; }
     bool mayDrawIntoTexels() const { return composition_ == Composition::VideoTexels || filmed(); }
-    // An eye beside the film's camera sees texels and objects each moved by their own distance: objects then
-    // lie in no texel.
+    // To an eye beside the film's camera, texels and objects have different parallaxes: objects cannot then
+    // be painted into texels.
     bool drawsIntoTexels(const EyePicture& picture) const {
         return mayDrawIntoTexels() && showsFilm(picture) && !picture.filmParallax().depth;
     }
@@ -70,7 +70,7 @@ class Compositor {
 
     Composition composition_ = Composition::BackgroundOnly;
     std::unique_ptr<BackgroundPass> background_;
-    std::array<LayerPass, 2> layers_; // by eye; objects in their own resolution or in texels
+    std::array<LayerPass, 2> layers_; // by eye; for objects at their own resolution or in texels
     int samples_ = 1;                 // of the layers
     bool smoothsLayers_ = false;      // whether outlines in layers of one sample are smoothed
     bool smoothsOutlines_ = false;    // whether objects in a canvas of one sample are smoothed

@@ -13,8 +13,8 @@ class DepthPass {
     static Result<DepthPass> make();
 
     // Copies each pixel's nearest sample, unfiltered, into a framebuffer with depth of the picture's size.
-    // part: of the target's width and height, about its middle. film: whether the picture shows a film with
-    // distances, whose depth counts where it is nearer.
+    // part: share of the target's width and height that is copied, about its middle. film: whether the
+    // picture shows a film with distances, whose depth counts where it is nearer.
     void draw(const gl::Target& from, float part, GLuint into, const EyePicture& picture, bool film);
 
   private:

@@ -1,4 +1,4 @@
-// The environment on the graphics side: the picture behind everything, and the light made from it.
+// The environment on the GPU: the picture behind all objects, and the light made from it.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -23,8 +23,8 @@ class EnvironmentGpu {
   public:
     EnvironmentGpu();
 
-    // Sets the frame. Its pixels must live until the next frame, or longer than this: they are uploaded only
-    // when frameTexture() is called, which an implementation that samples them in memory rarely does.
+    // Sets the frame. Its pixels must live until the next is set, or longer than this: they are uploaded only
+    // when frameTexture() is called. A background that samples them in memory rarely calls it.
     void setFrame(const DisplayFrame& frame);
     void setFrame(const ImageRgbF& radianceLin); // HDR environments; copied
     // smooth: the light that bodies hide from each other, env frame.
@@ -57,7 +57,7 @@ class EnvironmentGpu {
 
     const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
 
-    // Roughness of the smoothest filtered map: smoother surfaces look up the mirrors.
+    // Returns the roughness of the smoothest filtered map; smoother surfaces look up the mirror maps.
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
 
   private:
@@ -72,7 +72,7 @@ class EnvironmentGpu {
     uint64_t frameNumber_ = 0;
     bool coded_ = true;
     ImageRgbF scatteredLight_;
-    int mirrorWidth_ = 0; // 0: there are none
+    int mirrorWidth_ = 0; // 0: there are no mirror maps
     std::vector<glm::vec4> places_;
     float lightScale_ = 1;
     std::vector<float> mirrorRoughness_;

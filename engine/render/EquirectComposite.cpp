@@ -17,8 +17,8 @@ namespace {
 enum Feature : unsigned { kFilmed = 1, kShaded = 2 };
 constexpr float kFinest = 0.6f;            // texels a pixel
 constexpr float kUnseenNoise = 0.3f / 255; // standard deviation
-// A video whose range of 16 to 235 is shown as 0 to 255 lacks both ends in all channels. Where only one end
-// is missing, the scene has nothing as dark or as bright, and objects may.
+// A video of range 16 to 235 that is read as 0 to 255 lacks both ends in all channels. If only one end is
+// missing, the scene has nothing as dark or as bright, but objects may be as dark or as bright.
 constexpr float kMaxLift = 16.0f / 255, kMaxCut = 20.0f / 255, kMissing = 6.0f / 255;
 
 } // namespace

@@ -1,10 +1,10 @@
 // Puts a layer of objects, as an eye sees them, into a copy of the frame's tiles, which the background then
-// shows instead of the frame. Each texel takes what the layer shows in the direction of its middle, so that
-// seam and poles need no care. Pairs with shaders/render/EquirectComposite.
+// shows instead of the frame. Each texel takes the layer's value in the direction of its middle, so that the
+// seam and the poles are no special cases. Pairs with shaders/render/EquirectComposite.
 //
-// Objects are painted as the video's own camera would have filmed them: where they cover a part of a texel,
-// light is mixed, not coded values; port and lens scatter the light around onto them; then come levels,
-// shared colours and the frame's own grain.
+// Objects are painted as the video's own camera would have filmed them: texels share colours, values take
+// the video's levels, the light that port and lens scatter is mixed in, partly covered texels mix light and
+// not coded values, and the frame's own grain is added last.
 #pragma once
 
 #include "engine/camera/CameraResponse.h"
@@ -23,17 +23,17 @@
 
 namespace shoal::render {
 
-// Returns how many texels of the video a pixel of the layer spans so that objects' edges are as soft as the
+// Returns how many texels of the video a pixel of the layer must span to make objects' edges as soft as the
 // film's.
 //
-// Variances in texels^2: between a layer's pixels of k texels values are interpolated linearly, k^2 / 6; with
-// several samples each pixel is a mean over its square, k^2 / 12; the video's own texels are such means, 1 /
-// 12, and its camera's blur^2 is added. With one sample a pixel, as software renderers draw, a layer is never
+// Variances in texels^2 add up. In a layer whose pixels are k texels wide, linear interpolation adds k^2 / 6
+// and, with several samples, the mean over a pixel k^2 / 12. In the video, the mean over a texel adds 1 / 12,
+// and the camera's blur blur^2. With one sample a pixel, as software renderers draw, a layer is never
 // finer than the video: twice the pixels made the error against filmed objects only a fifth smaller.
 float layerTexels(const camera::CameraResponse& response, int samples);
 
-// The noise of films: 256 x 256 texels that repeat, two bytes each, for single texels and for squares of 2 x
-// 2; 0.5 is none, the standard deviation is kGrainDeviation.
+// A repeating pattern of film noise: 256 x 256 texels of two bytes, one for single texels and one for squares
+// of 2 x 2. With bytes as 0 to 1, 0.5 is no noise, and kGrainDeviation is the standard deviation.
 constexpr float kGrainDeviation = 0.125f;
 constexpr int kGrainSize = 256;
 const std::vector<uint8_t>& grains();

@@ -15,9 +15,9 @@ namespace {
 
 constexpr float kUnseen = 0.002f; // share of the light that is not worth shading
 constexpr float kFar_m = 1e4f;    // stands for unknown distances; no shadow falls so far
-constexpr int kSame = 2;          // texels whose codes differ by no more than this are averaged
+constexpr int kSame = 2;          // neighbours' codes are clamped to this difference, then averaged
 
-// Adds what the piece hides from each of these places. disc: the light's radius by its distance.
+// Adds the share of the light that the piece hides from each place. disc: CastingLight::discTangent().
 SHOAL_VECTORISE void hide(const FilmShadows::Occluder& piece, float disc, const float* along,
                           const float* aside, const float* up, size_t count, float* hidden) {
     for (size_t i = 0; i < count; ++i) {
@@ -42,12 +42,12 @@ Sphere sphereAround(std::span<const occlusion::Ellipsoid> body) {
     return sphere;
 }
 
-// Returns whether an eye may see a place that a body's shadow can fall on: tests spheres that hold it, step
-// by step. Most bodies are outside the view, and this test is quicker than finding their shadows.
+// Returns whether an eye may see a place on which a body's shadow can fall: tests a row of spheres that hold
+// the shadow. Most bodies are outside the view, and this test is quicker than finding their shadows.
 bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const View> eyes) {
     constexpr int kSteps = 8;
     constexpr float kStep_m = kShadowReach_m / kSteps;
-    // A piece's middle is off by at most one radius along each axis; its spot is as in findTiles().
+    // A piece's middle is at most one radius from the body's along each axis; its spot is as in findTiles().
     constexpr float kOff = std::numbers::sqrt3_v<float> + 2;
     for (int k = 0; k < kSteps; ++k) {
         const float end = static_cast<float>(k + 1) * kStep_m;
@@ -129,8 +129,8 @@ void FilmShadows::findTiles(std::span<const View> eyes) {
     reached_.erase(std::unique(reached_.begin(), reached_.end()), reached_.end());
 }
 
-// Computes the texels' places in the light's frame. Codes are averaged over neighbours that are nearly equal:
-// on a surface that slopes little, whole numbers leave steps.
+// Computes the texels' places in the light's frame. Codes are averaged with neighbours', clamped to nearly
+// equal ones: on a surface that slopes little, whole numbers leave steps.
 void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
     const Image<uint8_t, 1>& codes = film_.map->inverse;
     const auto count = static_cast<size_t>(high.x - low.x) * static_cast<size_t>(high.y - low.y);
@@ -199,7 +199,7 @@ float FilmShadows::findOccluders(const CastingLight& light) {
         const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
         const float radius = std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc;
         const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
-        // The piece's area by the disc's; 1.27: density of the product of strips where it is densest.
+        // The piece's area divided by the disc's; 1.27: the greatest density of the product of two strips.
         darkest += fade * std::min(1.0f, 4 * piece.halfAlong_m * piece.halfAside_m * 1.27f /
                                              (std::numbers::pi_v<float> * disc * disc));
         const glm::vec3 middle = piece.middle - film_.cameraWorld;

@@ -2,11 +2,11 @@
 //
 // The place of each texel of a film's distances is known, and the light that a body hides from a place is a
 // closed form (CastShadow.h). So shadows are computed at these places, once for both eyes; the passes that
-// draw the film multiply its texels by what is left, before they draw objects over them.
+// draw the film multiply its texels by the remaining share before they draw objects over them.
 //
 // Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the factor is what
-// the surface reflects in shadow over what it reflects without, so that a wrong guess at the surface or the
-// light is a faint mistake.
+// the surface reflects in shadow divided by what it reflects without, so that a wrong estimate of the
+// surface or the light makes only a small error.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -24,25 +24,25 @@ namespace shoal::render {
 
 // Returns the factor for a surface's display values where shadows take `taken` (0 to 1) of its irradiance.
 // Display values are square roots of light (water/Water.h), except in frames coded as in the thesis, whose
-// radiance is proportional to them (light/InverseToneMap.h). arrives: the share of squares that comes through
-// the water, whose own light, which shadows do not dim, is taken to be as bright as the surface.
+// radiance is proportional to them (light/InverseToneMap.h). arrives: the share of light that the water lets
+// through. The rest is the water's own light, as bright as the surface by assumption; shadows do not dim it.
 glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
 
 class FilmShadows {
   public:
     // Begins a frame without bodies. The film must live until the last add(). Allocates for new sizes only.
     void begin(const FilmSurface& film, FrameCoding frames, const water::Water& water);
-    // Adds the shadow of a body, world frame, as far as an eye sees it; what an eye beside the film's camera
-    // sees and the camera does not is never shaded.
+    // Adds the shadow of a body, world frame, where an eye may see it. Surfaces that an eye beside the film's
+    // camera sees and the camera does not are never shaded.
     void add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
              std::span<const View> eyes);
 
     bool empty() const { return empty_; } // whether nothing is shaded since begin()
     // The tiles in which something may be shaded.
     const FrameTiles& tiles() const { return tiles_; }
-    // Light left: lat-long, as fine as the distances; 255: all. Channels as in DisplayFrame, blue first.
+    // Returns the factors for the film's texels, 255 for 1: lat-long, as fine as the distances, blue first.
     const Image<uint8_t, 4>& left() const { return left_; }
-    // Identifies the shadows since one begin(): tells the owner of a copy whether it is up to date.
+    // Identifies the shadows of one begin(); the owner of a copy compares it to see whether the copy is new.
     struct Version {
         const FilmShadows* of = nullptr;
         uint64_t number = 0; // counts begin(), from 1
@@ -54,9 +54,9 @@ class FilmShadows {
     // camera.
     struct Occluder {
         float along, aside, up, halfAlong, halfAside;
-        float lowest, perFade; // places below `lowest` are beyond the surface that the shadow falls on
-        float share;           // fades where the shadow has fallen far
-        glm::vec3 spotWorld;   // where its shadow falls on the film's surface, with the penumbra
+        float lowest, perFade; // from `lowest` up the shadow grows by perFade per metre to `share`
+        float share;           // factor, 0 to 1, which fades where the shadow has fallen far
+        glm::vec3 spotWorld;   // middle of its shadow on the film's surface; the radius includes the penumbra
         float spotRadius_m;
     };
 
@@ -74,7 +74,7 @@ class FilmShadows {
     static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high);
-    // Both are from the film's camera, env frame; a place of unknown distance is far away.
+    // Both return vectors from the film's camera, env frame; a place of unknown distance is far away.
     glm::vec3 directionAt(int x, int y) const;
     glm::vec3 placeAt(int x, int y) const;
     // Returns the cosine between the surface's normal at a texel of the map and towardsEnv.

@@ -49,7 +49,7 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
         if (!(fall > 0)) continue;
         const glm::vec3 place = piece.middle - light.towards * fall;
         const float softness = std::max(light.tangent * fall, kFinest_m);
-        // A disc at right angles to the light is an ellipse on the floor, longer by the cosine.
+        // A disc at right angles to the light casts an ellipse on the floor, longer by 1 / cosine.
         const float reach = (std::hypot(piece.halfAlong_m, piece.halfAside_m) + softness) / light.towards.y;
         low = glm::min(low, glm::vec2(place.x, place.z) - reach);
         high = glm::max(high, glm::vec2(place.x, place.z) + reach);
@@ -71,11 +71,11 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
             most = std::max(most, nodes_.back().taken);
         }
     if (most <= kMinShadow) return;
-    const float strength = glm::smoothstep(kMinShadow, 2 * kMinShadow, most); // faint at first
+    const float strength = glm::smoothstep(kMinShadow, 2 * kMinShadow, most); // so that it appears gradually
     for (Node& node : nodes_) node.taken *= strength;
     const size_t stride = static_cast<size_t>(cells.x) + 1;
     for (size_t node = 0; node + stride + 1 < nodes_.size(); ++node) {
-        if (node % stride == stride - 1) continue; // the row's end begins no cell
+        if (node % stride == stride - 1) continue; // a row's last node begins no cell
         for (const std::array<size_t, 3>& offsets :
              {std::array<size_t, 3>{0, 1, stride}, {stride, 1, stride + 1}}) {
             float taken = 0;

@@ -20,7 +20,7 @@ class FloorShadowPass {
     // Begins a frame without bodies.
     void begin();
     // Adds the shadow of a body, world frame; its parts below the floor cast none. floor_m: height, world.
-    // frames: coding of the frames in which the light was found.
+    // frames: coding of the frames from which the light was estimated.
     void add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light, float floor_m,
              FrameCoding frames);
 

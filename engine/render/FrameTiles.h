@@ -17,8 +17,8 @@ namespace shoal::render {
 
 class FrameTiles {
   public:
-    // Tiles of a frame; at 2048 x 1024, 16 x 16 texels each. A row of texels departs from the straight line
-    // of its rays by sin(2 latitude) / 16 of the square of a tile's longitude: a twentieth of a texel.
+    // Tiles of a frame; at 2048 x 1024, 16 x 16 texels each. Within a tile a row's rays depart from a line
+    // by sin(2 latitude) / 16 times the square of the tile's width in radians: a twentieth of a texel.
     static constexpr glm::ivec2 kCount{128, 64};
     static constexpr size_t kAll = size_t{128} * 64;
 
@@ -46,7 +46,7 @@ class FrameTiles {
     const glm::ivec2& frameSize() const { return frameSize_; }
     const std::vector<bool>& chosen() const { return chosen_; } // row by row; empty before choose()
 
-    // Returns a tile's first texel; of kCount: the end of the last tile.
+    // Returns a tile's first texel; for kCount, the end of the last tile.
     glm::ivec2 lowOf(const glm::ivec2& tile) const { return lowOf(tile, frameSize_); }
     static glm::ivec2 lowOf(const glm::ivec2& tile, const glm::ivec2& frameSize) {
         return tile * frameSize / kCount;
@@ -59,7 +59,7 @@ class FrameTiles {
                 if (chosen_[indexOf(x, y)]) visit(glm::ivec2(x, y));
     }
 
-    // Calls touch(index) for each tile that has a texel between these coordinates of the map, or beside one.
+    // Calls touch(index) for each tile between these coordinates of the map, or at most a texel outside.
     // Columns repeat across the seam.
     template <class Touch>
     void eachBetween(const glm::vec2& low, const glm::vec2& high, Touch&& touch) const {
@@ -70,7 +70,7 @@ class FrameTiles {
             for (int x = first.x; x <= last.x; ++x) touch(indexOf(x, y));
     }
 
-    // Returns whether any of those tiles has been chosen.
+    // Returns whether any tile that eachBetween() visits has been chosen.
     bool isChosen(const glm::vec2& low, const glm::vec2& high) const {
         if (chosen_.empty()) return false;
         bool found = false;

@@ -12,10 +12,10 @@ namespace {
 
 // Cells of about 32 pixels each: laying over an empty one costs as much as any other.
 constexpr glm::ivec2 kCells(40, 24);
-// Greatest width, by the picture's, that pays: a larger layer saves less time than laying it over takes.
+// Greatest share of the picture's width that pays: laying a larger layer over takes more time than it saves.
 constexpr float kWorthIt = 0.85f;
 
-// Finds where a sphere's tangents meet the line at distance 1; across, ahead: of its centre from the eye.
+// Finds where the eye's tangents to a sphere meet the line at distance 1; across, ahead: the sphere's centre.
 bool tangents(float across, float ahead, float radius, float& low, float& high) {
     const float away = std::hypot(across, ahead);
     if (away <= radius) return false;

@@ -13,7 +13,7 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kFine = 1024; // texels across; maps as wide are halved where detail is lean
+constexpr int kFine = 1024; // width in texels from which on textures are halved for Detail::Lean
 
 struct FixedVertex { // attributes that morphing leaves unchanged
     glm::vec4 tangent{1, 0, 0, 1};
@@ -38,7 +38,7 @@ std::vector<MorphVertex> morphed(const scene::Primitive& primitive, std::span<co
     return vertices;
 }
 
-// x to the power 1 / 2.2: near enough to sRGB's coding for reflectances.
+// Codes by the power 1 / 2.2, which is close enough to sRGB's curve for reflectances.
 glm::vec4 coded(const glm::vec4& lin) {
     return {glm::pow(glm::max(glm::vec3(lin), 0.0f), glm::vec3(1 / 2.2f)), lin.a};
 }
@@ -151,7 +151,7 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
     TexturesGpu gpu;
     gpu.colour.resize(model.textures.size());
     gpu.data.resize(model.textures.size());
-    // srgb: the sampler decodes it. No pixel of a lean picture is as small as the finest texels.
+    // srgb: whether the sampler decodes it. Lean pictures have no pixels as small as the finest texels.
     const auto want = [&](const scene::TextureUse& use, bool srgb) {
         if (use.texture < 0) return;
         const auto index = static_cast<size_t>(use.texture);
@@ -162,7 +162,7 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
         const bool smaller = detail == Detail::Lean && texels.width >= kFine;
         slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
     };
-    // Materials that only another variant wears need no textures.
+    // Materials that only another variant of the model uses need no textures.
     std::vector<bool> isUsed(model.materials.size());
     for (const scene::Mesh& mesh : model.meshes)
         for (const scene::Primitive& primitive : mesh.primitives)

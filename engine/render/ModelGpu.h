@@ -1,4 +1,4 @@
-// A model's triangles and textures on the graphics side.
+// A model's triangles and textures on the GPU.
 #pragma once
 
 #include "engine/gl/Objects.h"
@@ -25,7 +25,7 @@ struct PrimitiveGpu {
     int material = -1;
     bool skinned = false;
     bool coloured = false;          // by vertex colours
-    bool withSelfOcclusion = false; // whether it hides something of the world from itself
+    bool withSelfOcclusion = false; // whether its vertices have baked self-occlusion
     scene::Gloss gloss;             // of its material
 
     // Returns the coarsest level whose error is at most `tolerance`, in the mesh's units.
@@ -42,7 +42,7 @@ struct MeshGpu {
 // scaled by a itself.
 enum class Reflectance { Linear, Coded };
 
-// Returns the space for one material of such a model: an unlit one scales no light.
+// Returns a material's space: ofLit for a lit one, Linear for an unlit one, which scales no light.
 inline Reflectance reflectanceFor(const scene::Material& material, Reflectance ofLit) {
     return material.unlit ? Reflectance::Linear : ofLit;
 }
@@ -64,11 +64,11 @@ struct ModelGpu {
     }
 };
 
-// Lean leaves out what costs a software renderer most and is hardly seen in a moving picture. Textures come
-// from the nearest mip level (linear within it), large normal maps have half the texels, roughness and
-// metalness are a material's means, the nearest of the glossy maps stands for a mixture of two, diffuse light
-// is computed by the vertex, surfaces may be 1.6 pixels off, and an object that does not fill the picture has
-// no relief and all its light by the vertex.
+// Lean leaves out what costs a software renderer most and is hardly seen in a moving picture: textures are
+// sampled from the nearest mip level (linearly within it), large textures have half the texels each way,
+// roughness and metalness are a material's means, the nearest glossy map replaces a mixture of two, diffuse
+// light is computed per vertex, surfaces may be 1.6 pixels off, and an object that does not fill the picture
+// has no relief and all its light computed per vertex.
 enum class Detail { Full, Lean };
 
 // textures: shared with another model that has the same pictures and materials; null: new ones are made.

@@ -39,8 +39,8 @@ ObjectBounds::Seen ObjectBounds::seenIn(const View& view, const Object& object) 
     return seen;
 }
 
-// Compares distances with the film's range within the caps that the object's parts cover, widened by what an
-// eye beside the camera sees past their edges.
+// Compares an object's distances with the film's range within the caps that its parts cover, widened by the
+// angle that an eye beside the film's camera may see past their edges.
 BehindFilm ObjectBounds::behindFilm(const Object& object, const EyePicture& picture) const {
     const depth::DepthRange* range = picture.environment.depthRange();
     if (!range) return BehindFilm::Nothing;

@@ -25,7 +25,7 @@ class ObjectBounds {
     struct Seen {
         bool any = false;
         float nearest_m = INFINITY; // distance from the eye to the nearest part in the view
-        // Its radius by distance; if its sphere holds the eye, the largest ratio among these parts.
+        // Radius divided by distance; if its sphere holds the eye, the largest such ratio of visible parts.
         float slope = 0;
         BehindFilm behind = BehindFilm::Nothing; // Nothing in the player's room, where the film is not seen
     };

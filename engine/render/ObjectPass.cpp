@@ -15,8 +15,8 @@ namespace shoal::render {
 
 namespace {
 
-// Features that a primitive may need of the shader, by the shader's names; each set is compiled when it is
-// first seen. Those from SHOW_NORMALS on are in the order of ShownQuantity.
+// Shader features that a primitive may need, named as in the shader; each set is compiled when it is first
+// needed. Those from SHOW_NORMALS on are in the order of ShownQuantity.
 #define SHOAL_FEATURES(F)                                                                                    \
     F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
         F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER),                \
@@ -50,7 +50,7 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
     return features;
 }
 
-// Returns the features that a whole draw needs.
+// Returns the features that all primitives of a draw need.
 unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy glossy) {
     unsigned features = toneFeatures(exposure);
     if (glossy == Glossy::PhongRings) features |= PHONG_RINGS;
@@ -58,7 +58,7 @@ unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy 
     return features;
 }
 
-// Returns the size in world metres that cannot be seen from so far away.
+// Returns the greatest size in world metres that cannot be seen at this distance.
 float toleranceAt(float distance_m, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
     const float unseen_px = detail == Detail::Lean ? 1.6f : 0.5f;
@@ -84,8 +84,8 @@ gl::Texture makeDfgTable() {
     return texture;
 }
 
-// Returns a matte surface's light from radiance's harmonics: each times its basis function's factor and what
-// a matte surface leaves of its band, over pi (Ramamoorthi and Hanrahan 2001).
+// Returns a matte surface's light from the harmonics of radiance: multiplies each by its basis function's
+// factor and by the cosine lobe's factor for its band, over pi (Ramamoorthi and Hanrahan 2001).
 depth::LightHarmonics matteFactors(const depth::LightHarmonics& radiance) {
     depth::LightHarmonics matte;
     for (size_t i = 0; i < matte.size(); ++i) {
@@ -211,7 +211,7 @@ void ObjectPass::upload(const glm::mat3& envFromWorld) {
         shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
                            static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength});
     }
-    // The shader's blocks have room for MAX_JOINTS; the range bound must cover it for the last object too.
+    // The shader's blocks have room for MAX_JOINTS; the bound range must cover them for the last object too.
     static_assert(MAX_JOINTS * sizeof(glm::mat4) >= MAX_OCCLUDERS * sizeof(PackedOccluder));
     matrices_.resize(matrices_.size() + MAX_JOINTS * sizeof(glm::mat4));
     glBindBuffer(GL_UNIFORM_BUFFER, matrixBuffer_.name());
@@ -305,8 +305,8 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
                             (detail_ == Detail::Lean ? LEAN : 0u) |
                             (picture.environment.lightIsScaled() ? SCALED_LIGHT : 0u);
     const gl::Program* current = nullptr;
-    // An object that swims behind something, or comes out from there, needs another program. One of these is
-    // compiled per picture from the first on: a graphics driver takes a quarter to half a second for it, in
+    // An object that swims behind a part of the film, or out from it, needs another program. These are
+    // compiled in advance, one per picture: a graphics driver takes a quarter to half a second for one, in
     // which the game would stand still. Lean ones, for software renderers, take 20 ms.
     const bool filmHides = picture.environment.depth() && picture.surroundings != Surroundings::Room;
     std::optional<unsigned> soon;

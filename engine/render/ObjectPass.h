@@ -25,9 +25,9 @@ class ObjectPass {
     static Result<ObjectPass> make(Detail detail = Detail::Full, bool occlusion = true,
                                    ShownQuantity shown = ShownQuantity::Light);
 
-    // Makes all that is drawn from now on one body, at rest in the world, that takes light from itself by
-    // rays through these layers and not by ellipsoids, baked values or occlusion maps; null: none. Needs
-    // OpenGL 4.3 and Detail::Full. The layers must live until draw().
+    // Treats all objects drawn from now on as one body at rest in the world, whose self-occlusion is computed
+    // by rays through these layers instead of ellipsoids, baked values and occlusion maps; null: no layers.
+    // Needs OpenGL 4.3 and Detail::Full. The layers must live until draw().
     void setLayers(const occlusion::LayersGpu* layers) { layers_ = layers; }
 
     // A posed model. model and gpu must live until draw(); the rest is copied.
@@ -38,7 +38,7 @@ class ObjectPass {
         glm::mat4 worldFromModel = glm::mat4(1);
         Sphere bound;                        // world; holds the posed model; outside the view it is not drawn
         std::span<const Sphere> parts = {};  // smaller spheres that together hold it; empty: unknown
-        const BodyOccluders* body = nullptr; // its occluders; null: takes no light and loses none
+        const BodyOccluders* body = nullptr; // its occluders; null: no occlusion with other bodies
         float highlight = 0;                 // strength of a rim that marks it for the player, 0 to 1
         bool isInRoom = false; // whether it stands for something in the player's room, such as a hand
         // Its light minus that at the film's camera; null: none. Not used in the player's room.
@@ -47,12 +47,12 @@ class ObjectPass {
 
     void begin();
     void add(const Object& object); // all meshes of it
-    // Uploads what was added. Light's frame is env.
+    // Uploads the objects added since begin(). The light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
     // Draws opaque objects front to back, then blended ones back to front. Nearer parts of the film hide
-    // objects; in the player's room they do not. There an object that is in the room draws only depth, so
-    // that it hides what is behind it.
+    // objects, except in the player's room. There an object with isInRoom draws only its depth, so that it
+    // hides the objects behind it.
     Status draw(const EyePicture& picture, const water::Water& water, Glossy glossy);
 
     const ObjectBounds& bounds() const { return bounds_; } // bounds of the objects since begin()
@@ -74,7 +74,7 @@ class ObjectPass {
         float scale;         // world metres per unit of the mesh
         bool mirrored;       // whether its transform turns triangles clockwise (glTF 2.0, 3.7.4)
         int body;            // index in near_; -1: none
-        glm::vec3 albedo;    // mean, of the body that occludes itself
+        glm::vec3 albedo;    // mean albedo of the object's own body
         float highlight;
         bool isInRoom;
     };
@@ -83,15 +83,15 @@ class ObjectPass {
     struct ToDraw {
         Stage stage;
         float order; // within the stage
-        bool cut;    // whether nearer parts of the film may hide some of it
+        bool cut;    // whether nearer parts of the film may hide a part of it
         size_t item;
         auto operator<=>(const ToDraw&) const = default;
     };
 
     struct Shade {              // the occluders that take light from a body
         size_t offset = 0;      // bytes, in the buffer of matrices
-        int count = 0, own = 0; // the first `own` are its own parts,
-        float ownStrength = 0;  // and count by this factor
+        int count = 0, own = 0; // the first `own` of `count` are its own parts
+        float ownStrength = 0;  // strength of its own parts, 0 to 1
     };
 
     bool shaded(const Item& item) const;
@@ -108,7 +108,7 @@ class ObjectPass {
     bool occlusion_ = true;
     ShownQuantity shown_ = ShownQuantity::Light;
     const occlusion::LayersGpu* layers_ = nullptr;
-    gl::Texture dfg_, white_; // white: for a map that a material does not have
+    gl::Texture dfg_, white_; // white_ replaces maps that a material does not have
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
     std::vector<Item> items_;

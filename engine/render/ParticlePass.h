@@ -1,4 +1,4 @@
-// Marine snow: specks that drift between the viewer and what swims. Pairs with shaders/render/Particles.
+// Marine snow: specks that drift between the viewer and the animals. Pairs with shaders/render/Particles.
 #pragma once
 
 #include "engine/gl/Objects.h"
@@ -13,9 +13,9 @@ class ParticlePass {
     static Result<ParticlePass> make();
 
     enum class On {
-        Everything, // all that has been drawn with depth: near things hide specks
+        Everything, // the picture with depth: nearer objects hide specks
         Objects,    // the same, but only where alpha shows an object
-        Picture     // the picture without depth: nothing hides specks
+        Picture     // the picture without depth: no object hides specks
     };
 
     // Draws last. time_s places every speck, so equal times give equal pictures. Nearer parts of the film

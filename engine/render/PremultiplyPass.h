@@ -1,5 +1,5 @@
-// Makes a picture for a headset's runtime to lay over its cameras': display values that were multiplied by
-// their coverage become light multiplied by it, coded as sRGB. Pairs with shaders/render/Premultiply.
+// Makes the picture that a headset's runtime lays over its cameras' pictures: converts display values times
+// coverage to light times coverage, coded as sRGB. Pairs with shaders/render/Premultiply.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -12,7 +12,7 @@ class PremultiplyPass {
   public:
     static Result<PremultiplyPass> make();
 
-    // Draws into the lowest left pixels of a framebuffer, as many as the target has; leaves it bound.
+    // Draws into a framebuffer's lower left rectangle, as large as the target; leaves the framebuffer bound.
     void draw(const gl::Target& from, GLuint into);
 
   private:

@@ -23,7 +23,7 @@ struct View {
     // Centre of the image plane at distance 1, for frusta off axis (headsets); right and up positive.
     glm::vec2 shift{0};
 
-    int heightPixels = 0; // height of the picture: finer details are left out; 0: none are
+    int heightPixels = 0; // height of the picture, by which fine details are left out; 0: all are drawn
 
     bool operator==(const View&) const = default;
     glm::vec2 halfExtent() const {
@@ -87,7 +87,7 @@ enum class Composition {
     CameraResponse     // as VideoTexels, with the blur, glare, noise, levels and chroma of the video's camera
 };
 
-// Which implementation samples the background and paints the frame's texels. OpenGL draws the objects in
+// The implementation that samples the background and paints the frame's texels. OpenGL draws the objects in
 // either case.
 enum class Backend {
     Auto, // Software where the OpenGL driver renders on the processor
@@ -116,9 +116,8 @@ enum class ShownQuantity {
     Depth      // 1 / (1 + metres from the eye)
 };
 
-// A video frame to be drawn: coded display values from the top row, of the whole frame or one eye's part of
-// it; blue, green, red and a byte of 255. Drivers keep texels of this format; three bytes a pixel they would
-// convert to it.
+// A video frame to be drawn, or one eye's part of it: coded display values from the top row; blue, green, red
+// and a byte of 255. Drivers store texels in this format; they would have to convert pixels of three bytes.
 struct DisplayFrame {
     const uint8_t* pixels = nullptr;
     int width = 0, height = 0;

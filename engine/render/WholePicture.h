@@ -16,7 +16,7 @@ class WholePicture {
     }
 
   private:
-    // The shader makes the corners; OpenGL wants an array bound.
+    // The shader makes the corners, but OpenGL requires that a vertex array is bound.
     gl::VertexArray noAttributes_ = gl::VertexArray::make();
 };
 

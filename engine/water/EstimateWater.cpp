@@ -163,7 +163,7 @@ float WaterEstimator::redLoss(int firstRow, int lastRow) const {
 
 glm::vec3 attenuationFromVeil(const glm::vec3& veilLin) {
     constexpr float kMean_perM = 0.13f; // geometric mean of the channels
-    constexpr float kRed = 1.6f;        // times the mean: every water clear enough to dive in, within a fifth
+    constexpr float kRed = 1.6f;        // times the mean: within a fifth for water clear enough to dive in
     constexpr float kMaxGreenToBlue = 1.8f; // bound of their ratio and of its inverse
     const float greenToBlue = std::sqrt(std::max(veilLin.z, 1e-4f) / std::max(veilLin.y, 1e-4f));
     const float root = std::sqrt(std::clamp(greenToBlue, 1 / kMaxGreenToBlue, kMaxGreenToBlue));
@@ -194,7 +194,7 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             cells[count] = {veilTerms(dir),
                             squaredCoded(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
         }
-    // The level of all sectors: in a tunnel the veil is as dark as its walls, however bright the sea beyond.
+    // The level is that of all sectors: a tunnel's veil is as dark as its walls, even if the sea is bright.
     const glm::vec3 level = squaredCoded(medianLin(kSectors, horizonTop, rowAt(0)));
     for (int c = 0; c < 3; ++c) {
         const auto fit = lowerFit(cells, c, static_cast<double>(level[c]));

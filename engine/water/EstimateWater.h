@@ -11,7 +11,7 @@ namespace shoal::water {
 
 struct WaterEstimate {
     Water water;        // valid if the environment is under water
-    float evidence = 0; // 0 to 1: whether all the horizon has lost its red, which water absorbs first
+    float evidence = 0; // 0 to 1: rises with the share of horizon that lost red, which water absorbs first
 };
 
 // Does not allocate after the first frame. One thread at a time.
@@ -41,8 +41,8 @@ class WaterEstimator {
 };
 
 // Returns the attenuation per metre: clear coastal water's, with red attenuated most. The ratio of green to
-// blue follows from the veil: under single scattering it is b E / beta with b about equal for both, and E,
-// the light from above, has passed through the water too, so it is proportional to about 1 / beta^2. Its red
+// blue follows from the veil, which under single scattering is b E / beta, with b about equal for both. E,
+// the light from above, has passed through water too: the veil is about proportional to 1 / beta^2. Its red
 // is not used, because cameras' white balance compensates for it. veilLin: linear scene light at the horizon.
 //
 // On the reef film this is wrong by 2 % of the light at 1 to 3 m; fitting how its floor fades with distance

@@ -1,4 +1,4 @@
-// The lat-long map. Twin of engine/math/LatLong.h, which draws the picture.
+// The lat-long map. Twin of engine/math/LatLong.h, whose first lines have a drawing of it.
 const float kPi = 3.14159265358979;
 
 // dir: unit length, env frame. u wraps; explicit levels of detail keep the seam clean.

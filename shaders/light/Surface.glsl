@@ -29,8 +29,8 @@ Reflectance reflectanceOf(vec3 baseLin, float metallic, float roughness, float n
     return Reflectance(bounced.single, bounced.multiple + matte);
 }
 
-// Takes a dielectric's own Fresnel reflectance, as KHR_materials_ior and KHR_materials_specular give it: mixes a dielectric and a
-// metal. The light that enters the dielectric is colourless, reduced by its reflection's strongest channel.
+// Mixes a metal and a dielectric of its own Fresnel reflectance (KHR_materials_ior, KHR_materials_specular).
+// The light that enters the dielectric is colourless, reduced by its reflection's strongest channel.
 Reflectance reflectanceOf(vec3 baseLin, float metallic, float roughness, float nv, vec3 dielectricF0, float dielectricF90) {
     Bounced dielectric = bouncedOf(dielectricF0, dielectricF90, roughness, nv), metal = bouncedOf(baseLin, 1.0, roughness, nv);
     vec3 kept = dielectric.single + dielectric.multiple;

@@ -14,7 +14,7 @@ uniform mat4x3 dominantTowards;
 uniform vec3 dominantRadiance;
 uniform float dominantShare;
 
-const float kEndShare = 1.0 / float(8 * AXIS_ROWS); // share of the sphere of one end of an axis; as a cap its sine is:
+const float kEndShare = 1.0 / float(8 * AXIS_ROWS); // axis end's share of the sphere; next: its cap's sine
 const float kCellSine = 2.0 * sqrt(kEndShare * (1.0 - kEndShare));
 
 struct Shaded {
@@ -23,7 +23,7 @@ struct Shaded {
     vec3 seenInLobe;      // radiance of the ellipsoids in the rest of the lobe
 };
 
-// The free shares of a point's light after the ellipsoids so far: of those ends of the axes that lie above its surface, of the
+// Shares of a point's light that the ellipsoids so far leave free: of the axis ends above its surface, of the
 // dominant light and of the lobe.
 struct OpenShares {
     vec4 side[AXIS_ROWS]; // signs of these ends
@@ -83,7 +83,7 @@ void blockByOccluders(int first, int end, vec3 p, vec3 reflected, float lobeSine
     }
 }
 
-// selfOcclusion: the share of each direction that the body hides of itself: w plus the dot product with xyz.
+// selfOcclusion: the body itself hides a share of w plus the dot product with xyz in each direction.
 Shaded occludeByEllipsoids(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 selfOcclusion) {
     float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
     OpenShares so;

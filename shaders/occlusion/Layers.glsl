@@ -13,7 +13,7 @@ uniform vec3 bodyAlbedo;     // mean base colour of the body, used wherever a ra
 
 const int kDiffuseRays = 32, kGlossyRays = 8;
 const float kSharp = 0.1;            // roughness below which one ray stands for the lobe
-const float kDirectionalRough = 0.5; // its lobe is about as wide as the share of the hemisphere of one of kDiffuseRays
+const float kDirectionalRough = 0.5; // its lobe is about as wide as a diffuse ray's share of the hemisphere
 
 // Returns the angle by which a pixel turns the ray directions, so that few rays leave noise and no contours. Jimenez 2014, "Next
 // Generation Post Processing in Call of Duty: Advanced Warfare".

@@ -209,8 +209,8 @@ vec3 pixelFromBody(vec3 place) {
 
 const vec4 kNothing = vec4(-1, 0, 0, 0);
 
-// Does what traceLayers() does. `again`: the ray grazes the surface on which it began, and must be traced again from `nearest`,
-// which has moved on.
+// Traces a ray once, for traceLayers(). again: whether it grazes the surface on which it began and must be
+// traced again from `nearest`, which has moved on.
 vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again) {
     again = false;
     view = views[nearestAxis(direction)];

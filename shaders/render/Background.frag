@@ -1,5 +1,5 @@
-// Draws the environment. The mip level is explicit: one texel size over the whole view, so there is no wrong mip along the seam.
-// AS_IS: coded values under the curve that undoes their decoding, at exposure 0: the video's own values, unchanged.
+// Draws the environment. Level 0 is sampled explicitly: a computed mip level would be wrong along the seam.
+// AS_IS: shows the video's coded values unchanged, if the curve undoes their decoding and the exposure is 0.
 #include "light/LatLong.glsl"
 #ifndef AS_IS
 #include "render/Output.glsl"

@@ -2,7 +2,7 @@
 // the video's camera would show them, with its noise and, where codecs keep one colour for squares of texels, with shared
 // colours, see engine/render/EquirectComposite.h.
 uniform sampler2D layer;
-uniform vec2 rayScale; // half the layer's image plane's extent at distance 1
+uniform vec2 rayScale; // half extent of the layer's image plane at distance 1
 uniform vec2 rayShift; // its centre
 uniform sampler2D frame; // without objects
 #ifdef SHADED
@@ -35,13 +35,13 @@ uniform sampler2D grain;
 uniform ivec2 grainShift;
 uniform float perGrain;
 uniform float fineNoise[8], coarseNoise[8]; // standard deviation by luma
-uniform vec2 shares; // 1: two texels across, down, have one colour
+uniform vec2 shares; // 1: pairs of texels across (x) or down (y) share one colour
 
 float luma(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 void main() {
     vec4 c = seen(eyeRay);
-    // Fragments come in squares of two by two that begin where the codec's do: two differences give their mean.
+    // Fragments are shaded in squares of 2 x 2, aligned with the codec's: two derivatives give the mean.
     vec2 aside = shares * (0.5 - mod(floor(gl_FragCoord.xy), 2.0));
     vec4 square = c + aside.x * dFdx(c) + aside.y * dFdy(c);
     ivec2 at = ivec2(gl_FragCoord.xy);

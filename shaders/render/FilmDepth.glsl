@@ -6,8 +6,8 @@ uniform vec3 eyeInFilm;       // env frame, metres from the film's camera; 0: th
 
 float filmInverse(vec3 dirEnv) { return textureLod(filmDepth, latLongFromDirection(dirEnv), 0.0).r * (1.0 / FILM_NEAREST_M); }
 
-// Returns one over the distance from the eye, along a ray, of what the film shows there; 0: infinitely far. Method: see
-// depth::searchAlong(); behind a depth edge the surface before it is returned.
+// Returns the inverse distance from the eye to the film's surface along a ray; 0: infinitely far. Method: see
+// depth::searchAlong(); behind a depth edge it returns the last surface found before the edge.
 float inverseAlong(vec3 dirEnv) {
     float eye2 = dot(eyeInFilm, eyeInFilm);
     if (eye2 == 0.0) return filmInverse(dirEnv);

@@ -33,7 +33,7 @@ uniform sampler2D specularMap, specularColourMap; // white if the material has n
 uniform int specularUv, specularColourUv;
 #endif
 #ifdef CLEARCOAT
-uniform sampler2D coatMap, coatRoughnessMap; // likewise
+uniform sampler2D coatMap, coatRoughnessMap; // white if there is none
 uniform int coatUv, coatRoughnessUv;
 #endif
 uniform float normalScale;
@@ -85,7 +85,7 @@ uniform float highlight; // 0 to 1
 #endif
 out vec4 colour;
 
-// Returns the linear base colour with coverage; lit vertices: times the light and exposed. Discards what the mask cuts out.
+// Returns the linear base colour and coverage; VERTEX_LIT: times light and exposure. Discards masked pixels.
 vec4 baseColour() {
 #ifdef VERTEX_LIT
     vec4 base = perMapExposed;
@@ -123,8 +123,8 @@ vec3 throughWater(vec3 display) {
 #endif
 }
 
-// Lightens an object that is marked for the player: by brightness, which every kind of colour vision sees, and in display values,
-// so that it shows in a cave as before a white sky; at night less, where white would dazzle. Not light: it lights nothing else.
+// Lightens an object that is marked for the player: display values get brighter, which every kind of colour
+// vision sees, in a cave and before a white sky; at night less, so as not to dazzle. It lights nothing else.
 vec3 lightened(vec3 display, float share) { return mix(display, min(2.5 * display + 0.25, vec3(1.0, 0.98, 0.90)), share); }
 
 #ifndef VERTEX_LIT
@@ -143,8 +143,8 @@ vec3 shadingNormal(out vec3 geometric) {
     return n * facing;
 }
 
-// Filtered radiance that arrives: around the normal for diffuse reflection, unoccluded and occluded by bodies, around the mirror
-// direction for glossy reflection, and around that of the clearcoat.
+// Filtered incoming radiance: around the normal for diffuse reflection (without and with bodies' occlusion),
+// around the mirror direction for glossy reflection, and around the clearcoat's mirror direction.
 struct Incoming {
     vec3 unoccluded, around, mirrored, coat;
 };
@@ -238,9 +238,9 @@ vec3 litByPixel(vec3 base) {
     return lightened(throughWater(displayOfExposed(radiance * exposureScale)), highlightOf(highlight, dot(geometric, v)));
 }
 #elif defined(UNLIT)
-// KHR_materials_unlit, always with VERTEX_LIT: the base colour is shown unchanged, coded in, coded out, like the video's own
-// colours at exposure 0. Exposure and tone curve make display values of light, which this is not, and do not apply, as in
-// Khronos' sample renderer. Water between it and the eye does.
+// KHR_materials_unlit, always with VERTEX_LIT: shows the coded base colour unchanged, as the video's colours
+// are at exposure 0. Exposure and tone curve, which convert light, do not apply, as in Khronos' sample
+// renderer. Water between the object and the eye does apply.
 vec3 litByVertex(vec3 baseLin) { return lightened(throughWater(srgbFromLinear(baseLin)), litUp); }
 #else
 vec3 litByVertex(vec3 baseExposed) {

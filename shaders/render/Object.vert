@@ -45,9 +45,9 @@ out vec4 bodiesInLobe; // radiance that bodies send into the glossy lobe, and th
 uniform vec4 baseColourLin;
 uniform vec3 emissiveLin;
 uniform float twoSided; // 1: the normal turns towards the eye
-// The exposed light sent to the eye is perMapExposed times the base colour's map plus besidesExposed. The alpha of perMapExposed
-// is opacity. Software renderers fetch each uniform number once for each pixel, so pixels get products. UNLIT: perMapExposed is
-// the factor of the map, linear.
+// The exposed light sent to the eye is perMapExposed times the base colour's map plus besidesExposed. The
+// alpha of perMapExposed is opacity. Vertices form these products, because software renderers fetch every
+// uniform again for each pixel. UNLIT: perMapExposed is the map's linear factor.
 out vec4 perMapExposed;
 #ifndef UNLIT
 out vec3 besidesExposed;

@@ -1,9 +1,9 @@
 // The last step of every draw: linear radiance to display values, so that no pass over the whole picture is needed.
 #include "light/ToneCurve.glsl"
 
-// The curve is compiled in, one program for each: a software renderer runs all branches of a choice. TONE_ACES, TONE_LINEAR
-// (clip; both with sRGB coding), else the inverse of the thesis' inverse tone mapping. FRAME_SRGB: the video's values are
-// decoded as sRGB, else by the thesis' inverse tone mapping.
+// Each curve has its own program, since software renderers run all branches. TONE_ACES and TONE_LINEAR (which
+// clips) code as sRGB, otherwise the curve inverts the thesis' inverse tone mapping. FRAME_SRGB: the
+// video's values are decoded as sRGB, otherwise by the thesis' inverse tone mapping.
 uniform float exposureScale; // 2^EV, on objects and background alike
 
 vec3 radianceOfFrame(vec3 coded) {

@@ -45,7 +45,7 @@ void main() {
     cover *= smoothstep(0.15, 0.45, away) * (1.0 - smoothstep(0.35, 0.5, away / cube_m));
     speckCover = 0.8 * cover;
 #ifdef FILM_DEPTH
-    // Compared at its middle; over 2 % of the distance, so that none vanishes at once.
+    // The film is compared at the speck's middle, over 2 % of the distance: no speck vanishes suddenly.
     if (cover > 0.0) speckCover *= clamp(inverseBeforeFilm(envFromWorld * fromEye) * away / 0.02 + 0.5, 0.0, 1.0);
 #endif
 

@@ -1,5 +1,5 @@
-// Converts display values multiplied by coverage to light multiplied by it, coded: a compositor that decodes them and lays them
-// over another picture adds light, and would otherwise show dark outlines. Pairs with engine/render/PremultiplyPass.
+// Converts display values times coverage to coded light times coverage: a compositor that decodes them adds
+// light, and would otherwise show dark outlines. Pairs with engine/render/PremultiplyPass.
 #include "light/ToneCurve.glsl"
 
 uniform sampler2D picture;

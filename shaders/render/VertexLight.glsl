@@ -1,6 +1,6 @@
-// Computes the light that a vertex sends to the eye, for objects that do not fill the picture where the processor draws: the sums
-// of Object.frag without relief, written so that they are linear in the base colour, which the pixel adds. A metal's further
-// bounces are assumed to have the base colour once. A clearcoat does not dim emitted light. Needs render/LightDifference.glsl.
+// Computes the light that a vertex sends to the eye, for small objects on software renderers: Object.frag's
+// sums without relief, linear in the base colour, by which the pixel multiplies. A metal's further bounces
+// have the base colour once. A clearcoat does not dim emitted light. Needs render/LightDifference.glsl.
 uniform sampler2D dfgTable;
 uniform float metallic, roughness;
 #ifdef DIELECTRIC

@@ -11,15 +11,15 @@ namespace {
 
 constexpr float kOne = 65536; // fixed point
 
-// Intrinsics, not Highway: version 1.0 has no product of unsigned with signed bytes (maddubs), and 16-bit
-// products take 1.17 to 1.23 times as long.
+// This code uses intrinsics because Highway 1.0 has no product of unsigned with signed bytes (maddubs), and
+// 16-bit products take 1.17 to 1.23 times as long.
 #ifdef SHOAL_AVX2
 
 int fixed(float texels) { return _mm_cvtss_si32(_mm_set_ss(texels * kOne)); }
 
-// Mixes texels. Places are in fixed point: their low 16 bits are the weight between two texels. Texels come
-// as bytes less 128, neighbours side by side, and are mixed as 16-bit numbers of 127.5 times their value,
-// which just fit: weights across have 8 bits, 255 - w and w, those down 15.
+// Mixes texels by places in fixed point, whose low 16 bits are the weight between two texels. Texels come as
+// bytes less 128, neighbours side by side, and are mixed as 16-bit numbers of 127.5 times their value, which
+// just fit. Weights across have 8 bits (255 - w and w), weights down have 15.
 SHOAL_AVX2
 __m256i mixedRows(__m256i above, __m256i below, __m256i across, __m256i down) {
     const __m256i w = _mm256_xor_si256(across, _mm256_set1_epi16(0x00ff)), h = _mm256_srli_epi16(down, 1);
@@ -63,7 +63,7 @@ __m256i mixed(__m256i aboveLeft, __m256i aboveRight, __m256i belowLeft, __m256i 
 }
 
 // Samples a row of pixels. s, t: of the first pixel, in fixed-point texels from the frame's first; ds, dt:
-// steps. One function, as both ways of loading share a dozen registers that a call would spill.
+// steps. Both ways of loading are in one function: they share a dozen registers that a call would spill.
 SHOAL_AVX2
 void sampleRow(const DisplayFrame& frame, int s, int t, int ds, int dt, int count, uint32_t* out) {
     const __m256i steps = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), one = _mm256_set1_epi32(1);
@@ -76,7 +76,7 @@ void sampleRow(const DisplayFrame& frame, int s, int t, int ds, int dt, int coun
     __m256i v = _mm256_add_epi32(_mm256_set1_epi32(t), _mm256_mullo_epi32(steps, _mm256_set1_epi32(dt)));
     const __m256i du = _mm256_set1_epi32(8 * ds), dv = _mm256_set1_epi32(8 * dt);
     const auto* pixels = reinterpret_cast<const long long*>(frame.pixels);
-    // The extent of the eight pixels about their first.
+    // Offsets of the outermost of eight pixels from the first.
     const int leftmost = std::min(0, 7 * ds), rightmost = std::max(0, 7 * ds);
     const int topmost = std::min(0, 7 * dt), lowest = std::max(0, 7 * dt);
     for (int x = 0; x < count; x += 8, s += 8 * ds, t += 8 * dt) {
@@ -85,8 +85,8 @@ void sampleRow(const DisplayFrame& frame, int s, int t, int ds, int dt, int coun
         const int top = (t + topmost) >> 16, bottom = (t + lowest) >> 16;
         const int first = top * frame.rowPixels + left;
         __m256i eight;
-        // If the picture is larger than its map, eight pixels need few texels: those of two or three rows are
-        // loaded whole. Otherwise each pixel fetches its own.
+        // If the picture is larger than its map, eight pixels need few texels: eight texels each of two or
+        // three rows are loaded at once. Otherwise each pixel fetches its own texels.
         if (right - left <= 6 && bottom - top <= 1 && first >= 0 &&
             first + (bottom - top) * frame.rowPixels + 6 <= lastTexel) {
             const __m256i from = _mm256_sub_epi32(column, _mm256_set1_epi32(left));

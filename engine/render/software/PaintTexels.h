@@ -18,13 +18,13 @@ struct TexelPaint {
     const uint32_t* layer = nullptr;
     glm::ivec2 layerSize{0}; // at least 2 x 2
     glm::mat3 eyeFromEnv{1};
-    glm::vec2 rayScale{1}, rayShift{0};   // half the layer's image plane's extent at distance 1; its centre
+    glm::vec2 rayScale{1}, rayShift{0};   // half extent and centre of the layer's image plane at distance 1
     std::optional<CameraUniforms> filmed; // empty: the layer is painted unchanged, without scattered light
     const ImageRgbF* scattered = nullptr; // squares of display values, lat-long
 };
 
-// Paints the layer over texels low to high - 1 of a frame without gaps. They are so few that rays are nearly
-// linear among them: a tile of FrameTiles.
+// Paints the layer over texels low to high - 1 of a frame without gaps: a tile of FrameTiles, so small that
+// rays are nearly linear within it.
 void paintTexels(const TexelPaint& paint, const glm::ivec2& low, const glm::ivec2& high,
                  const glm::ivec2& frameSize, uint32_t* frame);
 

@@ -18,12 +18,12 @@ bool differ(uint32_t a, uint32_t b) {
     return std::abs(static_cast<int>(a >> 24) - static_cast<int>(b >> 24)) >= kStep;
 }
 
-// Returns how much of a pixel its neighbour across the step covers. along: to the next pixel on the step's
-// side; before, after: pixels that there are along it.
+// Returns the share of a pixel that its neighbour across the step covers. along, across: offsets of the next
+// pixel along the step and of that neighbour; before, after: numbers of pixels along the step.
 float shareOf(const uint32_t* pixel, ptrdiff_t along, ptrdiff_t across, int before, int after) {
     struct End {
         int away = kFurthest;
-        bool bendsIn = false; // to the pixel's side
+        bool bendsIn = false; // whether the step bends to the pixel's side
     };
     const auto endOf = [&](ptrdiff_t ahead, int pixels) {
         for (int away = 0; away < std::min(pixels, kFurthest); ++away) {

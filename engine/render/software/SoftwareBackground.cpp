@@ -19,8 +19,8 @@ bool canSample(const EyePicture& picture) {
            picture.canvas.samples() == 1;
 }
 
-// Writes the factors of FilmShadows::left(), enlarged linearly, for texels low to high - 1 of a frame. Where
-// these reach half a texel beyond the map's edge, its outermost texels count.
+// Writes the factors of FilmShadows::left(), enlarged linearly, for texels low to high - 1 of a frame. Places
+// up to half a texel beyond the map's edge take its outermost texels.
 void enlarge(const Image<uint8_t, 4>& left, const glm::ivec2& low, const glm::ivec2& high,
              const glm::ivec2& frameSize, std::vector<uint32_t>& out) {
     constexpr float kInside = 1 / 32.0f;

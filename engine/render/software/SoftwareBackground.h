@@ -20,8 +20,8 @@ class SoftwareBackground final : public BackgroundPass {
     SoftwareBackground();
 
     // Begins to sample the cells without objects and shadows, on helper threads, while OpenGL still draws the
-    // objects. Cells are kept from an earlier picture of the same frame and view: the second eye's picture,
-    // and pictures until the film's next frame, differ by objects only.
+    // objects. Cells of an earlier picture of the same frame and view are kept: the second eye's picture, and
+    // pictures until the film's next frame, differ only by objects.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
     Status draw(const EyePicture& picture, const TexelLayer* layer) override;
 
@@ -32,7 +32,7 @@ class SoftwareBackground final : public BackgroundPass {
         glm::vec2 halfExtent{0}, shift{0}; // of the view
         glm::mat3 envFromRay{1};
         glm::ivec2 size{0};     // of the picture
-        glm::vec3 eyeInFilm{0}; // 0 also where the film has no distances
+        glm::vec3 eyeInFilm{0}; // 0 also if the film has no distances
         bool operator==(const Sampled&) const = default;
     };
     struct State { // of a cell
