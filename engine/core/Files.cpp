@@ -48,7 +48,7 @@ Path userFolder(UserFolder which) {
     constexpr std::array kRows = {Row{"XDG_PICTURES_DIR=\"", "Pictures"}, Row{"XDG_VIDEOS_DIR=\"", "Videos"},
                                   Row{"XDG_DOWNLOAD_DIR=\"", "Downloads"}};
     const auto [entry, english] = kRows[static_cast<size_t>(which)];
-    // One line a folder, for a shell: NAME="$HOME/relative" or NAME="/absolute", special characters after \.
+    // Lines, in shell syntax: NAME="$HOME/relative" or NAME="/absolute", with \ before special characters.
     const auto text = readText(xdgFolder("XDG_CONFIG_HOME", ".config") / "user-dirs.dirs", 1u << 16);
     std::istringstream lines(text ? *text : "");
     constexpr std::string_view kHome = "$HOME";

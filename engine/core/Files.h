@@ -12,12 +12,12 @@ namespace shoal {
 
 using Path = std::filesystem::path;
 
-// Folder of the program that runs.
+// Returns the folder of the running program.
 Path programFolder();
 
-// Folder of content/ and shaders/: $SHOAL_DATA; else where `cmake --install` puts them, seen from the
-// program, so that an installation can be moved; else the source tree this was built from. Fixed at first
-// use.
+// Returns the folder of content/ and shaders/: $SHOAL_DATA; else where `cmake --install` puts them, relative
+// to the program, so that an installation can be moved; else the source tree of the build. It does not
+// change after the first call.
 const Path& dataRoot();
 
 // $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal, $XDG_CACHE_HOME/shoal; relative values are ignored, as the
@@ -26,8 +26,8 @@ Path configFolder();
 Path scoreFolder();
 Path cacheFolder();
 
-// A folder of the person's own, whatever it is called in their language: as xdg-user-dirs keeps it in
-// $XDG_CONFIG_HOME/user-dirs.dirs, else its English name in the home folder. Not created here.
+// Returns one of the user's folders, whatever its name in their language: from xdg-user-dirs' file
+// $XDG_CONFIG_HOME/user-dirs.dirs, else by its English name in the home folder. Not created here.
 enum class UserFolder { Pictures, Videos, Downloads };
 Path userFolder(UserFolder which);
 

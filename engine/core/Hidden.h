@@ -1,5 +1,5 @@
-// Owner of an object whose type is declared in a header and defined in its .cpp alone, so that users of the
-// header need none of its parts. Moves and destruction need no declaration.
+// Owner of an object of an incomplete type (pimpl), which only the .cpp defines, so that users of the header
+// do not depend on its members. The owning class needs no declared destructor or move.
 #pragma once
 
 #include <memory>

@@ -16,7 +16,7 @@ template <class T, int kChannels> struct Image {
     Image() = default;
     Image(int w, int h) : width(w), height(h), pixels(static_cast<size_t>(w) * h * kChannels) {}
 
-    // Gives a picture of another size this size, all 0.
+    // Resizes the picture and sets it to 0; does nothing if it has this size.
     void fit(int w, int h) {
         if (width != w || height != h) *this = Image(w, h);
     }
@@ -30,7 +30,7 @@ template <class T, int kChannels> struct Image {
 
 using ImageRgb8 = Image<uint8_t, 3>; // sRGB-coded
 using ImageRgba8 =
-    Image<uint8_t, 4>;             // sRGB-coded colour, linear straight alpha, unless a name says otherwise
+    Image<uint8_t, 4>;             // sRGB-coded colour, straight linear alpha, unless a name says otherwise
 using ImageRgbF = Image<float, 3>; // linear radiance, Rec. 709 primaries
 using ImageF = Image<float, 1>;
 

@@ -10,13 +10,13 @@
 namespace shoal {
 
 struct JsonBounds {
-    int depth;       // of nesting: stack
+    int depth;       // depth of nesting: stack
     uint64_t values; // a parsed value costs up to some 100 bytes
     uint64_t objects;
 };
 
-// Returns the bound that the text exceeds, "is nested deeper than 64 levels"; empty: none. Reads brackets and
-// commas only; text that is no JSON at all is left to the parser.
+// Returns a message about the bound that the text exceeds, such as "is nested deeper than 64 levels"; empty
+// if none. It counts brackets and commas only, and leaves invalid JSON to the parser.
 inline std::string exceededBound(std::string_view json, const JsonBounds& bounds) {
     uint64_t values = 1, objects = 0;
     int depth = 0;

@@ -16,7 +16,7 @@ void write(Level level, fmt::string_view format, fmt::format_args arguments) {
 }
 
 void setUp(bool verbose) {
-    // The logger has its own descriptor of standard error, which QuietStandardError leaves open.
+    // The logger writes to its own copy of the descriptor, which QuietStandardError does not redirect.
     std::FILE* file = ::fdopen(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1), "w");
     using Sink = spdlog::sinks::stdout_sink_base<spdlog::details::console_mutex>;
     const auto close = [file](Sink* sink) {

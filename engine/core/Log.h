@@ -28,8 +28,8 @@ template <class... T> void error(fmt::format_string<T...> format, T&&... argumen
 // Prefixes each line with "shoal: "; debug lines are written only when verbose.
 void setUp(bool verbose);
 
-// Silences standard error while it lives, because libraries write there past their own log levels; our
-// messages are written all the same. One thread at a time; others wait.
+// Silences standard error during its lifetime, because libraries write there regardless of their log levels.
+// Our own messages are still written. One thread at a time; others wait.
 class QuietStandardError {
   public:
     QuietStandardError();

@@ -1,4 +1,4 @@
-// Numbers from outside: texts, and values that a library has read of a file. NaN and infinities are none.
+// Checks numbers from texts and from files read by libraries. NaN and infinities do not count as numbers.
 #pragma once
 
 #include <charconv>
@@ -11,7 +11,7 @@ namespace shoal {
 // False for NaN.
 template <class T> bool isWithin(T number, T low, T high) { return number >= low && number <= high; }
 
-// Returns the decimal number that the whole text is; empty where it is none, or T cannot hold it.
+// Parses the whole text as a decimal number; empty if it is not one, or not within low .. high.
 template <class T>
 std::optional<T> parseNumber(std::string_view text, T low = std::numeric_limits<T>::lowest(),
                              T high = std::numeric_limits<T>::max()) {

@@ -1,5 +1,5 @@
-// A value, or the reason why there is none. For files, devices and video: things that fail without anybody
-// having made a mistake in the program. Broken contracts assert instead.
+// A value, or the reason why there is none: for files, devices and video, which can fail although the program
+// has no mistake. Broken contracts assert instead.
 #pragma once
 
 #include <cassert>

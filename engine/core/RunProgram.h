@@ -7,8 +7,8 @@
 
 namespace shoal {
 
-// words: the program, found by PATH unless it has a slash, and its arguments. Returns its exit status; empty:
-// it could not be started, or a signal ended it.
+// Runs a program and returns its exit status; empty if it could not be started, or a signal ended it. words:
+// the program, found by PATH unless it has a slash, and its arguments.
 std::optional<int> runProgram(std::vector<std::string> words);
 
 } // namespace shoal

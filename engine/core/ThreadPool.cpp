@@ -22,7 +22,7 @@ ThreadPool::~ThreadPool() {
     for (std::thread& helper : helpers_) helper.join();
 }
 
-// Call it with the lock held. Parts are so large that taking one costs nothing beside it.
+// Runs parts until none is left; call it with the lock held. Locking costs little beside a part's work.
 void ThreadPool::work(std::unique_lock<std::mutex>& lock) {
     while (next_ < parts_) {
         const int mine = next_++;
@@ -61,7 +61,7 @@ void ThreadPool::finish() {
 
 void lowerThreadPriority() {
 #ifdef __linux__
-    // Each thread has its own niceness on Linux. 10 is a tenth of the usual weight.
+    // On Linux each thread has its own niceness; 10 gives it a tenth of the usual share of a processor.
     constexpr int kNiceness = 10;
     setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNiceness);
 #endif

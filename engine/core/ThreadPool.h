@@ -1,4 +1,4 @@
-// A thread pool, and priorities. The pool runs one parallel loop at a time; the calling thread takes part.
+// A thread pool that runs one parallel loop at a time, with the calling thread's help; and thread priorities.
 #pragma once
 
 #include <condition_variable>
@@ -19,7 +19,7 @@ class ThreadPool {
         start(
             parts, [](void* context, int k) { (*static_cast<Part*>(context))(k); }, &part);
     }
-    void finish(); // takes part; returns when all parts are done
+    void finish(); // helps with the parts; returns when all are done
 
     template <class Part> void parallelFor(int parts, Part&& part) {
         start(parts, part);
@@ -41,9 +41,9 @@ class ThreadPool {
     std::vector<std::thread> helpers_;
 };
 
-// Lowers the priority of the calling thread and of those it starts from now on: for work with a deadline of a
-// video frame, beside threads with the deadline of a display frame. Without effect where the system has no
-// priorities for threads.
+// Lowers the priority of the calling thread and of threads that it starts later. It is for work that must be
+// done within a video frame, beside threads that must be done within a display frame. It has no effect on
+// systems without thread priorities.
 void lowerThreadPriority();
 
 } // namespace shoal

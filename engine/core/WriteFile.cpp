@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr size_t kLongestName = 200; // of the file's in the temporary's, which must not exceed 255 bytes
+constexpr size_t kLongestName = 200; // part of a name that its temporary name has, within 255 bytes
 
 Error cannotWrite(const Path& file, const std::string& why) {
     return Error{file.string(), "cannot be written: " + why};
@@ -20,21 +20,21 @@ Error cannotWrite(const Path& file, int code) {
     return cannotWrite(file, std::generic_category().message(code));
 }
 
-// Returns the place that a name leads to through symbolic links, whether something is there or not; a link
-// where they lead in a circle.
+// Resolves the symbolic links of a path, whether its target exists or not; returns a link if they form a
+// cycle.
 Path placeOf(const Path& file) {
     std::error_code code;
     const Path place = fs::weakly_canonical(fs::absolute(file, code), code);
     if (code) return file;
     if (!fs::is_symlink(fs::symlink_status(place, code))) return place;
-    return placeOf(place.parent_path() / fs::read_symlink(place, code)); // which is not there yet
+    return placeOf(place.parent_path() / fs::read_symlink(place, code)); // a dangling link
 }
 
 bool isSpecial(const fs::file_status& status) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// Files that are written beside their places; those that are never put in place are removed.
+// Files under temporary names in their folders; the destructor removes those that were not put in place.
 class Staging {
   public:
     ~Staging() {
@@ -140,7 +140,7 @@ static Status checkOutput(const NamedFile& output) {
     return ::access(written.c_str(), W_OK) == 0 ? Status(Done{}) : cannotWrite(output.file, errno);
 }
 
-// Returns whether two names are of one file that keeps its bytes: a device may be named twice.
+// Returns whether two names refer to the same file; false for a device, which may be named twice.
 static bool isSame(const Path& a, const Path& b) {
     std::error_code code;
     const Path place = placeOf(a), other = placeOf(b);

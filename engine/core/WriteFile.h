@@ -1,9 +1,9 @@
-// Writing files so that nothing is lost: the one way in which the program writes them. Any thread.
+// Writes files so that nothing is lost; all files of the program are written by these functions. Any thread.
 //
-// A file is written beside its place, brought to the disk, then renamed: a reader, a crash or a full disk
-// finds the old file or the new one, never half of one. The name beside NAME is .NAME.PID.part, of the
-// process that writes; a process that is killed in the middle leaves it there. Symbolic links are followed,
-// so that a link stays one; devices, FIFOs and sockets are written into directly.
+// A file is written under a temporary name in the same folder, synchronised to the disk, then renamed: a
+// reader, a crash or a full disk finds the old file or the new one, never half of one. The temporary name of
+// NAME is .NAME.PID.part; a process that is killed in between leaves that file. Symbolic links are followed
+// and kept; devices, FIFOs and sockets are written to directly.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -17,7 +17,7 @@
 
 namespace shoal {
 
-// Creates the parent folder.
+// Writes or replaces a file; creates its parent folder.
 Status writeFileWhole(const Path& file, std::string_view bytes);
 
 struct NamedBytes {
@@ -25,8 +25,8 @@ struct NamedBytes {
     std::string bytes;
 };
 
-// Writes all of them or none: nothing is put in place before everything has been written beside. Creates the
-// folder.
+// Writes all files, or none if writing fails: they are renamed only after all have been written under
+// temporary names. Creates the folder.
 Status writeFolderWhole(const Path& folder, std::span<const NamedBytes> files);
 
 // A file that grows while the program runs, under its final name, so that it survives a crash.
@@ -38,7 +38,7 @@ class GrowingFile {
     static Result<GrowingFile> extend(const Path& file, uint64_t bytes);
 
     Status write(std::string_view bytes);
-    // Waits until the disk has it all, and closes.
+    // Waits until all bytes are on the disk, and closes the file.
     Status finish();
 
   private:
@@ -48,7 +48,7 @@ class GrowingFile {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> out_;
 };
 
-// A file that a person has named, and the option that did so.
+// A file that the user has named, and the option by which.
 struct NamedFile {
     std::string option;
     Path file; // empty: not given

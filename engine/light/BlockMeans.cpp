@@ -13,21 +13,21 @@ namespace {
 
 constexpr int kBlock = 4;
 
-// All loops compute this in whole numbers, with a scale for each channel:
+// All loops compute radiance as scale times coded value, in integers.
 //
-// The thesis' scale is one for all channels:
+// The thesis' decoding has one scale for all channels:
 //     l = 30 red + 59 green + 11 blue,  x = 2 l / 2^16
-//     scale = kPlain + 4 * 2^16 x^10  (each product cut to a whole number)
-// kThesisUnit makes up for these cuts of the tenth power, shared between bright and dark.
+//     scale = kPlain + 4 * 2^16 x^10  (each product truncated to an integer)
+// kThesisUnit compensates for the mean error of these truncations.
 constexpr int kLumaRed = 30, kLumaGreen = 59, kLumaBlue = 11;
 constexpr int kPlain = 3843;                  // 0.18 times the 4 * 2^16 (51000 / 2^16)^10 of white
 constexpr float kThesisUnit = 1.8f / 3842.6f; // radiance of white for each 1 of scale
 
-// sRGB's scale is decoded over coded, which rises by a factor of twelve from black to white and is nearly
-// straight over any sixteenth of the coded values:
+// The scale of sRGB is decoded over coded value. It rises by a factor of twelve from black to white and is
+// nearly linear over any sixteenth of the coded values:
 //     scale = kStart[coded / 16] + kSlope[coded / 16] * (coded % 16)
-// These lines minimise the largest error, counted in 2e-4 of white or 1 % from coded 10 on, whichever is
-// stricter, and 9 % below. White is exact.
+// These lines minimise the largest error relative to a tolerance: from coded 10 on 2e-4 of white or 1 %,
+// whichever is stricter, below that 9 %. White is exact.
 constexpr std::array<uint16_t, 16> kStart = {2295,  2596,  3637,  4966,  6466,  8098,  9845,  11688,
                                              13630, 15654, 17756, 19933, 22186, 24507, 26893, 29342};
 constexpr std::array<uint8_t, 16> kSlope = {17,  63,  83,  94,  102, 109, 115, 121,
@@ -53,8 +53,8 @@ struct BlockRow {
     const uint8_t* pixels = nullptr;
     ptrdiff_t stride = 0; // bytes from one row of pixels to the next
     bool bgr = true;
-    std::array<int16_t, kBlock> weights{}, clippedWeights{}; // 2^15 would be 1
-    float unit = 0, clippedUnit = 0;                         // a sum's unit in terms of the mean
+    std::array<int16_t, kBlock> weights{}, clippedWeights{}; // in units of 2^-15
+    float unit = 0, clippedUnit = 0;                         // factor from sum to mean
     float* out = nullptr;
     float* clipped = nullptr;
 
@@ -120,7 +120,7 @@ SHOAL_AVX2 inline __m256i twoHalves(const uint8_t* low, const uint8_t* high) {
         _mm_loadu_si128(reinterpret_cast<const __m128i*>(high)), 1);
 }
 
-// Returns the shuffle that sorts the four pixels from byte `first` on: all red, all green, all blue.
+// Returns the shuffle mask that sorts four pixels from byte `first` on: all red, all green, all blue.
 __m128i planesOf(int first, bool bgr) {
     std::array<char, 16> pick;
     pick.fill(-1);
@@ -133,8 +133,8 @@ __m128i planesOf(int first, bool bgr) {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(pick.data()));
 }
 
-// Pixels of two rows of four blocks. In each half of a register: two blocks of the upper row, then the two
-// below them.
+// Two rows of pixels of four blocks. Each half of a register holds two blocks of the upper row, then the same
+// blocks of the lower row.
 struct TwoRows {
     __m256i red, green, blue;
 };
@@ -144,7 +144,7 @@ struct Picks {
 };
 
 SHOAL_AVX2 inline TwoRows readTwoRows(const uint8_t* p, ptrdiff_t stride, const Picks& picks) {
-    // The fourth block is read with the bytes before it: nothing beyond the row is read.
+    // The fourth block is read together with the bytes before it, so that no byte beyond the row is read.
     const __m256i even = _mm256_shuffle_epi8(twoHalves(p, p + 24), picks.first);
     const __m256i odd = _mm256_shuffle_epi8(twoHalves(p + 12, p + 32), picks.second);
     p += stride;
@@ -157,7 +157,7 @@ SHOAL_AVX2 inline TwoRows readTwoRows(const uint8_t* p, ptrdiff_t stride, const 
             _mm256_unpacklo_epi64(blue, blueBelow)};
 }
 
-// Widen the upper row's values, and those below, to 16 bits.
+// upper() and lower() widen the values of the upper and of the lower row to 16 bits.
 SHOAL_AVX2 inline __m256i upper(__m256i bytes) { return _mm256_unpacklo_epi8(bytes, _mm256_setzero_si256()); }
 SHOAL_AVX2 inline __m256i lower(__m256i bytes) { return _mm256_unpackhi_epi8(bytes, _mm256_setzero_si256()); }
 
@@ -263,7 +263,7 @@ template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) 
                     _mm256_madd_epi16(upper(steps), _mm256_set1_epi16(row.clippedWeights[y])),
                     _mm256_madd_epi16(lower(steps), _mm256_set1_epi16(row.clippedWeights[y + 1]))));
         }
-        // Red, red, green, green; blue, blue, clipped, clipped.
+        // Each half of redGreen holds red, red, green, green; of blues blue, blue, clipped, clipped.
         alignas(32) std::array<float, 8> redGreen, blues;
         _mm256_store_ps(redGreen.data(),
                         _mm256_mul_ps(unit, _mm256_cvtepi32_ps(_mm256_hadd_epi32(sums.red, sums.green))));

@@ -1,8 +1,8 @@
-// The inner loops of the light: decode pixels to radiance and average blocks of 4 x 4 in one go. The rest of
-// a frame's light is made of a sixteenth of its pixels.
+// Decodes pixels to radiance and averages blocks of 4 x 4 pixels in one pass. All later steps of making light
+// work on these means, a sixteenth of the number of pixels.
 //
-// They compute with whole numbers of 16 bits, twice as many a register as floats: every processor gives the
-// same bits.
+// The loops compute with 16-bit integers: a register holds twice as many of them as floats, and every
+// processor gives the same bits.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -21,20 +21,20 @@ enum class BlockLoop {
 bool canRun(BlockLoop loop); // on this processor
 BlockLoop fastestBlockLoop();
 
-// Decodes by radianceFromDisplay(), within a relative 2e-4; a step of 8 bits is at least twenty times that.
+// Decodes by radianceFromDisplay() to a relative 2e-4; a step of 8 bits is at least twenty times that.
 //
 // out: frame.width / 4 x frame.height / 4, linear radiance. rowWeights: one for each row of the frame, each
-// above 0, summing to 1 over the four of a block; their proportions are kept to 2^-15 of the largest. Width
-// and height: multiples of 4.
+// above 0; the four of a block sum to 1, and are rounded to 2^-15 of the largest. Width and height of the
+// frame: multiples of 4.
 void makeBlockMeans(const FrameView& frame, std::span<const float> rowWeights, ImageRgbF& out,
                     BlockLoop loop = fastestBlockLoop());
 
-// Decodes sRGB, within 2e-4 of white, and within a relative 1 % from coded 10 on, where a step of 8 bits is
-// 10 % (below that: 6 %).
+// Decodes sRGB. The error is at most 2e-4 of white; relative to the value it is at most 1 % from coded 10 on,
+// where an 8-bit step is 10 %, and 6 % below.
 //
-// clipped, of the size of `out`: means of the pixels' clippedSteps() over kClippedSteps (ClippedLight.h)
-// times their row's clippedWeights, 0 to 1 each. Rows of blocks without a weight above 0 keep their values;
-// without clippedWeights all do.
+// clipped: of the same size as `out`; gets each block's mean of clippedSteps() / kClippedSteps times the
+// row's weight in clippedWeights, 0 to 1 (ClippedLight.h). Rows of blocks whose clippedWeights are all 0 are
+// not written; without clippedWeights no row is.
 void makeLinearBlockMeans(const FrameView& frame, std::span<const float> rowWeights,
                           std::span<const float> clippedWeights, ImageRgbF& out, ImageF& clipped,
                           BlockLoop loop = fastestBlockLoop());

@@ -11,9 +11,9 @@ namespace shoal::light {
 
 namespace {
 
-constexpr size_t kBlock = 64; // texels of the result at a time: their sums stay in the nearest cache
+constexpr size_t kBlock = 64; // output texels of one pass, few enough for their sums to stay in the L1 cache
 
-// out: the texels from `first` on, interleaved.
+// Computes kBlock output texels from `first` on. out: interleaved.
 SHOAL_VECTORISE
 void gather(const BruteForceDiffuse::Planes& directions, const BruteForceDiffuse::Planes& light, size_t first,
             float* __restrict out) {

@@ -13,13 +13,13 @@ class BruteForceDiffuse {
   public:
     static constexpr int kThesisWidth = 64;
 
-    // width: texels around the map; the pyramids have a level of this width. A multiple of 16.
+    // width: texels around the map, a multiple of 16; every pyramid must have a level of this width.
     explicit BruteForceDiffuse(int width = kThesisWidth);
 
-    // Radiance leaving a white matte surface by its normal. Allocates nothing while out keeps its size.
+    // Makes the map of a white matte surface's radiance. Allocates nothing while out keeps its size.
     void make(const RadiancePyramid& pyramid, ImageRgbF& out);
 
-    // Components of the map's texels: x, y and z of their directions; red, green and blue of their light.
+    // Three arrays over the map's texels: x, y, z of their directions, or red, green, blue of their light.
     using Planes = std::array<std::vector<float>, 3>;
 
   private:

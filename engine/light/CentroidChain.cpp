@@ -20,7 +20,7 @@ void mixRows(const std::array<const float*, 4>& rows, const std::array<float, 4>
         out[i] = weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i] + weights[3] * d[i];
 }
 
-// in: a texel before its first, and one and a float after its last can be read.
+// Halves a row. One texel before `in` and one texel and a float after its end must be readable.
 SHOAL_VECTORISE
 void halveRow(const float* __restrict in, int width, float* __restrict out) {
     halveColumns(in, width, out, [](const float* two) {
@@ -30,7 +30,7 @@ void halveRow(const float* __restrict in, int width, float* __restrict out) {
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // weights of rows 2 y - 1 .. 2 y + 2
 
-// Returns the row where `row` lies on the sphere, beyond the poles too.
+// Returns the row of the map that `row` is on the sphere; a row beyond a pole is mirrored at it.
 int rowOnSphere(int row, int height) {
     return row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
 }

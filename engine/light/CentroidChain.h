@@ -1,5 +1,5 @@
-// Smaller and smaller copies of a lat-long map, for sums over wide lobes: a few thousand texels that light a
-// surface as the millions do from which they were made.
+// A chain of ever smaller copies of a lat-long map, for sums over wide lobes: a few thousand texels light a
+// surface as the millions of the original map do.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -11,25 +11,25 @@ namespace shoal::light {
 // The properties of a map that a filter needs for sums over it.
 struct Sampling {
     int width = 0;
-    int octaves = 0;             // halvings since the map came from its plain means
+    int octaves = 0;             // number of halvings from the base to this map
     std::vector<double> rowFlux; // per row: flux of one texel in light of radiance 1, steradians
 };
 
 // Each halving distributes every texel's flux over the two nearest rows and columns, in the shares that keep
 // its centroid: (1 3 3 1) / 8 along rows and meridians, over the poles too. A small light keeps its position,
-// and is spread by the same amount everywhere (3/16 of a texel squared for each halving, in each direction),
-// which a filter takes back. Plain means move a light by up to half a texel: 2 % of a small sun's diffuse
-// light.
+// and is spread by the same amount everywhere (3/16 of a texel squared for each halving, in each direction);
+// ZonalFilter compensates for this spread. Plain means would move a light by up to half a texel, which
+// changes the diffuse light of a small sun by 2 %.
 class CentroidChain {
   public:
     // minWidth .. baseWidth, powers of two >= 16.
     CentroidChain(int baseWidth, int minWidth);
 
-    // base: baseWidth x baseWidth / 2, linear radiance, texels the means over their solid angle. Kept by
-    // reference until the next call.
+    // Makes all levels. base: baseWidth x baseWidth / 2, linear radiance, each texel the mean over its solid
+    // angle; it must stay alive until the next call.
     void make(const ImageRgbF& base);
 
-    // Radiance times Sampling::rowFlux is the flux.
+    // Returns the level of this width; its radiance times Sampling::rowFlux is the flux.
     const ImageRgbF& level(int width) const;
     const Sampling& sampling(int width) const;
 
@@ -39,8 +39,8 @@ class CentroidChain {
     const ImageRgbF* base_ = nullptr;
     std::vector<Sampling> samplings_; // widest first
     std::vector<ImageRgbF> levels_;   // of samplings_[1 ..]
-    std::vector<float> row_;      // a level's row, with a texel of the other end on both sides and one float
-    std::vector<float> overPole_; // the row beyond a pole
+    std::vector<float> row_;          // a row with one texel of its other end on both sides, plus one float
+    std::vector<float> overPole_;     // the row beyond a pole
 };
 
 } // namespace shoal::light

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kColumns = 256;
 
-// Averages 2 radius + 1 values, at most `count`, around each value of a row whose ends meet.
+// Box-filters a circular row of `count` values: the mean of 2 radius + 1 values, at most `count`, for each.
 void blurRow(const float* in, size_t count, size_t radius, float* out) {
     const size_t window = 2 * radius + 1;
     float sum = 0;
     for (size_t i = 0; i < window; ++i) sum += in[(count - radius + i) % count];
-    size_t next = (radius + 1) % count, last = count - radius; // enters the window next; leaves it first
+    size_t next = (radius + 1) % count, last = count - radius; // indices entering and leaving the window
     for (size_t x = 0; x < count; ++x) {
         out[x] = std::max(0.0f, sum) / static_cast<float>(window);
         sum += in[next] - in[last % count];
@@ -48,7 +48,7 @@ void ClippedDensity::begin(int width, int height) {
 void ClippedDensity::addRow(int y, const float* clipped) {
     const size_t row = cellRow(y);
     ++counts_[row];
-    if (sumsOf<1>(clipped, static_cast<size_t>(width_))[0] == 0) return; // most rows of most frames
+    if (sumsOf<1>(clipped, static_cast<size_t>(width_))[0] == 0) return; // the usual case
     anything_[row] = true;
     float* sums = &sums_[row * columns_];
     for (size_t x = 0; x < columns_; ++x)
@@ -67,7 +67,7 @@ void ClippedDensity::finish() {
         blurRow(sums, columns_, std::min(radius, (columns_ - 1) / 2), &across_[y * columns_]);
     }
     for (size_t y = 0; y < rows_; ++y) {
-        if (!anything_[y]) continue; // the row has no values to multiply
+        if (!anything_[y]) continue; // without clipped pixels weigh() ignores the row
         float* density = &density_[y * columns_];
         std::fill_n(density, columns_, 0.0f);
         for (const size_t from : {y ? y - 1 : 0, y, std::min(y + 1, rows_ - 1)})

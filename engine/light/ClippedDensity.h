@@ -1,5 +1,5 @@
-// How much of a clipped pixel's surroundings is clipped as well: nearly all inside a sun, a lamp or a window,
-// a few hundredths where waves glint or gaps between leaves shine, which are hardly brighter than white.
+// The density of a clipped pixel is the share of its surroundings that is clipped too: nearly 1 inside a sun,
+// a lamp or a window, a few hundredths at glints on waves or gaps between leaves, hardly brighter than white.
 //
 // The upper half of a lat-long frame is divided into cells of 1.4 degrees; a cell's density is the mean over
 // 3 x 3 cells, wider along rows near the pole. A light that moves across cells keeps its density.
@@ -26,7 +26,7 @@ class ClippedDensity {
 
     int width_ = 0, height_ = 0;        // of the frame
     size_t columns_ = 0, rows_ = 0;     // of cells, on the whole sphere
-    std::vector<int> starts_;           // first pixel of each cell in a row, and the end of the last
+    std::vector<int> starts_;           // first pixel of each cell in a row, and the last one's end
     std::vector<int> counts_;           // by row of cells: rows of the frame in it
     std::vector<char> anything_;        // by row of cells: whether anything is clipped in it
     std::vector<float> sums_, density_; // columns_ x rows_

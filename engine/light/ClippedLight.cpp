@@ -15,20 +15,20 @@ namespace shoal::light {
 namespace {
 
 constexpr float kFullHeight = 0.15f;   // sine of the elevation from which clippedShare() is 1
-constexpr float kGroundNeeded = 0.25f; // share of the lower hemisphere, weighted by its cosine
+constexpr float kGroundNeeded = 0.25f; // cosine-weighted share of the lower hemisphere
 
-// The largest coded channel: up to kLastBlack a texel shows a covered lens, a tripod's patch or bars, no
-// ground.
+// Coded values of a texel's largest channel: up to kLastBlack it shows a covered lens, a tripod's patch or
+// bars; from kFirstSeen on it shows ground.
 constexpr int kLastBlack = 4, kFirstSeen = 12;
 
 constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
-constexpr float kMinTrust = 0.1f; // trust in the ground for light from the horizon
+constexpr float kMinTrust = 0.1f; // groundTrust() at the horizon
 
-// Added to the irradiance of clipped pixels, so that the gain does not leap where few of these are left.
+// Irradiance added to that of clipped pixels, so that the gain does not jump where few of them are left.
 constexpr double kFewClipped = 0.015;
 
-constexpr double kMaxOfMean = 1.75; // times the ground's mean luminance; brighter texels are cut
+constexpr double kMaxOfMean = 1.75; // times the ground's mean luminance; brighter texels are clamped
 
 // Returns the sine of the elevation; row: counted from the zenith, whole numbers are upper edges of rows.
 double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
@@ -47,22 +47,22 @@ SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
     return luminance(red, green, blue);
 }
 
-// Sums over a row's texels: how much of the ground is seen, 0 to 1 each, and its luminance.
+// Sums over a row's texels: visibility of the ground, 0 to 1 for each texel, and its luminance.
 struct Ground {
     float seen = 0, light = 0;
 };
 
-// Linear values between which a texel begins to count as seen, and as clipped.
+// Linear values from which a texel begins to count as ground, and from which it no longer does as clipped.
 struct Seen {
     float first, perRise, last, perFall;
 };
 
-// Clamps to 0 to 1, without a branch that would keep a loop from being vectorised.
+// Clamps to 0 .. 1 without a branch, so that loops are vectorised.
 inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
 
-constexpr int kTexels = 512; // texels of a row at a time
+constexpr int kTexels = 512; // texels of one pass
 
-// most: greater luminances are cut to it.
+// most: greatest luminance; brighter texels are clamped to it.
 SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, float most) {
     std::array<float, kTexels> light, seen;
     Ground ground;
@@ -82,7 +82,7 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, flo
     return ground;
 }
 
-// Linear values of the largest and of the least channel from which a texel is bright, and white.
+// Linear values: from `first` on the largest channel makes a texel bright, at `white` a channel is clipped.
 struct Bright {
     float first, perRise, white, perFall;
 };
@@ -166,7 +166,7 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     };
     measure(1);
     measure(static_cast<float>(kMaxOfMean * radiance));
-    const double below = std::numbers::pi; // value of `seen` for the whole lower hemisphere
+    const double below = std::numbers::pi; // the maximum of `seen`
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
         std::clamp(missing / (clippedIrradiance + kFewClipped), 0.0, static_cast<double>(kMaxFromGround));
@@ -179,7 +179,7 @@ glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
     constexpr int kBright = 230; // coded
     const Bright by = {linear[kBright], 1 / (linear[kLastUnclipped] - linear[kBright]), kWhite,
                        1 / (kWhite - linear[kLastUnclipped])};
-    constexpr double kGrey = 1e-4; // steradians of white added: too little of a picture tells no colour
+    constexpr double kGrey = 1e-4; // steradians of white added, so that a few texels give no tint
     glm::dvec3 whole(kGrey), bright(kGrey);
     const int step = rowStep(decoded.height);
     for (int y = 0; y < decoded.height; y += step) {

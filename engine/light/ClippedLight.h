@@ -1,25 +1,24 @@
-// How bright the light was that the camera clipped: a sun or a window is white in a frame of 8 bits, and may
-// have been a thousand times that. What the ground sends back tells how much light comes from above.
+// Estimates the radiance of light that the camera clipped: a sun or a window is white in an 8-bit frame, and
+// may have been a thousand times that. The light that the ground reflects tells how much came from above.
 //
-// The frame is taken for a lat-long of a whole surround, its +Y up, of decoded sRGB. Three steps:
-//   1. The mean radiance of the unclipped ground, by pi over its albedo, is the irradiance from above.
-//      Patches far brighter than the rest are cut: a beam that falls on a cave's floor does not come from
-//      where its sky is seen.
-//   2. What unclipped pixels do not supply of it is the clipped pixels' above the horizon: that many times
-//      white they are; fewer the less is clipped, so that light does not come and go with the last pixels.
-//      Light that is clipped all around counts most (ClippedDensity.h).
-//   3. Grounds differ in albedo by more than ten: the gain is the weighed geometric mean of that and of one
-//      that serves where there is no ground to be seen (covered, black, clipped). The higher clipped light
-//      stands, the more the ground tells of it: what comes from the side, as through windows and from a
-//      bright horizon, falls on walls and slopes first.
+// The frame must be a lat-long map of the whole sphere, +Y up, in decoded sRGB. The method has three steps:
+//   1. The irradiance from above is estimated as the mean radiance of the unclipped ground times pi over its
+//      albedo. Patches far brighter than the rest are clamped: a beam of light on a cave's floor does not
+//      come from the part of the sky that the frame shows.
+//   2. The part of it that unclipped pixels do not supply must come from clipped pixels above the horizon: it
+//      sets their gain, how many times white they are. The gain is lower where few pixels are clipped, so
+//      that light does not flicker with the last of them. ClippedDensity.h weights the clipped pixels.
+//   3. Albedos of grounds differ by a factor of more than ten, so the final gain is the weighted geometric
+//      mean of that gain and a usual gain, which serves alone where no ground is visible (covered, black,
+//      clipped). The higher clipped light stands, the more the ground's gain counts: light from the side, as
+//      through windows or from a bright horizon, falls mostly on walls and slopes.
 // The radiance added to a pixel's decoded radiance is
 //     (gain(row) - 1) * clippedShare(row) * density(pixel) * clippedSteps(pixel) / kClippedSteps * tint
-// above the horizon only: clipped pixels below it are mostly ground in the sun, not far above white. The
-// tint is what the whole of the picture and its brightest parts that are not white have in common, as under
-// water: a white sun in a blue sky is white. Error by pictures with known light:
-// tests/bench/figures/chart.md. The constants are those that bring 42 public HDR pictures, none of them on
-// that chart, in three exposures each nearest to their light; how few clipped pixels are few, those that
-// make the light of our films steady.
+// above the horizon only: clipped pixels below it are mostly sunlit ground, not far above white. The tint is
+// the cast that the whole picture and its brightest unclipped parts share, as under water; a white sun in a
+// blue sky stays white. tests/bench/figures/chart.md has the errors for pictures with known light. The
+// constants minimise the error over 42 other public HDR pictures in three exposures each, except that
+// kFewClipped is chosen so that the light of our films is steady.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -32,45 +31,45 @@
 namespace shoal::light {
 
 constexpr float kGroundAlbedo = 0.1f;
-constexpr float kUsualGain = 2.5f; // of clipped pixels in a scene of which nothing is known
+constexpr float kUsualGain = 2.5f; // gain of clipped pixels in an unknown scene
 constexpr float kMaxFromGround = 300;
 
-// The exponent of the ground's gain, 0.1 at the horizon to 1 at the zenith; the rest to 1 is the usual
-// gain's. sine: of the elevation of clipped light.
+// Returns the exponent of the ground's gain, from 0.1 at the horizon to 1 at the zenith; 1 minus it is the
+// exponent of the usual gain. sine: of the elevation of clipped light.
 float groundTrust(float sine);
 
-// Video is compressed: white is not 255 everywhere. From 243 to 255 a channel counts as clipped more and
-// more, so that none flickers between the two. A pixel of which two channels are clipped, and which is less
-// bright than where all are, counts an eighth.
+// In compressed video white is not exactly 255. A channel therefore counts as clipped gradually, from 243 to
+// 255, so that pixels do not flicker. A pixel with only two clipped channels counts an eighth of one with
+// all three, because it is less bright.
 constexpr int kLastUnclipped = 243, kClippedSteps = 8 * (255 - kLastUnclipped);
 
-// 0 to kClippedSteps. pixel: three coded channels.
+// Returns how clipped a pixel is, 0 to kClippedSteps. pixel: three coded channels.
 inline int clippedSteps(const uint8_t* pixel) {
     const int low = std::min(pixel[0], pixel[1]), high = std::max(pixel[0], pixel[1]);
     const int least = std::min<int>(low, pixel[2]), middle = std::max(low, std::min<int>(high, pixel[2]));
     return 7 * std::max(0, least - kLastUnclipped) + std::max(0, middle - kLastUnclipped);
 }
 
-// How much of the gain holds in a row: from 0 at the horizon, and below, to 1 at an elevation of 9 degrees.
+// Returns the share of the gain that a row gets: 0 at the horizon and below, 1 from 9 degrees above it.
 float clippedShare(int row, int height);
 
-// Irradiance of a level plane, facing up or down as the row lies, by a texel of radiance 1 in this row.
+// Returns the irradiance of a level plane, facing up or down towards the row, by a texel of radiance 1 in it.
 double levelIrradiance(int row, int width, int height);
 
-// How many times white clipped pixels are.
+// Gain of clipped pixels: their radiance, as a multiple of white.
 struct ClippedGain {
     float byGround = kUsualGain; // 1 to 1 + kMaxFromGround
-    float seen = 0;              // 0 to 1: as far as there is ground to tell it
+    float seen = 0;              // 0 to 1: how much ground is visible
 
     float at(float sine) const; // of the elevation
     float of(int row, int height) const;
 };
 
-// decoded: the whole surround, averaged over as few pixels or as many as is convenient. clippedIrradiance: of
-// a level plane from above, by clipped pixels if they were white, by their shares, densities and steps.
+// Returns the gain of a frame. decoded: the whole sphere, at any resolution. clippedIrradiance: of a level
+// plane, by the clipped pixels above it, taken as white and weighted by shares, densities and steps.
 ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance);
 
-// The colour of clipped light, of luminance 1. decoded: as above. White where nothing is nearly white.
+// Returns the tint of clipped light, with luminance 1; white without nearly white texels. decoded: as above.
 glm::vec3 clippedTintOf(const ImageRgbF& decoded);
 
 } // namespace shoal::light

@@ -1,5 +1,5 @@
-// One version of combine() in ZonalFilter.cpp, which says what it does: SHOAL_FLOATS to a register of
-// SHOAL_TARGET.
+// One version of combine(), which ZonalFilter.cpp describes and includes: SHOAL_TARGET is its processor
+// attribute, SHOAL_FLOATS the number of floats in a register.
 SHOAL_TARGET
 void combine(const float* kernel, int count, ptrdiff_t step, const std::array<const float*, kSignals>& in,
              float* out) {

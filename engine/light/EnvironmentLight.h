@@ -14,9 +14,9 @@ struct RadiancePyramid {
     std::vector<ImageRgbF> levels;
 };
 
-// Radiance after filtering by a GGX lobe of this perceptual roughness (glTF's; alpha = roughness^2) around
-// the direction, with n = v = r (Karis 2013, "Real Shading in Unreal Engine 4", the split sum's first
-// factor). Prepared for linear lookup between texel centres, over the poles too (engine/light/Lookup.h).
+// Radiance filtered by a GGX lobe of this perceptual roughness (glTF's; alpha = roughness^2) around each
+// direction, with n = v = r: the split sum's first factor in Karis 2013, "Real Shading in Unreal Engine 4".
+// Lookups are linear between texel centres, over the poles too (engine/light/Lookup.h).
 struct GlossyLevel {
     float roughness = 0;
     ImageRgbF radianceLin; // empty where the radiance pyramid's level of the same index serves
@@ -30,9 +30,9 @@ enum class DiffuseMethod {
 
 struct EnvironmentLight {
     RadiancePyramid radiance;
-    // Radiance leaving a white matte surface by its normal: irradiance / pi. A uniform environment of
-    // radiance L gives L. 64x32 for videos (the thesis' 4.1: 64x32 looks like 1024x512, 32x16 does not),
-    // 512x256 for stills.
+    // Radiance that a white matte surface reflects, by its normal: irradiance / pi, which is L in a uniform
+    // environment of radiance L. Size: 64x32 for videos (thesis, section 4.1: 64x32 looks like 1024x512,
+    // 32x16 does not), 512x256 for stills.
     ImageRgbF diffuse;
     std::vector<GlossyLevel> glossy; // by glossyPlans(): ascending roughness to 1, widths falling
 };

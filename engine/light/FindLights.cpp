@@ -19,8 +19,8 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kFirst = std::numbers::sqrt3_v<float>, kRamp = 0.4f; // standard deviations above the mean
 constexpr float kMinReach = 0.21f, kMaxReach = 1.4f;                 // radius of the window, radians
 constexpr float kNarrow = 0.6f, kWide = 0.7f; // radius around a sun with its glow; around half a scene
-constexpr float kFineSlack = 0.04f;           // slack of a window in the fine level: a texel and a half
-// The radius of (1 - r^2)^5 by that of 1 - r^2: sqrt(3 / 7).
+constexpr float kFineSlack = 0.04f;           // added to a window in the fine level: a texel and a half
+// Ratio of the rms radius of (1 - r^2)^5 to that of 1 - r^2 on a disc: sqrt(3 / 7).
 constexpr float kParaboloid = 0.65f;
 constexpr float kMinShare = 1e-4f;
 
@@ -46,7 +46,7 @@ float solidAngle(const ImageRgbF& level, int y) {
     return static_cast<float>(texelSolidAngle(y, level.width, level.height));
 }
 
-// Falls from the middle of a window to its edge, linear in the squared chord.
+// Returns a weight that falls from 1 at a window's centre to 0 at its edge, linear in the squared chord.
 float kernel(float cosine, float cosReach) { return std::max(0.0f, (cosine - cosReach) / (1 - cosReach)); }
 
 // Returns 1 within a window, falling to 0 at its edge.
@@ -54,8 +54,8 @@ float inside(float cosine, float cosReach) { return std::min(1.0f, 2 * kernel(co
 
 float reachAround(float radius) { return std::clamp(1.5f * radius + 0.14f, kMinReach, kMaxReach); }
 
-// Removes the texels' own width s from a spread: about its middle an even disc of radius r has the variance
-// r^2 / 2, a square s^2 / 6. The result is at least half a texel.
+// Removes the texels' own width s from a measured radius r: a uniform disc has the variance r^2 / 2 about its
+// centre, a square s^2 / 6. The result is at least half a texel.
 float withoutTexels(float radius, int texelsAround) {
     const float side = 2 * kPi / static_cast<float>(texelsAround);
     return std::sqrt(std::max(radius * radius - side * side / 3, side * side / 4));
@@ -65,10 +65,10 @@ float withoutTexels(float radius, int texelsAround) {
 
 struct LightFinder::Moments {
     float flux = 0;
-    glm::vec3 sum{0};     // sum of directions, weighted by flux
-    glm::vec3 towards{0}; // the same weighted by the kernel: the window moves in this direction
+    glm::vec3 sum{0};     // flux-weighted sum of directions
+    glm::vec3 towards{0}; // the same, also weighted by kernel(): the window moves there
 
-    // The mean direction's length R tells how spread they are: of a cap of radius r it is (1 + cos r) / 2.
+    // Returns the radius r of a uniform cap whose mean direction is as long: its length is (1 + cos r) / 2.
     float radius() const {
         return flux > 0 ? std::acos(std::clamp(2 * glm::length(sum) / flux - 1, -1.0f, 1.0f)) : 0;
     }
@@ -119,7 +119,7 @@ void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRg
     }
 }
 
-// Shifts a light and its window to the centre of the light near it.
+// Moves a light and its window to the centre of the bright texels near it, and fits the window to them.
 void LightFinder::settle(FoundLight& light, float window) const {
     for (int i = 0; i < 8; ++i) {
         const Moments moments = momentsWithin(near_, light.direction, std::cos(window));
@@ -176,8 +176,8 @@ FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float
     return light;
 }
 
-// Finds what the light gives beyond its surroundings: beyond the mean radiance of all the rest, weighted for
-// a plane that faces the light. Texels at its edge count by how far they lie above the sphere's mean.
+// Computes the light's irradiance on a plane that faces it, beyond what the mean radiance of all other texels
+// would give. Texels at its edge are weighted by their excess over the sphere's mean.
 void LightFinder::weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const {
     const float cosReach = std::cos(reach);
     glm::vec3 bright(0), rest(0);
@@ -232,7 +232,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
     const double mean = sum / (4 * std::numbers::pi);
     mean_ = static_cast<float>(mean);
     deviation_ = static_cast<float>(std::sqrt(std::max(0.0, squares / (4 * std::numbers::pi) - mean * mean)));
-    if (!(deviation_ > 1e-4f * mean_)) return; // uniform but for rounding
+    if (!(deviation_ > 1e-4f * mean_)) return; // uniform apart from rounding errors
 
     bright_.clear();
     for (size_t i = 0; i < luminance_.size(); ++i)

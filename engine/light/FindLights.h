@@ -1,16 +1,16 @@
 // Finds the few bright places of an environment that throw shadows, such as the sun or Snell's window, in
 // every frame's radiance pyramid.
 //
-// A texel counts as light by how many standard deviations its luminance lies above the mean of the sphere, as
-// in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360 Panoramic Videos": from
-// the square root of three on, where a linear gradient ends. No more than a quarter of any sphere lies there
-// (Cantelli's inequality), so an overcast sky is no light. A window starts at the brightest texel, shifts to
-// the mode (mean shift: Cheng 1995) and takes the size of the light in it (Bradski 1998, "Computer Vision
-// Face Tracking for Use in a Perceptual User Interface"); position and size are its spherical moments.
+// A texel counts as light if its luminance lies more than sqrt(3) standard deviations above the mean of the
+// sphere (a threshold as in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360
+// Panoramic Videos"), where a linear gradient ends. At most a quarter of any sphere lies above it (Cantelli's
+// inequality), so an overcast sky is no light. A window starts at the brightest texel, shifts to the mode
+// (mean shift: Cheng 1995) and adapts its size to the light in it (Bradski 1998, "Computer Vision Face
+// Tracking for Use in a Perceptual User Interface"); spherical moments give the light's position and size.
 //
 // Haze, clouds and horizon shape the glow around a clipped sun. In a window no wider than a sun with its
-// glow, texels therefore count by the fifth power of their excess over the mean, and the window closes in on
-// the brightest. A wider window contains half a scene, whose middle is that of all its light.
+// glow, texels are therefore weighted by the fifth power of their excess over the mean, and the window
+// shrinks to the brightest. A wider window contains half a scene: its centre is that of all its light.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"
@@ -24,8 +24,8 @@ namespace shoal::light {
 
 struct FoundLight {
     glm::vec3 direction{0, 1, 0}; // towards it, unit length, env frame
-    float radius = 0;             // radians: of a cap of even radiance with the same spread
-    glm::vec3 irradiance{0};      // on a plane that faces it, beyond what the rest of the sphere gives
+    float radius = 0;             // angular radius in radians, of a uniform cap with the same spread
+    glm::vec3 irradiance{0};      // of this light alone, on a plane that faces it
     float share = 0;              // share of the luminance of all light on that plane, 0 to 1
 };
 
@@ -48,7 +48,7 @@ class LightFinder {
   private:
     struct Texel {
         glm::vec3 direction{0};
-        float weight = 0; // flux above the sphere's mean, as far as it counts as light
+        float weight = 0; // flux above the sphere's mean times asLight()
         float above = 0;  // luminance above the sphere's mean
     };
     struct Moments;
@@ -60,9 +60,9 @@ class LightFinder {
     void weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const;
     float asLight(float luminance) const; // 0 to 1
 
-    const std::vector<glm::vec3> directions_, fineDirections_; // of texels, coarse and fine level
+    const std::vector<glm::vec3> directions_, fineDirections_; // of texels of the coarse and fine level
     std::vector<float> luminance_;                             // by texel of the coarse level
-    std::vector<Texel> bright_, near_; // texels of the coarse level; of the fine level, near a light
+    std::vector<Texel> bright_, near_; // texels of the coarse level; near a light, of the fine level
     float mean_ = 0, deviation_ = 0;   // mean and deviation of luminance over the sphere
 };
 

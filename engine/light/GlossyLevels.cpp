@@ -13,8 +13,8 @@ constexpr int kNarrowestMirror = 512;
 // Widths of the filtered levels.
 struct Widths {
     int minimum, maximum;
-    int matte;            // roughness 1: the clamped cosine has a kink, which a strong sun makes visible
-    double texelsPerLobe; // alpha times width, at least
+    int matte;            // for roughness 1: the clamped cosine has a kink, which a strong sun makes visible
+    double texelsPerLobe; // minimum of alpha times width
 };
 
 constexpr Widths widthsOf(LightQuality quality) {
@@ -30,7 +30,7 @@ int widthFor(double roughness, int baseWidth, const Widths& widths) {
     return width;
 }
 
-// Returns a texel's roughness: half a lobe's light is within 2 alpha of its peak, a texel reaches pi / width.
+// Returns the roughness whose lobe is a texel wide: half a lobe is within 2 alpha, a texel within pi / width.
 float roughnessOfTexel(int width) { return std::sqrt(2.5f / static_cast<float>(width)); }
 
 } // namespace

@@ -12,9 +12,9 @@ namespace shoal::light {
 
 namespace {
 
-constexpr int kLane = 16; // lanes taken through all steps together
+constexpr int kLane = 16; // lanes that are transformed together
 
-// Transforms the elements a to d, for all lanes.
+// Transforms the four elements a to d of kLane lanes; writes four elements.
 inline void firstTwoSteps(const float* __restrict a, const float* __restrict b, const float* __restrict c,
                           const float* __restrict d, float* __restrict out) {
     for (int i = 0; i < kLane; ++i) {
@@ -34,7 +34,7 @@ inline void sumAndDifference(float* __restrict a, float* __restrict b) {
     }
 }
 
-// Combines E and O, transforms of the even and the odd elements, half as long (n). With angle t = pi k / n
+// Combines E and O, the transforms of the even and of the odd elements, of length n. With t = pi k / n
 //   H(k) = E(k) + cos t O(k) + sin t O(n - k),  H(n + k) = E(k) - cos t O(k) - sin t O(n - k),
 // and the same for n - k, whose cosine is -cos t.
 inline void butterfly(float* __restrict even, float* __restrict evenMirror, float* __restrict odd,
@@ -58,7 +58,7 @@ void transformLanes(float* __restrict data, ptrdiff_t stride, int length, const 
         firstTwoSteps(from(i), from(i + 1), from(i + 2), from(i + 3), work + i * kLane);
     const auto at = [&](int i) { return work + i * kLane; };
     for (int n = 4; n < length; n *= 2) {
-        const int step = length / (2 * n); // step of k in the tables
+        const int step = length / (2 * n); // distance of successive k in the tables
         for (int base = 0; base < length; base += 2 * n) {
             sumAndDifference(at(base), at(base + n));
             sumAndDifference(at(base + n / 2), at(base + n + n / 2));

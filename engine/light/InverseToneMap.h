@@ -16,10 +16,10 @@ enum class FrameRadiance {
     Linear, // decoded sRGB: clipped light stays white
 };
 
-// Eq. 4.3, for coded values: the curve was made for these. It is linear, so it serves for light too.
+// Returns the luminance by eq. 4.3, made for coded values. Being linear, it serves for linear light too.
 inline float thesisLuminance(const glm::vec3& c) { return 0.30f * c.x + 0.59f * c.y + 0.11f * c.z; }
 
-// Eq. 4.1 and 4.2: white gives 11.8, black 0. colour: coded red, green, blue, 0 to 1.
+// Returns the radiance by eq. 4.1 and 4.2: 11.8 for white, 0 for black. colour: coded RGB, 0 to 1.
 inline glm::vec3 radianceFromDisplay(const glm::vec3& colour) {
     const float l = thesisLuminance(colour);
     const float l2 = l * l;
@@ -30,10 +30,10 @@ inline glm::vec3 radianceFromDisplay(const glm::vec3& colour) {
 // Returns the inverse of radianceFromDisplay(): a perfect mirror shows the video's own colours. radiance: not
 // negative; the result is not clamped.
 //
-// Colour and radiance share their hue, so with y the radiance's luminance one number is unknown: y = 10 L^11
-// + 1.8 L. That function is convex and rising and the start lies at or above its root, so Newton falls onto
-// the root from above; after six steps rounding is what is left (the start is worst near y
-// = 3.3).
+// Colour is a multiple of radiance, so only its luminance L is unknown: y = 10 L^11 + 1.8 L, with y the
+// radiance's luminance. That function is convex and rising, and the start lies at or above its root, so
+// Newton's method converges from above; after six steps only rounding errors are left (the start is worst
+// near y = 3.3).
 inline glm::vec3 displayFromRadiance(const glm::vec3& radiance) {
     const float y = thesisLuminance(radiance);
     if (y <= 1e-6f) return radiance / 1.8f;

@@ -15,11 +15,11 @@ namespace shoal::light {
 namespace {
 
 constexpr float kFollow_s = 0.15f, kFade_s = 0.25f;      // time constants
-constexpr float kFastest_radps = 0.38f;                  // 0.9 degrees from one frame to the next of a film
-constexpr float kSame = 0.26f;                           // radians: a light found this near is the same
-constexpr float kStronger = 1.3f, kStrongerFor_s = 0.5f; // a light so much stronger for so long takes over
+constexpr float kFastest_radps = 0.38f;                  // 0.9 degrees for each frame of a film
+constexpr float kSame = 0.26f;                           // radians: greatest step of the same light
+constexpr float kStronger = 1.3f, kStrongerFor_s = 0.5f; // ratio and time for another light to take over
 constexpr float kGone = 0.02f;                           // presence below which a light ends unnoticed
-constexpr float kCut = 0.15f;                            // scenes that differ more are separated by a cut
+constexpr float kCut = 0.15f;                            // sceneDistance() above which there was a cut
 
 float strength(const FoundLight& light) { return thesisLuminance(light.irradiance); }
 

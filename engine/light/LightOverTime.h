@@ -12,17 +12,17 @@ struct ShadowLight {
     float presence = 0;            // 0: none, 1: fully there; a factor for its shadows
 };
 
-// Returns how much two scenes differ, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their
-// luminances (Lance and Williams 1967), so that bright parts do not outweigh the rest.
+// Returns the difference between two scenes, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their
+// luminances (Lance and Williams 1967), in which bright parts do not outweigh the rest.
 float sceneDistance(const FoundLights& a, const FoundLights& b);
 
-// The result depends on nothing but the frames shown and the times between them.
+// Follows the shadow light. The result depends only on the frames shown and the times between them.
 class LightOverTime {
   public:
-    // Follows the lights found in the frame now shown; dt_s: since the last call. The same light is followed
-    // with a time constant of 0.15 s, at most at 22 degrees a second; one that is more than 15 degrees ahead
-    // (or most of its radius) is lost: it fades, and is taken up anew where it then is. After a cut, and at
-    // first, the strongest light is taken as it is.
+    // Updates the shadow light from the lights found in the frame now shown; dt_s: since the last call. The
+    // same light is followed with a time constant of 0.15 s, at most at 22 degrees a second. A light that
+    // jumps by more than 15 degrees (or, if larger, 0.7 of its radius) is lost: it fades out, and the
+    // strongest light replaces it. In the first frame and after a cut the strongest light is taken at once.
     const ShadowLight& follow(const FoundLights& found, float dt_s);
 
   private:

@@ -12,7 +12,7 @@ glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
     const auto texel = [&](int column, int row) {
-        const bool beyond = row < 0 || row >= map.height; // beyond a pole: the row on its other side
+        const bool beyond = row < 0 || row >= map.height; // beyond a pole lies the same row, half a turn away
         if (beyond) column += map.width / 2;
         const float* t =
             map.at((column % map.width + map.width) % map.width, row < 0  ? -1 - row
@@ -27,7 +27,7 @@ glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
 
 namespace {
 
-// Mixes the two of `count` levels around this level of detail. imageOf(k): level k's picture.
+// Interpolates between the two levels around this level of detail; imageOf(k) returns level k of `count`.
 template <class ImageOf>
 glm::vec3 mixed(float lod, size_t count, const glm::vec3& dir, const ImageOf& imageOf) {
     const auto low = static_cast<size_t>(lod);

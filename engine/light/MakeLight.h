@@ -16,17 +16,17 @@ namespace shoal::light {
 struct LightOptions {
     // Greatest width of pyramid level 0, which mirrors show; rounded down to a power of two.
     int baseWidth = 1024;
-    // Least roughness of all surfaces to be lit: levels below it are not made, see glossyPlans().
+    // Least roughness of all surfaces to be lit; smoother levels are not made, see glossyPlans().
     float minRoughness = 0.1f;
     LightQuality quality = LightQuality::Video;
     FrameRadiance frames = FrameRadiance::Thesis;
 };
 
-// Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that nothing
-// is allocated while out keeps its buffers. One thread at a time; each thread needs its own maker.
+// Makes light, and keeps filter kernels and buffers. The first frame of a new size makes tables (up to a
+// second); after that nothing is allocated while out keeps its buffers. Each thread needs its own maker.
 //
-// The light is finite and not negative whatever the input, and absolute: a sun keeps its strength up to
-// kMaxRadianceIn. Textures of half floats cannot hold all of it: packLight() scales or cuts it.
+// The light is finite and not negative for any input. It is absolute: a sun keeps its radiance up to
+// kMaxRadianceIn. Half floats cannot hold such values: packLight() scales or clamps them.
 class LightMaker {
   public:
     explicit LightMaker(LightOptions options = {}) : options_(options) {}

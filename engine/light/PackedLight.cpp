@@ -11,13 +11,13 @@ namespace shoal::light {
 
 namespace {
 
-constexpr uint16_t kOne = 0x3c00; // a half float
+constexpr uint16_t kOne = 0x3c00; // 1 as a half float
 
 // Rounds a value of 0 .. 65504 to the nearest half float, ties to even. Without branches: loops vectorise.
 inline uint16_t halfFromFloat(float value) {
     const uint32_t bits = std::bit_cast<uint32_t>(value);
     const uint32_t normal = (bits - (112u << 23) + 0xfffu + ((bits >> 13) & 1u)) >> 13;
-    // Below 2^-14 halves are multiples of 2^-24, which is the last digit of a float just above 1/2.
+    // Below 2^-14 half floats are multiples of 2^-24: the last digit of a float just above 1/2.
     const uint32_t small = std::bit_cast<uint32_t>(value + 0.5f) - std::bit_cast<uint32_t>(0.5f);
     return static_cast<uint16_t>(bits < 0x38800000u ? small : normal);
 }

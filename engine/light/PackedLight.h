@@ -13,7 +13,7 @@ namespace shoal::light {
 
 using HalfImage = Image<uint16_t, 4>; // half floats, alpha 1
 
-// The unfiltered maps that surfaces smoother than the filtered maps, or the thesis' glossy lookup, sample.
+// Selection of unfiltered maps, for surfaces too smooth for the filtered maps and the thesis' glossy lookup.
 enum class MirrorMaps {
     None,    // no surface needs them
     Mirrors, // the pyramid's levels that glossyPlans() names
@@ -23,13 +23,13 @@ enum class MirrorMaps {
 // Treatment of radiance above kMaxHalf, which half floats cannot hold: a sun in an HDR picture.
 enum class TooBright {
     Cut,
-    Scale, // all maps hold radiance / PackedLight::scale; below 10^-10 of the brightest, steps exceed 1 %
+    Scale, // all maps hold radiance / PackedLight::scale; steps exceed 1 % below 10^-10 of the maximum
 };
 
 struct PackedLight {
-    float scale = 1; // radiance is this times what the maps hold
-    // All maps, each with a border of one texel that continues the sphere, so that linear lookups need to
-    // know of neither seam nor pole.
+    float scale = 1; // factor from the maps' values to radiance
+    // All filtered maps, each with a border of one texel that continues the sphere, so that linear lookups
+    // need no special case at the seam and the poles.
     HalfImage atlas;
     // Place of each filtered map in the atlas, roughest first (the first is the diffuse map too): u, v of the
     // map times xy plus zw.

@@ -13,8 +13,8 @@ namespace shoal::light {
 
 using std::numbers::pi;
 
-// The lobe cos(t)^n has the share cos(t)^(n + 1) of its energy outside the angle t. It falls to half its peak
-// at cos(t) = 2^(-1/n), so 2^-((n + 1) / n) of the energy lies outside that angle.
+// The lobe cos(t)^n has the share cos(t)^(n + 1) of its energy outside the angle t. It is half its peak at
+// cos(t) = 2^(-1/n), so the share 2^-((n + 1) / n) of the energy lies outside that angle.
 std::array<PhongRing, kPhongRings> phongRings(double roughness) {
     const double exponent = math::phongExponentFromRoughness(roughness);
     const double outside = std::exp2(-(exponent + 1) / exponent);

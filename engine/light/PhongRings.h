@@ -11,19 +11,19 @@
 namespace shoal::light {
 
 struct PhongRing {
-    double angle = 0;  // between its six samples and the mirror direction, radians, in (0, pi / 2)
-    double weight = 0; // of all six together; the rings' weights sum to 1
+    double angle = 0;  // angle between its six samples and the mirror direction, radians, in (0, pi / 2)
+    double weight = 0; // weight of all six samples together; the rings' weights sum to 1
 };
 
 constexpr int kPhongRings = 6;
 constexpr int kSamplesPerRing = 6;
 
-// Three rings inside the cone where the lobe falls to half its peak, three outside, ascending. Inside and
-// outside each ring stands for an equal part of the lobe's energy and lies where that part has its median.
+// Returns rings by ascending angle: three inside the cone at whose edge the lobe is half its peak, and three
+// outside. Each ring represents a third of the energy inside or outside, and lies at the median of its part.
 // The exponent is phongExponentFromRoughness().
 std::array<PhongRing, kPhongRings> phongRings(double roughness);
 
-// Looks the light up; every ring is read from the level whose texels are as far apart as its samples.
+// Returns the radiance; each ring is sampled in the level whose texels are as far apart as its samples.
 glm::vec3 phongRingsRadiance(const RadiancePyramid& pyramid, const glm::vec3& mirror, double roughness);
 
 } // namespace shoal::light

@@ -18,7 +18,7 @@ namespace {
 SHOAL_VECTORISE
 void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                float* __restrict green, float* __restrict blue) {
-    for (int x = 0; x < width; ++x) { // a loop of its own, so that the next one is vectorised
+    for (int x = 0; x < width; ++x) { // a separate loop, so that the next one is vectorised
         red[x] = static_cast<float>(bytes[3 * x + redAt]);
         green[x] = static_cast<float>(bytes[3 * x + 1]);
         blue[x] = static_cast<float>(bytes[3 * x + 2 - redAt]);
@@ -95,7 +95,7 @@ void addScaled(const float* __restrict in, float weight, int count, float* __res
 SHOAL_VECTORISE
 void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
               float bottomWeight, int width, float* __restrict out) {
-    constexpr int kTexels = 128; // texels of the result at a time
+    constexpr int kTexels = 128; // output texels of one pass
     float mixed[6 * kTexels + 1];
     for (int first = 0; first < width; first += kTexels) {
         const int count = std::min(kTexels, width - first);
@@ -117,7 +117,7 @@ bool repair(float& value) {
     return true;
 }
 
-// Resizes the levels; a level that already has its size is not touched.
+// Resizes the levels; a level that already has its size keeps its values.
 void fitLevels(int width, RadiancePyramid& pyramid) {
     const auto count = static_cast<size_t>(std::bit_width(static_cast<unsigned>(width)) - 1);
     pyramid.levels.resize(count);

@@ -1,5 +1,5 @@
-// The radiance pyramid of a frame: inverse tone mapping, resampling and halving, all weighed by exact solid
-// angles.
+// Makes the radiance pyramid of a frame: inverse tone mapping, resampling and halving, weighted by exact
+// solid angles.
 #pragma once
 
 #include "engine/light/ClippedDensity.h"
@@ -12,14 +12,14 @@
 
 namespace shoal::light {
 
-// Larger values are cut to it; NaN and negative values become 0. The sun's disc has 5 * 10^4 in a picture in
-// which a white wall in its light has 1, and 10^9 in cd/m^2. Sums of products of such values do not overflow.
+// Largest radiance taken from a picture; larger values are clamped, NaN and negative ones become 0. The sun's
+// disc has 5 * 10^4 where a sunlit white wall has 1, and 10^9 in cd/m^2. Sums of products do not overflow.
 constexpr float kMaxRadianceIn = 1e9f;
 
 // The largest half float. Infinities become this: they come from pictures that store the sun in half floats.
 constexpr float kMaxHalf = 65504.0f;
 
-constexpr int kMinBaseWidth = 256; // smaller sources are enlarged, so that every step has its levels
+constexpr int kMinBaseWidth = 256; // smaller sources are enlarged, so that every step has the levels it needs
 
 // Width of level 0 for a source: the largest power of two not above sourceWidth and askedWidth, at least
 // kMinBaseWidth.
@@ -33,19 +33,19 @@ void halve(const ImageRgbF& in, ImageRgbF& out);
 // thread at a time.
 class PyramidMaker {
   public:
-    // Averages only after inverse tone mapping (InverseToneMap.h). Any width and height: the source is the
-    // whole sphere. Auto: see ClippedLight.h.
+    // Makes the pyramid of a frame of any width and height that shows the whole sphere. Pixels are averaged
+    // only after inverse tone mapping (InverseToneMap.h). Auto: see ClippedLight.h.
     void make(const FrameView& frame, int askedWidth, RadiancePyramid& out,
               FrameRadiance from = FrameRadiance::Thesis);
 
     // Takes linear radiance. Returns how many texels had to be repaired.
     size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
 
-    // The gain of the last frame that was made as Auto.
+    // Returns the gain of the last frame made with FrameRadiance::Auto.
     const ClippedGain& clippedGain() const { return clippedGain_; }
 
   private:
-    // Source row or column `from` adds the share `weight` of itself to target row or column `to`.
+    // A weight of resampling: target row or column `to` gets `weight` times source row or column `from`.
     struct Share {
         int from = 0, to = 0;
         float weight = 0;

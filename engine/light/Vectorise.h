@@ -1,4 +1,4 @@
-// Sums and rows of texels written so that compilers vectorise them.
+// Loops over texels, for sums and for halving rows, in a form that compilers vectorise.
 #pragma once
 
 #include "engine/core/Vectorise.h"
@@ -10,7 +10,7 @@
 
 namespace shoal::light {
 
-// Sums interleaved values in 16 parts each: compilers can vectorise this without reordering sums.
+// Returns each channel's sum over interleaved values. 16 partial sums let compilers vectorise the loop.
 template <size_t kChannels> inline std::array<float, kChannels> sumsOf(const float* values, size_t count) {
     std::array<float, 16 * kChannels> parts{};
     size_t at = 0;
@@ -26,7 +26,7 @@ template <size_t kChannels> inline std::array<float, kChannels> sumsOf(const flo
 
 // --- Halving rows of interleaved texels -----------------------------------------------------------------
 
-// A texel, and one float of the next.
+// A texel of three floats, and the first float of the next texel.
 using Texel4 = float __attribute__((vector_size(16)));
 
 inline Texel4 texelAt(const float* in) {
@@ -35,8 +35,8 @@ inline Texel4 texelAt(const float* in) {
     return texel;
 }
 
-// Makes texel x of `out` from the texels around 2 x and 2 x + 1 of `in`, whose end may be read one float
-// further. make: gets the address of the first of the two.
+// Writes to texel x of `out` what make(address of texel 2 x of `in`) returns. One float past the end of `in`
+// must be readable.
 template <class Make> inline void halveColumns(const float* in, int width, float* out, Make&& make) {
     // The extra float is overwritten by the next texel.
     for (int x = 0; x + 1 < width; ++x) {

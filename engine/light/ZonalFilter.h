@@ -1,5 +1,5 @@
-// Filters a lat-long map by GGX lobes around every direction, by a transform along the rows: the sum over all
-// texels for a hundredth of its multiplications.
+// Filters a lat-long map by GGX lobes around every direction. A transform along the rows gives the sum over
+// all texels for a hundredth of the multiplications.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -34,14 +34,14 @@ class ZonalFilter {
     int width() const { return width_; }
 
   private:
-    static constexpr int kBlock = 16; // rows of the result that share a range of input rows
+    static constexpr int kBlock = 16; // output rows that share a range of input rows
     static constexpr double kNegligible = 2e-6;
 
     struct Range {
         int first = 0, count = 0; // input rows
         size_t kernel = 0;        // index of kBlock floats for each input row
     };
-    // The kernel of the northern half; south of the equator rows in and out are counted from the other end.
+    // The kernel of the northern half; the southern half counts input and output rows from the south.
     struct Kernel {
         std::vector<Range> ranges; // [frequency][northern block of rows out]
         std::vector<float> values;

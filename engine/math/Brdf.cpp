@@ -30,7 +30,7 @@ Dfg dfg(double nv, double roughness) {
     };
     const double lambdaV = lambda(nv);
 
-    std::vector<double> cosines, sines; // of phi; the other half of the circle is symmetric
+    std::vector<double> cosines, sines; // of the azimuth, over half a circle: the other half is symmetric
     for (int i = 0; i < kSamples; ++i) {
         cosines.push_back(std::cos(pi * (i + 0.5) / kSamples));
         sines.push_back(std::sin(pi * (i + 0.5) / kSamples));

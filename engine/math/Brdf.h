@@ -1,5 +1,5 @@
-// Reflectance of surfaces: lobes of GGX and Phong, and the split sum's second factor. Double precision: these
-// make tables.
+// Reflectance of surfaces: lobes of GGX and Phong, and the split sum's second factor. They make tables, so
+// they compute in double precision.
 #pragma once
 
 #include <numbers>
@@ -26,9 +26,9 @@ inline double ggxMirrorLobe(double cosine, double alpha) {
 // Phong's.
 double phongExponentFromRoughness(double roughness);
 
-// Split sum, second factor (Karis 2013): a white environment reflects f0 * scale + bias. scale + bias is the
-// albedo of a surface with f0 = 1; the rest to 1 bounces on between microfacets, see Fdez-Aguera 2019, "A
-// Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting".
+// Split sum, second factor (Karis 2013): a surface reflects f0 * scale + bias of a white environment. scale +
+// bias is the albedo for f0 = 1; the rest to 1 is scattered again between microfacets, see Fdez-Aguera 2019,
+// "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting".
 struct Dfg {
     double scale = 0;
     double bias = 0;

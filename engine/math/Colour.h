@@ -1,5 +1,5 @@
-// The sRGB transfer curve, IEC 61966-2-1:1999, one channel at a time. Coded and linear values in [0, 1];
-// above 1 the power branch continues, below 0 the straight one.
+// The sRGB transfer curve, IEC 61966-2-1:1999, for one channel. Coded and linear values lie in [0, 1]; above
+// 1 the power branch continues, below 0 the linear one.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ template <class T> T srgbFromLinear(T linear) {
     return linear <= T(0.0031308) ? linear * T(12.92) : T(1.055) * std::pow(linear, T(1) / T(2.4)) - T(0.055);
 }
 
-// Returns the linear value of each value of 8 bits.
+// Returns the table of linear values by 8-bit coded value.
 inline const std::array<float, 256>& linearOfByte() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> linear;

@@ -5,9 +5,9 @@
 
 namespace shoal::math {
 
-// Returns the share of the way to a goal that is covered in dt_s if the rest falls to 1/e in constant_s: 1 -
-// exp(-x). From basic arithmetic, so that it has the same bits on every machine (see Trigonometry.h): exp(x /
-// 16) by Taylor's series to order 7, which is within 1e-9 for x <= 2, to the power of 16.
+// Returns the share of the way to its goal that a value covers in dt_s: 1 - exp(-x), x = dt_s / constant_s.
+// Basic arithmetic gives the same bits on every machine (see Trigonometry.h): exp(x / 16) by Taylor's series
+// to order 7, which is within 1e-9 for x <= 2, to the power of 16.
 inline float followShare(float dt_s, float constant_s) {
     const double x = static_cast<double>(std::max(dt_s, 0.0f)) / static_cast<double>(constant_s) / 16;
     double power = 1;

@@ -21,7 +21,7 @@
 
 namespace shoal {
 
-// dir: unit length. Result: u in [0, 1], v in [0, 1]. At the poles u is arbitrary but finite.
+// Returns u and v of a direction, each in [0, 1]; at the poles u is arbitrary but finite. dir: unit length.
 template <class T> glm::vec<2, T> latLongFromDirection(const glm::vec<3, T>& dir) {
     const T invPi = std::numbers::inv_pi_v<T>;
     return {T(0.5) + std::atan2(dir.x, -dir.z) * T(0.5) * invPi,
@@ -45,10 +45,10 @@ inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
             0.5f - angle(dir.y, std::sqrt(dir.x * dir.x + dir.z * dir.z)) * kInvPi};
 }
 
-// Returns a column of the map for one up to a map's width beyond its edges: columns repeat.
+// Returns the column within the map, for x at most one width beyond its edges.
 inline int wrappedColumn(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
-// The inverse of latLongFromDirection(); uv may lie outside [0, 1] in u (it wraps). Result: unit length.
+// Returns the direction, of unit length: the inverse of latLongFromDirection(). u may lie outside [0, 1].
 template <class T> glm::vec<3, T> directionFromLatLong(const glm::vec<2, T>& uv) {
     const T longitude = (uv.x - T(0.5)) * T(2) * std::numbers::pi_v<T>;
     const T latitude = (T(0.5) - uv.y) * std::numbers::pi_v<T>;

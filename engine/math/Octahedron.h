@@ -1,6 +1,6 @@
-// Maps directions to a square: an octahedron around them, unfolded (Meyer et al. 2010, "On Floating-Point
-// Normal Vectors"). +Y is in the middle, -Y in the corners. Only sums, products, quotients and a square root,
-// so that results are the same on every machine.
+// Maps directions to a square, the unfolded octahedron (Meyer et al. 2010, "On Floating-Point Normal
+// Vectors"). +Y is in the middle, -Y in the corners. It uses only sums, products, quotients and a square
+// root, so that results are the same on every machine.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -28,14 +28,14 @@ inline glm::vec3 directionFromOctahedral(const glm::vec2& square) {
     return glm::normalize(glm::vec3(square.x - over * sign(square.x), y, square.y - over * sign(square.y)));
 }
 
-// The square as rows of side x side cells. dir: of any length but 0.
+// Returns the direction's cell in a grid of side x side cells, row by row. dir: of any length but 0.
 inline int octahedralCell(const glm::vec3& dir, int side) {
     const glm::vec2 place = (octahedralFromDirection(dir) + 1.0f) * (0.5f * static_cast<float>(side));
     const int column = std::clamp(static_cast<int>(place.x), 0, side - 1);
     return std::clamp(static_cast<int>(place.y), 0, side - 1) * side + column;
 }
 
-// The direction of a cell's middle, unit length.
+// Returns the direction of a cell's middle, of unit length.
 inline glm::vec3 octahedralDirection(int cell, int side) {
     const glm::vec2 middle = glm::vec2(cell % side, cell / side) + 0.5f;
     return directionFromOctahedral(middle / (0.5f * static_cast<float>(side)) - 1.0f);

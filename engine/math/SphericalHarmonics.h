@@ -13,7 +13,7 @@ namespace shoal::math {
 constexpr int kShBands = 5; // l = 0 .. 4
 constexpr int kShCount = kShBands * kShBands;
 
-// Index of Y_lm: l (l + 1) + m.
+// Coefficients or values by index; Y_lm has the index l (l + 1) + m.
 using ShBasis = std::array<double, kShCount>;
 using ShRgb = std::array<glm::dvec3, kShCount>;
 

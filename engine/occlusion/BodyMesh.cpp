@@ -16,7 +16,7 @@ constexpr size_t kMaxTriangles = 1u << 24;
 
 bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// Returns for each position the index of one that stands for all at the same place.
+// Returns for each position the index of one representative of all equal positions.
 std::vector<uint32_t> weld(std::span<const glm::vec3> positions) {
     std::vector<uint32_t> order(positions.size()), place(positions.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -53,7 +53,7 @@ bool isClosed(const BodyMesh& mesh) {
     std::vector<std::array<uint32_t, 2>> there, back;
     for (const glm::uvec3& t : mesh.triangles) {
         const std::array<uint32_t, 3> v{place[t.x], place[t.y], place[t.z]};
-        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue; // has no area, bounds nothing
+        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue; // a triangle without area has no boundary
         for (size_t k = 0; k < 3; ++k) {
             there.push_back({v[k], v[(k + 1) % 3]});
             back.push_back({v[(k + 1) % 3], v[k]});

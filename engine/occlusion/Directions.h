@@ -1,4 +1,4 @@
-// Axes over half a sphere, frames around a direction, and packed unit vectors.
+// Axes spread over a hemisphere, frames around a direction, and packed unit vectors.
 #pragma once
 
 #include "engine/math/Octahedron.h"
@@ -12,11 +12,11 @@
 
 namespace shoal::occlusion {
 
-// Angle in radians between successive points of a spiral, so that they never line up.
+// The golden angle, radians: successive points of a spiral at this angle never line up.
 inline constexpr double kGoldenAngle = std::numbers::pi * 0.7639320225002103; // 3 - sqrt 5
 
-// Axes spread over half a sphere (a Fibonacci lattice), each for rays in both directions. A shader looks up
-// the nearest in a table.
+// Axes spread over a hemisphere (a Fibonacci lattice), each for rays in both directions. A shader finds the
+// nearest axis in the table.
 struct Axes {
     static constexpr int kTableWidth = 64;
 

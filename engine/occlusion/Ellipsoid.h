@@ -16,7 +16,7 @@ struct Ellipsoid {
 };
 
 struct BodyPart {
-    Ellipsoid atRest; // in the frame of the positions
+    Ellipsoid atRest; // in the frame of the mesh's positions
     uint16_t joint = 0;
 };
 

@@ -16,18 +16,18 @@ glm::vec2 sampleOffset(int sample) {
     return {static_cast<float>(sample % 4) * 0.25f - 0.375f, static_cast<float>(sample / 4) * 0.25f - 0.375f};
 }
 
-// Returns the unit normal, laid back to kSteepest if it is steeper; towards: its z becomes negative.
+// Returns the unit normal, tilted to the slope kSteepest if it is steeper; towards: z gets a negative sign.
 glm::vec3 layBack(const glm::vec3& normal, bool towards) {
     const float flat = glm::length(glm::vec2(normal));
     const float depth = std::max(towards ? -normal.z : normal.z, flat / kSteepest);
     return glm::normalize(glm::vec3(glm::vec2(normal), towards ? -depth : depth));
 }
 
-// Sets the plane's depth and, if the normals' slope does not fit the depths, its slope and normal, from the
-// chosen fragments. Near a silhouette depth grows as a square root: the slope at most samples is far from the
-// mean normal's.
+// Sets the plane's depth from the chosen fragments; sets its slope and normal too if the normals' slope does
+// not fit the depths. Near a silhouette depth grows as a square root, and the slope at most samples is far
+// from the mean normal's.
 void fit(std::span<const Fragment> fragments, const std::array<int, 16>& chosen, bool towards, Plane& plane) {
-    // Least squares with a pull towards the normals' slope, which decides where samples are few or in a line.
+    // Regularised least squares: kPull draws towards the normals' slope where samples are few or in a line.
     constexpr float kPull = 0.02f;
     constexpr float kFits = 0.3f; // pixels of depth per pixel
     glm::vec2 asideSum(0);
@@ -59,16 +59,16 @@ void fit(std::span<const Fragment> fragments, const std::array<int, 16>& chosen,
     plane.depth = depth - glm::dot(plane.slope, middle);
 }
 
-constexpr uint8_t kTaken = 16; // a sample that no pixel has
+constexpr uint8_t kTaken = 16; // index of no sample; marks a taken fragment
 
-// Takes the fragments that continue the first one's plane, at most one for each sample. They are sorted by
-// depth; taken ones have kTaken.
+// Makes a plane of the fragments that continue the first one's, at most one for each sample, and marks them
+// with kTaken. rest: sorted by depth.
 Plane takePlane(std::span<Fragment> rest) {
     const Fragment seed = rest.front();
     const glm::vec2 seedSlope = slopeOf(layBack(seed.normal, seed.towards));
     const float steep = glm::length(seedSlope);
     constexpr float kBend_px = 0.5f,
-                    kFurthest_px = 1.07f; // pixels; the latter is the greatest distance of two samples
+                    kFurthest_px = 1.07f; // kFurthest_px: greatest distance of two samples
     const float beyond = seed.depth + kBend_px + 2 * steep * kFurthest_px;
     std::array<int, 16> chosen;
     std::array<float, 16> apart;

@@ -13,7 +13,7 @@ struct Fragment {
     float depth = 0;      // pixels
     glm::vec3 normal{0};  // unit, view frame
     uint8_t sample = 0;   // 4 y + x in the pixel
-    bool towards = false; // whether its outside faces the viewer
+    bool towards = false; // whether it is front-facing
 };
 
 // A plane through a pixel: depth at its middle, and depth per pixel right and up.
@@ -27,8 +27,8 @@ struct Plane {
 // Returns the depth per pixel of the plane with this normal, whose z is not zero.
 inline glm::vec2 slopeOf(const glm::vec3& normal) { return -glm::vec2(normal) / normal.z; }
 
-// Appends to `planes` the surfaces that these fragments of one pixel sample, by growing depth. Every fragment
-// belongs to one plane, every plane covers a sample once. Empties the fragments.
+// Merges the fragments of one pixel into planes, and appends these to `planes` by ascending depth. Every
+// fragment belongs to one plane, every plane covers a sample at most once. Marks all fragments as taken.
 void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes);
 
 } // namespace shoal::occlusion

@@ -14,8 +14,8 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr int kTurns = 8; // rotations in a quarter turn, tried to find the smallest frame
-// Limit for one view before merging; some 600 MB.
+constexpr int kTurns = 8; // rotations within a quarter turn that frameView() tries
+// Limit of one view's fragments before merging; they take some 600 MB.
 constexpr size_t kMaxFragments = 1u << 24;
 
 struct Frame {
@@ -23,7 +23,7 @@ struct Frame {
     std::vector<glm::vec3> corners; // the mesh's positions in pixels
 };
 
-// Rotates the view so that the frame around the body is smallest, and scales it to fill the picture.
+// Rotates the view so that the body's bounding rectangle is smallest, and scales it to the resolution.
 void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Frame& frame) {
     const glm::mat3 upright = lookingAlong(axis, 0);
     frame.corners.resize(mesh.positions.size());
@@ -64,7 +64,7 @@ void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Fram
         frame.corners[i] = view.pixelFromBody(mesh.positions[i]);
 }
 
-// Returns whether most of the surface has triangles that run counter-clockwise around their normals.
+// Returns whether most of the surface, by area, has triangles wound counter-clockwise around their normals.
 bool runsWithNormals(const BodyMesh& mesh) {
     double sum = 0;
     for (const glm::uvec3& t : mesh.triangles) {
@@ -75,7 +75,7 @@ bool runsWithNormals(const BodyMesh& mesh) {
     return sum >= 0;
 }
 
-// Renders one view at four by four samples a pixel; seen: by pixel.
+// Renders one view with 4 x 4 samples a pixel. seen: the fragments of each pixel.
 Status see(const BodyMesh& mesh, const Frame& frame, bool withNormals,
            std::vector<std::vector<Fragment>>& seen) {
     const glm::ivec2& size = frame.view.size;

@@ -1,8 +1,8 @@
-// Orthographic linearised layered fragment buffers: a body seen from many directions, with all its surfaces
-// behind each other, so that shaders can trace rays through it (shaders/occlusion/Ollfb.glsl). After Iorns
-// 2016, chapter 6, with additions:
+// Orthographic linearised layered fragment buffers: views of a body from many directions, with all layers of
+// its surface at each pixel, so that shaders can trace rays through it (shaders/occlusion/Ollfb.glsl). After
+// Iorns 2016, chapter 6, with additions:
 // - A layer is a plane with the slope of its normal, and stores which sixteenths of its pixel it covers. So
-//   steep surfaces join, and silhouettes are four times as fine as pixels.
+//   steep surfaces have no gaps, and silhouettes are four times as fine as pixels.
 // - The space between two layers is inside the body. A ray that is outside in one cell and inside in the next
 //   has crossed the wall between them, however steep.
 // - A hit's exact position and normal are read in the view that looks straight at the surface, interpolated
@@ -20,7 +20,7 @@
 
 namespace shoal::occlusion {
 
-// One surface in one pixel.
+// One layer of the surface in one pixel.
 struct OllfbLayer {
     uint16_t depth = 0;  // depth of its plane at the pixel's middle, 0 .. 65535 over the view's range
     uint16_t normal = 0; // outwards, view frame, octahedral, 2 x 8 bits (Directions.h)
@@ -29,9 +29,9 @@ struct OllfbLayer {
 };
 static_assert(sizeof(OllfbLayer) == 6, "48 bits a layer");
 
-// Steeper planes are laid back to this slope, in pixels of depth per pixel.
+// Greatest slope of a plane, pixels of depth per pixel; steeper planes are tilted to it.
 inline constexpr float kSteepest = 12;
-// Depth that a view can store beyond the body's on either side: a plane may reach it at its pixel's middle.
+// Margin of a view's depth range on either side of the body: a plane may lie there at its pixel's middle.
 inline constexpr float kDepthMargin_px = kSteepest * 0.75f;
 
 struct OllfbView {
@@ -73,12 +73,12 @@ struct Ollfb {
     }
 
     Sphere sphere;
-    // isClosed(): the space between two layers is inside, and rays hit surfaces only where they enter, as
-    // with back-face culling; otherwise rays hit them from both sides.
+    // Result of isClosed(). If true, the space between two layers is inside, and rays hit surfaces only where
+    // they enter, as with back-face culling; otherwise rays hit surfaces from both sides.
     bool closed = false;
 
-    // Pixel x of a row has the layers from firstLayer + starts[firstStart + x - begin] to those of the next
-    // pixel, by growing depth.
+    // Pixel x of a row has the layers from firstLayer + starts[firstStart + x - begin] up to the first of the
+    // next pixel, by ascending depth.
     Axes axes;
     std::vector<OllfbView> views;
     std::vector<OllfbRow> rows;

@@ -11,9 +11,9 @@
 namespace shoal::occlusion {
 
 // Calls found(x, y, b) for every sample that the triangle covers in a width x height grid with samples at
-// half integers; b: barycentric weights, sum 1. Corners are snapped to 1/256 of a sample, and of two
-// triangles that share an edge exactly one owns the samples on it, whichever way they face: a closed body has
-// as many layers towards as away. corners: xy in samples, within +-2^20.
+// half integers; b: barycentric weights, sum 1. Corners are snapped to 1/256 of a sample. Of two triangles
+// that share an edge exactly one owns the samples on it, whichever way they face: a closed body has as many
+// front-facing as back-facing layers. corners: xy in samples, within +-2^20.
 template <class Found>
 void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height, Found&& found) {
     constexpr int64_t kOne = 256, kHalf = kOne / 2;
@@ -41,7 +41,7 @@ void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height
     const int64_t startX = first(lowX) * kOne + kHalf, startY = first(lowY) * kOne + kHalf;
     const auto edge = [&](size_t from, size_t to) {
         const int64_t dx = x[to] - x[from], dy = y[to] - y[from];
-        const bool owned = dy < 0 || (dy == 0 && dx > 0); // else the neighbour owns it
+        const bool owned = dy < 0 || (dy == 0 && dx > 0); // otherwise the neighbour owns the edge
         return Edge{dx * (startY - y[from]) - dy * (startX - x[from]), -dy * kOne, dx * kOne, owned ? 0 : 1};
     };
     Edge opposite0 = edge(b, c), oppositeB = edge(c, 0), oppositeC = edge(0, b);

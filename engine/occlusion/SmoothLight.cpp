@@ -11,8 +11,8 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr double kBright = 2;  // times the mean luminance: the excess belongs to the dominant light
-constexpr double kReach = 0.7; // cosine at which texels no longer belong to the dominant light
+constexpr double kBright = 2;  // times the mean luminance; brighter light belongs to the dominant light
+constexpr double kReach = 0.7; // cosine of the angle beyond which texels do not belong to the dominant light
 constexpr double kMin = 0.004; // least sin^2 of the half angle: the resolution of a small map
 
 double luminance(const float* rgb) {
@@ -44,7 +44,7 @@ template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
     }
 }
 
-// Distributes a texel's light over the ends of the axes around it.
+// Sums the map's light, distributing each texel over the nearby ends of the axes.
 class Spread {
   public:
     void add(const glm::dvec3& d, double solidAngle, const glm::dvec3& radiance) {
@@ -68,7 +68,7 @@ class Spread {
     glm::vec3 radiance(size_t k) const { return glm::vec3(sums_[k] / std::max(weights_[k], 1e-9)); }
 
   private:
-    static constexpr double kCell2 = 2.0 / kAxisCount; // radius of an end's part of the sphere, squared
+    static constexpr double kCell2 = 2.0 / kAxisCount; // squared radius of each axis end's cell
     std::array<glm::dvec3, 2 * kAxisCount> sums_{};
     std::array<double, 2 * kAxisCount> weights_{};
 };

@@ -11,16 +11,16 @@
 namespace shoal::occlusion {
 
 inline constexpr size_t kAxisCount = 24;
-// Unit vectors; these and their opposites are spread evenly over the sphere. shaders/occlusion/Axes.glsl.
+// Unit vectors that, with their opposites, are evenly spread over the sphere: shaders/occlusion/Axes.glsl.
 extern const std::array<glm::vec3, kAxisCount> kAxes;
 
-// The light of a map, in the frame of the map and of the axes.
+// Reduced light of an environment map, in the map's frame, which is also the axes'.
 struct SmoothLight {
     // Radiance from the direction of each axis, and from the opposite one, without the dominant light.
     std::array<glm::vec3, kAxisCount> ahead{}, behind{};
-    // All light in spherical harmonics of two bands: factors of 1, x, y, z.
+    // All light, the dominant light included, in two bands of spherical harmonics: factors of 1, x, y, z.
     std::array<glm::vec3, 4> even{};
-    // A round dominant light: the excess over a few times the mean, near where that is greatest.
+    // The dominant light, a disc: the excess over twice the mean luminance, near its greatest values.
     glm::vec3 dominantTowards{0, 1, 0}; // unit
     float dominantShare = 0.1f;         // sin^2 of its half angle
     glm::vec3 dominantRadiance{0};

@@ -12,7 +12,7 @@ namespace shoal::occlusion {
 
 namespace {
 
-// Renders one view; seen: by pixel, each by growing depth.
+// Renders one view. seen: the layers of each pixel, by ascending depth.
 void see(const BodyMesh& mesh, const ThesisViews& views, const glm::mat3& viewFromBody,
          std::vector<std::vector<ThesisLayer>>& seen) {
     for (std::vector<ThesisLayer>& pixel : seen) pixel.clear();

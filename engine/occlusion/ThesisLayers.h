@@ -1,6 +1,6 @@
-// Orthographic linearised layered fragment buffers as in Iorns 2016 (chapter 6): a body seen from many
-// directions, with every layer's depth and normal, all pixels' layers in one list with an index of each
-// pixel's first. shaders/occlusion/ThesisTrace.glsl traces rays through them.
+// Orthographic linearised layered fragment buffers as in Iorns 2016 (chapter 6): views of a body from many
+// directions, with the depth and normal of every layer. The layers of all pixels lie in one list, with an
+// index of each pixel's first layer. shaders/occlusion/ThesisTrace.glsl traces rays through them.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -22,13 +22,13 @@ struct ThesisLayer {
 static_assert(sizeof(ThesisLayer) == 8);
 
 // The views of a body: the faces of a cube around it are divided into cells x cells parts of equal angle;
-// each part's middle is a view of resolution^2 pixels that just hold the body's sphere.
+// each part has a view along its middle, whose resolution^2 pixels just contain the body's sphere.
 struct ThesisViews {
     int cells = 5; // views = 6 cells^2: 54 (3), 150 (5), 486 (9)
     int resolution = 64;
     Sphere sphere;
 
-    // Leaves a pixel of margin for points on the sphere itself.
+    // Returns a scale at which the sphere leaves one pixel free, for points on its edge.
     float pixelsPerMetre() const {
         return sphere.radius > 0 ? static_cast<float>(resolution - 1) / (2 * sphere.radius) : 1.0f;
     }
@@ -55,8 +55,8 @@ struct ThesisLayers {
     size_t bytes() const { return starts.size() * sizeof(uint32_t) + layers.size() * sizeof(ThesisLayer); }
 
     ThesisViews views;
-    // Index of the first layer of each pixel (view by view, row by row), and the end of the last; then the
-    // layers, in each pixel by growing depth.
+    // starts holds the index of each pixel's first layer (view by view, row by row), then the number of all
+    // layers. The layers of a pixel are sorted by ascending depth.
     std::vector<uint32_t> starts;
     std::vector<ThesisLayer> layers;
 };

@@ -56,7 +56,7 @@ float firstTouch(const Capsule& from, const Capsule& to, const Capsule& otherFro
         const float distance = glm::length(apart);
         const float gap = distance - radii;
         if (gap <= kTouchGap_m) return t;
-        // Points between the ends have velocities between the ends', so the ends bound them.
+        // Velocities are linear between a capsule's ends, so those of its ends bound them.
         const glm::vec3 n = apart / distance;
         const float closing = std::max(glm::dot(wayA, n), glm::dot(wayB, n)) -
                               std::min(glm::dot(otherA, n), glm::dot(otherB, n));
@@ -64,7 +64,7 @@ float firstTouch(const Capsule& from, const Capsule& to, const Capsule& otherFro
         t += gap / closing;
         if (t > 1) return 2;
     }
-    return t; // it closes so slowly that it grazes: almost touching
+    return t; // not converged: they graze, and almost touch
 }
 
 } // namespace shoal::physics

@@ -1,4 +1,4 @@
-// Capsules: distance between two, and time of first touch of two that move.
+// Capsules: the distance between two, and the time of first touch of two that move.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,7 +12,7 @@ struct Capsule {
     float radius = 0.01f;
 };
 
-// Nearest points of the two core segments. Ericson 2005, "Real-Time Collision Detection", 5.1.9.
+// Nearest points of two capsules' core segments. Ericson 2005, "Real-Time Collision Detection", 5.1.9.
 struct Nearest {
     glm::vec3 onFirst{0}, onSecond{0};
 };
@@ -24,8 +24,8 @@ float separation(const Capsule&, const Capsule&);
 // Interpolates the end points between two capsules; t 0 to 1.
 Capsule between(const Capsule& from, const Capsule& to, float t);
 
-// Returns the share of the way, 0 to 1, at which two capsules that start apart first touch (come within
-// kTouchGap_m); above 1 if they do not. Conservative advancement, see ContactModel.h.
+// Returns the fraction of the motion, 0 to 1, at which two capsules that start apart first touch (come within
+// kTouchGap_m); above 1 if they do not. By conservative advancement, see ContactModel.h.
 float firstTouch(const Capsule& from, const Capsule& to, const Capsule& otherFrom, const Capsule& otherTo);
 
 } // namespace shoal::physics

@@ -28,7 +28,7 @@ glm::vec3 velocityAt(const Mover& mover, glm::vec3 onCore) {
     return glm::mix(mover.velocityA, mover.velocityB, t);
 }
 
-// Turns the unit vector towards the other by at most kNormalTurn_rad.
+// Rotates a unit vector towards another by at most kNormalTurn_rad.
 glm::vec3 turned(glm::vec3 from, glm::vec3 to) {
     const float along = glm::dot(from, to);
     const glm::vec3 across = to - from * along;
@@ -54,8 +54,8 @@ struct Pair {
           at(nearest(m.after, b.after)), apart(at.onSecond - at.onFirst) {}
 };
 
-// Returns the shortest way out of two capsules whose axes cross: across both, or, if they lie along one line,
-// across the longer. The opposite direction is as short.
+// Returns the direction of the shortest separation of two capsules whose axes cross: at right angles to both
+// axes, or, if these are parallel, to the longer one. The opposite direction is as short.
 glm::vec3 wayOut(const Capsule& first, const Capsule& second) {
     const glm::vec3 d1 = first.b - first.a, d2 = second.b - second.a;
     const glm::vec3 longer = glm::dot(d1, d1) > glm::dot(d2, d2) ? d1 : d2, across = glm::cross(d1, d2);
@@ -65,8 +65,8 @@ glm::vec3 wayOut(const Capsule& first, const Capsule& second) {
     return glm::dot(level, level) > 0 ? glm::normalize(level) : glm::vec3(0, 1, 0);
 }
 
-// Returns the normal of a lasting contact: it keeps its side and turns towards the line of nearest points
-// where that is certain.
+// Returns the normal of a lasting contact: it keeps its side, and turns towards the line of nearest points
+// unless the axes are so near that this line is uncertain.
 glm::vec3 renewedNormal(const Pair& pair, glm::vec3 normal) {
     const float distance = glm::length(pair.apart);
     if (distance <= kCoreShare * pair.radii) return normal;
@@ -76,7 +76,7 @@ glm::vec3 renewedNormal(const Pair& pair, glm::vec3 normal) {
 
 // Sets depth, place and velocities at the tick's end. Returns false if the contact is over.
 bool complete(const Pair& pair, float dt_s, Contact& c) {
-    // Beyond both radii on the far side the mover has gone through, and is free.
+    // A mover that is both radii beyond the axis on the far side has passed through: the contact is over.
     const float along = glm::dot(pair.apart, c.normal);
     c.lasting = glm::length(pair.apart) < pair.radii + kLift_m && along > -pair.radii;
     if (!c.lasting && !c.fresh) return false;
@@ -96,7 +96,7 @@ bool begin(const Pair& pair, Contact& c) {
     const Nearest was = nearest(pair.moverFrom, pair.bodyFrom);
     const glm::vec3 start = was.onSecond - was.onFirst;
     const float room = glm::length(start);
-    if (room <= pair.radii) { // overlapping, in an unknown way
+    if (room <= pair.radii) { // they already overlap, with unknown history
         c.normal = room > kCrossed_m ? start / room : wayOut(pair.moverFrom, pair.bodyFrom);
         return true;
     }
@@ -104,7 +104,7 @@ bool begin(const Pair& pair, Contact& c) {
     if (c.time > 1) return false;
     const Nearest met = nearest(between(pair.moverFrom, bone, c.time), between(pair.bodyFrom, flesh, c.time));
     const glm::vec3 way = met.onSecond - met.onFirst;
-    c.normal = way / std::max(glm::length(way), 1e-9f); // both radii apart: never near 0
+    c.normal = way / std::max(glm::length(way), 1e-9f); // about the sum of the radii, never near 0
     return true;
 }
 
@@ -166,7 +166,7 @@ glm::vec3 separating(std::span<const Contact> contacts) {
         if (!c.lasting) return 0.0f;
         return std::min(kPartRate_Hz * std::max(0.0f, c.depth - kPartSlop_m), kPartMax_mps);
     });
-    const float speed = glm::length(velocity); // a wedge makes it exceed what a single contact asks
+    const float speed = glm::length(velocity); // in a wedge it exceeds what one contact asks
     return speed > kPartMax_mps ? velocity * (kPartMax_mps / speed) : velocity;
 }
 

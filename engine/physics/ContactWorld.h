@@ -1,5 +1,5 @@
-// Contacts of bones of hands with bodies during one tick, which of them last from tick to tick, and how they
-// push; see ContactModel.h, steps 1 to 3.
+// Finds the contacts between bones of hands and bodies during one tick, tracks lasting contacts from tick to
+// tick, and computes how they push; see ContactModel.h, steps 1 to 3.
 #pragma once
 
 #include "engine/physics/Capsule.h"
@@ -11,15 +11,14 @@
 
 namespace shoal::physics {
 
-// World frame, metres, seconds.
+// All types here are in the world frame, metres and seconds.
 
 // A kinematic capsule that moves from one place to another during the tick.
 struct Mover {
     Capsule before, after;
-    glm::vec3 velocityA{0},
-        velocityB{0}; // velocities of its ends, for pushing; steadier than its path in the tick
-    int group = 0;    // index of the hand
-    int tag = 0;      // index of the bone
+    glm::vec3 velocityA{0}, velocityB{0}; // velocities of its ends, for pushing; smoother than its motion
+    int group = 0;                        // index of the hand
+    int tag = 0;                          // index of the bone
 };
 
 struct Body {
@@ -32,27 +31,27 @@ struct Contact {
     uint32_t body = 0;
     int group = 0;
     int tag = 0;
-    bool fresh = false;     // began this tick
-    bool lasting = false;   // whether they touch at the tick's end
-    glm::vec3 point{0};     // on the body's surface
-    glm::vec3 normal{0};    // unit, from the mover towards the body: the direction of the push
-    float depth = 0;        // how deep the mover is in the body along the normal at the tick's end, metres
-    float closingSpeed = 0; // speed of the mover relative to the body along the normal, m/s, >= 0
+    bool fresh = false;         // it began in this tick
+    bool lasting = false;       // it still touches at the tick's end
+    glm::vec3 point{0};         // on the body's surface
+    glm::vec3 normal{0};        // unit, from the mover towards the body: the direction of the push
+    float depth = 0;            // penetration along the normal at the tick's end, metres
+    float closingSpeed = 0;     // speed of the mover relative to the body along the normal, m/s, >= 0
     glm::vec3 moverVelocity{0}; // velocity of the mover at the contact, m/s
     float time = 0;             // time of first touch, 0 to 1 within the tick; 0 for lasting contacts
 };
 
-// Replaces out by the contacts of this tick, at most one for each (body, group, tag), sorted by these. last:
-// the contacts of the tick before. Deterministic: a function of its arguments alone, whatever the order of
-// bodies and movers. A mover that goes farther than kTeleport_m is only tested at its end.
+// Writes to out the contacts of this tick, at most one for each (body, group, tag), sorted by these. last:
+// the contacts of the previous tick. The result depends only on the arguments, not on the order of bodies and
+// movers. A mover that goes farther than kTeleport_m is only tested at its end.
 void collide(std::span<const Body>, std::span<const Mover>, float dt_s, std::span<const Contact> last,
              std::vector<Contact>& out);
 
-// Velocity of a free body after contacts with hands; see ContactModel.h, step 3. All contacts are those of
-// one body.
+// The functions below compute the velocity of a free body after contacts with hands; see ContactModel.h, step
+// 3. All contacts must be of the same body.
 
-// Returns the velocity after the contacts: along a normal at least as fast as the mover there, if the
-// contacts agree. A mover at rest never makes the body faster.
+// Returns the velocity after the contacts. If they do not contradict one another, it is along each normal at
+// least the mover's, but for kSoftness. A mover at rest never makes the body faster.
 glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact>);
 
 // Returns the velocity that separates overlapping capsules, to be used for one tick and not kept. At most

@@ -20,7 +20,7 @@ glm::quat arc(glm::vec3 from, glm::vec3 to) {
     const glm::vec3 axis = glm::cross(from, to);
     const glm::quat q(1 + glm::dot(from, to), axis.x, axis.y, axis.z);
     const float squared = glm::dot(q, q);
-    return squared > 1e-8f ? q / std::sqrt(squared) : kStill; // folded back onto itself, as no bones are
+    return squared > 1e-8f ? q / std::sqrt(squared) : kStill; // opposite directions, which bones never have
 }
 
 glm::quat share(const glm::quat& turn, float t) { return glm::normalize(kStill * (1 - t) + turn * t); }
@@ -46,9 +46,9 @@ const std::array<glm::vec3, 42>& directions() {
     return all;
 }
 
-// Returns how much force along the unit vector d the presses can give beyond the need: the support function
-// of all forces that they can give, minus the need's component. A cone of friction reaches farthest along d
-// at its edge.
+// Returns the force along the unit vector d that the presses can exert beyond the need: the support function
+// of all forces that they can exert, minus the need's component. A friction cone reaches farthest along d at
+// its edge.
 float beyond(std::span<const Press> presses, glm::vec3 need_N, glm::vec3 d) {
     float sum = -glm::dot(need_N, d);
     for (const Press& press : presses) {
@@ -65,18 +65,18 @@ Finger wrapped(const Finger& given, const Capsule& body) {
     Finger out = given;
     out.turned.fill(kStill);
     out.touches.fill(false);
-    std::array<glm::vec3, hands::kMaxFingerJoints> along{}; // unit, of the bone that ends there
+    std::array<glm::vec3, hands::kMaxFingerJoints> along{}; // unit direction of the bone that ends there
     std::array<float, hands::kMaxFingerJoints> length{};
     for (int i = 1; i < given.count; ++i) {
         const glm::vec3 bone = given.joints[i] - given.joints[i - 1];
         length[i] = glm::length(bone);
         along[i] = length[i] > 1e-6f ? bone / length[i] : (i > 1 ? along[i - 1] : glm::vec3(0, 0, -1));
     }
-    glm::quat before = kStill; // turn of the bone before
+    glm::quat before = kStill; // rotation of the previous bone
     for (int i = 2; i < given.count; ++i) {
         const glm::quat bend = arc(along[i - 1], along[i]);
-        // The rest of the finger, straight, turns about this knuckle. Conservative advancement again: it may
-        // turn by the gap over its length. d(angle)/dt of share() is at most 4 tan(angle / 4).
+        // Turns the straight rest of the finger about this knuckle, by conservative advancement: a step is at
+        // most the gap over the rest's length. d(angle)/dt of share() is at most 4 tan(angle / 4).
         float reach = 0;
         for (int j = i; j < given.count; ++j) reach += length[j];
         const float fastest = 4 * std::sqrt(std::max(0.0f, 1 - bend.w) / (1 + std::max(0.0f, bend.w)));
@@ -120,7 +120,7 @@ Hold hold(std::span<const Press> presses, glm::vec3 asked_N) {
         worst = d;
     };
     for (const glm::vec3& d : directions()) consider(d);
-    // Descends from there, by ever smaller steps around it.
+    // Refines the worst direction by a pattern search with ever smaller steps.
     for (float step = 0.17f; step > 0.01f; step *= 0.5f) {
         const glm::vec3 middle = worst;
         const glm::vec3 pick = std::fabs(middle.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);

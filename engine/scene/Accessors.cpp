@@ -9,7 +9,7 @@ namespace shoal::scene {
 
 namespace {
 
-// 0 for what is no component type of glTF.
+// Returns the size of a component; 0 for a type that glTF does not have.
 size_t componentBytes(int componentType) {
     const int bytes =
         componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE || componentType == TINYGLTF_COMPONENT_TYPE_INT
@@ -18,13 +18,13 @@ size_t componentBytes(int componentType) {
     return static_cast<size_t>(std::max(bytes, 0));
 }
 
-// Of one element. Matrices of columns that would be padded to 4 bytes are nothing that the loader reads.
+// Returns the size of one element. Matrices whose columns would be padded to 4 bytes are never read.
 size_t elementBytes(const tinygltf::Accessor& accessor) {
     return componentCount(accessor) * componentBytes(accessor.componentType);
 }
 
-// `count` pieces of `bytes` every `stride` bytes of a bufferView; it must hold them all. All numbers are
-// below 2^31 (checkSchema), so nothing here overflows 64 bits.
+// Returns the first of `count` pieces of `bytes`, one every `stride` bytes of a bufferView; faults if they do
+// not fit into it. All numbers are below 2^31 (checkSchema), so nothing here overflows 64 bits.
 const uint8_t* piecesOf(const tinygltf::Model& gltf, int bufferView, size_t byteOffset, size_t count,
                         size_t stride, size_t bytes, const std::string& who) {
     const tinygltf::BufferView& view = gltf.bufferViews[bufferView];
@@ -60,8 +60,8 @@ template <class T> T loadComponent(const uint8_t* from, int componentType, bool 
     }
 }
 
-// Calls put(element, its bytes) for all elements, then for the sparse ones. Checks where they lie before the
-// first.
+// Calls put(index, its bytes) for all elements, then for the sparse ones. Checks the range of each part
+// before its first call.
 template <class Put> void forEachElement(const tinygltf::Model& gltf, int index, Put&& put) {
     const std::string who = element("accessors", index);
     const tinygltf::Accessor& a = gltf.accessors[index];

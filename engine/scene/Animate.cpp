@@ -13,7 +13,7 @@ namespace {
 
 using Interpolation = Channel::Interpolation;
 
-// A moment's place among the keys.
+// Position of a time among the keys of a channel.
 struct Moment {
     size_t key = 0;       // the last key not after it
     float fraction = 0;   // 0 .. 1 of the way to the next
@@ -29,7 +29,7 @@ Moment momentAt(const std::vector<float>& times_s, float time_s) {
     return {key, (time_s - times_s[key]) / duration_s, duration_s};
 }
 
-// Returns one of the `size` numbers of the value at this moment; of rotations only where they are not Linear.
+// Returns one of the `size` components of the value at this moment; not for linear rotations.
 float sampled(const Channel& channel, const Moment& at, size_t size, size_t component) {
     const float* values = channel.values.data();
     if (channel.interpolation != Interpolation::CubicSpline) {
@@ -37,7 +37,7 @@ float sampled(const Channel& channel, const Moment& at, size_t size, size_t comp
         if (channel.interpolation == Interpolation::Step || at.duration_s == 0) return here;
         return glm::mix(here, values[(at.key + 1) * size + component], at.fraction);
     }
-    // In-tangent, value, out-tangent of each key; Hermite's basis functions.
+    // A key holds in-tangent, value and out-tangent, weighted by the Hermite basis functions.
     const float* here = values + at.key * 3 * size;
     if (at.duration_s == 0) return here[size + component];
     const float* next = here + 3 * size;

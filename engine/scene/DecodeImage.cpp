@@ -7,8 +7,8 @@
 
 namespace {
 
-// The most bytes that stb may take in one piece: a PNG's lengths and its compressed data can both ask for
-// gigabytes, whatever its width and height. Per thread, because stb's hooks carry no context.
+// Largest allocation that stb_image may make: a PNG's lengths and its compressed data can both ask for
+// gigabytes, whatever its width and height. It is per thread, because stb's hooks carry no context.
 thread_local size_t largestPiece = 0;
 
 void* takePiece(size_t bytes) { return bytes <= largestPiece ? std::malloc(bytes) : nullptr; }
@@ -42,16 +42,16 @@ struct FreePixels {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
-// Each scan of a progressive JPEG is the work of a whole decoding. Encoders write about ten.
+// Limit of scans: each scan of a progressive JPEG costs as much as a whole decoding. Encoders make about ten.
 constexpr int kMaxScans = 100;
 
-// Whether some Huffman table of a JPEG lists more than 256 codes: stb_image before 2.28 takes any number for
-// true and writes past its tables, even where it only reads a picture's size. Goes from marker to marker, as
-// stb does and further: past what is no marker, and through entropy-coded data. ITU-T T.81, B.1.1 and
-// B.2.4.2.
+// Returns whether a Huffman table of a JPEG lists more than 256 codes: stb_image before 2.28 trusts any
+// number and writes past its tables, even when it only reads a picture's size. The search goes from marker to
+// marker like stb's, but also past bytes that are no marker and through entropy-coded data. ITU-T T.81, B.1.1
+// and B.2.4.2.
 bool hasOverlongHuffmanTable(std::span<const uint8_t> bytes) {
     constexpr size_t kMaxCodes = 256,
-                     kTableHeader = 17; // class and place, and the number of codes of each length
+                     kTableHeader = 17; // one byte of class and slot, 16 of code counts
     const auto byte = [&](size_t at) -> size_t { return at < bytes.size() ? bytes[at] : 0; };
     for (size_t at = 0; at < bytes.size();) {
         if (bytes[at++] != 0xFF) continue;
@@ -92,9 +92,9 @@ ImageRgba8 decodeImage(GltfFile& file, std::span<const uint8_t> bytes, const std
     file.pixels.spend(pixels, who);
     if (bytes[0] == 0xFF && countScans(bytes) > kMaxScans) fault(who, " has more than ", kMaxScans, " scans");
 
-    // Largest need: four channels of 16 bits, in a buffer grown by doubling; and the compressed data,
-    // likewise. A progressive JPEG's coefficients are 16 bits in blocks rounded up to its largest sampling
-    // factor, 4.
+    // The largest allocations hold four channels of 16 bits and the compressed data, both in buffers that
+    // grow by doubling. A progressive JPEG's coefficients have 16 bits, in blocks rounded up to its largest
+    // sampling factor, 4.
     const uint64_t rounded = (uint64_t{32} + width) * (uint64_t{32} + height);
     largestPiece = rounded * 16 + bytes.size() * 2 + 65536;
     const std::unique_ptr<stbi_uc, FreePixels> data(

@@ -14,11 +14,11 @@ constexpr const char* kName = "EXT_meshopt_compression";
 
 struct Stream {
     std::span<const uint8_t> bytes;
-    size_t count, stride; // of what it becomes
+    size_t count, stride; // of the decoded elements
     std::string mode, filter;
 };
 
-// Whether the extension's specification knows the stream's mode and filter, with that count and stride.
+// Returns whether the specification allows the stream's mode and filter with its count and stride.
 bool isKnown(const Stream& stream) {
     const auto& [bytes, count, stride, mode, filter] = stream;
     if (mode == "TRIANGLES" || mode == "INDICES")
@@ -28,7 +28,7 @@ bool isKnown(const Stream& stream) {
            (filter == "QUATERNION" && stride == 8);
 }
 
-// The stream of a view, which lies in its buffer and becomes as many bytes as the view has.
+// Returns the stream of a view; checks that it lies in its buffer and decodes to the view's length.
 Stream streamOf(const Json& view, const std::vector<tinygltf::Buffer>& buffers, const std::string& who) {
     const Json& from = view[kName];
     const size_t buffer = from["buffer"], offset = from.value("byteOffset", 0u), length = from["byteLength"];

@@ -15,13 +15,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A .glb or .gltf file taken apart: views of its bytes.
+// The parts of a .glb or .gltf file, as views of its bytes.
 struct Container {
     std::string_view json;
     std::optional<std::span<const uint8_t>> binary; // the GLB's BIN chunk
 };
 
-// glTF 2.0 specification, section 4 "GLB File Format Specification".
+// Splits a file into its parts: glTF 2.0 specification, section 4 "GLB File Format Specification".
 Container openContainer(std::span<const uint8_t> file) {
     constexpr uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
     constexpr size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
@@ -69,7 +69,7 @@ Json parseJson(std::string_view text) {
     }
 }
 
-// KHR_mesh_quantization only widens the component types of attributes.
+// Checks version and extensions. KHR_mesh_quantization only allows more component types of attributes.
 void checkVersionAndExtensions(GltfFile& file, const Json& root) {
     const std::string version = root["asset"]["version"];
     if (!version.starts_with("2.")) fault("is glTF version ", quoted(version), ", not 2.0");
@@ -92,9 +92,8 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
         }
 }
 
-// Drops members that the loader does not read: they would cost memory in tinygltf, whatever they hold.
-// Makes whole numbers written as 1.0, which JSON allows, into integers, as tinygltf expects. Depth is bounded
-// by parseJson.
+// Removes `extras` and `extensions`, which would only cost memory in tinygltf. Converts whole numbers written
+// as 1.0, which JSON allows, to integers, as tinygltf expects. parseJson() limits the depth.
 void tidy(Json& value) {
     if (value.is_object()) {
         value.erase("extras");
@@ -145,7 +144,7 @@ Path confined(const Path& folder, const std::string& uri, const std::string& who
     return target;
 }
 
-// Cut to byteLength: a buffer may lie in a larger file, and a GLB's chunk is padded.
+// Reads the buffers, cut to byteLength: a buffer's file may be larger, and a GLB's chunk is padded.
 std::vector<tinygltf::Buffer> readBuffers(GltfFile& file, const Json& root, const Container& container) {
     std::vector<tinygltf::Buffer> buffers;
     const std::set<size_t> replaced = replacedBuffers(root, container.binary.has_value());

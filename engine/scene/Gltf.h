@@ -1,5 +1,5 @@
-// One glTF file while it is being read: what it holds, what has been spent of the limits, and the parts of
-// the loader. Private to loadModel().
+// The state of one glTF file while it is being read, with its use of the limits, and the functions of the
+// loader. Private to loadModel().
 #pragma once
 
 #define TINYGLTF_NO_FS // bytes reach tinygltf checked; images are read by decodeImage()
@@ -25,8 +25,8 @@
 
 namespace shoal::scene {
 
-// A fault in the file. It travels as an exception to loadModel, which turns it into an Error: the loader is
-// some hundred checks deep, and each would otherwise be written twice. It never leaves the loader.
+// A fault in the file, thrown as an exception that loadModel() turns into an Error: with a Result each of the
+// loader's hundred checks would need a second one in its caller. It never leaves the loader.
 class Fault : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -40,21 +40,21 @@ template <class... Parts> std::string text(const Parts&... parts) {
 
 template <class... Parts> [[noreturn]] void fault(const Parts&... parts) { throw Fault(text(parts...)); }
 
-// A name out of the file, fit to be shown: cut short, control characters replaced.
+// Returns a name from the file in a form that can be shown: shortened, control characters replaced.
 std::string quoted(const std::string& untrusted, size_t maxLength = 60);
 
-// "accessors[3]"
+// Returns the name of an element, such as "accessors[3]".
 template <std::integral Index> std::string element(const std::string& array, Index index) {
     return array + "[" + std::to_string(index) + "]";
 }
 
-// How much of something all of the file may take.
+// A limit of memory or elements for the whole file, and the amount used so far.
 struct Budget {
     uint64_t limit = 0;
     const char* unit = "";
     uint64_t spent = 0;
 
-    // Before memory is taken. who: the element that takes it.
+    // Counts an amount; call it before memory is allocated. who: the element that needs it, for the message.
     void spend(uint64_t amount, const std::string& who) {
         if (amount > limit - spent)
             fault(who, " brings the model to more than the limit of ", limit, " ", unit);
@@ -62,7 +62,7 @@ struct Budget {
     }
 };
 
-struct ImageSource { // either
+struct ImageSource { // either a uri or a bufferView
     std::string uri;
     int bufferView = -1;
     std::string mimeType;
@@ -72,7 +72,7 @@ struct ImageSource { // either
 struct TextureTransform {
     glm::vec2 offset{0}, scale{1};
     float rotation = 0; // radians, about the picture's upper left corner
-    int texCoord = -1;  // instead of the texture's own; -1: that
+    int texCoord = -1;  // overrides the texture's own set; -1: none
 
     bool operator==(const TextureTransform&) const = default;
 };
@@ -82,7 +82,7 @@ struct TextureReference {
     int texCoord = 0;
 };
 
-// Of one material, as stated.
+// Extensions of one material, as the file states them.
 struct MaterialExtensions {
     double emissiveStrength = 1; // KHR_materials_emissive_strength
     bool unlit = false;          // KHR_materials_unlit
@@ -96,9 +96,9 @@ struct MaterialExtensions {
     bool clearcoatNormals = false;
 };
 
-// What a set of texture coordinates is made of: a set of the file's, transformed.
+// Source of a set of texture coordinates: a set of the file, and the transform applied to it.
 struct UvSource {
-    int texCoord = -1; // -1: nothing asks for the set
+    int texCoord = -1; // -1: no texture uses the set
     TextureTransform transform;
 
     bool operator==(const UvSource&) const = default;
@@ -112,16 +112,16 @@ struct GltfFile {
         keyValues{limits.maxKeyValues, "key values"};
     std::set<std::string> warnings;
 
-    tinygltf::Model gltf; // with its buffers' bytes; images are empty: see imageSources
+    tinygltf::Model gltf; // holds the buffers' bytes, but no images: see imageSources
     std::vector<ImageSource> imageSources;
     bool quantized = false;                             // KHR_mesh_quantization is used
     std::vector<MaterialExtensions> materialExtensions; // by material
-    // By material and use: base colour, metallic-roughness, normal, occlusion, emissive
+    // By material, then in the order of Material::textures().
     std::vector<std::array<TextureTransform, 9>> textureTransforms;
-    // By material: what the two sets that TextureUse::texCoord tells apart are made of, for its primitives
+    // Sources, by material, of the two sets in Primitive::texCoords to which TextureUse::texCoord refers.
     std::vector<std::array<UvSource, 2>> uvSources;
-    // KHR_materials_variants: its names, and materials by mesh, primitive and variant; -1: the primitive's
-    // own.
+    // KHR_materials_variants: names of the variants, and materials by mesh, primitive and variant; -1: the
+    // primitive's own material.
     std::vector<std::string> variants;
     std::vector<std::vector<std::vector<int>>> variantMaterials;
 
@@ -130,72 +130,72 @@ struct GltfFile {
     }
 };
 
-// All of these throw Fault.
+// All functions below throw Fault.
 
 // Reads and checks the file: container, JSON, types, indices, extensions, buffers, and that every bufferView
 // and accessor lies inside what it refers to. The functions below rely on it.
 void readDocument(GltfFile& file);
 
-// Holds a document against the specification before tinygltf sees it, which narrows 64-bit numbers, skips
-// what has the wrong type, and trusts some indices. Every member that the loader reads has the right type;
-// every number that names another element is the index of one; sizes and counts are 0 .. 2^31-1; numbers are
-// finite as floats; the lists are within maxElements (accessors and bufferViews within four times that).
+// Checks a document against the specification before tinygltf reads it, because tinygltf narrows 64-bit
+// numbers, skips members of the wrong type, and trusts some indices. Afterwards every member that the loader
+// reads has the right type; indices of elements are in range; sizes and counts are 0 .. 2^31-1; numbers are
+// finite as floats; lists have at most maxElements (accessors and bufferViews four times as many).
 void checkSchema(const nlohmann::json& document, uint32_t maxElements);
 
-// EXT_meshopt_compression. root: the document with its extensions, unchecked: what buffers and their views
-// say of it becomes members of theirs, of the extension's name, for checkSchema().
+// Copies the EXT_meshopt_compression object of each buffer and bufferView from its `extensions` to a member
+// of the extension's name, for checkSchema(). root: the document with its extensions, unchecked.
 void keepCompression(nlohmann::json& root);
-// root: checked. Buffers of which no bytes are needed: their views are decoded from others'. hasBinary: the
-// file is a GLB with a BIN chunk, buffer 0's.
+// Returns the indices of buffers whose bytes are not needed, because their views are decoded from other
+// buffers. root: checked. hasBinary: the file is a GLB with a BIN chunk, which is buffer 0.
 std::set<size_t> replacedBuffers(const nlohmann::json& root, bool hasBinary);
-// root: checked. Each compressed view becomes one of a new buffer that holds its decoded bytes.
+// Makes each compressed bufferView a view of a new buffer with its decoded bytes. root: checked.
 void decompressViews(GltfFile& file, nlohmann::json& root, std::vector<tinygltf::Buffer>& buffers);
 
-// root: the document with its extensions, unchecked. Fills file.materialExtensions.
+// Fills file.materialExtensions. root: the document with its extensions, unchecked.
 void readMaterialExtensions(const nlohmann::json& root, GltfFile& file);
-// Likewise. Fills file.textureTransforms.
+// Fills file.textureTransforms. root: as above.
 void readTextureTransforms(const nlohmann::json& root, GltfFile& file);
-// Likewise. Fills file.variants and file.variantMaterials.
+// Fills file.variants and file.variantMaterials. root: as above.
 void readVariants(const nlohmann::json& root, GltfFile& file);
 
-// The bytes behind a URI: a data URI, or a file at or below the model's own folder, wherever links lead.
-// who: the element that names the URI, for messages.
+// Returns the bytes of a data URI, or of a file at or below the model's own folder, to which links must lead
+// too. who: the element that names the URI, for messages.
 std::vector<uint8_t> readUri(GltfFile& file, const std::string& uri, const std::string& who);
 
-// PNG and JPEG, the two formats of core glTF. Size is read from the header and held against the limits before
-// anything is decoded. Grey and palette images are spread to RGBA; 16-bit ones keep their upper 8 bits.
+// Decodes a PNG or JPEG image, the two formats of core glTF. The size in its header is checked against the
+// limits first. Grey and palette images are converted to RGBA; 16-bit channels keep their upper 8 bits.
 ImageRgba8 decodeImage(GltfFile& file, std::span<const uint8_t> bytes, const std::string& who);
 
-// Every bufferView lies in its buffer, every accessor and its sparse part in their bufferViews, component
-// types exist, counts are at least 1.
+// Checks that every bufferView lies in its buffer, every accessor and its sparse part in their bufferViews,
+// that component types exist, and that counts are at least 1.
 void checkAccessors(GltfFile& file);
 
-// Components of one element: 1 for SCALAR ... 16 for MAT4.
+// Returns the number of components of one element: 1 for SCALAR ... 16 for MAT4.
 size_t componentCount(const tinygltf::Accessor& accessor);
 
-// count * components numbers of any component type, stride, normalization, sparse or not; matrices by
-// columns. Normalized integers become -1 .. 1 or 0 .. 1 (glTF 2.0 specification, 3.6.2.2), other integers
-// keep their value. All finite. Callers have held accessor.count against their limit.
+// Returns count * components numbers of any accessor, sparse or not; matrices by columns. Normalized integers
+// become -1 .. 1 or 0 .. 1 (glTF 2.0 specification, 3.6.2.2), other integers keep their value. All are
+// finite. The caller must have checked accessor.count against its limit.
 std::vector<float> readFloats(const tinygltf::Model& gltf, int accessor);
-std::vector<uint32_t> readIntegers(const tinygltf::Model& gltf, int accessor); // of unsigned ones
+std::vector<uint32_t> readIntegers(const tinygltf::Model& gltf, int accessor); // unsigned
 
-// Fills model.textures, materials and those of images that a material shows; the others stay empty.
+// Fills model.textures, materials and images; images that no material uses stay empty.
 void readMaterials(GltfFile& file, Model& model);
 
-// Fills model.nodes, order and skins. The nodes form trees; every skinned node in the scene has its joints
-// there.
+// Fills model.nodes, order and skins. Checks that the nodes form trees, and that the joints of every skinned
+// node in the scene are in the scene.
 void readNodes(GltfFile& file, Model& model);
 
-// Fills model.meshes; materials, nodes and skins must be there. Every primitive gets normals, and tangents if
-// its material has a normal map.
+// Fills model.meshes; materials, nodes and skins must have been read. Every primitive gets normals, and
+// tangents if its material has a normal map.
 void readMeshes(GltfFile& file, Model& model);
 
-// One primitive's vertex attributes and morph targets, as they stand in the file, with their types checked;
-// from.attributes must name POSITION. Normals and tangents of length 1, weights of sum 1 (the four heaviest,
-// where there are eight). who: "meshes[0].primitives[1]".
+// Returns one primitive's vertex attributes and morph targets, and checks their types; from.attributes must
+// contain POSITION. Normals and tangents get length 1, weights the sum 1 (of eight the four largest stay).
+// who: such as "meshes[0].primitives[1]".
 Primitive readAttributes(GltfFile& file, const tinygltf::Primitive& from, const std::string& who);
 
-// Fills model.animations; nodes and meshes must be there. Channels that can move nothing are left out.
+// Fills model.animations; nodes and meshes must have been read. Channels without effect are left out.
 void readAnimations(GltfFile& file, Model& model);
 
 } // namespace shoal::scene

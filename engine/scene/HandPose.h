@@ -47,7 +47,7 @@ constexpr std::array<std::string_view, kJointCount> kJointNames = {
     "little_tip",
 };
 
-// The joint each joint hangs from; -1 for the wrist, the root. The palm hangs from the wrist.
+// Parent of each joint; -1 for the wrist, the root. The palm's parent is the wrist.
 constexpr std::array<int, kJointCount> kJointParent = {1,  -1, 1,  2, 3,  4,  1,  6,  7, 8,  9,  1,  11,
                                                        12, 13, 14, 1, 16, 17, 18, 19, 1, 21, 22, 23, 24};
 
@@ -71,7 +71,7 @@ constexpr int fingerOfJoint(int joint) {
     return -1;
 }
 
-// Parts of a hand that touch and feel: the five fingers, by Finger, and the palm.
+// Parts of a hand that touch and feel: the five fingers, indexed by Finger, and the palm.
 constexpr int kHandParts = kFingerCount + 1;
 constexpr int kPalmPart = kFingerCount;
 
@@ -87,10 +87,10 @@ struct HandPose {
     float confidence = 0; // 0 to 1
     float grip = 0;       // 0 open to 1 fist
     float pinch = 0;      // 0 open to 1 thumb and index touch; a fist is not also a pinch
-    // Whether it pushes and touches. False while the hand glides to where it is seen again, or has only just
-    // appeared: it keeps the thing that it holds, and passes through everything else.
+    // Whether the hand collides with things. False while it glides to where it is seen again, and just after
+    // it has appeared: it then keeps what it holds, and passes through everything else.
     bool solid = true;
-    int64_t time_us = 0; // when it was seen, by the source's own clock
+    int64_t time_us = 0; // time of the measurement, by the source's own clock
     // Viewer's frame: eye at the origin, -Z ahead, +Y up, metres.
     std::array<Joint, kJointCount> joints{};
 };

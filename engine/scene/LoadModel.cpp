@@ -10,7 +10,7 @@ namespace shoal::scene {
 
 namespace {
 
-// Each number of the file is finite, but a chain of large scales may leave the range of floats.
+// Checks that matrices are finite: the file's numbers are, but nested large scales may exceed floats.
 void checkRestPose(const Model& model) {
     Pose pose;
     restPose(model, pose);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr size_t kMinTriangles = 24;
 constexpr float kLargestError = 0.1f;                              // of the primitive's extent
-constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.25f; // of it: 0.22 says less than 0.18
+constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.25f; // reported share: a quarter from 0.20 on
 
 Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {
-    std::vector<uint32_t> place(vertexCount); // ~0: not used
+    std::vector<uint32_t> place(vertexCount); // new index; ~0 if not used
     const size_t used =
         meshopt_optimizeVertexFetchRemap(place.data(), indices.data(), indices.size(), vertexCount);
     Lod lod{std::vector<uint32_t>(used), std::vector<uint32_t>(indices.size()), error};
@@ -36,7 +36,7 @@ std::vector<Lod> makeLods(const Primitive& primitive) {
         meshopt_optimizeVertexCache(coarser.data(), coarser.data(), coarser.size(), vertexCount);
         lods.push_back(compact(coarser, vertexCount, relativeError * extent));
     };
-    // Each is made from the original, so that errors do not add up.
+    // Each level is made from the original mesh, so that errors do not add up.
     size_t triangles = primitive.indices.size() / 3;
     while (triangles >= 2 * kMinTriangles) {
         float error = 0;
@@ -44,11 +44,11 @@ std::vector<Lod> makeLods(const Primitive& primitive) {
         coarser.resize(meshopt_simplify(coarser.data(), primitive.indices.data(), primitive.indices.size(),
                                         positions, vertexCount, sizeof(glm::vec3), triangles / 2 * 3,
                                         kStated * kLargestError, 0, &error));
-        if (coarser.empty() || coarser.size() / 3 * 4 > triangles * 3) break; // no more to be had
+        if (coarser.empty() || coarser.size() / 3 * 4 > triangles * 3) break; // hardly fewer triangles
         triangles = coarser.size() / 3;
         keep(error / kStated);
     }
-    // Many small separate parts keep their topology to the end; from afar nobody asks for it.
+    // A mesh of many small parts cannot be reduced with its topology, which nobody sees from afar.
     if (triangles >= 3 * kMinTriangles) {
         float error = 0;
         coarser.resize(primitive.indices.size());

@@ -1,4 +1,4 @@
-// Levels of detail of a mesh: a triangle smaller than a few pixels costs as much as a large one.
+// Makes levels of detail, because a triangle smaller than a few pixels costs as much as a large one.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -9,9 +9,9 @@
 namespace shoal::scene {
 
 struct Lod {
-    std::vector<uint32_t> vertices; // which of the primitive's; the rest is not needed
+    std::vector<uint32_t> vertices; // indices of the primitive's vertices that it uses
     std::vector<uint32_t> indices;  // triangles, into `vertices`
-    float error = 0;                // how far the surface moves at most, about, in the primitive's units
+    float error = 0;                // approximate greatest displacement of the surface, primitive's units
 };
 
 // Makes levels of about half the triangles of the one before, finest first, by quadric edge collapse

@@ -39,20 +39,20 @@ struct Material {
     glm::vec4 baseColourLin{1};
     float metallic = 1;
     float roughness = 1; // perceptual; alpha = roughness^2
-    // Fresnel reflectance of what is no metal, head on and at grazing angles
+    // Fresnel reflectance of the dielectric part at normal incidence (F0) and at grazing angles (F90)
     glm::vec3 dielectricF0{0.04f};
     float dielectricF90 = 1;
-    float clearcoat = 0, clearcoatRoughness = 0; // of a layer over all of it: how much there is, perceptual
+    float clearcoat = 0, clearcoatRoughness = 0; // strength, perceptual roughness
     glm::vec3 emissiveLin{0};
     float normalScale = 1;
     float occlusionStrength = 1;
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5f;
     bool doubleSided = false;
-    bool unlit = false; // shown in its base colour, whatever the light; what light would need is left default
+    bool unlit = false; // shown in its base colour, without lighting; most other members keep their defaults
     TextureUse baseColour, metallicRoughness, normal, occlusion, emissive;
-    TextureUse specular, specularColour; // A and RGB multiply both dielectric reflectances and their colour
-    TextureUse coat, coatRoughness;      // R and G multiply those of the clearcoat
+    TextureUse specular, specularColour; // A multiplies F0 and F90 of dielectrics, RGB multiplies F0
+    TextureUse coat, coatRoughness;      // R multiplies clearcoat, G clearcoatRoughness
 
     std::array<TextureUse, 9> textures() const {
         return {baseColour, metallicRoughness, normal, occlusion,    emissive,
@@ -72,14 +72,14 @@ struct Primitive { // triangles
     std::vector<glm::vec4> coloursLin;   // empty if absent
     std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
     std::vector<glm::vec4> weights;      // sum 1; empty if absent
-    // Self-occlusion at rest, in the mesh's frame: the body hides the share w + dot(xyz, d) of a direction d
-    // from a vertex. Empty: none.
+    // Self-occlusion at rest, in the mesh's frame: at a vertex the body occludes the share w + dot(xyz, d) of
+    // the light from direction d. Empty without self-occlusion.
     std::vector<glm::vec4> selfOcclusion;
-    std::vector<glm::vec4> selfOcclusionBesideOwn; // the same, bent, beside the body's own ellipsoids
+    std::vector<glm::vec4> selfOcclusionBesideOwn; // in a bent pose, beyond what its own ellipsoids occlude
     std::vector<uint32_t> indices;                 // a multiple of 3, all below positions.size()
     std::vector<MorphTarget> morphTargets;
     int material = -1;                 // index into Model::materials; -1: glTF's default material
-    std::vector<int> variantMaterials; // per Model::variants, -1: as it is; empty without variants
+    std::vector<int> variantMaterials; // by variant; -1: `material`; empty without variants
 };
 
 struct Mesh {
@@ -102,8 +102,7 @@ struct Transform {
 struct Node {
     std::string name;
     Transform parentFromNode;
-    std::optional<glm::mat4>
-        matrix; // instead of the transform, where the file gives one that cannot be split
+    std::optional<glm::mat4> matrix; // replaces the transform if the file's matrix cannot be decomposed
     int parent = -1;
     std::vector<int> children;
     int mesh = -1;
@@ -139,40 +138,40 @@ struct Model {
     int findAnimation(const std::string& name) const; // -1 if absent
     int findNode(const std::string& name) const;      // -1 if absent
     const Material& materialOf(const Primitive&) const;
-    const ImageRgba8* imageOf(const TextureUse&) const; // null: none
+    const ImageRgba8* imageOf(const TextureUse&) const; // null without one
 };
 
 // Gives each primitive its material of this variant. Materials that no primitive uses then lose their
 // textures, so that these are not uploaded. False if there is no such variant.
 bool applyVariant(Model&, const std::string& variant);
 
-// The state of a model at one moment. Reused between frames: nothing allocates after the first use.
+// The pose of a model at one moment. Reused between frames; nothing allocates after the first use.
 struct Pose {
     std::vector<Transform> local;                 // per node
     std::vector<glm::mat4> modelFromNode;         // per node
     std::vector<std::vector<float>> morphWeights; // per node; empty without morph targets
 };
 
-// Sets the pose of the file, without any animation; modelFromNode included.
+// Sets the pose that the file gives without animation, modelFromNode included.
 void restPose(const Model&, Pose&);
 
 // Overwrites the animated transforms and weights of pose.local at this time (clamped to the animation's span;
-// the caller wraps loops). weight blends between what is there (0) and the animation (1).
+// the caller wraps loops). weight blends between the given pose (0) and the animation (1).
 void animate(const Model&, int animation, float time_s, Pose&, float weight = 1);
 
 // Fills modelFromNode from local, for the nodes in model.order; the others keep theirs.
 void updateGlobals(const Model&, Pose&);
 
-// modelFromMesh matrices of a skin's joints: modelFromNode * jointFromMesh. out is resized to the joint
-// count.
+// Computes the modelFromMesh matrices of a skin's joints: modelFromNode * jointFromMesh. out is resized to
+// the joint count.
 void skinMatrices(const Model&, int skin, const Pose&, std::vector<glm::mat4>& out);
-// Returns the matrix by which a vertex with joints moves. joints: of skinMatrices().
+// Returns the weighted skinning matrix of a vertex. joints: result of skinMatrices().
 glm::mat4 skinMatrix(const Primitive&, size_t vertex, std::span<const glm::mat4> joints);
 
 struct MorphedVertex {
-    glm::vec3 position, normal; // the normal of any length
+    glm::vec3 position, normal; // the normal is not normalised
 };
-// weights: of the targets; the others count nothing.
+// Returns a vertex with its morph targets applied. weights: by target; missing weights are 0.
 MorphedVertex morphed(const Primitive&, size_t vertex, std::span<const float> weights);
 
 struct Bounds {

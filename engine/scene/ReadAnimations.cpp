@@ -17,7 +17,7 @@ using Target = Channel::Target;
 
 struct TargetKind {
     Target target;
-    int type;          // of the accessor with its values
+    int type;          // type of the accessor with its values
     bool mayBeInteger; // normalized
 };
 const std::map<std::string, TargetKind> kTargets = {
@@ -47,7 +47,7 @@ std::vector<float> readTimes(GltfFile& file, int input, const std::string& who) 
     return times_s;
 }
 
-// Spline tangents, which lie beside each value, keep their length.
+// Normalises the rotations of all keys; the tangents of splines stay as they are.
 void normaliseRotations(Channel& channel, const std::string& who) {
     const bool spline = channel.interpolation == Interpolation::CubicSpline;
     for (size_t i = spline ? 4 : 0; i < channel.values.size(); i += spline ? 12 : 4) {
@@ -74,7 +74,7 @@ void readValues(GltfFile& file, int output, const TargetKind& kind, size_t perKe
     if (channel.target == Target::Rotation) normaliseRotations(channel, name);
 }
 
-// animation: "animations[0]"; who: its channel.
+// Reads a channel. animationName: "animations[0]"; who: the channel's name in messages.
 std::optional<Channel> readChannel(GltfFile& file, const Model& model, const tinygltf::Animation& animation,
                                    const tinygltf::AnimationChannel& from, const std::string& animationName,
                                    const std::string& who) {

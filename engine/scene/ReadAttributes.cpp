@@ -11,7 +11,7 @@ namespace shoal::scene {
 
 namespace {
 
-// What an attribute may hold besides floats: unsigned integers that stand for 0 .. 1.
+// Integers that an attribute may hold instead of floats: none, or unsigned ones normalised to 0 .. 1.
 enum class Integers { None, Normalized };
 
 template <class Vector> std::vector<Vector> packed(const std::vector<float>& numbers) {
@@ -32,7 +32,7 @@ class Attributes {
         return file_.gltf.accessors[names_.at(name)];
     }
 
-    // KHR_mesh_quantization allows any integers.
+    // Reads an attribute as floats. KHR_mesh_quantization allows integers of 8 and 16 bits in any attribute.
     std::vector<float> floats(const char* name, std::initializer_list<int> types,
                               Integers integers = Integers::None) const {
         const tinygltf::Accessor& a = accessor(name);
@@ -47,13 +47,13 @@ class Attributes {
         return readIntegers(file_.gltf, names_.at(name));
     }
 
-    // Empty where there are none.
+    // Returns the attribute's vectors; empty if the primitive does not have it.
     std::vector<glm::vec3> vectors(const char* name) const {
         return has(name) ? packed<glm::vec3>(floats(name, {TINYGLTF_TYPE_VEC3})) : std::vector<glm::vec3>();
     }
 
   private:
-    static bool isUnsignedShort(const tinygltf::Accessor& a) { // or shorter
+    static bool isUnsignedShort(const tinygltf::Accessor& a) { // of 8 or 16 bits
         return a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
     }
@@ -106,12 +106,12 @@ void readShading(const Attributes& attributes, GltfFile& file, Primitive& primit
     }
 }
 
-// The four heaviest influences of each vertex, scaled to the sum 1. A vertex without any hangs on its first
-// joint.
+// Reads the four heaviest influences of each vertex, scaled to the sum 1. A vertex without weights follows
+// its first joint.
 void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primitive) {
     struct Set {
         std::vector<uint32_t> joints;
-        std::vector<float> weights; // four a vertex each
+        std::vector<float> weights; // joints and weights: four for each vertex
     };
     std::vector<Set> sets;
     for (const auto& [joints, weights] : {std::pair{"JOINTS_0", "WEIGHTS_0"}, {"JOINTS_1", "WEIGHTS_1"}}) {

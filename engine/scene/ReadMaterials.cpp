@@ -9,7 +9,7 @@ namespace shoal::scene {
 
 namespace {
 
-constexpr double kMaxEmissiveStrength = 1e4; // times white; half floats hold it
+constexpr double kMaxEmissiveStrength = 1e4; // times white; fits into half floats
 constexpr double kMaxSpecularColour = 1e4;   // its product with the reflectance is clipped to 1
 
 Texture::Wrap wrapMode(int mode, const std::string& who) {
@@ -47,8 +47,8 @@ AlphaMode alphaMode(const std::string& mode, const std::string& who) {
     fault(who, ".alphaMode is ", quoted(mode), ", no mode of glTF");
 }
 
-// Which of the two sets is this one; -1: both are other ones. Where it can it keeps the number that it has in
-// the file.
+// Returns the index of the wanted set among the two, and adds it if there is room; -1 if both are different.
+// It keeps its number from the file if possible.
 int setOf(std::array<UvSource, 2>& sets, const UvSource& wanted) {
     for (const int k : {wanted.texCoord, 1 - wanted.texCoord}) {
         UvSource& set = sets[static_cast<size_t>(k)];
@@ -58,7 +58,7 @@ int setOf(std::array<UvSource, 2>& sets, const UvSource& wanted) {
     return -1;
 }
 
-// The nearest number within 0 .. high, with a warning where that is another.
+// Clamps to 0 .. high, with a warning if that changes the value.
 float within(GltfFile& file, double value, double high, const std::string& who) {
     const double nearest = std::clamp(value, 0.0, high);
     if (nearest != value) file.warn(who, " is ", value, "; ", nearest, " is taken");
@@ -94,7 +94,7 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t ind
     };
     const MaterialExtensions& extensions = file.materialExtensions[index];
     std::array<UvSource, 2>& sets = file.uvSources.emplace_back();
-    size_t slot = 0; // of textureTransforms: called in its order
+    size_t slot = 0; // index into textureTransforms; use() is called in its order
     const auto use = [&](const auto& info, const char* name) -> TextureUse {
         TextureTransform transform = file.textureTransforms[index][slot++];
         if (info.index < 0 || file.gltf.textures[info.index].source < 0) return {};
@@ -158,7 +158,7 @@ using Json = nlohmann::json;
 
 constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strength";
 constexpr const char* kTextureTransform = "KHR_texture_transform";
-constexpr double kMaxTransform = 1e4; // of its numbers, either way
+constexpr double kMaxTransform = 1e4; // largest absolute value of its numbers
 constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr const char* kIor = "KHR_materials_ior";
 constexpr const char* kSpecular = "KHR_materials_specular";
@@ -166,7 +166,7 @@ constexpr const char* kClearcoat = "KHR_materials_clearcoat";
 constexpr const char* kVariants = "KHR_materials_variants";
 constexpr size_t kMaxVariants = 256;
 
-// What may be anything at all is taken for empty where it is not what it should be: the schema says the rest.
+// The functions below treat members that are missing or of the wrong type as empty.
 const Json& member(const Json& value, const char* key) {
     static const Json kNothing;
     const auto found = value.find(key);
@@ -188,7 +188,7 @@ double number(const Json& value, const char* key, double otherwise) {
     return found.is_number() ? found.get<double>() : otherwise;
 }
 
-// Whole numbers may be written as 1.0; they become integers only later.
+// Returns an index below count, or throws. It may be written as 1.0: tidy() makes integers only later.
 int reference(const Json& value, const char* to, size_t count, const std::string& who) {
     const double number = value.is_number() ? value.get<double>() : -1;
     if (!(number >= 0 && number < static_cast<double>(count)))
@@ -213,7 +213,7 @@ void readMaterials(GltfFile& file, Model& model) {
         model.materials.push_back(readMaterial(file, material, model.materials.size(),
                                                element("materials", model.materials.size())));
 
-    // Images that nothing shows may be of any format: alternatives for extensions, or left over.
+    // Images that no material uses may be of any format, such as alternatives for extensions.
     model.images.resize(file.imageSources.size());
     for (const Material& material : model.materials)
         for (const TextureUse& use : material.textures()) {

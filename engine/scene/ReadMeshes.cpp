@@ -10,10 +10,10 @@ namespace shoal::scene {
 
 namespace {
 
-// The vertices in the order in which they are drawn.
+// Returns the vertex indices in drawing order, for the primitive's mode.
 std::vector<uint32_t> readIndices(GltfFile& file, const tinygltf::Primitive& from, size_t vertices,
                                   const std::string& who) {
-    const uint64_t perIndex = from.mode == TINYGLTF_MODE_TRIANGLES ? 1 : 3; // strips and fans grow
+    const uint64_t perIndex = from.mode == TINYGLTF_MODE_TRIANGLES ? 1 : 3; // strips become triangle lists
     if (from.indices < 0) {
         file.indices.spend(vertices * perIndex, who);
         std::vector<uint32_t> indices(vertices);
@@ -38,7 +38,7 @@ std::vector<uint32_t> readIndices(GltfFile& file, const tinygltf::Primitive& fro
     return indices;
 }
 
-// glTF 2.0 specification 3.7.2.1. Triangles without area, by which strips are joined, are left out.
+// Converts a strip or fan to triangles (glTF 2.0, 3.7.2.1), without the degenerate ones that join strips.
 std::vector<uint32_t> triangleList(const std::vector<uint32_t>& drawn, int mode) {
     std::vector<uint32_t> list;
     const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
@@ -82,7 +82,7 @@ bool movesAny(const std::array<UvSource, 2>& sets) {
     return false;
 }
 
-// Texture coordinates as the material's textures want them (KHR_texture_transform).
+// Applies the texture transforms of the material's two sets (KHR_texture_transform).
 void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
     if (!movesAny(sets)) return;
     const std::vector<glm::vec2> given[2] = {primitive.texCoords[0], primitive.texCoords[1]};
@@ -172,7 +172,7 @@ void checkNodeWeights(const Model& model) {
     }
 }
 
-// Joints in range of every skin that the mesh is drawn with; where it is drawn with none, they go.
+// Checks that joints are in range of every skin that the mesh is drawn with; without one they are removed.
 void checkJoints(Model& model) {
     constexpr size_t kNoSkin = std::numeric_limits<size_t>::max();
     std::vector<size_t> jointCount(model.meshes.size(), kNoSkin);

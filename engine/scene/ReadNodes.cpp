@@ -12,8 +12,8 @@ namespace shoal::scene {
 
 namespace {
 
-// Makes the last row 0 0 0 1; false where it is far from that. Exporters write exact zeros and ones; the
-// slack is for files that went through 16-bit numbers.
+// Sets the last row to 0 0 0 1; returns false if it is not nearly that. Exporters write exact zeros and ones;
+// the tolerance is for files that went through 16-bit numbers.
 bool makeAffine(glm::mat4& m) {
     constexpr float kSlack = 1e-3f;
     for (int column = 0; column < 4; ++column) {
@@ -31,14 +31,14 @@ std::optional<Transform> split(const glm::mat4& parentFromNode) {
     glm::mat3 axes(parentFromNode);
     for (int i = 0; i < 3; ++i) {
         t.scale[i] = glm::length(axes[i]);
-        if (!std::isnormal(t.scale[i])) return std::nullopt; // flattened, or too long or short for floats
+        if (!std::isnormal(t.scale[i])) return std::nullopt; // 0, or out of the range of floats
         axes[i] /= t.scale[i];
     }
     // Matrices printed with six digits are orthogonal to about 1e-6 an element; sheared ones are off by more.
     constexpr float kSlack = 1e-4f;
     for (int i = 0; i < 3; ++i)
         if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > kSlack) return std::nullopt;
-    if (glm::determinant(axes) < 0) { // a mirror: any axis will do
+    if (glm::determinant(axes) < 0) { // a reflection: any axis can be the negative one
         t.scale.x = -t.scale.x;
         axes[0] = -axes[0];
     }
@@ -93,7 +93,7 @@ std::vector<int> withDescendants(const Model& model, std::vector<int> nodes) {
     return nodes;
 }
 
-// Returns the nodes without a parent.
+// Sets the parents of all nodes, and returns the nodes without one.
 std::vector<int> joinParents(Model& model) {
     const auto count = static_cast<int>(model.nodes.size());
     for (int i = 0; i < count; ++i)
@@ -115,7 +115,7 @@ std::vector<int> joinParents(Model& model) {
     return roots;
 }
 
-// Roots of the default scene.
+// Returns the roots of the default scene.
 std::vector<int> sceneRoots(const tinygltf::Model& gltf, const Model& model) {
     const int scene = std::max(gltf.defaultScene, 0);
     std::set<int> taken;

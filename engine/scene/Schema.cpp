@@ -11,10 +11,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The members that are read: glTF 2.0 specification, appendix A "JSON Schema Reference". A name that ends in
-// ! must be there. "count": 0 .. 2^31-1. "@nodes": the index of an element in the top-level list `nodes`.
-// [x]: a list of x; [x, n]: of n of them. {"*": x}: an object whose every member is x. Members named as an
-// extension are what keepCompression() makes of it.
+// Schema of the members that are read: glTF 2.0 specification, appendix A "JSON Schema Reference". A name
+// that ends in ! is required. "count": 0 .. 2^31-1. "@nodes": an index into the top-level list `nodes`. [x]:
+// a list of x; [x, n]: a list of n numbers. {"*": x}: an object whose every member is x. keepCompression()
+// makes the members that are named as an extension.
 const char* const kShape = R"({
   "asset!": {"version!": "text", "minVersion": "text", "generator": "text", "copyright": "text"},
   "extensionsUsed": ["text"], "extensionsRequired": ["text"],

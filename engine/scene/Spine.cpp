@@ -14,7 +14,7 @@ namespace shoal::scene {
 
 namespace {
 
-constexpr float kCentreOfMass = 0.4f; // of the length behind the snout, as in most fish
+constexpr float kCentreOfMass = 0.4f; // share of the length behind the snout, as in most fish
 constexpr size_t kMinNodes = 3;
 
 // Returns a joint's matrix in the frame of the first joint's parent; scale plays no part along a spine.
@@ -36,7 +36,7 @@ glm::vec3 positionOf(const Pose& pose, int node) {
     return glm::vec3(pose.modelFromNode[static_cast<size_t>(node)][3]);
 }
 
-// Returns the longest line of joints, each the parent of the next, along -z or along +z.
+// Returns the longest chain of joints, each the parent of the next, along -z or along +z.
 std::vector<int> longestLine(const Model& model, const Pose& pose) {
     std::vector<bool> isJoint(model.nodes.size(), false);
     for (const Skin& skin : model.skins)
@@ -45,7 +45,7 @@ std::vector<int> longestLine(const Model& model, const Pose& pose) {
         const glm::vec3 step = positionOf(pose, child) - positionOf(pose, node);
         return direction * step.z > 0.7f * glm::length(step);
     };
-    // The longest line from each joint on; children come after their parents in the order.
+    // Finds the longest chain that starts at each joint, from the leaves up: order has parents first.
     std::vector<int> best;
     for (const float direction : {-1.0f, 1.0f}) {
         std::vector<size_t> steps(model.nodes.size(), 0);
@@ -90,7 +90,7 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
         joint.node = best[i];
         joint.rest = model.nodes[static_cast<size_t>(best[i])].parentFromNode;
         joint.nodeFromModel = glm::conjugate(rotationOf(pose.modelFromNode[static_cast<size_t>(best[i])]));
-        // Each joint takes half of the segments before and behind it; one that carries the whole body, none.
+        // A joint's share is half the length of its two segments; the first, which moves the body, has none.
         const float z = place(best[i]).z;
         const float after =
             i + 1 < best.size() ? std::abs(z - place(best[i + 1]).z) : (tailwards ? z - low_m : high_m - z);
@@ -100,7 +100,7 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
         spine.joints.push_back(joint);
         if (std::abs(z - centre_m) < std::abs(place(best[spine.middle]).z - centre_m)) spine.middle = i;
     }
-    // Left is +x: a turn about +y carries the part behind to the right.
+    // Left is +x: a rotation about +y moves the part behind the joint to the right.
     for (Spine::Joint& joint : spine.joints) joint.share *= (tailwards ? -1.0f : 1.0f) / total;
     spine.last = tailwards ? best.size() - 1 : 0;
     const glm::mat4& tail = pose.modelFromNode[static_cast<size_t>(best[spine.last])];
@@ -159,7 +159,7 @@ void scaleWave(const Spine& spine, float factor, Pose& pose) {
 void bend(const Spine& spine, float left, float up, Pose& pose) {
     if (spine.joints.empty() || (left == 0 && up == 0)) return;
     const glm::mat4 before = upTo(spine, spine.middle, pose);
-    // A turn about +x lifts the part behind, a turn about +y carries it to the right.
+    // A rotation about +x lifts the part behind the joint, one about +y moves it to the right.
     const glm::vec3 turn(-up, left, 0);
     const float angle = glm::length(turn);
     for (const Spine::Joint& joint : spine.joints) {

@@ -16,7 +16,7 @@ namespace shoal::scene {
 
 namespace {
 
-// Appends the primitive as this node's pose has it.
+// Appends a node's primitive, morphed and skinned by the pose, to the surface.
 void append(const Model& model, const Node& node, uint16_t index, const Pose& pose,
             std::span<const glm::mat4> joints, const Primitive& primitive, Surface& surface) {
     const bool skinned = node.skin >= 0 && !primitive.joints.empty();
@@ -47,11 +47,11 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
     }
 }
 
-// Factor on radii, for skin that several nodes move and triangles between two spheres; fingers bent by more
-// than a right angle need it.
+// Factor on radii, so that spheres cover skin that several nodes move and triangles between two spheres;
+// fingers bent by more than a right angle need it.
 constexpr float kWider = 1.2f;
-constexpr float kLongest = 1.6f;    // of the next longest side: longer things are two,
-constexpr size_t kMinPositions = 8; // but not things of so few positions
+constexpr float kLongest = 1.6f;    // times the second longest side: longer boxes are halved
+constexpr size_t kMinPositions = 8; // boxes with so few positions are not halved
 
 void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere>& all) {
     glm::vec3 low = positions[0], high = positions[0];
@@ -114,7 +114,7 @@ glm::vec3 meanBaseColour(const Model& model) {
             const Material& material = model.materialOf(primitive);
             glm::dvec3 colour(material.baseColourLin);
             if (const ImageRgba8* texels = model.imageOf(material.baseColour)) {
-                constexpr size_t kEvery = 7; // odd: no column of any width is left out
+                constexpr size_t kEvery = 7; // texels; odd, so that no column is left out
                 glm::dvec3 mean(0);
                 double count = 0;
                 for (size_t i = 0; i + 3 < texels->pixels.size(); i += 4 * kEvery, ++count)
@@ -135,7 +135,7 @@ glm::vec3 meanBaseColour(const Model& model) {
 
 namespace {
 
-// Returns the least of all but the smallest hundredth of a channel's values, 0 to 1.
+// Returns the minimum of a channel, 0 to 1, ignoring the smallest hundredth of its values.
 float minOf(const ImageRgba8& texels, size_t channel) {
     std::array<size_t, 256> counts{};
     for (size_t i = channel; i < texels.pixels.size(); i += 4) ++counts[texels.pixels[i]];

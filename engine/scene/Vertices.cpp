@@ -26,7 +26,7 @@ glm::vec3 triangleNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dv
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
-// Returns for each vertex the one that stands for all with the same position, normal and texture coordinates.
+// Returns for each vertex an index that all with the same position, normal and texture coordinates share.
 std::vector<uint32_t> weld(const Primitive& primitive, const std::vector<glm::vec2>& uv) {
     std::vector<std::array<float, 8>> keys(primitive.positions.size());
     for (size_t v = 0; v < keys.size(); ++v) {
@@ -40,8 +40,8 @@ std::vector<uint32_t> weld(const Primitive& primitive, const std::vector<glm::ve
     return welded;
 }
 
-// How a texture lies on triangles. u, v turn the same way as the corners (v downwards), the other way, or the
-// triangle has no area in space or in the texture.
+// Orientation of a texture on a triangle: u, v (v downwards) turn the same way as the corners, or the other
+// way, or the triangle has no area in space or in the texture.
 enum Hand : uint8_t { kTurnsWith, kTurnsAgainst, kFlat };
 struct Mapping {
     glm::vec3 alongU{0}; // unit
@@ -68,7 +68,7 @@ glm::vec3 safeNormalize(const glm::dvec3& v, const glm::vec3& otherwise) {
 }
 
 glm::vec3 perpendicular(const glm::vec3& unit) {
-    // Crossed with the axis that it leans on least.
+    // The cross product with the axis along which the vector's component is smallest.
     const glm::vec3 size = glm::abs(unit);
     glm::vec3 axis(0, 0, 1);
     if (size.x <= size.y && size.x <= size.z)
@@ -125,7 +125,7 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
     const std::vector<glm::vec2>& uv = primitive.texCoords[texCoord];
     const std::vector<uint32_t>& indices = primitive.indices;
     const std::vector<uint32_t> welded = weld(primitive, uv);
-    // Sums over all triangles that meet in a welded vertex, by hand.
+    // Tangent sums over all triangles that meet in a welded vertex, one for each Hand.
     std::vector<std::array<glm::vec3, 2>> sums(welded.size(), {glm::vec3(0), glm::vec3(0)});
     std::vector<std::array<bool, 2>> any(welded.size(), {false, false});
     std::vector<Hand> hands;
@@ -137,7 +137,7 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
         const Mapping mapping = mappingOf(p, texel);
         hands.push_back(mapping.hand);
         if (mapping.hand == kFlat) continue;
-        // The direction laid into the plane of each corner's normal, weighted by the corner's angle there.
+        // Projects the tangent into the plane of each corner's normal, weighted by the corner's angle there.
         for (size_t k = 0; k < 3; ++k) {
             const glm::dvec3 n(primitive.normals[indices[i + k]]);
             const auto inPlane = [&](const glm::dvec3& v) {
@@ -149,7 +149,7 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
             any[welded[indices[i + k]]][mapping.hand] = true;
         }
     }
-    // Flat triangles take whichever hand is there already.
+    // A flat triangle takes the hand that other triangles have at the corner, kTurnsAgainst by default.
     const auto handAt = [&](size_t corner) {
         if (hands[corner / 3] != kFlat) return hands[corner / 3];
         const auto& there = any[welded[indices[corner]]];

@@ -1,4 +1,4 @@
-// Vertices of a primitive reordered, and normals and tangents where a file has none.
+// Reorders a primitive's vertices, and makes normals and tangents where a file has none.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -9,18 +9,18 @@
 
 namespace shoal::scene {
 
-// Returns the vector at unit length, or `otherwise` where it has no direction. Double, so that no finite
-// vector overflows.
+// Returns the vector at unit length, or `otherwise` if it has no direction. It computes in doubles, so that
+// no finite vector overflows.
 glm::vec3 safeNormalize(const glm::dvec3& v, const glm::vec3& otherwise);
 
 // Returns a unit vector at right angles to a unit vector.
 glm::vec3 perpendicular(const glm::vec3& unit);
 
-// Makes vertex i the old vertex source[i], with all its attributes and morphs. The caller adapts the indices.
+// Makes vertex i the old vertex source[i], with its attributes and morph targets. The indices stay unchanged.
 void takeVertices(Primitive& primitive, std::span<const uint32_t> source);
 
-// glTF 2.0 specification 3.7.2.1: three vertices a triangle, each with the triangle's normal; morph targets
-// get the differences of the normals they make. Tangents and morphed tangents are dropped, as there.
+// Makes flat normals by the glTF 2.0 specification, 3.7.2.1: three vertices a triangle, each with its normal;
+// morph targets get the change of that normal. Tangents, those of morph targets too, are dropped as it asks.
 void makeFlatNormals(Primitive& primitive);
 
 // Vertices after splitting: vertex i is the old vertex source[i], with tangents[i].
@@ -35,7 +35,7 @@ struct TangentSplit {
 // it. Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", section 3 and appendix A: averages the
 // tangents of triangles that share a corner (same position, normal and texture coordinate) and have their
 // texture the same way round, weighted by the corner's angle; such triangles need not share edges here.
-// texCoord: the normal map's set, 0 or 1, which must be there, as must normals; v grows downwards. Corners
+// texCoord: the normal map's set, 0 or 1; the primitive must have it, and normals. v grows downwards. Corners
 // without a direction (no area, no extent in the texture) get any tangent at right angles to their normal.
 TangentSplit makeTangents(const Primitive& primitive, int texCoord);
 

@@ -10,11 +10,11 @@ namespace shoal::sim {
 constexpr int kTickRate_Hz = 120;
 constexpr float kTick_s = 1.0f / kTickRate_Hz;
 
-// Time is kept as a whole number of 1/120 ns, so no rounding piles up: frames that sum to T seconds run
+// Time is an integer number of 1/120 ns, so rounding errors do not add up: frames that sum to T seconds run
 // exactly floor(120 T) ticks, whatever their lengths.
 class FixedStep {
   public:
-    // Longer times are forgotten: after a breakpoint the game does not race.
+    // Longer times are cut to this, so that the game does not race after a breakpoint.
     static constexpr double kMaxCatchUp_s = 0.5;
 
     // Adds the time since the last call, seconds; negative or not finite counts as 0. Returns how many ticks
@@ -35,7 +35,7 @@ class FixedStep {
     }
 
   private:
-    static constexpr int64_t kTick = 1'000'000'000; // a second holds 120 of them
+    static constexpr int64_t kTick = 1'000'000'000; // a tick, 1/120 ns
     int64_t rest_ = 0;                              // 1/120 ns
 };
 

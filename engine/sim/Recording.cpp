@@ -36,7 +36,7 @@ template <class T> T valueAt(Bytes bytes, size_t at) {
 Bytes asBytes(std::string_view text) { return {reinterpret_cast<const uint8_t*>(text.data()), text.size()}; }
 
 uint32_t crcOf(Bytes bytes, uint32_t crc = 0) {
-    // zlib begins anew where it is given no address.
+    // zlib would start a new checksum if it were given a null pointer.
     return bytes.empty() ? crc : static_cast<uint32_t>(crc32_z(crc, bytes.data(), bytes.size()));
 }
 
@@ -130,7 +130,7 @@ Result<RecordingReader> RecordingReader::open(const Path& path) {
     return RecordingReader(std::move(file));
 }
 
-// rest: what follows the header. Ends with the first block that is not whole.
+// Finds the complete blocks, up to the first that is incomplete or damaged. rest: the bytes after the header.
 void RecordingReader::findBlocks(File& file, Bytes rest) {
     while (rest.size() >= kBlockPrefix) {
         const auto ticks = valueAt<uint32_t>(rest, 0), length = valueAt<uint32_t>(rest, 4);

@@ -1,11 +1,11 @@
-// Replays: the inputs of every tick and the hash of the state each led to. A bug report, a determinism test
-// and a benchmark in one file.
+// Recordings of the input of every tick, with the hash of the state after it. A file serves as a bug report,
+// a determinism test and a benchmark.
 //
 // The file, little-endian: "SHOALRE2", uint32 length and uint32 CRC-32 of the JSON header, the header; then
-// blocks of up to one second: uint32 ticks, uint32 length of the packed body, uint32 CRC-32 of
-// these two and the body, the body. The body is one zlib stream of, per tick, the input bytes XOR those of
-// the tick before in the same block, then the 8 bytes of the hash. A block of no ticks ends the file. Blocks
-// are written as they fill: after a crash the file is read up to its last whole block.
+// blocks of up to one second: uint32 ticks, uint32 length of the packed body, uint32 CRC-32 of these two and
+// the body, the body. The body is one zlib stream with, for each tick, the input bytes XOR those of the
+// previous tick in the block, then the 8 bytes of the hash. A block without ticks ends the file. A block is
+// written when it is full: after a crash the file can be read up to its last complete block.
 #pragma once
 
 #include "engine/core/WriteFile.h"
@@ -37,8 +37,8 @@ class RecordingWriter {
 
     // input.size() == header.inputBytes. After an error, such as a full disk, nothing more may be added.
     Status add(std::span<const uint8_t> input, uint64_t hash);
-    // Marks the end, and waits until the disk has it. Without this the file ends after its last whole block,
-    // as after a crash.
+    // Writes the end mark, and waits until the file is on the disk. Without this call the file ends after its
+    // last complete block, as after a crash.
     Status finish();
 
   private:
@@ -47,8 +47,8 @@ class RecordingWriter {
 
     GrowingFile file_;
     std::vector<uint8_t> before_; // the last tick's input
-    std::string body_;            // the present block, not yet packed
-    uint32_t ticks_ = 0;          // ticks of the present block
+    std::string body_;            // the current block, not yet packed
+    uint32_t ticks_ = 0;          // ticks of the current block
 };
 
 struct RecordedTick {
@@ -56,21 +56,21 @@ struct RecordedTick {
     uint64_t hash;
 };
 
-// Reads one from its first tick to its last. The file is held as it is, packed; copies share it and read on
-// by themselves.
+// Reads a recording tick by tick. The packed file is kept in memory; copies of a reader share it, each with
+// its own position.
 class RecordingReader {
   public:
-    // Fails on anything that is not a recording of this tick rate. What follows damage is left out.
+    // Fails if the file is not a recording of this tick rate. Ticks after a damaged block are left out.
     static Result<RecordingReader> open(const Path& file);
 
     const RecordingHeader& header() const { return file_->header; }
     uint64_t ticks() const { return file_->ticks; }
-    // False: the end mark is missing; the program that wrote it was stopped.
+    // Returns whether the file has its end mark; it is missing if the recording program was stopped.
     bool complete() const { return file_->complete; }
     uint64_t position() const { return position_; } // ticks read
     bool atEnd() const { return position_ == ticks(); }
 
-    // !atEnd()
+    // Reads the next tick. Requires !atEnd().
     Result<RecordedTick> next();
 
   private:
@@ -92,13 +92,13 @@ class RecordingReader {
 
     std::shared_ptr<const File> file_;
     uint64_t position_ = 0;
-    size_t block_ = 0;           // the next one to unpack
-    std::vector<uint8_t> body_;  // the present block, unpacked
+    size_t block_ = 0;           // index of the next block
+    std::vector<uint8_t> body_;  // the current block, unpacked
     size_t at_ = 0;              // bytes of it that have been read
     std::vector<uint8_t> input_; // input of the last tick read
 };
 
-// Fails, naming the tick, where the hash of its state now is not the recorded one.
+// Fails, with the tick in its message, if the recorded hash differs from that of the state now.
 Status sameState(uint64_t tick, uint64_t recorded, uint64_t now);
 
 } // namespace shoal::sim

@@ -48,7 +48,7 @@ ShoalLightStatus fail(ShoalLightStatus status, const char* why) {
 }
 ShoalLightStatus bad(const char* why) { return fail(SHOAL_LIGHT_BAD_ARGUMENT, why); }
 
-// Nothing but memory can fail here once arguments are checked.
+// Runs work and turns any exception into a status: with checked arguments only memory can run out.
 template <class Work> ShoalLightStatus guarded(const Work& work) {
     try {
         work();
@@ -58,7 +58,7 @@ template <class Work> ShoalLightStatus guarded(const Work& work) {
     }
 }
 
-// Returns 0 for what is no format.
+// Returns the size of a pixel; 0 for an unknown format.
 int bytesPerPixel(int32_t format) {
     constexpr std::array kBytes = {3, 3, 4, 4, 12, 16}; // by ShoalLightFormat
     return format < 0 || format > SHOAL_LIGHT_RGBA32F ? 0 : kBytes[static_cast<size_t>(format)];
@@ -105,7 +105,7 @@ ShoalLightTexture textureOf(const light::HalfImage& image) {
     return {image.pixels.data(), image.width, image.height};
 }
 
-// Returns whether a look-up stays within the map, whatever the caller passed.
+// Returns whether the light is made and the direction finite, so that a look-up stays within the map.
 bool canBeLookedUp(const ShoalLight* light, const float* direction) {
     return light && !light->packed.places.empty() &&
            std::isfinite(direction[0] + direction[1] + direction[2]);
@@ -199,7 +199,7 @@ ShoalLightStatus shoalLightMake(ShoalLightMaker* maker, const ShoalLightFrame* f
         for (const light::HalfImage& level : light->packed.mirrors)
             light->mirrors.push_back(textureOf(level));
     });
-    if (status != SHOAL_LIGHT_OK) { // both may be half made
+    if (status != SHOAL_LIGHT_OK) { // the light and the maker may be incomplete
         *light = ShoalLight();
         maker->maker = light::LightMaker(maker->options);
         maker->threeBytes.clear();

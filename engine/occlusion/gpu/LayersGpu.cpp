@@ -9,8 +9,8 @@ namespace shoal::occlusion {
 
 namespace {
 
-// A ray that leaves the surface begins this many pixels away from it, so that it does not hit the surface
-// itself: the distances with the smallest error in tests/bench/occlusion.
+// Distance from a ray's origin, pixels, within which hits are ignored, so that a ray does not hit the surface
+// that it leaves: the values with the smallest error in tests/bench/occlusion.
 constexpr float kStartOllfb_px = 0.32f, kStartThesis_px = 3;
 
 float startOf(float start_px, const Sphere& sphere, int resolution) {
@@ -19,7 +19,7 @@ float startOf(float start_px, const Sphere& sphere, int resolution) {
 
 // OllfbView in shaders/occlusion/Ollfb.glsl, std430.
 struct GpuView {
-    glm::vec4 rows[3]; // rows of viewFromBody; w: of low
+    glm::vec4 rows[3]; // rows of viewFromBody; w: OllfbView::low
     float pixelsPerMetre, depthRange_px;
     glm::ivec2 size;
     uint32_t firstRow, pad[3];
@@ -53,7 +53,7 @@ Result<gl::Buffer> storageBuffer(const void* data, size_t bytes) {
     }
     gl::Buffer buffer = gl::Buffer::make();
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.name());
-    // Whole words, and never empty: a buffer that a shader declares must exist.
+    // The size is a multiple of 4 and never 0, because a buffer that a shader declares must exist.
     const size_t size = std::max<size_t>((bytes + 3) / 4 * 4, 16);
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_STATIC_DRAW);
     glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);

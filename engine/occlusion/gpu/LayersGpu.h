@@ -31,7 +31,7 @@ class LayersGpu {
     // large mesh, or without memory. Takes up to some seconds.
     static Result<LayersGpu> make(const BodyMesh& mesh, LayerMethod method);
 
-    // Both fail without OpenGL 4.3 or memory.
+    // Upload the buffers; both fail without OpenGL 4.3 or memory.
     static Result<LayersGpu> upload(const Ollfb& ollfb);
     static Result<LayersGpu> upload(const ThesisLayers& layers);
 
@@ -43,7 +43,7 @@ class LayersGpu {
     template <class T> Status keep(int binding, const std::vector<T>& values);
 
     LayerMethod method_ = LayerMethod::Ollfb;
-    float nearest_m_ = 0;                                // rays that leave the surface hit nothing nearer
+    float nearest_m_ = 0;                                // hits nearer to a ray's origin are ignored
     bool closed_ = false;                                // of an Ollfb
     ThesisViews views_;                                  // of the thesis' layers
     std::vector<std::pair<GLuint, gl::Buffer>> buffers_; // by binding
