@@ -93,10 +93,12 @@ Status Application::enterHeadset() {
 
 // Shows the room if the setting says so. If the headset cannot, the film stays and the player is told.
 void Application::showRoom() {
-    if (display_->showRoom(options_.passthrough)) return;
-    log::warn(
-        "the headset's runtime cannot show your own room (it blends no pictures with it); the film stays");
-    options_.passthrough = false;
+    if (!display_->showRoom(options_.passthrough)) {
+        log::warn("the headset's runtime cannot show your own room (it blends no pictures with it); the film "
+                  "stays");
+        options_.passthrough = false;
+    }
+    applied_.passthrough = options_.passthrough;
 }
 
 // Moves the dive to the window after the headset or its runtime has gone. The dive pauses; the player goes on

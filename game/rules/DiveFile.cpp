@@ -19,7 +19,6 @@ Species readOne(TomlTable& table) {
     Species s;
     table.need("name", "model", "length");
     table.text("name", s.name);
-    s.one[0] = s.several[0] = s.name;
     table.texts("one", s.one);
     table.texts("several", s.several);
     table.texts("fact", s.fact);

@@ -25,7 +25,7 @@ using InLanguages = std::array<std::string, 3>;
 
 struct Species {
     std::string name;           // "clownfish"
-    InLanguages one, several;   // its name on the screen; in English the name above if it is not given
+    InLanguages one, several;   // its name on the screen; empty: the name above
     InLanguages fact;           // told in the field guide
     std::string model;          // file below content/
     glm::vec3 colour{1};        // linear; multiplies the model's colours

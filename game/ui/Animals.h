@@ -13,7 +13,8 @@ inline const std::string& textIn(const InLanguages& text, Language language) {
 }
 
 inline const std::string& animalName(const Species& animal, int count, Language language) {
-    return textIn(count == 1 ? animal.one : animal.several, language);
+    const std::string& name = textIn(count == 1 ? animal.one : animal.several, language);
+    return name.empty() ? animal.name : name;
 }
 
 } // namespace shoal::game

@@ -190,8 +190,8 @@ TEST_F(GamepadProgram, ASettingThatCannotTakeEffectIsSaidOnTheTitle) {
         p.wait(3);
         std::filesystem::remove(film);
         p.choose("Settings");
-        p.choose("Comfort");
-        p.choose("Drifting particles");
+        p.choose("Picture");
+        p.choose("Compositing");
         p.wait(3);
         EXPECT_EQ(p.page(), Screen::Title);
         EXPECT_NE(p.error().find("film.png"), std::string::npos) << p.error();

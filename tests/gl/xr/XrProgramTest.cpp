@@ -30,8 +30,8 @@ constexpr double kSlow_s = 1.0 / 30;
 // A pause from frame 30 lasts until a hand that closes in frame 60 has taken hold, for 0.4 s; four ticks a
 // frame.
 void expectPausedUntilAHandCloses(const std::vector<int>& lengths) {
-    ASSERT_EQ(lengths.size(), 4u);          // until it is worn, play, pause, play
-    EXPECT_NEAR(lengths[0], 3 * 4 + 36, 8); // worn from frame 3 on, steady for 0.3 s
+    ASSERT_EQ(lengths.size(), 4u);  // until it is worn, play, pause, play
+    EXPECT_NEAR(lengths[0], 36, 8); // worn and steady for 0.3 s, to two frames
     EXPECT_NEAR(lengths[0] + lengths[1], 30 * 4, 6);
     EXPECT_NEAR(lengths[2], (60 - 30) * 4 + 48, 8);
 }

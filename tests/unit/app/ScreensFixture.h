@@ -18,7 +18,9 @@ class WithScreens : public testing::Test {
     PlayOptions options_;
     Bindings bindings_;
     Screens screens_{options_, bindings_};
-    game::SpeciesTable species_{{.name = "snapper"}};
+    game::SpeciesTable species_{{.name = "snapper",
+                                 .one = {"snapper", "Schnapper", "vivaneau"},
+                                 .several = {"snappers", "Schnapper", "vivaneaux"}}};
     game::DiveFile dive_;
 
     void SetUp() override {
