@@ -74,7 +74,7 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
     return middle;
 }
 
-// Runs by the graphics side, and by the processor where that can.
+// Tests that run by OpenGL and, on processors that can, in software.
 class CameraCompositeGL : public WithContext, public testing::WithParamInterface<bool> {
   protected:
     void SetUp() override {
@@ -165,7 +165,7 @@ TEST_P(CameraCompositeGL, ColoursAreShared) {
     EXPECT_LE(differences(), 2);
 }
 
-// All that a film does at once: both ways are one picture but for the rounding of bytes.
+// With all effects of a camera at once, both ways give the same picture up to the rounding of bytes.
 TEST_P(CameraCompositeGL, IsTheSameByEitherWay) {
     camera::CameraResponse look;
     look.chromaTexels = {2, 2};

@@ -1,4 +1,4 @@
-// Objects that lie in the video's own texels.
+// Objects that are composited into the video's own texels.
 #include "Spheres.h"
 #include "engine/render/BackgroundPass.h"
 #include "engine/render/EquirectComposite.h"
@@ -142,7 +142,7 @@ TEST_F(LatLongGL, ANewFrameIsShownAsItCame) {
             ASSERT_TRUE(std::equal(after.at(x, y), after.at(x, y) + 3, next.at(x, y))) << x << " " << y;
 }
 
-// Two eyes that share a frame: the second's picture holds nothing of the first's.
+// If two eyes share a frame, the second's picture shows none of the first's objects.
 TEST_F(LatLongGL, OneEyesObjectsMakeWayForTheOthers) {
     paint({0, 0, -1}, 0.2f);
     const ImageRgba8 left = painted();

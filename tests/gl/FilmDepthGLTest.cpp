@@ -105,8 +105,8 @@ class FilmDepthGL : public WithContext {
     depth::DepthRange range_;
 };
 
-// A wall 3 m ahead of the camera, as DepthPass hands it on, seen from where the eye is; before what was drawn
-// farther off, behind what was drawn nearer.
+// DepthPass writes a wall 3 m ahead of the camera, seen from the eye, in front of what was drawn farther away
+// and behind what was drawn nearer.
 TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
     setFilm([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / 3; });
     render::EnvironmentGpu environment;
@@ -167,7 +167,7 @@ TEST_F(FilmDepthGL, AnAnimalThatAnEdgeCutsHasItsProgramBefore) {
     EXPECT_EQ(pass->programCount(), programs);
 }
 
-// Film and ball meet in the middle: half of it is left, up to a column, since the outline is a pixel wide.
+// The film's edge crosses the ball's middle and leaves half of it, up to the outline's pixel column.
 TEST_F(FilmDepthGL, AnEdgeCutsWhereTheFilmHasIt) {
     const double all = covered(draw([](const glm::vec3&) { return 0.0f; }).picture);
     const Drawn cut = draw([](const glm::vec3& d) { return d.x < 0 ? 1.0f : 0.0f; });
@@ -214,7 +214,7 @@ TEST_F(FilmDepthGL, NearRockHidesSnow) {
     }
 }
 
-// Nothing of a film that is 5 m away is as near as specks are.
+// A film 5 m away hides no specks, which are all nearer.
 TEST_F(FilmDepthGL, SnowBeforeTheFilmIsAsWithoutDistances) {
     EXPECT_EQ(drawSnow(5, {}).pixels, drawSnow(0, {}).pixels);
 }

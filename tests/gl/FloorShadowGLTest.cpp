@@ -100,7 +100,7 @@ TEST_F(FloorShadowGL, TwoTakeWhatTheOtherLeaves) {
     EXPECT_GT(shared, 100);
 }
 
-// A hand, which is but depth, and an animal, which is in the picture, stand before the floor.
+// The shadow lies behind a hand, which is only in the depth buffer, and an animal, which is in the picture.
 TEST_F(FloorShadowGL, LiesBehindWhatIsNearer) {
     const Body fish = fishAt({0.1f, -0.5f, -1.3f});
     const auto darkest = [](const ImageRgba8& picture) {

@@ -1,4 +1,4 @@
-// Bodies take light from each other in the picture as they do on paper.
+// Bodies take light from each other in the picture as computed on the processor.
 #include "Spheres.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
@@ -25,7 +25,7 @@ render::BodyOccluders sphereBody(const glm::vec3& semiAxes) {
 render::BodyOccluders itself() {
     render::BodyOccluders body = sphereBody({0.2f, 0.5f, 0.2f});
     body.parts[0].inNode.centre = {0.9f, 0.3f, 1};
-    // One to have moved against, too small to take any.
+    // A reference part for the movement, too small to occlude.
     body.parts.insert(body.parts.begin(), {{{0, 0, -9}, glm::mat3(1), glm::vec3(1e-4f)}, 0});
     body.length = 1;
     body.albedo = {0.2f, 0.4f, 0.5f};
@@ -33,8 +33,8 @@ render::BodyOccluders itself() {
     return body;
 }
 
-// At rest a body's own parts say nothing that its self-occlusion does not; once bent far they count in full,
-// at any size.
+// At rest a body's own parts add nothing to its self-occlusion; once it is bent far they count in full, at
+// any size.
 TEST_F(OcclusionGL, OwnPartsCountOnceTheBodyIsBent) {
     const render::BodyOccluders body = itself();
     const auto strength = [&](const glm::vec3& moved, float scale) {
@@ -178,7 +178,7 @@ void compare(render::Detail detail, float roughness, float tolerance) {
 TEST_F(OcclusionGL, PixelsAreAsOnPaper) { compare(render::Detail::Full, 1, 0.02f); }
 TEST_F(OcclusionGL, VerticesAreAsOnPaper) { compare(render::Detail::Lean, 1, 0.03f); }
 
-// Nothing near: the same picture bit for bit as without any bodies, by the same shader.
+// A far body leaves the picture as without any bodies, bit for bit, by the same shader.
 TEST_F(OcclusionGL, AFarBodyTakesNothing) {
     std::vector<Other> others = someOthers();
     for (Other& other : others) other.worldFromModel[3] *= glm::vec4(glm::vec3(12), 1);

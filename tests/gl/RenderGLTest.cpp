@@ -1,5 +1,5 @@
-// Objects belong to the picture: background where the map says, matte and mirror spheres in the
-// video's own colours.
+// The background lies where the map has it, and matte and mirror spheres show the video's own
+// colours.
 #include "Spheres.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
@@ -43,7 +43,7 @@ glm::quat looking(const glm::vec3& dir) {
     return glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
 }
 
-// Drawn by the graphics side, and by the processor where that can.
+// Tests that draw by OpenGL and, on processors that can, in software.
 class RenderGLBackground : public RenderGL, public testing::WithParamInterface<render::Backend> {};
 INSTANTIATE_TEST_SUITE_P(From, RenderGLBackground,
                          testing::Values(render::Backend::Software, render::Backend::OpenGL),
@@ -173,7 +173,7 @@ TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
         }
 }
 
-// A sphere whose node is mirrored shows its outside, lit as any other. Its triangles face one way alone.
+// A sphere under a mirrored node shows its outside, lit as any other. Its triangles are single-sided.
 TEST_F(RenderGL, MirroredNodesShowTheirFronts) {
     const Lit lit(smoothSurround(128));
     scene::Model model = sphere(0, 0.5f);
@@ -289,7 +289,7 @@ TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
             const render::View view{
                 .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
             const ImageRgba8 picture = drawSphere(sphere(1, 0), lit.environment, view, 9, {.frames = coding});
-            // The middle of the sphere throws the look back whence it came.
+            // The middle of the sphere reflects the view ray back to the eye.
             const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
             // 1/255 asked for, and half a step of rounding in the frame.
             for (int c = 0; c < 3; ++c)

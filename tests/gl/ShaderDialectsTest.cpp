@@ -14,7 +14,7 @@
 namespace shoal {
 namespace {
 
-// GLSL ES has no noperspective. It is a hint of ours: what carries it is drawn with w = 1, where both agree.
+// GLSL ES has no noperspective. Shaders use it only where w = 1, so that it makes no difference.
 const std::string kDesktop = "#version 330 core\n",
                   kEs = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
                         "precision highp sampler2D;\n#define noperspective\n";

@@ -1,4 +1,4 @@
-// Shadows on what a film shows, as the background draws them: by OpenGL and on the processor.
+// Shadows on a film's surfaces, as the background draws them by OpenGL and on the processor.
 #include "Spheres.h"
 #include "engine/render/BackgroundPass.h"
 #include "engine/render/software/FrameSampler.h"
@@ -98,7 +98,7 @@ TEST_P(ShadowGL, IsTheClosedFormAtEveryPixel) {
                     glm::exp(-sea_.attenuation_perM * glm::length(ground)));
                 for (int c = 0; c < 3; ++c) {
                     const float expected = static_cast<float>(kBefore) * left[c];
-                    // Steps of the map of distances tilt the ground, whose share of the light that changes.
+                    // Steps of the map of distances tilt the ground, which changes its share of the light.
                     ASSERT_NEAR(picture.at(x, y)[c], expected, 5) << x << ", " << y;
                     ASSERT_LE(picture.at(x, y)[c], kBefore);
                     differences +=
@@ -148,8 +148,8 @@ TEST_P(ShadowGL, SparesWhatIsBeforeTheGround) {
     EXPECT_GT(dimmed, 1000);
 }
 
-// The picture of a view that rests is kept where nothing changes: no object stays in it, and no shadow is
-// lost where one passed.
+// Pixels of a view that does not move are reused where nothing changes: no object stays in them, and no
+// shadow is missing after an object has passed.
 TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
     const render::View view = downwards();
     cast(view);
@@ -174,7 +174,7 @@ TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
     EXPECT_EQ(drawn(view).pixels, before.pixels);
 }
 
-// A shadow that goes must go.
+// A shadow disappears with the object that cast it.
 TEST_P(ShadowGL, IsGoneWithWhatCastIt) {
     const render::View view = downwards();
     cast(view);

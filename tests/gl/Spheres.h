@@ -15,7 +15,7 @@
 
 namespace shoal {
 
-// Tests that draw: skipped where nothing can.
+// Base of tests that draw; they are skipped without OpenGL.
 class WithContext : public testing::Test {
   protected:
     void SetUp() override {
@@ -117,7 +117,7 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
     return target.read();
 }
 
-// Every pixel that both pictures cover wholly is as far from the other as this at most.
+// Expects that pixels which both pictures cover wholly differ by at most `within`.
 inline void expectAlike(const ImageRgba8& a, const ImageRgba8& b, int within) {
     int covered = 0;
     for (size_t i = 0; i < a.pixels.size(); i += 4) {
@@ -129,7 +129,7 @@ inline void expectAlike(const ImageRgba8& a, const ImageRgba8& b, int within) {
     EXPECT_GT(covered, 1000);
 }
 
-// All that the picture covers has this colour.
+// Expects this colour in all covered pixels.
 inline void expectColour(const ImageRgba8& picture, const glm::vec4& colour, float within) {
     int covered = 0;
     for (size_t i = 0; i < picture.pixels.size(); i += 4) {

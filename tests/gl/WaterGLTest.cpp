@@ -1,4 +1,4 @@
-// Water and what drifts in it, as drawn.
+// Drawn water, and the particles that drift in it.
 #include "Spheres.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/ParticlePass.h"
@@ -19,8 +19,8 @@ water::Water someWater() {
     return water;
 }
 
-// The shader's water is the arithmetic's: a white matte sphere in even light sends back that light, dimmed
-// and veiled by what lies between.
+// The shader's water agrees with the formulas on the processor: a white matte sphere in even light sends back
+// that light, dimmed and veiled by the water between.
 TEST_F(WaterGL, ASphereSinksIntoTheVeilAsComputed) {
     const ImageRgb8 frame = uniformFrame(150, 140, 120);
     render::EnvironmentGpu environment;

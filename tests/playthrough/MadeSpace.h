@@ -1,4 +1,4 @@
-// Made spaces of films, for tests. Arithmetic and roots alone: equal on every machine.
+// Synthetic spaces of films, for tests. They use only arithmetic and roots: equal on every machine.
 #pragma once
 
 #include "game/rules/FilmSpace.h"

@@ -15,7 +15,7 @@ struct ScriptedDive {
     DiveFiles files;
 };
 
-// inFilm: in the room of its film, else in open water.
+// Loads a script and its dive. inFilm: true for the room of its film, false for open water.
 inline Result<ScriptedDive> loadScriptedDive(const Path& file, bool inFilm) {
     const auto script = loadScript(file);
     if (!script) return script.error();
@@ -32,7 +32,7 @@ struct Played {
     Snapshot end;
     uint64_t hash = 0; // hash of all states
 };
-// Both see every tick, and may be empty.
+// Functions that are called after every tick; both may be empty.
 using Watch = std::function<void(const Snapshot&, const Events&)>;
 using StateWatch = std::function<void(const DiveState&, const Events&)>;
 

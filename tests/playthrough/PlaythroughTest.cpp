@@ -24,7 +24,7 @@ std::vector<Path> scripts() {
     return files;
 }
 
-// The same player before a display of that speed, which stumbles over a frame of 300 ms once.
+// Plays the script with a display of that rate, in which one frame takes 300 ms.
 std::pair<uint64_t, Status> playAt(int framesPerSecond, const ScriptedDive& dived) {
     const auto& [script, files] = dived;
     Dive dive(files.species, files.dive, script.seed, script.rules);

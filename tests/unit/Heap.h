@@ -1,5 +1,5 @@
-// The heap as a test sees it: how often it is asked, and where it ends. Replaces operator new of the whole
-// program, so only one of a program's files includes it.
+// A heap that counts allocations and fails after a given number. Replaces operator new of the whole program,
+// so only one of a program's files includes it.
 #pragma once
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ inline long left = kUnlimited; // allocations that succeed
 inline bool counting = false;
 inline int allocations = 0; // while counting
 
-// Null: there is no more. Not counted is what OpenAL Soft 1.24, which is C++, takes for itself.
+// Allocates; null: none is left. Allocations by OpenAL Soft 1.24, which is C++, itself are not counted.
 inline void* take(std::size_t size, const void* caller) {
     Dl_info of{};
     if (counting) allocations += !dladdr(caller, &of) || !std::strstr(of.dli_fname, "libopenal");
@@ -32,7 +32,7 @@ inline void* takeOrThrow(std::size_t size, const void* caller) {
 
 void* operator new(std::size_t size) { return shoal::heap::takeOrThrow(size, __builtin_return_address(0)); }
 void* operator new[](std::size_t size) { return shoal::heap::takeOrThrow(size, __builtin_return_address(0)); }
-// As std::stable_sort asks for its buffer; the sanitizers have one of their own, which free() must not meet.
+// Replaces the form that std::stable_sort uses: free() must not get memory of the sanitizers' own version.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     return shoal::heap::take(size, __builtin_return_address(0));
 }

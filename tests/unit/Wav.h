@@ -12,7 +12,7 @@
 
 namespace shoal {
 
-// claimedBytes: what its header says of the samples' size; empty: the truth.
+// claimedBytes: size of the samples that the header claims; empty: the true size.
 inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<int16_t>& samples,
                          std::optional<uint32_t> claimedBytes = {}) {
     std::string out;
@@ -38,7 +38,7 @@ inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<
     return out;
 }
 
-// Gone again at the end of the test.
+// A file that is deleted at the end of its scope.
 struct TemporaryFile {
     Path path;
     TemporaryFile(const std::string& name, const std::string& bytes)

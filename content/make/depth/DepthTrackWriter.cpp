@@ -46,7 +46,7 @@ Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
     codec.pix_fmt = kDepthPixels;
     codec.time_base = av_d2q(info.duration_s / info.frameCount, 1'000'000);
     codec.gop_size = 1;                      // every frame by itself
-    if (info.width <= 352) codec.slices = 1; // each learns statistics anew; FFmpeg cuts larger frames
+    if (info.width <= 352) codec.slices = 1; // each slice starts its statistics anew
     codec.thread_count = 1;
     codec.level = 3;
     codec.flags |= AV_CODEC_FLAG_BITEXACT;

@@ -5,8 +5,8 @@
 
 namespace shoal::media {
 
-// Steps of the codes of a track from one power of two to the next. Finer ones make it larger, and nobody sees
-// them (tests/bench/figures/depth.md).
+// Number of a track's codes for each octave of inverse distance. More codes make the track larger, and nobody
+// sees the difference (tests/bench/figures/depth.md).
 constexpr int kDepthStepsPerOctave = 16;
 constexpr int kExactDepthSteps = 1024; // uses all codes
 
@@ -17,8 +17,8 @@ uint16_t depthCode(float inverse_perM, int stepsPerOctave = kDepthStepsPerOctave
 class DepthTrackWriter {
   public:
     // films: identities of the films that the track belongs to, see filmIdentity(). The width is a power of
-    // two, the height half of it. All stays in memory until it is finished. FFmpeg's encoder takes 148 bytes
-    // a texel at once: more than 1024 around needs a higher av_max_alloc() than setUpDecoders() leaves.
+    // two, the height half of it. All frames stay in memory until finish(). FFmpeg's encoder allocates 148
+    // bytes a texel at once: a width above 1024 needs a higher av_max_alloc() than setUpDecoders() leaves.
     static Result<DepthTrackWriter> make(const DepthTrackInfo& info, std::span<const std::string> films);
 
     Status add(const DepthFrame& frame);

@@ -19,9 +19,9 @@ namespace shoal::depth {
 namespace {
 
 constexpr int64_t kMaxFrames = 1'000'000;
-// Minimum share of the sphere that is believed, in the mean of all frames. Where noise is as loud as the
+// Minimum share of the sphere that is believed, in the mean of all frames. Where noise is as strong as the
 // picture, frames agree by chance about 0.5 % of it; films that show something have 6 % and more
-// (tests/bench/depth_estimate: darkness, featureless). This is four times the one and a third of the other.
+// (tests/bench/depth_estimate: darkness, featureless). The minimum is four times 0.5 % and a third of 6 %.
 constexpr double kMinConfidence = 0.02;
 
 uint64_t identityOf(const std::string& film, const FilmDepthOptions& options, media::Layout layout) {
@@ -118,7 +118,7 @@ class Maker {
         return Done{};
     }
 
-    // Finds a distance that, by the first pass, few things are nearer than.
+    // Finds the inverse distance that, by the first pass, few texels exceed.
     Status findNearest(float& inverse_perM) {
         std::vector<double> inverses;
         for (int t = 0; t < count_; t += std::max(count_ / 64, 1)) {

@@ -20,7 +20,7 @@ constexpr size_t kEstimateTexels = size_t{kEstimateWidth} * kEstimateHeight;
 
 glm::vec3 estimateDirection(size_t texel);
 
-// Movement of the camera between the frame that this is kept with and a later one, a pair.
+// Movement of the camera between the frame of this record and a later one; the two form a pair.
 struct PairMotion {
     glm::dvec3 towards{0, 0, -1};
     glm::dmat3 secondFromFirst{1};
@@ -30,7 +30,7 @@ struct PairMotion {
     double ratioWeight = 0; // weight of logRatio; 0: not known
 };
 
-// The file holds these as plain bytes; one of a machine with another byte order is begun anew.
+// The file holds records as plain bytes; a file from a machine with another byte order is begun anew.
 struct FrameRecord {
     PairMotion motion;
     uint16_t inverse[kEstimateTexels] =

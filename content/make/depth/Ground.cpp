@@ -24,12 +24,12 @@ constexpr int kRounds = 8;
 constexpr float kTolerance = 0.25f; // relative error of distance from which on a texel has no weight
 constexpr float kOnGround = 0.12f;  // relative error up to which a texel is part of the ground
 constexpr int kMinTimes = 2;        // frames that have to know a texel's distance
-// Share of the solid angle looked at that is known to be ground: none is trusted at the first, all at the
-// second. Films that have ground show 0.23 to 0.98; things of another shape were taken for it over 0.02 to
-// 0.19 (tests/bench/depth_estimate).
+// Share of the solid angle looked at that is known to be ground: the plane has no trust at the first, full
+// trust at the second. Films that have ground show 0.23 to 0.98; other shapes were taken for ground over 0.02
+// to 0.19 (tests/bench/depth_estimate).
 constexpr float kMinSeen = 0.15f, kEnoughSeen = 0.2f;
-// Root mean square of the relative error on the ground: 0.01 to 0.051 of real ground, 0.054 to 0.07 of
-// others.
+// Root mean square of the relative error on the ground: 0.01 to 0.051 for real ground, 0.054 to 0.07 for
+// other shapes.
 constexpr float kFlat = 0.05f, kUneven = 0.056f;
 // Sine of the smallest angle to the plane at which it is filled: 12 degrees. Rocks hide the ground beyond.
 constexpr float kFilledAngle = 0.21f;

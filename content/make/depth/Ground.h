@@ -23,8 +23,8 @@ constexpr int kGroundFrames = 25;
 // size of FrameRecord.h.
 Ground findGround(std::span<const DepthEstimate> frames);
 
-// Puts the ground's distance wherever less is known than of the ground, clearly below the horizon. A thing
-// that stands there and that no frame knows is lost in the ground.
+// Writes the ground's distance into texels clearly below the horizon that are less sure than the ground. A
+// thing that stands there and that no frame knows is lost in the ground.
 void continueGround(const Ground& ground, DepthEstimate& depth);
 
 } // namespace shoal::depth

@@ -106,7 +106,7 @@ int make(Options& options) {
 } // namespace
 
 int main(int argc, char** argv) {
-    // A reader that has gone, or a file that may not grow, is an error of that write.
+    // A closed reader, or a file that may not grow, makes the write fail instead of ending the program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     log::setUp(false);

@@ -67,7 +67,7 @@ std::vector<RelativePose> MotionPass::posesOverFilm(int gap, int64_t longest) {
 // shows most movement is taken, of equal ones the shortest.
 bool MotionPass::chooseGap() {
     const int64_t longest = std::min<int64_t>(kMaxGap, film_.info().frameCount / 2);
-    Tried best, before; // nothing moves in them
+    Tried best, before; // begin without any movement
     for (int gap = kFilmStep; gap <= longest; gap *= 2) {
         Tried tried = triedOf(gap, posesOverFilm(gap, longest));
         if (before.moves() && before.parallax_rad >= kGoodParallax && goTheSameWay(before, tried)) {
@@ -94,7 +94,7 @@ const CubeFaces& MotionPass::facesAt(int number) {
 FrameRecord MotionPass::frame(int number) {
     if (nextPair_ < 0) firstPair_ = nextPair_ = std::max(number - step(), 0);
     for (; nextPair_ <= number && nextPair_ + step() < film_.trackCount(); ++nextPair_) {
-        const CubeFaces& first = facesAt(nextPair_); // before the second: faces are read in order
+        const CubeFaces& first = facesAt(nextPair_); // called first: frames are read in order
         pairs_.push_back(estimatePair(flow_, first, facesAt(nextPair_ + step())));
     }
     while (firstPair_ < number - step()) pairs_.pop_front(), ++firstPair_;

@@ -20,7 +20,7 @@ void triangulateAll(const RelativePose& pose, const std::vector<FlowPoint>& flow
         out.inverse[i] = static_cast<float>(std::clamp(t.inverse, 0.0, 3.9));
         const double error_rad = 4e-4 + std::abs(t.offPlane_rad) + static_cast<double>(flow[i].error_rad);
         const double atEnds =
-            std::clamp((t.sinToMovement - 0.12) / 0.15, 0.0, 1.0); // along the movement points do not shift
+            std::clamp((t.sinToMovement - 0.12) / 0.15, 0.0, 1.0); // points along the movement do not shift
         out.confidence[i] =
             static_cast<float>(atEnds * std::clamp(1.2 - 3 * error_rad / t.parallax_rad, 0.0, 1.0));
     }
@@ -39,7 +39,7 @@ double heightBelow(const DepthEstimate& depth) {
 } // namespace
 
 PairDepth estimatePair(CubeFlow& flow, const CubeFaces& first, const CubeFaces& second) {
-    constexpr size_t kEvery = 23; // the pose is found from one texel of so many
+    constexpr size_t kEvery = 23; // texels; one of so many is used to find the pose
     PairDepth result;
     std::vector<FlowPoint> there, back;
     flow.match(first, second, kEstimateWidth, there, back);

@@ -1,5 +1,5 @@
-// Filters that make a track of estimates of single frames: these have to agree with other frames, and to
-// change steadily over time.
+// Filters that turn estimates of single frames into a track: estimates have to agree with other frames, and
+// to change steadily over time.
 #pragma once
 
 #include "content/make/depth/PairScale.h"
@@ -27,7 +27,7 @@ void doubtOutlines(DepthEstimate& depth);
 void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const DepthEstimate& after,
                     media::DepthFrame& out);
 
-// Returns the share of the sphere, by solid angle, whose confidence is one at which depth is believed in full
+// Returns the share of the sphere, by solid angle, whose confidence is so high that depth is believed in full
 // (content/README.md).
 double believedShare(const media::DepthFrame& frame);
 

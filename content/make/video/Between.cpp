@@ -1,4 +1,4 @@
-// The two quick steps after a frame is traced: a picture between two traced ones, and the marine snow.
+// The quick steps after frames are traced: frames between two traced ones, marine snow and plankton.
 #include "content/make/video/Frame.h"
 
 #include "content/make/video/Light.h"
@@ -14,11 +14,11 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Beyond it neighbouring frames' parallax is a fraction of a pixel.
+// Distance in metres beyond which the parallax between neighbouring frames is a fraction of a pixel.
 constexpr float kStill = 12;
 
-// A point as `drawn` shows it: its pixel, and the distance that it should have there. The point is `metres`
-// from `camera` along dir.
+// Position of a point in `drawn`: its pixel, and the distance that it should have there. The point lies
+// `metres` from `camera` along dir.
 struct Place {
     vec2 pixel{0};
     float away = 0;
@@ -33,10 +33,10 @@ Place placeIn(const Drawn& drawn, const vec3& camera, const vec3& dir, float met
 
 struct Seen {
     vec3 radiance{0};
-    float mismatch = 0; // of the distance found from that expected, relative
+    float mismatch = 0; // relative difference of the distance found from the expected one
 };
 
-// Catmull and Rom's cubic, kept within the four nearest: bilinear would blur all that moves by half a pixel.
+// Catmull and Rom's cubic weights. Bilinear weights would blur whatever moves by half a pixel.
 vec4 cubicWeights(float f) {
     return {f * (-0.5f + f * (1 - 0.5f * f)), 1 + f * f * (-2.5f + 1.5f * f), f * (0.5f + f * (2 - 1.5f * f)),
             f * f * (-0.5f + 0.5f * f)};
@@ -70,7 +70,7 @@ Seen seen(const Drawn& drawn, const vec2& pixel, float away) {
 
 } // namespace
 
-// Four neighbours go together: where one of them lies is found, the others lie beside it.
+// Reprojects blocks of 2 x 2 pixels: finds the place of their nearest point, and the others lie beside it.
 Drawn Filming::between(const Drawn& a, const Drawn& b, float share, float turn) const {
     const int width = a.radianceLin.width, height = a.radianceLin.height;
     Drawn out{ImageRgbF(width, height), share < 0.5f ? a.distance : b.distance, route_.at(turn)};
@@ -103,7 +103,7 @@ Drawn Filming::between(const Drawn& a, const Drawn& b, float share, float turn) 
 
 namespace {
 
-// Specks drift in a box around the camera which repeats in space, so that there are always as many.
+// Specks drift in a box that repeats in space around the camera, so that their number stays the same.
 struct Speck {
     vec3 towards{0}; // unit
     float away = 0;  // metres
@@ -124,8 +124,8 @@ Speck speck(uint32_t number, uint32_t kind, float box, const vec3& camera, float
     return {d / away, away, 0.0004f + 0.0011f * chance(4) * chance(5) * chance(5)};
 }
 
-// Each is a soft spot of its own size; the near ones are out of focus and faint. cover: of the spot's middle;
-// light is mixed in by it, and what was there keeps `kept` of what it covers.
+// Draws a speck as a soft spot. radius: radians; cover: coverage in the spot's middle, by which `light` is
+// added and the picture behind is reduced to the share `kept`.
 void addSpot(Drawn& drawn, const Speck& speck, float radius, float cover, const vec3& light, float kept) {
     ImageRgbF& image = drawn.radianceLin;
     const int width = image.width, height = image.height;
@@ -172,7 +172,7 @@ void Filming::addSnow(Drawn& drawn, float turn) const {
     }
 }
 
-// Each flashes for a third of a second or so, a few times in the film.
+// Each speck of plankton flashes for about a third of a second, a few times in the film.
 void Filming::addPlankton(Drawn& drawn, float turn) const {
     constexpr float kBox = 9;
     const float pixel = kPi / static_cast<float>(drawn.radianceLin.height);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Half the width, half the height.
+// Returns the image at half the width and height.
 ImageRgbF halved(const ImageRgbF& in) {
     ImageRgbF out(in.width / 2, in.height / 2);
     for (int y = 0; y < out.height; ++y)
@@ -25,7 +25,7 @@ ImageRgbF halved(const ImageRgbF& in) {
     return out;
 }
 
-// A running mean over 2 r + 1 texels along rows (closed) or columns; in rows as wide as the sphere asks.
+// Returns running means over 2 r + 1 texels along columns or closed rows; in rows r grows towards the poles.
 ImageRgbF blurred(const ImageRgbF& in, float radius, bool alongRows) {
     ImageRgbF out(in.width, in.height);
     const int lines = alongRows ? in.height : in.width, length = alongRows ? in.width : in.height;
@@ -60,7 +60,7 @@ ImageRgbF glow(const ImageRgbF& image) {
     return small;
 }
 
-// toned() by table: finer where it is dark, as the eye is.
+// Table of toned(), with finer steps for dark values, where the eye sees finer ones.
 class ToneTable {
   public:
     ToneTable() {
@@ -76,7 +76,7 @@ class ToneTable {
 
   private:
     static constexpr size_t kSize = 4096;
-    static constexpr float kWhite = 1.3f; // beyond the clip
+    static constexpr float kWhite = 1.3f; // highest value in the table, beyond the clip
     std::array<float, kSize> codes_;
 };
 
@@ -101,7 +101,7 @@ Exposure::Exposure(const CameraData& camera, std::vector<float> readings)
     const size_t n = readings_.size();
     for (const float r : readings_) mean_ += r / static_cast<float>(n);
     mean_ = camera.mean.value_or(mean_);
-    for (int pass = 0; pass < 3; ++pass) { // an eye's ease of a few seconds
+    for (int pass = 0; pass < 3; ++pass) { // smooths over a few seconds, as an eye adapts
         const auto was = readings_;
         for (size_t i = 0; i < n; ++i) readings_[i] = (was[(i + n - 1) % n] + was[i] + was[(i + 1) % n]) / 3;
     }

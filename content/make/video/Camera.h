@@ -1,5 +1,5 @@
-// The camera: from radiance to what an encoder takes. Lens, exposure, white balance, tone, clipping, noise,
-// in this order.
+// The camera: turns radiance into 8-bit values for an encoder by lens, exposure, white balance, noise, and
+// the tone curve with its clip, in this order.
 #pragma once
 
 #include "content/make/video/Scene.h"
@@ -8,9 +8,9 @@
 
 namespace shoal::reef {
 
-// Mean of log2 of what the camera would expose for, weighted by solid angle.
+// Returns the exposure meter's reading: the mean of log2 of luminance, weighted by solid angle.
 float meterReading(const ImageRgbF& radianceLin);
-// Exposures over the film (factors), from the readings at even times; smooth and closed.
+// Exposure factors over the film, from meter readings at equal intervals; smooth, also from end to start.
 class Exposure {
   public:
     Exposure(const CameraData& camera, std::vector<float> readings);

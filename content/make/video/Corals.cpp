@@ -57,7 +57,7 @@ Mesh staghorn(Random& random) {
     return mesh;
 }
 
-// A dome whose valleys wind: ridges where a warped noise crosses zero.
+// Returns a brain coral: a dome with winding valleys, and ridges where a warped noise crosses zero.
 Mesh brain(Random& random) {
     Mesh mesh;
     const vec3 seed = anyDirection(random) * 50.0f;
@@ -300,7 +300,7 @@ Mesh leather(Random& random) {
     return mesh;
 }
 
-// One blade of kelp from its bladder: out, then hanging, ruffled along its edges.
+// Adds one blade of kelp: from its bladder outwards, then hanging, with ruffled edges.
 void addKelpBlade(Mesh& mesh, Random& random, const vec3& root, float rootSway, float length) {
     const float angle = random.between(0, 2 * kPi), tint = random.between(0.75f, 1.2f),
                 lift = random.between(0.1f, 0.7f), ruffle = random.between(0, 6.0f),
@@ -327,7 +327,7 @@ void addKelpBlade(Mesh& mesh, Random& random, const vec3& root, float rootSway, 
     });
 }
 
-// Giant kelp, a metre for its height: stipes from one holdfast that lie along the surface at their ends.
+// Returns giant kelp, scaled to a height of a metre: stipes from one holdfast, their ends along the surface.
 Mesh kelp(Random& random) {
     Mesh mesh;
     const int stipes = 3 + static_cast<int>(random.below(3));

@@ -10,12 +10,12 @@
 
 namespace shoal::reef {
 
-// Empty for an unknown kind. Albedo: of the whole colony, chosen among its kind's colours.
+// Returns an empty mesh for an unknown kind. colonyAlbedo() varies one of the kind's colours for a colony.
 Mesh makeColony(const std::string& kind, Random& random);
 vec3 colonyAlbedo(const std::string& kind, Random& random);
 // Returns whether plants of this kind move with the surge.
 bool sways(const std::string& kind);
-// 0: stands upright whatever the ground's slope; 1: stands off the ground.
+// Returns 0 for plants that stand upright on any slope, up to 1 for plants along the ground's normal.
 float leans(const std::string& kind);
 
 } // namespace shoal::reef

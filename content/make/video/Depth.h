@@ -1,4 +1,4 @@
-// Tracing of the distances of what a film shows, which needs no light.
+// Tracing of a film's true distances, which needs no light.
 #pragma once
 
 #include "content/make/video/World.h"

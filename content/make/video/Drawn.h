@@ -1,4 +1,4 @@
-// The picture, distances and motion traced at one time.
+// The picture and distances traced at one time, and the camera's position.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -11,7 +11,7 @@ namespace shoal::reef {
 
 struct Drawn {
     ImageRgbF radianceLin;
-    std::vector<float> distance; // metres, a pixel each: with it the frame is seen from a little beside
+    std::vector<float> distance; // metres, one for each pixel; reprojects the frame to nearby places
     glm::vec3 camera{0};
 };
 

@@ -1,5 +1,5 @@
-// Embree 3 and 4, as Debian 12 and 13 have them: one ray, asked what it meets first, or whether it meets
-// anything.
+// One interface to Embree 3 and 4, as Debian 12 and 13 have them: intersect() finds the first hit of a ray,
+// occlude() tests whether it hits anything.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)

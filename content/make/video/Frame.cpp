@@ -15,7 +15,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 
 float luminance(const vec3& c) { return glm::dot(c, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-// Columns that a row is sampled at: as many as its circle is long.
+// Returns the number of samples of a row, in proportion to the length of its circle on the sphere.
 int columns(int y, int width) {
     const float ring = std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(width / 2) * kPi);
     return std::clamp(static_cast<int>(static_cast<float>(width) * ring * 1.05f) + 8, 16, width);
@@ -26,8 +26,8 @@ int columns(int y, int width) {
 Filming::Filming(const Scene& scene, const Route& route, World& world)
     : scene_(scene), route_(route), world_(world), sea_(scene), caustics_(scene) {}
 
-// Matte, everywhere: under water nothing is wet. Fine relief and colour come from repeating noise at three
-// scales, each left out where a pixel covers more than its grain.
+// All surfaces are matte: nothing looks wet under water. Fine relief and colour come from repeating noise at
+// three scales, of which the finer ones fade out where a pixel covers more than their grain.
 vec3 Filming::shade(Hit& hit, float footprint) const {
     vec3 bump(0);
     float tone = 1;
@@ -90,14 +90,14 @@ vec3 Filming::surfaceFromBelow(const vec3& dir, float distance, float pixelAngle
     vec3 out(0);
     if (window.through > 0) {
         const float off = std::max(1 - glm::dot(window.dirAir, scene_.sun.toSunAir), 0.0f);
-        // The disc, a little widened by ripples that the tile does not hold: the same irradiance over a wider
+        // The sun's disc, widened by ripples that are too fine for the tile: the same irradiance over a wider
         // spot.
         constexpr float kSpot = 2.2e-4f;
         const vec3 disc = scene_.sun.irradiance * (std::exp(-off / kSpot) / (2 * kPi * kSpot));
         out = (skyRadiance(scene_, window.dirAir) + disc) * (window.through * kWaterIndex * kWaterIndex);
     }
     if (window.through < 1) {
-        // The mirrored sea: water, and sand behind it.
+        // The reflected ray sees water, and the sand behind it.
         vec3 down = dir - 2 * glm::dot(dir, normal) * normal;
         down.y = std::min(down.y, -0.02f);
         const float path = scene_.sandHeight / down.y;

@@ -1,4 +1,4 @@
-// One frame's radiance, before any camera.
+// Drawing of a frame's radiance, before the camera turns it into display values.
 #pragma once
 
 #include "content/make/video/Drawn.h"
@@ -12,11 +12,11 @@ namespace shoal::reef {
 class Filming {
   public:
     Filming(const Scene& scene, const Route& route, World& world);
-    // Lat-long, env frame = world frame moved to the camera. turn: time in films. edges: more rays where
-    // neighbours differ. beside: metres, from where the camera is at that time. Without snow.
+    // Draws a lat-long frame without snow; its env frame is the world frame moved to the camera. turn: time
+    // in films. edges: more rays where neighbours differ. beside: metres from the camera's place then.
     Drawn draw(float turn, int width, bool edges, const vec3& beside = vec3(0));
-    // The picture at a time between two that were drawn, share of the way from a to b: each moved as its
-    // distances tell, then mixed.
+    // Returns the frame at a time between two drawn ones, `share` of the way from a to b: reprojects both by
+    // their distances and blends them.
     Drawn between(const Drawn& a, const Drawn& b, float share, float turn) const;
     // Adds marine snow, and plankton that glows.
     void addSpecks(Drawn& drawn, float turn) const {

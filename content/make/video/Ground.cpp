@@ -40,12 +40,12 @@ float rockDistance(const Rock& rock, const vec3& p) {
                                    fractalNoise(p * 0.9f + 67.0f, 2));
     float d = coarseDistance(rock, p + warp);
     if (std::fabs(d) > kRelief) return d;
-    // Ledges: harder and softer beds, a hand high, cut back by turns.
+    // Ledges: layers of harder and softer rock, a hand high; the softer ones are worn back.
     const float bed = p.y * 2.6f + 2.2f * fractalNoise(p * 0.7f + 5.0f, 2);
     d += 0.04f * (std::fabs(bed - std::floor(bed) - 0.5f) * 4 - 1) *
          std::clamp(0.6f + 2 * gradientNoise(p * 0.4f + 9.0f), 0.0f, 1.0f);
     d += 0.42f * fractalNoise(p * 1.1f + 3.0f, 3);
-    // Heads of dead coral, grown over; holes between them.
+    // Overgrown heads of dead coral, with holes between them.
     d -= 0.17f * (0.75f - cellNoise(p * 1.9f).x);
     d -= 0.075f * (0.7f - cellNoise(p * 5.1f + 11.0f).x);
     d += 0.05f * std::max(gradientNoise(p * 6.3f), 0.0f);

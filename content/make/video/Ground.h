@@ -1,4 +1,4 @@
-// Sand and rock: what everything else grows on.
+// Meshes of sand and rock, on which everything else grows.
 #pragma once
 
 #include "content/make/video/Mesh.h"

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kTurn = 6.2831853f;
 
-// Colonies keep to patches, each kind to its own; most stand near the camera's way, where they are seen.
+// Returns whether a colony grows here: each kind in its own patches, most near the camera's path.
 bool thrives(const Growth& growth, const Vertex& ground, const Route& route, float size, uint32_t seed,
              Random& random, const std::function<float(const vec3&)>& sunlit) {
     if (ground.normal.y < growth.up || (ground.kind == Kind::Sand) != growth.onSand) return false;
@@ -23,7 +23,7 @@ bool thrives(const Growth& growth, const Vertex& ground, const Route& route, flo
         patch < random.between(-0.1f, 0.35f))
         return false;
     if (growth.kind == "grass" && patch < 0.16f) return false;
-    // Tall plants keep their distance at the camera's height.
+    // Plants with a `clear` of their own are tall: their distance is measured at the camera's height.
     const float away =
         route.distanceTo(growth.clear > 0 ? vec3(ground.p.x, route.at(0).y, ground.p.z) : ground.p);
     const float clear = growth.clear > 0 ? growth.clear : 0.62f + 0.9f * size;
@@ -32,8 +32,8 @@ bool thrives(const Growth& growth, const Vertex& ground, const Route& route, flo
     return sun >= growth.light.x && sun <= growth.light.y;
 }
 
-// Nothing stands out of the sea; some colonies glow, though not right below the camera, pale parts of them
-// most.
+// Keeps vertices below the sea's surface, and makes some colonies glow that are not right at the camera's
+// path, their pale parts most.
 void finish(const Growth& growth, const Route& route, uint32_t number, Mesh& mesh, size_t first) {
     const bool glows = growth.glow != vec3(0) && unitFrom(hash(number, 3, 71)) < 0.45f &&
                        route.distanceTo(mesh.vertices[first].p) > 1.4f;

@@ -1,4 +1,4 @@
-// Sets what grows on the ground.
+// Placement of the corals and plants that grow on the ground.
 #pragma once
 
 #include "content/make/video/Mesh.h"
@@ -9,7 +9,7 @@ namespace shoal::reef {
 struct Grown {
     Mesh still, swaying;
 };
-// ground: vertices to grow on; sunlit: the sun's share at a place of it.
+// ground: its vertices are the places to grow on; sunlit: returns the share of sunlight at such a place.
 Grown grow(const Scene& scene, const Route& route, const Mesh& ground,
            const std::function<float(const vec3&)>& sunlit);
 

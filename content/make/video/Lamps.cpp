@@ -9,7 +9,7 @@ namespace shoal::reef {
 
 namespace {
 
-constexpr int kSide = 512;      // of the picture of distances
+constexpr int kSide = 512;      // of the shadow map
 constexpr float kGlass = 0.05f; // metres, radius
 
 } // namespace
@@ -83,7 +83,7 @@ Mesh makeLamp(const Lamp& lamp) {
         mesh.addTube({foot, foot + vec3(0.14f * std::cos(angle), -0.55f, 0.14f * std::sin(angle))},
                      {0.012f, 0.010f}, 5, dark, Kind::Lamp);
     }
-    // The glass: as bright as all its light from so small a disc, within what the camera can tell from white.
+    // The glass sends all the lamp's light from its small disc, up to what the camera can tell from white.
     const vec3 radiance =
         lamp.intensity * std::min(1 / (3.14159f * kGlass * kGlass), 30 / std::max(lamp.intensity.y, 1e-3f));
     const size_t first = mesh.vertices.size();

@@ -1,4 +1,4 @@
-// Spotlights under water: how much of their light arrives at a place, and the things that are seen of them.
+// Spotlights under water: the light that arrives from them at a place, and the meshes of their housings.
 #pragma once
 
 #include "content/make/video/Mesh.h"
@@ -10,12 +10,12 @@ namespace shoal::reef {
 
 class Lamps {
   public:
-    static constexpr float kReach = 14; // metres: beyond it the water leaves nothing
+    static constexpr float kReach = 14; // metres; the water absorbs all light beyond
     struct Arriving {
         vec3 irradiance{0}; // on a plane that faces the lamp
         vec3 toLamp{0};     // unit
     };
-    // The few that light one place.
+    // Light of the few lamps that reach one place.
     class List {
       public:
         void add(const Arriving& light) {
@@ -30,8 +30,8 @@ class Lamps {
     };
 
     Lamps() = default;
-    // distance: to the first thing from a place in a direction, at most kReach. Lamps that the camera carries
-    // cast no shadows: they would lie behind what casts them.
+    // distance: returns the distance from a place to the first surface in a direction, at most kReach. Lamps
+    // that the camera carries cast no shadows: objects would hide these from the camera.
     Lamps(const std::vector<Lamp>& lamps, const Water& water,
           const std::function<float(const vec3& origin, const vec3& dir)>& distance);
     void carry(const vec3& camera);
@@ -41,9 +41,9 @@ class Lamps {
     struct Set {
         Lamp lamp;
         vec3 place{0};
-        glm::mat3 lampFromWorld{1}; // z along its axis
-        float halfWidth = 1;        // of its picture at z = 1
-        std::vector<float> reach;   // distances to what it lights first; empty: no shadows
+        glm::mat3 lampFromWorld{1}; // z along the lamp's axis
+        float halfWidth = 1;        // of the shadow map at z = 1
+        std::vector<float> reach;   // shadow map: distances to the first surface; empty: no shadows
     };
     float lit(const Set& set, const vec3& inLamp, float distance) const;
 
@@ -51,7 +51,7 @@ class Lamps {
     std::vector<Set> sets_;
 };
 
-// Housing and glass.
+// Returns the lamp's housing and glass.
 Mesh makeLamp(const Lamp& lamp);
 
 } // namespace shoal::reef

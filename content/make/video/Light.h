@@ -8,8 +8,8 @@ namespace shoal::reef {
 // Returns the radiance of the sky without the sun's disc; the direction is in air.
 vec3 skyRadiance(const Scene& scene, const vec3& dirAir);
 
-// Upward through a surface with this normal: the share let through, and the direction in air (unset if
-// nothing is).
+// Refraction of a ray from the water up into the air: the share of light that the surface transmits, and the
+// direction in air (unset if the share is 0).
 struct Window {
     float through = 0;
     vec3 dirAir{0};

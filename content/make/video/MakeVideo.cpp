@@ -1,4 +1,4 @@
-// Films a scene; kUsage tells how.
+// Program that makes a scene's film; kUsage lists its tasks.
 #include "content/make/video/Camera.h"
 #include "content/make/video/Depth.h"
 #include "content/make/video/Frame.h"
@@ -85,7 +85,7 @@ Result<Drawn> recall(const Studio& studio, int time) {
     return drawn;
 }
 
-// The times that are drawn, in frames.
+// Returns the times, in frames of the path, whose traced frames are on disk.
 std::vector<int> drawnTimes(const Studio& studio) {
     std::vector<int> times;
     for (int time = 0; time < studio.scene.film.frames; time += studio.scene.film.every)
@@ -93,7 +93,7 @@ std::vector<int> drawnTimes(const Studio& studio) {
     return times;
 }
 
-// The meter is read every two seconds; where no frames are traced there, once at the nearest.
+// Takes meter readings every two seconds; if no frame is traced at these times, one of the nearest frame.
 Result<Exposure> meter(const Studio& studio, int at) {
     std::vector<float> readings;
     for (int time = 0; time < studio.scene.film.frames; time += 2 * studio.scene.film.fps) {
@@ -113,7 +113,7 @@ Result<Exposure> meter(const Studio& studio, int at) {
     return Exposure{studio.scene.camera, readings};
 }
 
-// All that are missing, coarsely first: a run that is stopped leaves a film that can be shown already.
+// Traces all missing frames, widely spaced ones first, so that a stopped run leaves a film that can be shown.
 Status drawAll(const Studio& studio, int every, int first, int count) {
     const Film& film = studio.scene.film;
     for (int spacing = kCoarsest; spacing >= every; spacing /= 2)
@@ -130,7 +130,7 @@ Status drawAll(const Studio& studio, int every, int first, int count) {
     return Done{};
 }
 
-// A frame that was not traced is seen from the traced ones before and after it.
+// Frames that were not traced are interpolated from the traced ones before and after them.
 Status film(const Studio& studio, int first, int count) {
     const Film& cut = studio.scene.film;
     const std::vector<int> times = drawnTimes(studio);
@@ -184,7 +184,7 @@ Status beside(const Studio& studio, const std::string& name, int width, const ve
     return Done{};
 }
 
-// A hundredth of all directions meets something nearer: how far off a wall is, whatever single leaves are.
+// Returns the distance that is undercut in 1 % of all directions: that of walls rather than of single leaves.
 float nearest_m(const Drawn& drawn) {
     std::vector<std::pair<float, double>> seen; // metres, steradians
     const int width = drawn.radianceLin.width, height = drawn.radianceLin.height;

@@ -1,4 +1,4 @@
-// Triangles with what the light needs to know of their surface.
+// Triangle meshes with the surface properties that lighting needs.
 #pragma once
 
 #include "content/make/video/Scene.h"
@@ -14,8 +14,8 @@ struct Vertex {
     vec3 p{0}, normal{0};
     vec3 albedo{0};
     Kind kind = Kind::Rock;
-    float sway = 0;    // metres that the surge moves it to either side; 0 for what stands still
-    uint32_t glow = 0; // radiance that it sends by itself, as glm::packF3x9_E1x5 packs it
+    float sway = 0;    // amplitude of its movement by the surge, metres; 0: it stands still
+    uint32_t glow = 0; // emitted radiance, packed by glm::packF3x9_E1x5()
 };
 
 struct Mesh {
@@ -26,18 +26,18 @@ struct Mesh {
         vertices.push_back(vertex);
         return static_cast<uint32_t>(vertices.size() - 1);
     }
-    // Another mesh, moved by p -> place + turn * p * size; its albedo times tint, its sway times size.
+    // Adds another mesh with each p moved to place + turn * p * size, albedo times tint, sway times size.
     void add(const Mesh& part, const glm::mat3& turn, float size, const vec3& place, const vec3& tint);
-    // Area-weighted means of the triangles' normals.
+    // Sets vertex normals to area-weighted means of the triangles' normals.
     void makeNormals();
-    // A tube along points, closed at its end by a point; the last radius may be 0.
+    // Adds a tube along points, open at both ends; a last radius of 0 closes its end.
     void addTube(const std::vector<vec3>& points, const std::vector<float>& radii, int sides,
                  const std::function<vec3(float)>& albedoAlong, Kind kind, float swayAtEnd = 0);
-    // A grid of columns x rows vertices, in rows; closed in columns if `round`.
+    // Adds a grid of columns x rows vertices, row by row; `round` joins the last column to the first.
     void addGrid(int columns, int rows, bool round, const std::function<Vertex(float, float)>& at);
 };
 
-// A frame with y along up, turned by `angle` about it.
+// Returns axes with y along up, turned about it by `angle`.
 glm::mat3 frameAlong(const vec3& up, float angle);
 
 } // namespace shoal::reef

@@ -110,7 +110,7 @@ NoiseVolume::NoiseVolume(Kind kind) : texels_(kSide * kSide * kSide) {
         }
 }
 
-// Four channels a step: the compiler's vectors, because this is an eighth of a frame's time.
+// Computes four channels at once by the compiler's vectors: this takes an eighth of a frame's time.
 vec4 NoiseVolume::at(const vec3& p) const {
     using Bytes [[gnu::vector_size(4)]] = int8_t;
     using Floats [[gnu::vector_size(16)]] = float;

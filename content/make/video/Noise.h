@@ -1,4 +1,4 @@
-// Noise: functions for what is built once, a small repeating volume for what is asked for each pixel.
+// Noise: functions for meshes that are built once, and a small repeating volume for look-ups in each pixel.
 #pragma once
 
 #include "content/make/video/Scene.h"
@@ -13,7 +13,7 @@ inline float unitFrom(uint32_t bits) { return static_cast<float>(bits >> 8) * 0x
 
 // Gradient noise about -1..1, lattice of one metre; `period` > 0 repeats it after so many cells.
 float gradientNoise(const vec3& p, int period = 0);
-// Octaves of it, each half as large and half as strong.
+// Sum of octaves of gradient noise, each of half the scale and half the strength.
 float fractalNoise(const vec3& p, int octaves);
 // Distance to the nearest of scattered points (one a cell), about 0..1, and that point's own number 0..1.
 vec2 cellNoise(const vec3& p, int period = 0);

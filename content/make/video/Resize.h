@@ -1,11 +1,11 @@
-// The same lat-long picture at another size.
+// Resizing of lat-long pictures.
 #pragma once
 
 #include "engine/core/Image.h"
 
 namespace shoal::reef {
 
-// Smaller, by means over areas.
+// Returns a smaller picture, by means over areas.
 ImageRgbF reduced(const ImageRgbF& in, int width);
 
 } // namespace shoal::reef

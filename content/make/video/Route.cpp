@@ -5,7 +5,7 @@
 
 namespace shoal::reef {
 
-// Uniform cubic B-spline: curvature is continuous, so nothing jerks; it passes near its places rather than
+// A uniform cubic B-spline, whose continuous curvature avoids jerks. It passes near its places rather than
 // through them.
 Route::Route(const std::vector<vec3>& places) {
     const auto n = places.size();

@@ -1,4 +1,4 @@
-// The camera's way: a closed curve through given places, at an even pace.
+// The camera's path: a closed curve near given places, at constant speed.
 #pragma once
 
 #include "content/make/video/Scene.h"
@@ -8,7 +8,7 @@ namespace shoal::reef {
 class Route {
   public:
     explicit Route(const std::vector<vec3>& places);
-    vec3 at(float turn) const; // turn: any, whole numbers are the start
+    vec3 at(float turn) const; // turn: laps, of any value; whole numbers are the start
     float distanceTo(const vec3& p) const;
     float length() const { return length_; }
 

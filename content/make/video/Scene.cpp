@@ -9,7 +9,7 @@ namespace shoal::reef {
 
 namespace {
 
-// Reads what must be there; the first thing missing ends the reading.
+// Exception of the reading functions below: the first required key that is missing or wrong.
 struct Missing {
     std::string what;
 };
@@ -98,7 +98,7 @@ Lamp lamp(const toml::table& table) {
     return out;
 }
 
-// `over` on top of `under`.
+// Merges `over` into `under`; its values take precedence.
 void join(toml::table& under, const toml::table& over) {
     for (const auto& [key, node] : over) {
         toml::table* was = under[key].as_table();
@@ -119,7 +119,7 @@ toml::table withBase(const Path& file) {
     return joined;
 }
 
-// Film and camera change nothing that is lit, nor does where it is stated.
+// Hashes all but the film's and the camera's data, which do not change the light, and the base file's name.
 uint64_t keyOf(toml::table root) {
     root.erase("base");
     root.erase("film");

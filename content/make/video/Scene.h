@@ -1,4 +1,4 @@
-// The scene as data (Reef.toml, Night.toml, Kelp.toml): what is filmed, before anything is built of it.
+// Description of a scene (Reef.toml, Night.toml, Kelp.toml): the data from which its meshes are built.
 // Metres, +Y up, the water's surface at y = 0; radiance in one arbitrary unit throughout.
 #pragma once
 
@@ -31,19 +31,19 @@ struct Sun {
     vec3 toSunAir{0}, toSunWater{0}; // unit; the second refracted at the level surface
     vec3 irradiance{0};              // on a plane facing it, just below the surface
     vec3 sky{0};                     // radiance overhead in air
-    vec3 horizon{0};                 // and low down
+    vec3 horizon{0};                 // radiance at the horizon in air
 };
 
 // A spotlight under water: set somewhere, or carried by the camera.
 struct Lamp {
-    vec3 place{0};                    // metres; against the camera if it is carried
+    vec3 place{0};                    // metres; relative to the camera if it is carried
     vec3 towards{0};                  // unit
-    float cosInner = 1, cosOuter = 1; // full within the first, dark outside the second
+    float cosInner = 1, cosOuter = 1; // full light within the first, none outside the second
     vec3 intensity{0};                // irradiance at one metre
     bool carried = false;
 };
 
-// Specks that glow by themselves, by turns.
+// Plankton: specks that flash at different times.
 struct Plankton {
     int count = 0;
     vec3 radiance{0}; // of a speck of one millimetre
@@ -55,14 +55,14 @@ struct Waves {
 
 struct Film {
     int frames = 0, fps = 0, width = 0;
-    int drawn = 0; // the width that rays are traced at; the encoder is given it enlarged
-    int start = 0; // frames after the path's own beginning: where the film is cut open
-    int every = 1; // rays are traced for each so many frames
+    int drawn = 0; // width of the traced frames, which are enlarged for the encoder
+    int start = 0; // frame of the closed path at which the film starts
+    int every = 1; // frames from one that is traced to the next
 };
 
 struct CameraData {
     float exposure = 1, adaptation = 0, noise = 0;
-    std::optional<float> mean; // meter reading that is exposed so; without it the film's own
+    std::optional<float> mean; // meter reading that gets `exposure` itself; empty: the film's mean reading
     vec3 white{1};
     int snow = 0;
 };
@@ -83,7 +83,7 @@ struct Growth {
     vec2 size{0}, light{0, 1};
     float up = 0;
     float clear = 0; // metres that its root keeps from the camera's path; 0: by its size
-    vec3 glow{0};    // radiance that some of it send by themselves where their albedo is 1/3
+    vec3 glow{0};    // radiance that some colonies emit where their albedo is 1/3
     bool onSand = false;
 };
 
@@ -100,7 +100,7 @@ struct Scene {
     std::vector<Growth> growths;
     std::vector<Lamp> lamps;
     Plankton plankton;
-    uint64_t key = 0; // of all that what is lit once depends on
+    uint64_t key = 0; // hash of everything that the stored light depends on
 };
 
 // Refractive index of sea water.

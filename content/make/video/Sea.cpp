@@ -39,7 +39,7 @@ void transform(Complex* data, int n, const std::vector<Complex>& roots) {
 
 int wrapped(int i, int side) { return i & (side - 1); }
 
-// Bilinear in a repeating square; p in texels.
+// Samples a repeating square bilinearly; p in texels.
 template <class T> T repeating(const std::vector<T>& texels, int side, vec2 p) {
     const vec2 base = glm::floor(p), f = p - base;
     const int x0 = wrapped(static_cast<int>(base.x), side), x1 = wrapped(x0 + 1, side);
@@ -136,7 +136,7 @@ vec2 Sea::slope(const vec2& xz, float width) const {
 }
 
 namespace {
-constexpr std::array<float, 4> kDepths = {0.218f, 0.527f, 0.782f, 1.018f}; // of the sand's
+constexpr std::array<float, 4> kDepths = {0.218f, 0.527f, 0.782f, 1.018f}; // shares of the sand's depth
 }
 
 Caustics::Caustics(const Scene& scene)
@@ -145,8 +145,8 @@ Caustics::Caustics(const Scene& scene)
     for (const float share : kDepths) depths_.push_back(-share * scene.sandHeight);
 }
 
-// Each texel's two photons go straight from the surface to each depth, in the frame that the level sea's ray
-// stays still in.
+// Two photons for each texel go straight from the surface to each depth, in a frame in which a level sea's
+// ray would not move sideways.
 void Caustics::advance(const Sea& sea) {
     const vec2 level(-toSun_.x / toSun_.y, -toSun_.z / toSun_.y);
     const float texel = tile_ / kSide;

@@ -6,7 +6,7 @@
 
 namespace shoal::reef {
 
-// A shoulder that rolls highlights off into the clip, a short toe, then the display's coding.
+// Applies a short toe, a shoulder that compresses highlights below the clip, and the sRGB encoding.
 inline float toned(float x) {
     x = std::max(x, 0.0f);
     const float toe = x * x / (x + 0.004f);

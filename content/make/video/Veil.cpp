@@ -10,7 +10,7 @@
 
 namespace shoal::reef {
 
-// Edges grow evenly at first, then by a constant ratio.
+// Returns the near distance of a slice, metres: edges grow evenly at first, then by a constant ratio.
 float Veil::edge(int slice) { return kNearest * (std::exp(static_cast<float>(slice) * kRatio) - 1) / kFirst; }
 
 namespace {
@@ -25,7 +25,7 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
     height_ = width_ / 2;
     cells_.resize(static_cast<size_t>(width_) * height_ * kSlices);
     const Water& water = scene.water;
-    // No light is wanted from behind what is seen, in a direction or beside it.
+    // The march ends at the surface seen in a direction, or at the farthest one seen beside it.
     std::vector<float> seen(static_cast<size_t>(width_) * height_);
 #pragma omp parallel for schedule(dynamic, 2)
     for (int y = 0; y < height_; ++y)
@@ -45,7 +45,7 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
     };
 #pragma omp parallel for schedule(dynamic, 2)
     for (int y = 0; y < height_; ++y) {
-        // Towards the poles columns crowd: fill every n-th and repeat it.
+        // Columns lie close together near the poles: only every n-th is marched, and the rest repeat it.
         const float ring =
             std::cos((0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)) * 3.14159265f);
         const int step = 1 << std::clamp(static_cast<int>(-std::log2(ring)), 0, 5);
@@ -65,12 +65,13 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
                 const float to = edge(i + 1),
                             length = from > wanted ? 0.0f : std::max(std::min(to, above) - from, 0.0f);
                 if (length > 0) {
-                    // Around the sun a ray keeps to one beam: there the whole cell is asked.
+                    // A ray near the sun's direction stays within one beam: sample the whole cell there.
                     const bool beams = i > 6 && turned > 0.25f;
                     const int parts = beams ? 8 : i <= 6 || i > 20 ? 1 : scene.lamps.empty() ? 2 : 4;
                     vec3 source(0);
                     for (int k = 0; k < parts; ++k) {
-                        const vec3 aside = beams ? kSpread[k] * (9.0f / static_cast<float>(kFinest)) : vec3(0);
+                        const vec3 aside =
+                            beams ? kSpread[k] * (9.0f / static_cast<float>(kFinest)) : vec3(0);
                         const vec3 p =
                             camera +
                             (dir + aside) * (from + length * (static_cast<float>(k) + 0.15f + 0.7f * jitter) /
@@ -93,8 +94,8 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
     smooth();
 }
 
-// Each cell was marched from its own jittered start; what that leaves of noise would look like a coder's
-// blocks in even water. 1 2 1 both ways.
+// Smooths by weights 1 2 1 along rows and columns. The jittered starts of the march leave noise, which would
+// look like an encoder's blocks in even water.
 void Veil::smooth() {
     std::vector<vec3> was;
     for (const bool alongRows : {true, false}) {

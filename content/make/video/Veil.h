@@ -1,5 +1,5 @@
-// The light that the water itself sends: what is scattered between the camera and each distance, in each
-// direction.
+// In-scattered light: what the water scatters towards the camera from each direction, up to each distance
+// along it.
 #pragma once
 
 #include "content/make/video/Sea.h"
@@ -10,7 +10,7 @@ namespace shoal::reef {
 class Veil {
   public:
     // Marches from the camera through sunlight, shadow and caustics (shafts), lamps, and the ambient grid.
-    // width: of the picture that it is for; 512 is as fine as it gets.
+    // width: width of the picture that it is for; the veil is at most 512 wide.
     void fill(const Scene& scene, const World& world, const Caustics& caustics, const vec3& camera,
               int width);
     // uv: lat-long; distance in metres.

@@ -1,4 +1,4 @@
-// Everything solid under the water: traced, shadowed, and lit by what its surroundings send back.
+// Everything solid under the water, with ray tracing, sun shadows and stored indirect light.
 #pragma once
 
 #include "content/make/video/Embree.h"
@@ -15,8 +15,8 @@ struct Hit {
     float distance = 0;
     vec3 p{0}, normal{0}; // the normal faces the viewer
     vec3 albedo{0};
-    vec3 indirect{0}; // irradiance from all but sun and lamps themselves
-    vec3 glow{0};     // radiance of its own
+    vec3 indirect{0}; // irradiance without the direct light of sun and lamps
+    vec3 glow{0};     // emitted radiance
     Kind kind = Kind::Rock;
 };
 
@@ -24,20 +24,20 @@ constexpr float kGridCell = 0.5f; // metres
 
 class World {
   public:
-    // Grows; is dark as yet.
+    // Builds the meshes; lightOnce() computes their light.
     World(const Scene& scene, const Route& route);
 
-    // Lights all once: read from `cache` if it holds it, and kept there if not.
+    // Reads the indirect light from `cache` or, if it is not there, computes it and writes it there.
     void lightOnce(const Path& cache);
 
-    // Moves what sways near the camera. turn: 0..1.
+    // Moves the swaying meshes near the camera. turn: time in films, 0..1.
     void advance(float turn, const vec3& camera);
 
     bool trace(const vec3& origin, const vec3& dir, float furthest, Hit& hit) const;
-    // The share of the sun that solid things leave at a place.
+    // Returns the share of the sun that solid things do not block at a place.
     float sunlit(const vec3& p) const;
-    float sunlitSoft(const vec3& p) const; // with the penumbra that waves and disc make
-    // Mean radiance over all directions but the sun's and the lamps'.
+    float sunlitSoft(const vec3& p) const; // with the penumbra that waves and the sun's disc cause
+    // Returns the mean radiance over all directions, without the direct light of sun and lamps.
     vec3 ambient(const vec3& p) const;
     const Lamps& lamps() const { return lamps_; }
 
@@ -61,10 +61,10 @@ class World {
     std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> stillScene_, swayingScene_;
     std::array<Mesh, 2> parts_; // still, swaying
     std::array<std::vector<vec3>, 2> indirect_;
-    std::vector<vec3> moved_; // the swaying part's places now
+    std::vector<vec3> moved_; // current positions of the swaying part
     float duration_ = 0;
     std::vector<float>
-        shadow_; // height of what the sun meets first, by the place where its ray enters the water
+        shadow_; // shadow map: height of the first surface on a sun ray, by where the ray enters the water
     Lamps lamps_;
     vec3 gridLow_{0};
     glm::ivec3 gridCells_{0};

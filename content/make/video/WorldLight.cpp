@@ -1,5 +1,5 @@
-// The light that comes by way of other things: gathered once, for every vertex and for a grid of places in
-// the water.
+// Indirect light, which other surfaces and the water send on: gathered once, for every vertex and for a grid
+// of places in the water.
 #include "content/make/video/World.h"
 
 #include "content/make/video/Light.h"
@@ -15,7 +15,7 @@ namespace shoal::reef {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-// Evenly over the square, turned by a random step (Roberts' sequence).
+// Returns point i of Roberts' sequence, which is even over the unit square, shifted by a random vector.
 vec2 spread(int i, const vec2& shift) {
     const vec2 p = shift + static_cast<float>(i) * vec2(0.7548776662f, 0.5698402910f);
     return p - glm::floor(p);
@@ -32,7 +32,7 @@ void World::light() {
     lightGrid(64);
 }
 
-// Radiance that arrives at origin from dir, without the sun's own.
+// Returns the radiance that arrives at origin from dir, without the sun's direct light.
 vec3 World::incoming(const vec3& origin, const vec3& dir, bool& fromBehind) const {
     Hit hit;
     const bool met = trace(origin, dir, 60, hit);
@@ -47,7 +47,7 @@ vec3 World::incoming(const vec3& origin, const vec3& dir, bool& fromBehind) cons
         for (const Lamps::Arriving& light : lamps_.at(hit.p + hit.normal * 0.02f))
             irradiance += light.irradiance * std::max(glm::dot(hit.normal, light.toLamp), 0.0f);
         behind = fromBehind ? vec3(0) : hit.albedo * irradiance / kPi;
-        // A lamp's glass would be met by chance only; what it sends is counted above.
+        // Rays would hit a lamp's small glass by chance only; its light is counted directly by lamps_.
         if (hit.kind != Kind::Lamp) behind += hit.glow;
     } else if (dir.y > 0.02f) {
         distance = std::min(-origin.y / dir.y, 60.0f);
@@ -156,7 +156,7 @@ void World::lightVertices(int rays) {
     }
 }
 
-// Evens out what few rays leave: a vertex takes half of its neighbours' mean.
+// Smooths the noise of few rays: blends each vertex half and half with its neighbours' mean.
 void World::smooth(size_t part) {
     const Mesh& mesh = parts_[part];
     std::vector<vec3> sum(mesh.vertices.size());

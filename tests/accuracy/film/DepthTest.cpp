@@ -1,5 +1,5 @@
-// The tracks of our films hide what the traced truth hides: fish at one to six metres in the fifteen frames
-// of which every distance is kept.
+// The depth tracks of our films hide the same as the traced truth: fish at one to six metres in the fifteen
+// frames for which all true distances are stored.
 #include "engine/media/VideoSource.h"
 #include "tests/bench/depth/Hiding.h"
 
@@ -61,7 +61,7 @@ TEST_P(FilmDepth, HidesWhatTheTruthHides) {
     EXPECT_LT(wrong(refined), wrong(none) / 2);
 }
 
-// Measured: 10.8, 13.8 and 19.0; what is more is for other decoders of the films.
+// Measured: 10.8, 13.8 and 19.0; the margin is for other decoders of the films.
 INSTANTIATE_TEST_SUITE_P(Films, FilmDepth,
                          testing::Values(FilmFrames{"reef", {120, 560, 860, 1060, 1260}, 11.5},
                                          FilmFrames{"night", {60, 180, 320, 460, 620}, 15},

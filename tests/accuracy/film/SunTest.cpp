@@ -1,4 +1,4 @@
-// The lights of the game's own film are found where the film's maker has put them, and do not jump.
+// Lights of the game's own film are found where its scene has them, and do not jump.
 #include "engine/light/LightOverTime.h"
 #include "engine/light/Pyramid.h"
 #include "engine/media/VideoPlayer.h"
@@ -35,7 +35,7 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
             radiance);
         finder.find(radiance, found);
         const ShadowLight& now = steady.follow(found, static_cast<float>(1 / player->info().fps));
-        // Waves and clouds move by degrees what the camera clips about the sun.
+        // Waves and clouds move the clipped area around the sun by some degrees.
         EXPECT_LT(degreesBetween(now.light.direction, sun), 6) << "frame " << i;
         if (i > 0) {
             EXPECT_LT(degreesBetween(now.light.direction, before), 1) << "frame " << i;
@@ -69,7 +69,7 @@ TEST(FilmSun, LightsAreFoundWhereTheyWereBeforeTheCamera) {
         finder.find(radiance, found);
         ASSERT_GT(truth.count, 0u);
         ASSERT_GT(found.count, 0u);
-        // 2.2 degrees for frame 120, whose sun a cloud is melted to; 0.6 to 1.6 for the others.
+        // 2.2 degrees for frame 120, whose sun merges with a cloud; 0.6 to 1.6 for the others.
         EXPECT_LT(degreesBetween(found.lights[0].direction, truth.lights[0].direction), 2.4)
             << "frame " << frame;
     }

@@ -37,7 +37,7 @@ void spread(const glm::dvec3& axis, double from, double to, int count, std::vect
     }
 }
 
-// Over the sphere, closer together around its brightest texel, where narrow lobes have their all.
+// Returns directions over the sphere, denser around its brightest texel, which dominates narrow lobes.
 std::vector<Sample> samplesFor(const ImageRgbF& environment) {
     glm::dvec3 axis(0);
     float maximum = -1;
@@ -66,7 +66,7 @@ struct Error {
 
 constexpr int kWidth = 1024, kHeight = 512;
 
-// A sky of 1 and a square of four texels 10^4 brighter, its top left texel here.
+// Returns a sky of 1 with a square of four texels 10^4 brighter, whose top left texel is given.
 ImageRgbF sun(int column, int row) {
     ImageRgbF image = uniform(kWidth, glm::dvec3(1));
     for (int i = 0; i < 4; ++i)
@@ -105,7 +105,7 @@ constexpr float kRoughness[] = {0.1f, 0.11f, 0.15f, 0.2f, 0.25f, 0.3f, 0.4f,
 
 class LightAccuracy : public testing::TestWithParam<const char*> {};
 
-// Lookups included. The bounds are what the light promises; the suns' directions are not all that there are.
+// Errors include those of look-ups. The light promises these bounds; the suns test only some directions.
 TEST_P(LightAccuracy, AgainstTheIntegral) {
     const std::string name = GetParam();
     const auto environment = environmentNamed(name);

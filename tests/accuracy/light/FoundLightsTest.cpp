@@ -17,8 +17,8 @@ namespace {
 
 struct Picture {
     const char* name;
-    double maxMean;    // of the exposures tried: the sphere's mean by white
-    double within_deg; // of the clipped picture's lights the nearest to the true strongest one
+    double maxMean;    // highest exposure tried: the sphere's mean over white
+    double within_deg; // bound for the clipped picture's light nearest to the true strongest one
 };
 
 class FoundLightsHdr : public testing::TestWithParam<Picture> {};

@@ -1,5 +1,5 @@
-// A reader of Radiance RGBE files, no more than the reference environments need; the accuracy of the light is
-// measured without leaning on engine/media.
+// A reader of Radiance RGBE files, as far as the reference environments need it, so that the accuracy of the
+// light is measured without engine/media.
 #pragma once
 
 #include "engine/core/Files.h"

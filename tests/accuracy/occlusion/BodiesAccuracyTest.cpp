@@ -49,7 +49,7 @@ ErrorSums measure(const OcclusionScene& scene, const ImageRgbF& light, int bounc
     return error;
 }
 
-// The bounds: what was measured, and a tenth.
+// A case with its bounds: the measured values plus a tenth.
 struct Case {
     const char* name;
     OcclusionScene (*make)();
@@ -73,9 +73,9 @@ TEST_P(Bodies, LeaveNearlyTheLightThatRaysFind) {
     }
 }
 
-// Measured on the hands as they are, and a tenth: since they end at the wrist, 0.039 and 0.046, 0.054 and
-// 0.064, 0.047 and 0.060, 0.035 and 0.050. (With a sleeve, lit as open as can be: 0.058, 0.059; 0.039, 0.049;
-// 0.054, 0.059; 0.064, 0.072.)
+// Bounds are the values measured on the present hands, which end at the wrist, plus a tenth: 0.039 and 0.046,
+// 0.054 and 0.064, 0.047 and 0.060, 0.035 and 0.050. (With a sleeve, lit as if unoccluded: 0.058, 0.059;
+// 0.039, 0.049; 0.054, 0.059; 0.064, 0.072.)
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Bodies,
     testing::Values(Case{"hand_opening", [] { return handOnFish(0.2f); }, 0.045, 0.052},

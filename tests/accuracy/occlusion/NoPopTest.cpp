@@ -1,4 +1,4 @@
-// A hand that closes on a fish darkens it smoothly, though what takes light from it is chosen anew each tick.
+// A hand that closes on a fish darkens it smoothly, though its occluders are chosen anew each tick.
 #include "Truth.h"
 #include "engine/render/BodyOccluders.h"
 
@@ -12,7 +12,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kTicks = 60; // half a second, from wide open to closed
-constexpr float kPop = 0.02f; // of the light that is there unoccluded: seen, where nothing moves that fast
+constexpr float kPop = 0.02f; // share of the unoccluded light; a visible change where nothing moves that fast
 
 float curlAt(size_t tick) { return 0.8f * static_cast<float>(tick) / kTicks; }
 
@@ -21,7 +21,7 @@ bool within(const occlusion::Ellipsoid& shape, const glm::vec3& p) {
     return glm::dot(m, m) < 1;
 }
 
-// The bodies that NearBodies finds near the first one, as for a picture.
+// Returns the occluders that NearBodies chooses for the first body, as it does for a picture.
 std::vector<occlusion::Occluder> nearFirst(const OcclusionScene& scene) {
     render::NearBodies near;
     scene::Pose pose;
@@ -45,7 +45,7 @@ std::vector<occlusion::Occluder> nearFirst(const OcclusionScene& scene) {
     return found;
 }
 
-// The most that the light left at a point changes by in a tick from tick `first` to `last`, by traced rays.
+// Returns the largest change of the light at a point in a tick from tick `first` to `last`, by traced rays.
 float trueChange(const ClosingHand& closing, const SurfacePoint& at, const ImageRgbF& light, size_t first,
                  size_t last) {
     float maximum = 0, before = 0;
@@ -94,7 +94,7 @@ TEST(ClosingHand, DarkensAFishWithoutAPop) {
     float steepest = 0, jump = 0;
     for (size_t tick = 1; tick < means.size(); ++tick)
         steepest = std::max(steepest, std::abs(means[tick] - means[tick - 1]));
-    // A pop: a tick's change that its neighbours do not share, and that is more than what moves explains: a
+    // A pop is a change in one tick that neighbouring ticks do not share and movement does not explain: a
     // fingertip that sweeps by at half a metre a second changes the truth by up to a tenth.
     float worst = 0;
     int explained = 0;

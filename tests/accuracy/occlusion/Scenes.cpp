@@ -25,10 +25,10 @@ struct ModelInstance {
     scene::Model model;
     scene::Pose rest, pose;
     render::BodyOccluders body;
-    std::vector<glm::vec4> selfOcclusion; // at rest; of a hand what its own parts leave
+    std::vector<glm::vec4> selfOcclusion; // at rest; for a hand, the part that its own ellipsoids leave
 };
 
-// The rotation from rest that this vertex has by its joint.
+// Returns the rotation from rest that a joint gives its vertices.
 glm::mat3 turned(const ModelInstance& instance, const scene::Pose& pose, size_t node) {
     return glm::mat3(pose.modelFromNode[node] * glm::inverse(instance.rest.modelFromNode[node]));
 }
@@ -43,7 +43,7 @@ ModelInstance load(const std::string& name) {
     return instance;
 }
 
-// Of the model's file.
+// Reads the occlusion file of a model.
 render::BakedOcclusion bakedOf(const std::string& name) {
     const auto baked = render::readBakedOcclusion(content() / "models" / (name + ".occlusion.json"));
     if (!baked) throw std::runtime_error(baked.error().message());

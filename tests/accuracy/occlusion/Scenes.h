@@ -1,4 +1,4 @@
-// Bodies near each other, as the game has them, and the light of its own environment.
+// Scenes of the game's bodies near each other, and light of the game's own environment.
 #pragma once
 
 #include "content/make/models/occlusion/Silhouettes.h"
@@ -16,14 +16,14 @@ struct SceneBody {
     scene::Surface surface; // in the world
     glm::vec3 albedo{0};
     std::vector<occlusion::Occluder> parts;
-    bool onItself = false;                // they take its own light too
+    bool onItself = false;                // bodies also occlude themselves
     std::vector<glm::vec4> selfOcclusion; // occlusion::traceSelfOcclusion(), by position, world
 };
 
 struct OcclusionScene {
     std::string name;
     std::vector<SceneBody> bodies;
-    std::vector<size_t> receivers; // whose light is measured
+    std::vector<size_t> receivers; // bodies whose light is measured
 };
 
 // The first body is a fish that lies still, the second a hand.
@@ -41,7 +41,7 @@ OcclusionScene handOnFish(float curl);
 OcclusionScene handBySelf(float curl); // its own light
 OcclusionScene sharkAboveShoal();
 
-// 64 x 32 texels of the light that the game makes of a frame of the dive's video.
+// Returns the light that the game makes of a frame of the dive's video, 64 x 32 texels.
 ImageRgbF reefLight(int64_t frame);
 
 } // namespace shoal

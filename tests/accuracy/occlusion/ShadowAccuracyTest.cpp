@@ -57,7 +57,7 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
     const render::CastingLight light = tests::lightAt(66, radius_deg);
     std::vector<render::FlatPiece> flat;
     render::flatten(ellipsoids, light, flat);
-    glm::vec2 low(INFINITY), high(-INFINITY); // of the ground around what is shaded
+    glm::vec2 low(INFINITY), high(-INFINITY); // bounds of the ground around the shadow
     for (const render::FlatPiece& piece : flat) {
         const float away = (piece.middle.y - kGround_m) / light.towards.y;
         const glm::vec3 under = piece.middle - away * light.towards;
@@ -83,9 +83,9 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
     return sums;
 }
 
-// Over the ground, root mean square of what is hidden. Bodies that were straight rows of slices (0.9 radians
-// of bend, 4 degrees of light): clownfish 21 %, angelfish 28, sardine 21, ray 27, shark 66; light taken in
-// all 15, 17, 14, 3 and 18 % too much.
+// Root mean square error of the hidden share over the ground. With bodies as straight rows of slices (bend
+// 0.9 radians, light of 4 degrees) it was: clownfish 21 %, angelfish 28, sardine 21, ray 27, shark 66; they
+// took 15, 17, 14, 3 and 18 % too much light in all.
 TEST(ShadowAccuracy, BendingAnimals) {
     struct Row {
         Animal animal;
@@ -104,7 +104,7 @@ TEST(ShadowAccuracy, BendingAnimals) {
                     "%-10s bent by %.1f, light of %4.1f degrees: error %5.1f %%, light taken %+5.1f %%\n",
                     animal.name, static_cast<double>(bend), static_cast<double>(radius_deg), 100 * off,
                     100 * taken);
-                if (radius_deg < 10) { // wider: noise of the rays
+                if (radius_deg < 10) { // wider lights: the rays' noise hides the error
                     EXPECT_LT(off, error) << animal.name;
                 }
                 EXPECT_NEAR(taken, 0, light) << animal.name;

@@ -116,7 +116,7 @@ glm::dvec3 Truth::unoccluded(const glm::vec3& normal) const {
     return sum / std::numbers::pi;
 }
 
-// Light by one path.
+// Returns the light along one path.
 glm::dvec3 Truth::arriving(const glm::vec3& from, const glm::vec3& normal, int bounces,
                            uint64_t& state) const {
     const double u = uniform(state), v = uniform(state);

@@ -1,4 +1,4 @@
-// Diffuse light under occlusion by tracing rays: what the closed forms are measured against.
+// Diffuse light under occlusion by ray tracing, the reference for the closed forms.
 #pragma once
 
 #include "Scenes.h"
@@ -14,7 +14,7 @@ struct SurfacePoint {
     glm::vec4 selfOcclusion{0};
 };
 
-// Spread evenly over the surface of one body.
+// Returns points spread evenly over the surface of one body.
 std::vector<SurfacePoint> scatter(const OcclusionScene& scene, size_t body, int count);
 
 class Truth {
@@ -23,11 +23,11 @@ class Truth {
 
     glm::dvec3 unoccluded(const glm::vec3& normal) const; // irradiance / pi, sum over all texels
 
-    // What is lost of it. self: whether the point's own body takes light too. bounces: diffuse, off bodies of
-    // their mean albedo; 0: black bodies. rays: of the point.
+    // Returns the light that occlusion takes. self: whether the point's own body occludes it too. bounces:
+    // diffuse, off bodies of their mean albedo; 0: black bodies. rays: number from the point.
     glm::dvec3 lost(const SurfacePoint& at, bool self, int bounces, int rays) const;
 
-    // Whether it lies within another body, where nobody sees it.
+    // Returns whether the point lies within another body, where it is never seen.
     bool buried(const SurfacePoint& at) const;
 
   private:

@@ -14,7 +14,7 @@ namespace shoal::hands::test {
 
 namespace {
 
-// A room lit from above and the left, as by a window.
+// Returns an environment lit from above and the left, as by a window.
 ImageRgb8 room() {
     ImageRgb8 frame(256, 128);
     for (int y = 0; y < frame.height; ++y)

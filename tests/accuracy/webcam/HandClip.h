@@ -1,4 +1,4 @@
-// Clips of our own hands before a webcam, where the truth is known.
+// Synthetic clips of our own hand models before a webcam, with known poses.
 #pragma once
 
 #include "engine/gl/Target.h"
@@ -30,13 +30,13 @@ HandPose shownHand(const HandRig& rig, Side side, const Shown& shown);
 
 class HandClip {
   public:
-    // Fails where there is no GL.
+    // Fails without OpenGL.
     static Result<HandClip> make(cv::Size size, float horizontalFov);
 
-    // The hands alone, with their cover in alpha. Keeps the first hundred pictures: most rows show the same
-    // hands.
+    // Draws the hands alone, with their coverage in alpha. Caches the first hundred pictures, since most rows
+    // show the same hands.
     ImageRgba8 hands(const std::array<std::optional<HandPose>, 2>& poses);
-    // Before a background, blue first, with a little sensor noise. paint: adds to the background.
+    // Returns the hands before a background, blue first, with sensor noise. paint: adds to the background.
     cv::Mat picture(const ImageRgba8& hands, Behind behind, const std::function<void(cv::Mat&)>& paint = {});
 
   private:

@@ -58,7 +58,7 @@ void drawSkinWall(cv::Mat& picture) {
         picture.row(y).setTo(cv::Scalar(132, 162, 205) * (1.05 - 0.2 * y / picture.rows));
 }
 
-// Over the hand's lower half, in two colours.
+// Draws a striped sleeve of two colours over the hand's lower half.
 void drawSleeve(cv::Mat& picture, const HandPose& hand) {
     const auto at = [&](int joint) {
         const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
@@ -139,7 +139,7 @@ double apart_mm(const HandPose& a, const HandPose& b) { // of palms, across
                      glm::distance(glm::vec2(a.joints[0].position), glm::vec2(b.joints[0].position)));
 }
 
-// The hand of the rig's size that looks like one of another size: nearer or farther by as much.
+// Returns a hand of the rig's size that looks like one of another size, by moving it nearer or farther.
 Shown asRig(Shown shown, float size) {
     shown.palm /= size;
     return shown;
@@ -215,7 +215,7 @@ float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinde
     HandSizing sizing;
     for (int number = 0; number < 90 && sizing.state() != HandSizing::State::Done; ++number) {
         const float t = static_cast<float>(number) / 30;
-        // Not as still as a stone: a few millimetres and degrees.
+        // The held hand moves by a few millimetres and degrees.
         const Shown held{.palm = HandSizing::kAt_m *
                                  glm::normalize(glm::vec3(0.02f * std::sin(2 * t), -0.1f, -1)),
                          .roll = 0.05f * std::sin(3 * t),

@@ -1,5 +1,5 @@
-// Conditions that make hands hard to find, a row each, and how well they are found there: for tests and the
-// bench.
+// Rows of conditions that make hands hard to find, and measurements of how well they are found, for tests and
+// the bench.
 #pragma once
 
 #include "HandClip.h"
@@ -10,10 +10,10 @@ namespace shoal::hands::test {
 enum class Trouble {
     None,
     Backlight,   // a window behind hands that get little light themselves
-    Sleeves,     // striped ones that reach over half of the palm
-    SkinWall,    // behind the hands, in their colour
+    Sleeves,     // striped sleeves that cover half of the palm
+    SkinWall,    // a wall of the hands' colour behind them
     Crossing,    // the left hand passes in front of the right
-    SwayingFace, // with skin-coloured clothes
+    SwayingFace, // the player's face sways, with skin-coloured clothes
 };
 
 struct Row {
@@ -21,24 +21,24 @@ struct Row {
     Behind behind = Behind::Room;
     float distance_m = 0.5f;
     bool left = false, right = true; // which hands are there
-    bool face = false;               // the player's, and skin-coloured clothes
+    bool face = false;               // shows the player's face and skin-coloured clothes
     int blur_px = 0;                 // of motion
-    float light = 1;                 // of what the camera gets; noise stays
-    float turn = 0.25f;              // how far hands are turned to and fro, radians
-    float size = 1;                  // of the hands, in times of the rig's
+    float light = 1;                 // factor on the camera's light; noise stays the same
+    float turn = 0.25f;              // amplitude of the hands' turning, radians
+    float size = 1;                  // of the hands, as a multiple of the rig's
     Trouble trouble = Trouble::None;
 };
 
-// All but the last with hands.
+// Returns all rows; only the last is without hands.
 const std::vector<Row>& rows();
 
 double medianOf(std::vector<double> values); // 1e9 of none
 
 struct RowResult {
-    int shown = 0, found = 0;    // hands; found: with its palm within 60 mm, across, of where one is
-    int otherSide = 0;           // of these, taken for the other hand
-    int phantoms = 0;            // hands where none is
-    std::vector<double> tips_mm; // how far fingertips are off, from the wrist
+    int shown = 0, found = 0;    // hands; found: those with the palm within 60 mm, across, of a true one
+    int otherSide = 0;           // found hands that were taken for the other hand
+    int phantoms = 0;            // hands found where none is
+    std::vector<double> tips_mm; // errors of fingertips relative to the wrist
     // Ratios of the wrist's distance as the finder estimates it, for a hand of the rig's size, to its true
     // distance.
     std::vector<double> wristRatio;

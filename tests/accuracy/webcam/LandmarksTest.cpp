@@ -1,5 +1,5 @@
-// Hands found by learned landmarks. Tests that need the models, which no checkout holds, skip by name
-// without.
+// Hands found by learned landmarks. Tests that need the models are skipped without them; no checkout holds
+// the models.
 #include "HandRows.h"
 #include "engine/core/WriteFile.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
@@ -29,7 +29,7 @@ TEST(Landmarks, ModelsThatAreMissingOrDamagedAreSaidWithWhatToDo) {
     EXPECT_NE(damaged.error().message().find("damaged"), std::string::npos) << damaged.error().message();
 }
 
-// One clip for all cases of a suite: to start drawing takes seconds.
+// Shares one clip between all cases of a suite, because it takes seconds to start drawing.
 template <class Parameter> class WithClip : public testing::TestWithParam<Parameter> {
   protected:
     static void SetUpTestSuite() {
@@ -68,9 +68,9 @@ INSTANTIATE_TEST_SUITE_P(All, LandmarkRows, testing::Range(size_t{0}, test::rows
                              return name;
                          });
 
-// A hand of unknown size seems farther away by as much as it is smaller. Once it is measured, the error of
-// landmarks is left: in the median 1.9 to 4.3 % in the bench and up to 5.0 in these pictures, where fists
-// seem 4 to 8 % too far away.
+// A hand of unknown size seems farther away in proportion as it is smaller. Once its size is measured, only
+// the landmarks' error is left: a median of 1.9 to 4.3 % in the bench and up to 5.0 in these pictures, where
+// fists seem 4 to 8 % too far away.
 class LandmarkSizes : public WithClip<float> {};
 
 TEST_P(LandmarkSizes, OnceMeasuredTheWristIsAsFarAsItIs) {

@@ -33,7 +33,7 @@ using tests::rig;
 
 using Moment = std::array<std::optional<Shown>, 2>;
 
-// A right hand, then both, here and there, with gestures held for half a second each.
+// Returns the clip's moments: a right hand, then both, at several places; a gesture lasts half a second.
 std::vector<Moment> session() {
     std::vector<Moment> moments;
     for (int part = 0; part < 12; ++part)
@@ -57,7 +57,7 @@ std::vector<Moment> session() {
     return moments;
 }
 
-// A clip, which a codec has been at, through the tracker's own thread and through the program.
+// An encoded clip that goes through the tracker's own thread and through the program.
 class WebcamClip : public testing::Test {
   protected:
     tests::ScratchFolder folder_;
@@ -170,7 +170,7 @@ TEST_F(WebcamClip, PlaysTheGame) {
     EXPECT_NEAR(static_cast<double>(closed), 240, 60);
 }
 
-// A clip of a picture that is white on its left half, black on its right; false: no codec.
+// Writes a clip of a picture with a white left and a black right half. Returns false without a codec.
 bool writeHalf(const Path& file) {
     cv::VideoWriter writer(file.string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate_Hz, {320, 200});
     cv::Mat half(200, 320, CV_8UC3, cv::Scalar::all(0));

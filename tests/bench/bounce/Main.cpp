@@ -75,7 +75,7 @@ Result<std::map<int, std::vector<Probe>>> readProbes(const Path& file) {
     return frames;
 }
 
-// Over all directions, of the irradiance of such radiance: Parseval's sum.
+// Returns the inner product, over all directions, of the irradiances of two radiances: Parseval's sum.
 double product(const math::ShRgb& a, const math::ShRgb& b) {
     double sum = 0;
     for (int l = 0; l < math::kShBands; ++l)
@@ -91,7 +91,7 @@ double relativeError(const math::ShRgb& found, const math::ShRgb& truth) {
     return std::sqrt(product(off, off) / product(truth, truth));
 }
 
-// The camera's light, and what harmonics say that it is more or less at the place.
+// Returns the camera's light plus the difference that harmonics give for a place.
 math::ShRgb moved(const math::ShRgb& camera, const depth::LightHarmonics& more, double factor) {
     math::ShRgb sum = camera;
     for (size_t i = 0; i < more.size(); ++i) sum[i] += factor * glm::dvec3(more[i]);
@@ -103,7 +103,7 @@ struct Error {
     double value;
 };
 
-// A share of the errors is below it.
+// Returns the error that a share of the errors between two distances does not exceed.
 double quantile(const std::vector<Error>& errors, float from_m, float to_m, double share,
                 size_t* count = nullptr) {
     std::vector<double> values;
@@ -185,7 +185,7 @@ class Measuring {
         };
         const math::ShRgb& truth = probes[0].radiance; // the first is the camera's
         const math::ShRgb film = math::shProject(level(64));
-        // Factor on the film's light, so that the camera's light is as near to the truth as it can be.
+        // Factor on the film's light that brings the camera's light nearest to the truth.
         const double factor = product(film, truth) / product(film, film);
         math::ShRgb camera = film;
         for (glm::dvec3& rgb : camera) rgb *= factor;
@@ -198,7 +198,7 @@ class Measuring {
             math::ShRgb bands = probe.radiance;
             std::fill(bands.begin() + 9, bands.end(), glm::dvec3(0));
             note("bound: true, 9 harmonics\t0\t0", probe, bands);
-            // Only as bright as it is there: what one number for each animal could give at best.
+            // The camera's light scaled by the best single factor: the limit of one number for each animal.
             const double gain = product(camera, probe.radiance) / product(camera, camera);
             math::ShRgb brighter = camera;
             for (glm::dvec3& rgb : brighter) rgb *= gain;

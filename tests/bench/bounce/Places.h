@@ -1,4 +1,4 @@
-// Places where animals are in a dive with nobody there.
+// Positions of animals in a dive without a player.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -15,7 +15,7 @@ struct Places {
     std::vector<glm::ivec3> fish_mm; // env frame, from the camera
 };
 
-// Every so many seconds of the film of this dive, from half of that on, a few fish of all kinds.
+// Returns places of a few fish of all kinds every so many seconds of the dive's film, first at half of that.
 Result<std::vector<Places>> placesOf(const std::string& dive, double every_s);
 
 } // namespace shoal::bench

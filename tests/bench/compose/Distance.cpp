@@ -18,7 +18,7 @@ float luma(const ImageRgba8& image, int x, int y) {
     return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
 }
 
-// The largest or smallest within kNear pixels.
+// Returns, for each pixel, the largest or smallest coverage within kNear pixels.
 Coverage spread(const Coverage& in, bool largest) {
     Coverage along = in, out = in;
     for (int y = 0; y < in.height; ++y)
@@ -69,7 +69,7 @@ struct Patch {
     int left, top;
 };
 
-// Share of the power beyond an eighth of a cycle a pixel.
+// Returns the share of the power beyond an eighth of a cycle a pixel.
 double detail(const Spectrum& spectrum) {
     double all = 0, fine = 0;
     for (size_t ring = 1; ring < spectrum.size(); ++ring) {

@@ -1,4 +1,4 @@
-// How far a picture is from one in which the objects were filmed.
+// Measures of the difference between a picture and one in which the objects were filmed.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -14,7 +14,7 @@ using Coverage = Image<float, 1>;
 struct Distance {
     double luma = 0;   // root mean square, of 255, over all pixels of objects and those within four of them
     double colour = 0; // the same of red, green and blue
-    double spectrum_db = 0; // between the power spectra of objects' pixels, root mean square over frequencies
+    double spectrum_db = 0; // root mean square difference of the objects' power spectra over frequencies
     double detail_db = 0;   // of objects above those around them: share of power beyond an eighth of a cycle
                             // a pixel; 0 where they have as much
     double noise = 0;       // standard deviation, of 255, of objects' inside by its Laplacian

@@ -1,4 +1,4 @@
-// Frames to a video file as the dive's own was coded, by the program ffmpeg.
+// Encodes frames to a video file as the dive's own film was, by the program ffmpeg.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -9,7 +9,7 @@
 
 namespace shoal::bench {
 
-// All frames of one size, red first. The dive's encoder, at its rate (3.9 Mbit/s at 24 frames a second).
+// Frames: all of one size, red first. Uses the dive's encoder at its rate (3.9 Mbit/s at 24 frames a second).
 Status encode(const Path& file, std::span<const ImageRgb8> frames, int fps);
 
 } // namespace shoal::bench

@@ -19,11 +19,11 @@ constexpr float kSharpening = 1.4f;
 
 using reef::toned;
 
-// The signal that the camera shows as this value.
+// Returns, for each display value, the signal that the camera shows as it.
 std::array<float, 256> signals() {
     std::array<float, 256> table{};
     for (size_t i = 0; i < 256; ++i) {
-        float low = 0, high = 1.18f; // where it clips: white is no brighter for all that is known
+        float low = 0, high = 1.18f; // high: the signal at which it clips; white may have been brighter
         for (int step = 0; step < 40; ++step) {
             const float middle = (low + high) / 2;
             (toned(middle) * 255 < static_cast<float>(i) ? low : high) = middle;
@@ -35,7 +35,7 @@ std::array<float, 256> signals() {
 
 using Layer = Image<float, 4>; // premultiplied, coverage last
 
-// The part of a picture in which anything is.
+// Rectangle of a picture that holds everything that is not empty.
 struct Part {
     int left = 0, top = 0, right = 0, bottom = 0;
 };
@@ -54,7 +54,7 @@ Part partOf(const Layer& layer, int margin) {
             std::min(part.right + margin, layer.width), std::min(part.bottom + margin, layer.height)};
 }
 
-// Weights of whole texels from -reach to reach, both ways; what lies beyond the edge is as the edge. No
+// Filters rows and columns by weights of texels from -reach to reach; texels beyond an edge repeat it. No
 // object here stands across the seam.
 template <class Pixels>
 Pixels filtered(const Pixels& in, const std::vector<float>& weights, const Part& part) {
@@ -75,7 +75,7 @@ Pixels filtered(const Pixels& in, const std::vector<float>& weights, const Part&
     return out;
 }
 
-// Each texel the mean of kSamples^2 directions.
+// Returns the objects in the film's texels, each the mean of kSamples^2 directions.
 Layer seenBy(const ImageRgba8& objects, const render::View& view, const glm::mat3& envFromWorld, int width) {
     static const std::array<float, 256> signal = signals();
     constexpr int kSamples = 3;
@@ -123,7 +123,7 @@ ImageRgbF signalOf(const ImageRgb8& frame) {
     return out;
 }
 
-// Light that port and lens scatter: three running means over seven squares of texels.
+// Returns the light that port and lens scatter, by three running means over seven squares of texels.
 constexpr int kGlowTexels = 8;
 ImageRgbF glowOf(const ImageRgbF& in) {
     ImageRgbF out(in.width / kGlowTexels, in.height / kGlowTexels);
@@ -136,7 +136,7 @@ ImageRgbF glowOf(const ImageRgbF& in) {
     return out;
 }
 
-// Glare, noise and tone, then the sharpening.
+// Applies glare, noise and tone to the frame, then sharpens it.
 void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
     const ImageRgbF behind = signalOf(frame), glow = glowOf(behind);
     Random random(seed, 11);

@@ -1,5 +1,5 @@
-// The dive's film as if the game's objects had stood before its camera: their picture at many times
-// the film's resolution goes through the film's own steps (content/make/video/Camera.cpp and make_video):
+// Makes the dive's film as if the game's objects had stood before its camera: their picture, at several times
+// the film's resolution, goes through the film's own steps (content/make/video/Camera.cpp and make_video):
 // means over its texels, lens, noise, tone and sharpening. The encoder follows (Encode.h).
 #pragma once
 

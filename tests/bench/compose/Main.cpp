@@ -1,4 +1,4 @@
-// How seamless each way of compositing is, and what it costs: bench_compose FOLDER [--quick].
+// Measures how seamless each way of compositing is, and its cost: bench_compose FOLDER [--quick].
 //
 // Truth: the dive's own film, with the game's objects filmed into it (Filmed.h, Encode.h). Every way then
 // draws the same objects over the same film without them, coded alike, and is compared with that.
@@ -21,7 +21,7 @@ namespace shoal::bench {
 namespace {
 
 constexpr int kFps = 24, kTaken = 16; // frames that are filmed and coded for each scene, ...
-constexpr int kShown = 12;            // ... and which of them is looked at
+constexpr int kShown = 12;            // ... and the one that is compared
 constexpr int kFine = 2;              // pixels of the objects' own picture for one of the shown picture
 
 struct Scene {
@@ -33,7 +33,7 @@ constexpr Scene kScenes[] = {{120, 0}, {560, 0}, {860, 20}, {1060, 0}, {1260, -2
 
 using Renderers = std::vector<app::SceneRenderer>; // as kWays, and the background alone
 
-// Frames of the film around `shown`, which is the one that is looked at.
+// Reads the frames of the film around `shown`, which is the one that is compared.
 Result<std::vector<ImageRgb8>> readFilm(int shown) {
     auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4", {});
     if (!player) return player.error();
@@ -57,7 +57,7 @@ Coverage coverageOf(const ImageRgba8& fine) {
 
 double timeOf(int k) { return (k + 0.5) / kFps; }
 
-// The place with most outlines: the middle of the window whose pixels are most evenly object and not.
+// Returns the place with most outlines: the middle of the window that is most evenly object and background.
 glm::ivec2 worthALook(const Coverage& coverage) {
     constexpr int kWide = 72, kHigh = 60;
     glm::ivec2 best(0);
@@ -97,7 +97,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
         (*empty)->update(timeOf(k), true);
         const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
         renderers[0].set(run.shown, **empty, {.particles = false});
-        // Wider, so that nothing is cut off where the picture ends.
+        // A wider view, so that no object is cut off at the picture's edge.
         const render::View wide = render::widened(view, 1.05f);
         if (Status s = drawObjectsAlone(renderers[0], wide, fine); !s) return s;
         const ImageRgba8 objects = fine.read();
@@ -139,8 +139,8 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
     return Done{};
 }
 
-// All ways in turn, frame by frame of the same dive, so that whatever else runs slows each alike; each round
-// begins with another, because the decoder works on after a frame has come.
+// Times all ways in turn in each frame of the same dive, so that other programs slow each alike. Each round
+// begins with another way, because the decoder works on after a frame has come.
 Status measureCost(const app::SessionConfig& plan, Renderers& renderers, int rounds, Report& report) {
     auto environment = openVideo(dataRoot() / "content/video/reef.mp4");
     if (!environment) return environment.error();

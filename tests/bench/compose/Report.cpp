@@ -14,7 +14,7 @@ namespace shoal::bench {
 
 namespace {
 
-// less: taken away round by round; empty: nothing is.
+// Returns medians over rounds. less: costs to subtract in each round; may be empty.
 Cost medians(const std::vector<Cost>& costs, const std::vector<Cost>& less) {
     std::vector<double> wall, processor;
     for (size_t i = 0; i < costs.size(); ++i) {

@@ -11,8 +11,8 @@
 
 namespace shoal::bench {
 
-// Rows of `filmed` (the truth) and of `filmed again` (the same with other noise, coded anew: no way can be
-// expected to come nearer) stand beside those of the ways.
+// Rows beside those of the ways: `filmed` is the truth, and `filmed again` the same with other noise, encoded
+// anew; no way can be expected to come nearer than that.
 inline constexpr const char* kFilmed = "filmed";
 inline constexpr const char* kFilmedAgain = "filmed again";
 inline constexpr const char* kBackgroundAlone = "background alone"; // times only
@@ -25,13 +25,13 @@ struct Cost {
 
 class Report {
   public:
-    // look: where the picture is worth a closer look, in pixels.
+    // look: centre of the detail for the sheet, in pixels.
     void add(int scene, const std::string& way, const ImageRgba8& shown, const Distance& distance,
              glm::ivec2 look);
     void addTime(const std::string& way, const Cost& cost);
 
-    // Writes compose.tsv and compose.md, a line a way over all scenes, and sheet.png, a row a scene and a
-    // column a way at 400 %.
+    // Writes compose.tsv and compose.md, with a line for each way over all scenes, and sheet.png, with a row
+    // for each scene and a column for each way at 400 %.
     Status write(const Path& folder) const;
 
   private:
@@ -44,9 +44,9 @@ class Report {
     };
     struct Row {
         std::string way;
-        Cost cost, overPlain; // medians; more than plain in the same round
+        Cost cost, overPlain; // medians; overPlain: excess over the plain way in the same round
         Distance distance;    // root mean squares over the scenes; detail: the mean
-        double beyond = 0;    // luma's, where what filming again differs by is taken away
+        double beyond = 0;    // luma error beyond that of filming again
     };
     std::vector<Row> rows() const;
     Status writeSheet(const Path& file) const;

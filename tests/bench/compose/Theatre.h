@@ -13,7 +13,7 @@ namespace shoal::bench {
 constexpr glm::ivec2 kPicture(1280, 720);
 constexpr float kFov_deg = 65; // vertical, as in the game
 
-// The compositions that are compared.
+// One of the compositions that are compared.
 struct Way {
     render::Composition composition;
     const char* name;
@@ -23,20 +23,20 @@ inline constexpr Way kWays[] = {{render::Composition::Plain, "plain"},
                                 {render::Composition::VideoTexels, "texels"},
                                 {render::Composition::CameraResponse, "camera"}};
 
-// The simulation up to a time of the dive; nobody plays.
+// Runs the simulation to a time of the dive, without a player.
 app::GameSession runTo(const app::SessionConfig& plan, double time_s);
 void runOn(app::GameSession& session, double seconds);
 
 Result<app::SceneRenderer> makeSceneRenderer(const app::SessionConfig& plan, render::Composition composition);
 Result<std::unique_ptr<app::Environment>> openVideo(const Path& file);
 
-// yaw: to the right.
+// yaw_deg: turn of the view to the right.
 render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPixels);
 
-// The whole picture, as Play draws it. target: of any size in the picture's proportions.
+// Draws the whole picture as Play does. target: of any size with the picture's aspect ratio.
 Status drawPicture(app::SceneRenderer& sceneRenderer, const render::View& view, const gl::Target& target);
 
-// The objects alone, premultiplied by coverage.
+// Draws the objects alone, premultiplied by coverage.
 Status drawObjectsAlone(app::SceneRenderer& sceneRenderer, const render::View& view,
                         const gl::Target& target);
 

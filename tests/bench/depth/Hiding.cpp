@@ -127,7 +127,7 @@ void HidingError::add(const HiddenTexels& truth, const HiddenTexels& found) {
     }
 }
 
-// Fish of all sizes that the distance gives them, in directions of chance, the same for every map.
+// Tests fish at this distance in random directions, the same for every map.
 void HidingError::addFish(const Mask& truth, const Mask& found, float distance_m) {
     constexpr int kFish = 300, kAcross = 32, kDown = 16;
     constexpr float kHalfLength_m = 0.12f;
@@ -155,7 +155,7 @@ void HidingError::addFish(const Mask& truth, const Mask& found, float distance_m
                 ++area;
                 covered += is, hidden += taken && !is, shown += is && !taken;
             }
-        // An edge crosses it.
+        // Counts only fish that an edge crosses.
         if (20 * covered < area || 20 * covered > 19 * area) continue;
         fish_ += area, fishHidden_ += hidden, fishShown_ += shown;
     }

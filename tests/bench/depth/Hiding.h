@@ -1,4 +1,4 @@
-// Compares what a map of distances hides with the truth: animals at a distance are hidden where the film
+// Compares the occlusion of animals by a map of distances with the truth: the film hides animals where it
 // shows something nearer.
 #pragma once
 
@@ -12,33 +12,33 @@ namespace shoal::bench {
 
 constexpr std::array<float, 5> kAnimals_m = {1, 1.5f, 2.5f, 4, 6}; // distances that they are tried at
 
-// For each of kAnimals_m what is hidden, by the texels of the truth: 1 where the film is nearer.
+// Masks for each of kAnimals_m, in the texels of the truth: 1 where the film is nearer and hides an animal.
 using HiddenTexels = std::array<Image<uint8_t, 1>, kAnimals_m.size()>;
 void hiddenInTruth(const media::DepthFrame& truth, HiddenTexels& out);
-// An empty map hides nothing. Linear between its texels, as shaders read it.
+// Reads the map linearly between its texels, as shaders do. An empty map hides nothing.
 void hiddenInMap(const depth::DepthMap& map, int width, HiddenTexels& out);
 
-// The best that a frame of that width can say: the median of the truth's texels in each of its own.
+// Returns the best frame of that width: each texel is the median of the truth's texels in it.
 media::DepthFrame reduced(const media::DepthFrame& truth, int width, int stepsPerOctave);
 
 // Sums over frames and distances. Areas are solid angles.
 class HidingError {
   public:
     void add(const HiddenTexels& truth, const HiddenTexels& found);
-    // Frames that follow each other.
+    // Adds two consecutive frames.
     void addFlicker(const HiddenTexels& truthBefore, const HiddenTexels& truth,
                     const HiddenTexels& foundBefore, const HiddenTexels& found);
 
-    // Percent of the area of fish that an edge crosses.
+    // Errors in percent of the area of those fish that the film hides in part.
     double wronglyHidden() const { return 100 * fishHidden_ / fish_; }
     double wronglyShown() const { return 100 * fishShown_ / fish_; }
-    // Percent of all directions.
+    // Errors in percent of all directions.
     double wronglyHiddenAnywhere() const { return 100 * hidden_ / all_; }
     double wronglyShownAnywhere() const { return 100 * shown_ / all_; }
-    // Mean width of what is wrong along the truth's edges, texels of the truth.
+    // Mean width of the wrong area along the truth's edges, texels of the truth.
     double boundary() const { return (hidden_ + shown_) / length_ / texel_; }
-    // Change from one frame to the next though the truth does not, along the edges, texels of the
-    // truth; and what changes in the truth.
+    // Mean width along the edges, in texels of the truth, of the area that changes from frame to frame where
+    // the truth does not; and of the area that changes in the truth.
     double flicker() const { return toggled_ / flickerLength_ / texel_; }
     double trueChange() const { return truthToggled_ / flickerLength_ / texel_; }
 

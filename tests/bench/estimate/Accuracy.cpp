@@ -11,9 +11,9 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr double kConfident = 0.6;     // from here on all is believed (content/README.md)
+constexpr double kConfident = 0.6;     // confidence at which depth is believed in full (content/README.md)
 constexpr double kNear_perM = 0.1;     // 10 m
-constexpr double kBeyond_perM = 0.002; // half of the first code: where the truth has no distance
+constexpr double kBeyond_perM = 0.002; // half of the first code; the truth has no distance below
 
 struct Texel {
     double truth_perM, estimated_perM, weight;
@@ -36,7 +36,7 @@ std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::Dep
     return texels;
 }
 
-// Median of estimated over true distances, of all confident texels.
+// Returns the median of estimated over true distances, of all confident texels.
 double factorOf(const std::vector<std::vector<Texel>>& frames) {
     std::vector<double> factors;
     for (const auto& texels : frames)

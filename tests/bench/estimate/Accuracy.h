@@ -1,4 +1,4 @@
-// How near an estimated depth track is to the true one.
+// Accuracy of an estimated depth track against the true one.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -11,9 +11,9 @@ namespace shoal::bench {
 // Shares are of solid angle.
 struct FrameAccuracy {
     double time_s = 0;    // of the film
-    double right = 0;     // of what is confident: within 10 % of the truth, after one factor for the film
+    double right = 0;     // share of confident texels within 10 % of the truth, after one factor for the film
     double rightOwn = 0;  // the same after a factor of the frame's own
-    double covered = 0;   // of what is nearer than 10 m: confident
+    double covered = 0;   // share of texels nearer than 10 m that are confident
     double ownFactor = 1; // median of estimated over true distances, over that of the film
 };
 

@@ -52,7 +52,7 @@ float valueNoise(const glm::vec3& at) {
     return sum;
 }
 
-// Octaves down to what a pixel at that distance resolves.
+// Returns noise with octaves down to the detail that a pixel resolves at that distance.
 float texture(const glm::vec3& at, float distance) {
     float sum = 0, share = 0.5f;
     for (float period = 0.8f; period > 0.012f * distance && period > 0.01f; period *= 0.5f, share *= 0.8f)
@@ -97,7 +97,7 @@ class World {
 
     float timeNow_s() const { return time_s_; }
 
-    // Grey value 0 to 1 of what a ray meets; distance from the ray's origin.
+    // Returns the grey value, 0 to 1, of the surface that a ray hits, and its distance from the ray's origin.
     float look(const glm::vec3& from, const glm::vec3& dir, float& distance) const {
         distance = kWater_m;
         const Sphere* met = nullptr;
@@ -195,7 +195,7 @@ ImageRgb8 filmed(const World& world, Hardship hardship, int frame) {
     return picture;
 }
 
-// For stereo of the left eye, as the track has it.
+// Returns the true depth of a frame, for stereo that of the left eye, as in tracks.
 media::DepthFrame truthOf(const World& world, Hardship hardship, int frame) {
     media::DepthFrame depth{kTrackWidth, kTrackHeight, {}, {}};
     const CameraPose pose = poseAt(hardship, frame);

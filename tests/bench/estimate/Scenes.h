@@ -1,5 +1,5 @@
-// Made films of known depth: a ray caster of textured spheres and a floor, with what makes depth hard to
-// estimate, one thing a scene.
+// Synthetic films of known depth: a ray caster draws textured spheres and a floor. Each scene has one thing
+// that makes depth hard to estimate.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -10,7 +10,7 @@
 
 namespace shoal::bench {
 
-// Sideways is what all others are to be compared with.
+// Properties that make depth hard to estimate; Sideways is the reference for all others.
 enum class Hardship {
     Sideways,    // a camera that moves to the right
     Forward,     // along the line of sight, its own axis

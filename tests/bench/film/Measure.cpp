@@ -28,7 +28,7 @@ cv::Mat luma(const cv::Mat& bgr) {
     return out;
 }
 
-// Hann's window, so that a tile's edges are no detail.
+// Returns Hann's window, so that a tile's edges do not count as detail.
 const cv::Mat& window() {
     static const cv::Mat made = [] {
         cv::Mat hann;

@@ -1,4 +1,4 @@
-// How far a decoded picture of a film is from the picture that was encoded.
+// Differences between a decoded picture of a film and the picture that was encoded.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -11,20 +11,20 @@ namespace shoal::bench {
 // Spatial frequencies in bands of a sixth of an octave, from kLowest up, in cycles around.
 constexpr int kBands = 24;
 constexpr double kLowest = 128;
-double bandFrequency(int band); // its middle
+double bandFrequency(int band); // returns its middle
 
 // Sums over pictures. Both are lat-long; the decoded one is enlarged to the true one's size first.
 class Distance {
   public:
     void add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr);
 
-    // Root mean square in linear light over the sphere, of the truth's own root mean square.
+    // Root mean square error in linear light over the sphere, as a share of the truth's root mean square.
     double errorLinear() const;
     double psnrLuma_dB() const;
-    // Share of what the truth holds in a band that is found in its place: real part of the cross spectrum
+    // Share of the truth's detail in a band that is found in the right place: the cross spectrum's real part
     // over the truth's power.
     double gain(int band) const;
-    // Cycles around up to which at least half is found.
+    // Highest frequency, in cycles around, up to which gain() is at least a half.
     double detail() const;
 
   private:

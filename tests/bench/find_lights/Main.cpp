@@ -1,4 +1,4 @@
-// Prints tables: how far found lights lie from where they are, and what finding costs.
+// Prints tables: errors of the directions of found lights, and the cost of finding them.
 #include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"

@@ -1,5 +1,5 @@
-// The environments that the chart is measured over: real ones where the reference data is at hand, the game's
-// own video, and made ones at which methods are known to fail.
+// The environments that the chart is measured over: real ones if the reference data is there, the game's own
+// video, and synthetic ones in which methods are known to fail.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -15,13 +15,12 @@ namespace shoal::bench {
 
 struct Environment {
     std::string name;
-    ImageRgb8 frame; // red first; empty where the environment is linear
-    ImageRgbF
-        radianceLin; // full resolution; of a frame: every texel through the thesis' inverse tone mapping
+    ImageRgb8 frame;       // red first; empty where the environment is linear
+    ImageRgbF radianceLin; // full resolution; of a frame: by the thesis' inverse tone mapping of every texel
 
     bool coded() const { return !frame.empty(); }
-    // Width of the pyramid that baselines read: for a frame as the game asks for, no more than any of them
-    // needs.
+    // Returns the width of the pyramid that baselines read: for a frame the one that the game uses, which is
+    // enough for all of them.
     int baseWidth() const { return coded() ? 512 : 1024; }
     light::FrameView view() const {
         return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false};
@@ -31,26 +30,26 @@ struct Environment {
 // Loaded one at a time: some are 100 MB.
 struct EnvironmentSource {
     std::string name;
-    std::function<std::optional<Environment>()> load; // nothing where its file is not at hand
+    std::function<std::optional<Environment>()> load; // empty if its file is missing
 };
 
 // shared: the folder of reference data, which may be missing. quick: only a few, none larger than 1024x512.
 std::vector<EnvironmentSource> environmentSources(const Path& shared, bool quick);
 
-// The six pictures of high dynamic range alone.
+// Returns the six pictures of high dynamic range alone.
 std::vector<EnvironmentSource> hdrSources(const Path& shared);
 
-// These and the two under data/fidelity: for what clipping takes away.
+// Returns hdrSources() and the two pictures under data/fidelity, to measure the light that clipping loses.
 std::vector<EnvironmentSource> clippedSources(const Path& shared);
 
-// Frames of the game's own video, and in radianceLin the light that they were filmed in, from before the
-// camera (content/truth): nowhere else are both known.
+// Returns frames of the game's own video, with radianceLin holding the true light before the camera
+// (content/truth). No other source has both.
 std::vector<EnvironmentSource> filmedSources();
 
-// A 2048x1024 frame of the game's own video, for timing.
+// Returns a 2048x1024 frame of the game's own video, for timing.
 ImageRgb8 timedFrame();
 
-// Whether a ten-thousandth of the sphere gives more than a twentieth of the light.
+// Returns whether a ten-thousandth of the sphere gives more than a twentieth of the light.
 bool hasPointSun(const ImageRgbF& radianceLin);
 
 } // namespace shoal::bench

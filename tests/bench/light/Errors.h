@@ -1,4 +1,4 @@
-// How far light is from the truth.
+// Errors of light against the truth.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -10,7 +10,7 @@
 
 namespace shoal::bench {
 
-// Over the directions of one environment, relative to the truth.
+// Errors over the directions of one environment, relative to the truth.
 struct EnvironmentError {
     double rms = 0;   // root of sum |got - want|^2 over sum |want|^2
     double worst = 0; // largest |got - want| / |want|; where it is darker than a tenth of the root mean
@@ -31,7 +31,7 @@ inline EnvironmentError errorOf(const std::vector<glm::dvec3>& got, const std::v
     return error;
 }
 
-// Several environments or lobes, each weighing the same however bright it is.
+// Errors over several environments or lobes, each with the same weight however bright it is.
 class Pool {
   public:
     void add(const EnvironmentError& error) {
@@ -39,7 +39,7 @@ class Pool {
         worst_ = std::max(worst_, error.worst);
         ++count_;
     }
-    // Not a number where nothing was measured.
+    // NaN if nothing was measured.
     double rms() const { return std::sqrt(squares_ / count_); }
     double worst() const { return count_ ? worst_ : std::nan(""); }
 

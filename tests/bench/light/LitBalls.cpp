@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kTile = 160;           // pixels across
 constexpr float kRadius = 0.38f;     // of a ball, in tiles
-constexpr float kReflectance = 0.5f; // linear: of the matte ball's albedo, of the glossy one's mirroring
+constexpr float kReflectance = 0.5f; // linear: albedo of the matte ball, reflectance of the glossy one
 constexpr float kGlossyRoughness = 0.5f;
 constexpr std::array kWays = {light::FrameRadiance::Thesis, light::FrameRadiance::Linear,
                               light::FrameRadiance::Auto};
@@ -51,7 +51,7 @@ glm::vec3 shownOf(const glm::vec3& radiance, bool thesis) {
     return glm::clamp(light::displayFromRadiance(math::srgbFromLinear(kReflectance) * radiance), 0.0f, 1.0f);
 }
 
-// A ball before the frame, 90 degrees of it from -Z. Visits the ball's pixels with what they show.
+// Draws a ball before 90 degrees of the frame around -Z; visits the ball's pixels with their display values.
 template <class Visit>
 void drawBall(const light::EnvironmentLight& light, Ball ball, bool thesis, const Environment& environment,
               ImageRgb8& sheet, int left, int top, Visit&& visit) {
@@ -122,7 +122,7 @@ double shadowOf(const light::EnvironmentLight& light) {
 } // namespace
 
 Result<LitBalls> lightBalls(const Path& sheet) {
-    constexpr size_t kEvery = 3; // of the frames, the second of so many is on the sheet
+    constexpr size_t kEvery = 3; // the sheet shows the second of each so many frames
     constexpr int kColumns = 8;
     LitBalls balls;
     const std::vector<EnvironmentSource> sources = filmedSources();

@@ -1,5 +1,5 @@
-// Balls of known reflectance in frames of the game's own films, whose true light is known: what is shown of
-// them in the light that is made from the frame as it is coded, and in the true one.
+// Pictures of balls of known reflectance in frames of the game's own films, whose true light is known: in the
+// light made from the coded frame, and in the true light.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -9,13 +9,13 @@
 
 namespace shoal::bench {
 
-// Root mean square difference of display values to those under the true light, 0 to 1, over a ball that is
-// lit as each light::FrameRadiance has it.
+// Root mean square differences from the display values under the true light, 0 to 1, over a ball lit by each
+// light::FrameRadiance.
 struct BallErrors {
     std::string frame;
     std::vector<double> matte, glossy; // thesis, linear, auto
-    // How much of the light on level ground the strongest light gives, so that its shadow takes as much: as
-    // those three have it, and truly.
+    // Share of the light on level ground that comes from the strongest light, and that its shadow takes: by
+    // those three, and by the true light.
     std::vector<double> shadow;
 };
 
@@ -26,7 +26,7 @@ struct LitBalls {
 // sheet: a JPEG of five frames, a row each: thesis, linear, auto, the true light; matte, then glossy.
 Result<LitBalls> lightBalls(const Path& sheet);
 
-// A table, its last row the medians over all frames.
+// Returns a table whose last row is the medians over all frames.
 std::string ballTable(const LitBalls& balls);
 
 } // namespace shoal::bench

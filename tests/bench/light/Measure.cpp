@@ -26,7 +26,7 @@ EnvironmentError errorOfLobe(const std::vector<glm::vec3>& got, const Truth& tru
     return errorOf(std::vector<glm::dvec3>(got.begin(), got.end()), column(truth, lobe));
 }
 
-// The diffuse light that a pyramid's level of 128 texels gives, all of it integrated.
+// Returns the error of the diffuse light that is integrated over a pyramid's level of 128 texels.
 EnvironmentError pyramidError(const PyramidMethod& method, const Environment& environment,
                               std::span<const glm::dvec3> dirs, const Truth& truth) {
     light::RadiancePyramid pyramid;

@@ -1,4 +1,4 @@
-// Every method over every environment.
+// Measurements of every method over every environment.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -13,9 +13,9 @@
 
 namespace shoal::bench {
 
-// One core, warm, shortest of many, for a 2048x1024 frame.
+// Times on one core with warm caches, shortest of many runs, for a 2048x1024 frame.
 struct Cost {
-    double update_us = 0; // a frame, the pyramid included where the method reads it
+    double update_us = 0; // for each frame, with the pyramid if the method reads it
     double shade_ns = 0;  // a pixel
 };
 
@@ -34,14 +34,14 @@ constexpr float kReefRoughness = 0.25f; // of the smoothest surface in the game'
 
 struct Chart {
     double read_us = 0;     // one plain read of the frame's bytes, compiled for any x86-64
-    double wideRead_us = 0; // for the widest registers that the processor has
+    double wideRead_us = 0; // the same, compiled for the processor's widest registers
     double reef_us = 0;     // all light of a frame for the game's own surfaces
-    double pyramid_us = 0;  // what those are charged with that read it
+    double pyramid_us = 0;  // added to the cost of each method that reads it
     std::vector<EnvironmentFact> environments;
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
     std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded environments count
-    // Two lobes: diffuse, roughness 0.5; over toneMapEnvironments: clippedSources(), the first
-    // toneMapsClipped of them, then filmedSources().
+    // Errors of two lobes (diffuse, roughness 0.5) over toneMapEnvironments: its first toneMapsClipped are
+    // clippedSources(), the rest filmedSources().
     std::vector<Measured> toneMaps;
     size_t toneMapsClipped = 0;
     std::vector<std::string> toneMapEnvironments;
@@ -54,7 +54,7 @@ struct SessionConfig {
     bool quick = false;
 };
 
-// The costs of all methods in the chart, which has their labels in the same order.
+// Measures the costs of all methods; the chart has their labels in the same order.
 void timeMethods(Chart& chart, std::vector<light::baselines::DiffuseMethod>& diffuse,
                  std::vector<light::baselines::GlossyMethod>& glossy,
                  std::vector<light::baselines::PyramidMethod>& pyramids, bool quick);
@@ -62,7 +62,7 @@ void timeMethods(Chart& chart, std::vector<light::baselines::DiffuseMethod>& dif
 // Fills toneMaps and toneMapEnvironments.
 void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs);
 
-// All of it. Speaks of its progress on standard error.
+// Measures the whole chart. Reports its progress on standard error.
 Chart measure(const SessionConfig& plan);
 
 } // namespace shoal::bench

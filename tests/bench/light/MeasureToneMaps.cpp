@@ -14,7 +14,7 @@ using namespace light::baselines;
 
 namespace {
 
-// The picture as a camera would keep it: a tenth of its pixels above 0.8, clipped at 1, sRGB, 8 bits.
+// The picture as a camera would record it: a tenth of its pixels above 0.8, clipped at 1, sRGB, 8 bits.
 struct Exposed {
     ImageRgb8 frame;
     ImageRgbF radianceLin; // before it was clipped, of the same scale
@@ -63,8 +63,8 @@ Parts partsOf(const ImageRgb8& frame) {
     return parts;
 }
 
-// Each connected region of clipped pixels (over the seam too) gets its mean of the true radiance, in the
-// frame's exposure. lit: coarser than the frame.
+// Sets each connected region of clipped pixels (over the seam too) to the mean of its true radiance, in the
+// frame's exposure. lit: true radiance, coarser than the frame.
 ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
     const Parts parts = partsOf(frame);
     ImageRgbF out = parts.unclipped;
@@ -110,8 +110,7 @@ ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
     return out;
 }
 
-// After the one factor that brings it nearest: how bright the frame was exposed is not the operator's to
-// know.
+// Returns the error after the best single factor, because an operator cannot know the frame's exposure.
 EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<glm::dvec3>& want) {
     double both = 0, own = 0;
     for (size_t i = 0; i < got.size(); ++i)
@@ -125,7 +124,7 @@ EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vecto
 void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs) {
     const auto methods = inverseToneMapMethods();
     for (const auto& each : methods) chart.toneMaps.push_back({each.label, {}, {}});
-    // Bounds by what no method can know, without a time.
+    // Bounds that use the truth, which no method knows; they have no time.
     const size_t oneGain = methods.size(), trueRegions = methods.size() + 1;
     chart.toneMaps.push_back({{"bound: clipped pixels times the one best gain", "", "", ""}, {}, {}});
     chart.toneMaps.push_back({{"bound: clipped regions at their true means", "", "", ""}, {}, {}});

@@ -75,7 +75,7 @@ std::vector<glm::dvec2> frontOf(std::vector<Point> points) {
     return front;
 }
 
-// Names go where they cover least, the nearest such place first; each in turn, the default's before all.
+// Places each name where it covers least, as near to its point as possible; the default's name first.
 void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
     constexpr double kLetter = 6.6, kLine = 12, kMark = 6; // pixels
     std::vector<Box> taken;
@@ -92,7 +92,7 @@ void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
                 double cost = reach * 2;
                 for (const Box& other : taken) cost += 10 * box.overlap(other);
                 for (const Box& line : lines) cost += 0.2 * box.overlap(line);
-                // Nearer to another point it would be taken for that one's.
+                // A name nearer to another point would be taken for that point's name.
                 for (const Point& other : points)
                     if (glm::distance(other.at, box.centre) < glm::distance(point.at, box.centre)) cost += 40;
                 const glm::dvec2 low = box.centre - half, high = box.centre + half;

@@ -1,4 +1,4 @@
-// Data that chart.gp draws: points, their names where they hide no other, and the front that nothing beats.
+// Data that chart.gp draws: points, their names placed without overlap, and the Pareto front.
 #pragma once
 
 #include "engine/core/Files.h"

@@ -1,4 +1,4 @@
-// Single figures from what was measured.
+// Single figures from the measurements.
 #pragma once
 
 #include "tests/bench/light/Measure.h"
@@ -12,11 +12,11 @@ constexpr double kGlossyPixels = 100000; // shaded in a frame, for one figure of
 enum class Suns { With, Without, Only };
 Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes);
 
-// Median error of one lobe of an inverse tone mapping, over the clipped HDR pictures or over our film: the
-// middle of the root mean squares. Not a number where nothing was measured.
+// Returns the median of one lobe's root mean square errors by an inverse tone mapping, over the clipped HDR
+// pictures or over our film. NaN if nothing was measured.
 double medianOfToneMap(const Chart& chart, const Measured& method, bool film, size_t lobe);
 
-// Microseconds a frame with so many pixels shaded.
+// Returns the microseconds for a frame with so many shaded pixels.
 double frame_us(const Cost& cost, double pixels);
 
 } // namespace shoal::bench

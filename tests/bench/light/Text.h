@@ -1,4 +1,4 @@
-// printf into a string.
+// Formatting of a string as by printf.
 #pragma once
 
 #include <string>

@@ -39,8 +39,8 @@ inline uint64_t sumOfWords(const ImageRgb8& frame) {
     return sum;
 }
 
-// Reads the bytes as compiled for any x86-64, and for the widest registers that the processor has. kept: so
-// that it is needed.
+// Reads the bytes, compiled for any x86-64 and for the widest registers that the processor has. kept: takes
+// the result, so that the read is not optimised away.
 void readBytes(const ImageRgb8& frame, volatile uint64_t& kept) { kept = sumOfWords(frame); }
 SHOAL_VECTORISE void readBytesWide(const ImageRgb8& frame, volatile uint64_t& kept) {
     kept = sumOfWords(frame);
@@ -70,8 +70,8 @@ void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<
     const auto shade = [&](auto&& run) {
         return 1e3 / static_cast<double>(normals.size()) * shortest_us(budget_ms / 8, run);
     };
-    // Everything once in each round: a neighbour who takes the machine for a second does not strike one
-    // method alone.
+    // Each round times every method once, so that another program that takes the machine for a second does
+    // not slow one method alone.
     for (int round = 0; round < rounds; ++round) {
         std::fprintf(stderr, "chart: timing, round %d of %d\n", round + 1, rounds);
         const auto [read_us, wideRead_us, reef_us] = shortestInTurn_us(

@@ -1,4 +1,4 @@
-// Times of benches: the shortest of many runs, which is what a thing costs when nobody else uses the machine.
+// Times of benches: the shortest of many runs, which is the cost on a machine that nobody else uses.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ template <class Run> double shortest_us(double budget_ms, Run&& run) {
     return best;
 }
 
-// The same of several things in turn, which find the caches and the machine alike.
+// Times several runs in turn, so that they find the same state of caches and machine.
 template <class... Runs>
 std::array<double, sizeof...(Runs)> shortestInTurn_us(double budget_ms, Runs&&... runs) {
     std::array<double, sizeof...(Runs)> best;

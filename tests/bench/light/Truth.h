@@ -1,4 +1,4 @@
-// The truth of an environment, kept on disk because it takes seconds.
+// The true light of an environment, cached on disk because it takes seconds.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -15,8 +15,8 @@ namespace shoal::bench {
 constexpr float kRoughnesses[] = {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f, 1.0f};
 constexpr size_t kLobes = 1 + std::size(kRoughnesses); // the diffuse one first
 
-// Spread evenly over the sphere (Fibonacci lattice), then the six axes: both poles, the seam, ahead, left and
-// right.
+// Returns directions spread evenly over the sphere (Fibonacci lattice), then the six axes: both poles, the
+// seam, ahead, left and right.
 std::vector<glm::dvec3> chartDirections(int spread);
 
 // [direction][lobe]
@@ -28,11 +28,11 @@ inline std::vector<glm::dvec3> column(const Truth& truth, size_t lobe) {
     return values;
 }
 
-// light::referenceRadiance() over every texel, on as many threads as there are cores.
+// Returns light::referenceRadiance() over every texel, computed on all cores.
 Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
                 std::span<const light::Lobe> lobes);
 
-// The diffuse lobe and then kRoughnesses. folder: of files named by a hash of all that goes in.
+// Returns the diffuse lobe, then those of kRoughnesses. folder: cache of files named by a hash of all inputs.
 Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, const Path& folder);
 
 } // namespace shoal::bench

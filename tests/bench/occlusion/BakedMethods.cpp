@@ -1,4 +1,4 @@
-// Methods that keep one number at each vertex, or a row of them.
+// Methods that store one number, or an array of numbers, at each vertex.
 #include "engine/light/Lookup.h"
 #include "tests/baselines/HarmonicSums.h"
 #include "tests/baselines/occlusion/AmbientOcclusion.h"
@@ -36,7 +36,7 @@ glm::mat3 rotationOf(const glm::mat4& matrix) {
     return linear / glm::length(linear[0]);
 }
 
-// Harmonics of what is seen from a turned frame: projected anew from even directions.
+// Returns harmonics in a rotated frame, projected anew from even directions.
 math::ShRgb inFrame(const math::ShRgb& world, const glm::mat3& worldFromFrame, int bands) {
     static const auto directions = evenDirections(1000);
     math::ShRgb out{};

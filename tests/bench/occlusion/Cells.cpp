@@ -11,7 +11,7 @@ namespace shoal::bench {
 namespace {
 
 constexpr int kBase = 96, kFine = 768; // cells along the square's side: the widest, the narrowest
-constexpr float kShare = 1e-3f;        // of an environment's whole light: a cell with more is cut in four
+constexpr float kShare = 1e-3f;        // share of an environment's light above which a cell is cut in four
 
 } // namespace
 

@@ -29,7 +29,7 @@ std::vector<glm::vec4> selfOcclusionOf(const Mesh& mesh) {
     return occlusion::traceSelfOcclusion({mesh.positions, mesh.normals, indices}, kRays);
 }
 
-// Turns it as the skin turns the vertex, without its scale.
+// Rotates self-occlusion as the skin rotates the vertex, without its scale.
 glm::vec4 turned(const glm::mat3& by, const glm::vec4& selfOcclusion) {
     const glm::vec3 to = by * glm::vec3(selfOcclusion);
     const float length = glm::length(to);

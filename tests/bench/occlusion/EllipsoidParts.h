@@ -1,4 +1,4 @@
-// The ellipsoids that the game gives bodies.
+// The ellipsoids by which the game represents bodies.
 #pragma once
 
 #include "content/make/models/occlusion/FitEllipsoids.h"
@@ -7,13 +7,13 @@
 
 namespace shoal::bench {
 
-// Parts of a body, by bone.
+// Returns the parts of a body, by bone.
 std::vector<occlusion::BodyPart> partsOf(const Body& body);
 
-// The ellipsoid as it stands in the world.
+// Returns the ellipsoid posed in the world.
 occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body);
 
-// [body]: those of all the others.
+// Returns, for each body, the ellipsoids of all other bodies.
 std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene);
 
 } // namespace shoal::bench

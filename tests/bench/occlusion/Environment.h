@@ -1,4 +1,4 @@
-// The environments of the light's chart, as methods and as the truth get them.
+// The environments of the light's chart, in the forms that methods and the truth read.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -13,7 +13,7 @@ struct LitEnvironment {
 };
 std::vector<LitEnvironment> litEnvironments(const Path& shared, bool quick);
 
-// Light of a frame of the game's video, in open water.
+// Returns the light of a frame of the game's video, in open water.
 Result<Lit> reefLight();
 
 } // namespace shoal::bench

@@ -27,8 +27,8 @@ struct LobeRay {
     float weight = 0;
 };
 
-// Rays of the lobe that Lookup.h's glossy light has: half vectors as GGX spreads them, weighed by the cosine.
-// Karis 2013.
+// Returns rays of the lobe of Lookup.h's glossy light: half vectors by GGX's distribution, weighted by the
+// cosine. Karis 2013.
 std::vector<LobeRay> lobeRays(int count, int turn) {
     const double alpha = math::alphaFromRoughness(static_cast<double>(kGlossyRoughness));
     std::vector<LobeRay> rays;
@@ -43,7 +43,7 @@ std::vector<LobeRay> lobeRays(int count, int turn) {
     return rays;
 }
 
-// Share of the glossy light that comes through, by colour.
+// Returns the unoccluded share of the glossy light for each channel.
 template <class Occluded>
 glm::vec3 shareOf(std::span<const LobeRay> lobe, const glm::vec3& mirrored, const Lit& lit,
                   const Occluded& occluded) {

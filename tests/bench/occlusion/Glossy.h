@@ -9,7 +9,7 @@ constexpr float kGlossyRoughness = 0.25f; // of the smoothest surface in the gam
 
 struct GlossyMeasured {
     std::string name;
-    std::vector<double> errors; // [scene]: relative RMS, environments without point suns weighing the same
+    std::vector<double> errors; // [scene]: relative RMS over environments without point suns, equal weights
     std::vector<double> receiver_ns; // [scene]
 };
 

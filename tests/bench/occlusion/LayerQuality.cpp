@@ -15,13 +15,13 @@ namespace {
 
 constexpr int kBounces[] = {1, 2, 8};
 
-// Detail down to a tenth of a radian, so that a wrong direction shows.
+// Returns radiance with detail down to a tenth of a radian, so that a wrong direction shows.
 double environmentAt(const glm::vec3& d) {
     return 1 + 0.5 * std::sin(9 * static_cast<double>(d.x) + 3 * static_cast<double>(d.y)) *
                    std::sin(8 * static_cast<double>(d.y) - 5 * static_cast<double>(d.z));
 }
 
-// Rays from a body's surface to where it mirrors the eye, and others evenly over the hemisphere.
+// A ray from a body's surface, in the direction of the mirrored eye or from an even set over the hemisphere.
 struct Question {
     glm::vec3 origin{0}, direction{0};
     bool hits = false;
@@ -39,7 +39,7 @@ Asked ask(const Scene& scene, const Rays& rays, int count) {
     Random random(3);
     for (const Receiver& at : spreadReceivers(scene, count)) {
         if (glm::dot(at.mirrored, at.normal) <= 0) continue;
-        // Buried in another part, where nobody looks: everything is near.
+        // Skips points buried in another part, which nobody sees: every direction hits something near.
         int near = 0;
         for (const glm::vec3& axis : {at.normal, glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
             near += rays.occluded(at.position, axis, scene.nearest) &&

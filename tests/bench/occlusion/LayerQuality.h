@@ -1,4 +1,4 @@
-// Layered fragment buffers by themselves: gaps, and the picture of a body as a mirror, by how much they keep.
+// Quality of layered fragment buffers by their size: gaps, and errors in the picture of a body as a mirror.
 #pragma once
 
 #include "tests/bench/occlusion/Scene.h"
@@ -18,7 +18,7 @@ struct LayerQuality {
     double ray_ns = 0, build_ms = 0;
 };
 
-// The bodies that stand alone, thesis and cured, over views and resolutions.
+// Measures the bodies that stand alone, by the thesis' method and the cured one, over views and resolutions.
 std::vector<LayerQuality> measureLayers(std::span<const Scene> scenes, bool quick);
 
 } // namespace shoal::bench

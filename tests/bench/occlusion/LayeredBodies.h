@@ -11,8 +11,8 @@
 
 namespace shoal::bench {
 
-// Rays begin so many pixels from where they start, so that buffers do not meet the surface itself: what gives
-// each the least gaps.
+// Pixels from a ray's origin to its first test, so that it does not hit its own surface. The values give each
+// kind of buffers the fewest gaps.
 template <class Buffers> inline constexpr float startOf = 0.32f;
 template <> inline constexpr float startOf<occlusion::OllfbThesis> = 3;
 
@@ -32,7 +32,7 @@ template <class Buffers> class LayeredBodies {
         }
     }
 
-    // own: the body that the ray begins on; what touches it may be nearer than its buffers could tell.
+    // own: the body that the ray starts on; other bodies that touch it may be nearer than `nearest_`.
     bool occluded(const glm::vec3& origin, const glm::vec3& direction, size_t own) const {
         for (size_t b = 0; b < bodies_.size(); ++b)
             if (meets(bodies_[b].sphere, origin, direction) &&

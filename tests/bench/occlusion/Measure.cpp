@@ -11,7 +11,7 @@ namespace shoal::bench {
 namespace {
 
 constexpr float kEnclosed =
-    0.005f; // less of the hemisphere than this is free: a mouth's inside, which nobody sees
+    0.005f; // free share of the hemisphere below which a receiver is never seen, as inside a mouth
 
 SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, size_t environment,
                    std::span<const glm::vec3> unshaded) {
@@ -73,8 +73,8 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
                 chart.methods[m].errors.back().push_back(errorOf(out, truth, s, unshaded[s]));
             }
             if (methods[m].foresee) methods[m].foresee({});
-            // Few receivers at a time: a slow method's shortest run is then not longer than the machine is
-            // left alone.
+            // Times few receivers at once, so that even a slow method's shortest run is short enough to be
+            // undisturbed by other programs.
             constexpr size_t kTogether = 8;
             double shade_us = 0;
             for (size_t first = 0; first + kTogether <= receivers.size(); first += kTogether)

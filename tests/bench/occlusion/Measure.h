@@ -1,4 +1,4 @@
-// Every method over every scene and environment.
+// Measurements of every method over every scene and environment.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -8,10 +8,10 @@
 
 namespace shoal::bench {
 
-// Relative root mean square of one scene in one environment; NaN where there is none.
+// Relative root mean square errors in one scene and environment; NaN: not measured.
 struct SceneError {
     double all = 0;    // over all receivers
-    double shaded = 0; // over those of whose light a tenth or more is taken
+    double shaded = 0; // over receivers that lose a tenth of their light or more
 };
 
 struct OcclusionMeasured {
@@ -19,7 +19,7 @@ struct OcclusionMeasured {
     OcclusionMethod::Moves moves = OcclusionMethod::Moves::Free;
     std::vector<std::vector<SceneError>> errors; // [scene][environment]
     std::vector<double> receiver_ns;             // [scene]
-    std::vector<double> body_us;                 // [scene]: to build what it keeps, a body
+    std::vector<double> body_us;                 // [scene]: time to build its structures, for each body
     std::vector<size_t> bytes;                   // [scene]
 };
 

@@ -1,4 +1,4 @@
-// Triangles of one body, owned.
+// Triangle mesh of one body.
 #pragma once
 
 #include "tests/baselines/occlusion/Visibility.h"
@@ -15,9 +15,9 @@ struct Mesh {
     occlusion::BodyMesh view() const { return {positions, normals, triangles}; }
 };
 
-// Surface where a smooth function is 0, negative inside: closed, each vertex moved onto the surface, normals
-// its gradient. Naive surface nets (Gibson 1998, "Constrained Elastic Surface Nets") on cubes of `cell`
-// metres.
+// Returns the closed surface at which a smooth function is 0, negative inside. Each vertex is moved onto the
+// surface, and normals are the function's gradient. Naive surface nets (Gibson 1998, "Constrained Elastic
+// Surface Nets") on cubes of `cell` metres.
 Mesh surfaceOf(const std::function<float(const glm::vec3&)>& distance, const glm::vec3& low,
                const glm::vec3& high, float cell);
 

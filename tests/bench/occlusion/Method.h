@@ -1,4 +1,4 @@
-// One interface for all methods of diffuse light under occlusion: plain values which hold functions.
+// One interface for all methods of diffuse light under occlusion: structs of functions.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"
@@ -18,7 +18,7 @@ struct OcclusionLabel {
     Part part = Part::Baseline;
 };
 
-// An environment as methods get it.
+// An environment in the forms that methods read.
 struct Lit {
     std::string name;
     bool pointSun = false;
@@ -28,34 +28,34 @@ struct Lit {
 
 struct OcclusionMethod {
     OcclusionLabel label;
-    // Once for each scene, and where `moves` is Rebuilt again whenever something in it moves.
+    // Called once for each scene, and again whenever something in it moves if `moves` is Rebuilt.
     std::function<void(const Scene&, const Rays&)> build;
-    std::function<size_t()> bytes;           // for the whole scene, after build
-    std::function<void(const Lit&)> relight; // once for each frame of an environment
+    std::function<size_t()> bytes;           // memory for the whole scene, after build
+    std::function<void(const Lit&)> relight; // called once for each frame of an environment
     std::function<void(std::span<const Receiver>, std::span<glm::vec3>)> shade;
     enum class Moves {
-        Free,    // follows bones and bodies for nothing
-        Rigid,   // follows whole bodies; true for a body as it was built
-        Rebuilt, // true for the scene as it was built
+        Free,    // follows bones and bodies at no cost
+        Rigid,   // follows whole bodies; correct for a body in the pose that it was built in
+        Rebuilt, // correct for the scene as it was built
     } moves = Moves::Free;
     // Optional: works out beforehand what does not depend on the environment, for these receivers in the
     // calls of shade() that follow; none: forgets it. For the errors alone, never while time is taken.
     std::function<void(std::span<const Receiver>)> foresee = {};
 };
 
-// Radiance leaving a white matte surface with nothing in the way.
+// Returns the method that ignores occlusion.
 OcclusionMethod ignored();
 
 std::vector<OcclusionMethod> occlusionMethods();
 
-// Each by the file that makes it.
+// The other methods, each defined in a file of its own kind.
 OcclusionMethod bakedOcclusion(bool ownBodyAtRest);
 OcclusionMethod transfer(int bands, bool ownBodyAtRest);
 OcclusionMethod coherentShadowMaps(int directions, int size);
 OcclusionMethod layeredDepth(int directions, int size);
 OcclusionMethod exactRays(int directions);
-// Occluders: others' ellipsoids; each body's self-occlusion at rest too; and of what bends sharply its
-// own ellipsoids.
+// Occluders: the other bodies' ellipsoids; also each body's self-occlusion at rest; and also its own
+// ellipsoids if it bends sharply.
 enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);
 OcclusionMethod thesisLayers(int directions);

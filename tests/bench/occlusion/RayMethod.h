@@ -1,4 +1,4 @@
-// A method of rays from anything that can say how free a direction is.
+// Makes a method from any structure that can tell how free a direction is.
 #pragma once
 
 #include "engine/light/Lookup.h"
@@ -10,7 +10,7 @@
 
 namespace shoal::bench {
 
-// The level of its pyramid that directions gather.
+// Returns the level of the environment's pyramid that directions sample.
 const ImageRgbF& directedFrom(const Lit& lit);
 
 // make(scene, rays) -> Structure; free(structure, receiver, direction, its index) -> 0 to 1;

@@ -1,4 +1,4 @@
-// Methods that ask from which directions a point is seen.
+// Methods that test a set of directions for occlusion at each point.
 #include "engine/light/Lookup.h"
 #include "tests/baselines/occlusion/CoherentShadowMaps.h"
 #include "tests/baselines/occlusion/LayeredDepth.h"

@@ -1,4 +1,4 @@
-// Rays against triangles, exactly: what every method is measured against. Embree.
+// Exact ray casting against triangles by Embree, the reference for every method.
 #pragma once
 
 #include "content/make/video/Embree.h"
@@ -17,7 +17,7 @@ struct Touch {
     float u = 0, v = 0; // weights of the triangle's second and third corner
 };
 
-// Many threads may ask at once. Copies share.
+// Many threads may use it at once. Copies share their data.
 class Rays {
   public:
     explicit Rays(
@@ -26,7 +26,7 @@ class Rays {
     bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest,
                   float furthest = 1e30f) const;
     std::optional<Touch> touch(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
-    // Answers as methods do: with the interpolated normal, turned towards the origin.
+    // Returns a hit as methods do, with the interpolated normal turned towards the origin.
     std::optional<occlusion::Hit> trace(glm::vec3 origin, glm::vec3 direction, float nearest) const;
 
   private:

@@ -5,8 +5,8 @@
 
 namespace shoal::bench {
 
-// Moved out to where the corners' tangent planes lie, so that a facet does not stand in its own light at
-// grazing angles. Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II.
+// Returns a receiver moved out to the tangent planes of the corners, so that a facet does not shadow itself
+// at grazing angles. Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II.
 Receiver receiverAt(const Scene& scene, size_t body, uint32_t triangle, const glm::vec3& weights) {
     const Mesh& mesh = scene.bodies[body].posed;
     const glm::uvec3 corner = mesh.triangles[triangle];

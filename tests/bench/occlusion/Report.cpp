@@ -112,7 +112,7 @@ std::string glossyTable(const OcclusionChart& chart) {
 // The two scenes that the game's default is judged by.
 bool isJudged(const std::string& scene) { return scene.starts_with("hand") || scene.starts_with("shark"); }
 
-// Cheapest first, those at most `limit` wrong in both judged scenes.
+// Names the cheapest method with an error of at most `limit` in both judged scenes.
 std::string answer(const OcclusionChart& chart, Under which, double limit) {
     const OcclusionMeasured* best = nullptr;
     double minimum = 1e30;
@@ -193,7 +193,7 @@ Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {
                 if (each.label.family != families[f]) continue;
                 const double x = each.receiver_ns[k], y = 100 * pooledError(chart, each, k, Under::NoSuns);
                 out += text("%.6g %.6g\n", x, y);
-                // Beside its point, moved up or down until it covers no other's.
+                // Places a name beside its point, moved up or down until it covers no other name.
                 Placed at{std::log10(x), std::log10(y)};
                 const auto covers = [&](const Placed& p) {
                     return std::ranges::any_of(taken, [&](const Placed& other) {

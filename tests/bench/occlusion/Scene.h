@@ -1,4 +1,4 @@
-// Scenes in which bodies stand in their own or each other's light.
+// Scenes in which bodies occlude themselves or each other.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -15,15 +15,15 @@ namespace shoal::bench {
 struct Body {
     std::string name;
     Mesh posed;                             // in the world
-    Mesh rest;                              // as its file has it, at the size it has in the world
+    Mesh rest;                              // pose of its file, scaled to its size in the world
     std::vector<int> boneOf;                // per vertex: the bone that moves it most
     std::vector<glm::mat4> worldFromRest;   // per bone; may scale
-    std::vector<glm::mat3> turned;          // per vertex: as the skin turns it from rest; may scale
-    std::vector<occlusion::BodyPart> parts; // of what bends sharply, as the game keeps them: at rest, by bone
+    std::vector<glm::mat3> turned;          // per vertex: the skin's rotation from rest; may scale
+    std::vector<occlusion::BodyPart> parts; // ellipsoids of a body that bends sharply, at rest, by bone
     std::vector<glm::vec4> selfOcclusionBesideOwn; // likewise, per vertex
     int group = 0;                                 // half of the receivers lie on each group's bodies
-    glm::vec3 albedoLin{0.7f};                     // how pictures show it
-    glm::vec3 sentBack{0}; // of the light that falls on it, what others get: 0, a black body
+    glm::vec3 albedoLin{0.7f};                     // albedo in pictures
+    glm::vec3 sentBack{0};                         // albedo for the light that others get; 0: a black body
 };
 
 struct Camera {
@@ -36,7 +36,7 @@ struct Scene {
     std::vector<Body> bodies;
     Camera camera;
     float nearest = 1e-4f; // rays start so far from a surface
-    bool mirror = false;   // how the pictures show it
+    bool mirror = false;   // pictures show it as a mirror
 
     std::vector<const Mesh*> meshes() const {
         std::vector<const Mesh*> all;
@@ -45,15 +45,15 @@ struct Scene {
     }
 };
 
-// Six of black bodies, and the last two of them again with bodies of their colours. Fins let some light
-// through: those of the fish that is alone count as solid, the others' not at all.
+// Makes six scenes of black bodies, and the last two again with coloured bodies. Fins let some light through:
+// those of the single fish count as solid, all others are left out.
 Result<std::vector<Scene>> makeScenes();
 
-// A place on a surface whose light is asked for.
+// A point of a surface at which the light is measured.
 struct Receiver {
-    glm::vec3 position{0}; // off the flat triangle, where the smooth surface would be
+    glm::vec3 position{0}; // on the smooth surface, off the flat triangle
     glm::vec3 normal{0};   // smooth
-    glm::vec3 mirrored{0}; // the camera's ray, reflected
+    glm::vec3 mirrored{0}; // direction of the reflected camera ray
     size_t body = 0;
     uint32_t triangle = 0;
     glm::vec3 weights{0}; // of its corners

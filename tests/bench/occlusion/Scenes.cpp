@@ -20,7 +20,7 @@ using glm::vec3;
 
 Path models() { return dataRoot() / "content" / "models"; }
 
-// The model's skin in this pose; bounds: of its rest pose along z, fins and all.
+// A model in a pose; length_m: extent of its rest pose along z, with fins.
 struct ModelInstance {
     scene::Model model;
     scene::Pose pose;
@@ -46,8 +46,8 @@ Result<render::BakedOcclusion> shadeFor(ModelInstance& instance, const std::stri
     return shade;
 }
 
-// Mesh by linear blend skinning. fins: whether thin ones that let some light through count as solid, or
-// not at all.
+// Returns the body by linear blend skinning. fins: whether thin fins that let some light through count as
+// solid, or are left out.
 Body bodyOf(const std::string& name, const ModelInstance& instance, const mat4& worldFromModel, bool fins) {
     Body body{.name = name};
     const float size = glm::length(vec3(worldFromModel[0]));

@@ -1,4 +1,4 @@
-// Pictures of every scene side by side: nothing in the way, the methods, the truth.
+// Pictures of every scene side by side: without occlusion, by the methods, and the truth.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -6,7 +6,7 @@
 
 namespace shoal::bench {
 
-// occlusion_sheet.png in the folder, without words: a row a scene, columns as sheet.gp names them.
+// Writes occlusion_sheet.png, without text: a row for each scene, columns as sheet.gp names them.
 constexpr size_t kShownScenes = 6; // those of black bodies
 
 Status writeSheet(std::span<const Scene> scenes, const Path& folder);

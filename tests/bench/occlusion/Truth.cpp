@@ -22,9 +22,9 @@ void onAllCores(size_t count, const std::function<void(size_t)>& job) {
 namespace {
 
 constexpr int kBounces = 4;
-constexpr int kPaths = 48; // from what a ray meets: for suns are small
+constexpr int kPaths = 48; // from each hit of a ray; so many because suns are small
 
-// Source of the light of a ray that meets a body here: the cell, and how much of its radiance is left.
+// Light that a ray gets from a body that it hits: the source's cell, and the share of its radiance.
 struct Path {
     size_t cell = 0;
     glm::vec3 left{0}; // 0: none comes
@@ -46,7 +46,7 @@ Path follow(const Scene& scene, const Rays& rays, const Cells& cells, glm::vec3 
         const Receiver there = receiverAt(scene, touch->mesh, touch->triangle, u);
         const glm::vec3 normal = glm::dot(there.normal, direction) > 0 ? -there.normal : there.normal;
         origin = origin + touch->distance * direction;
-        // Onto the unit sphere that touches the surface: cosine-weighted.
+        // A point of the unit sphere that touches the surface gives a cosine-weighted direction.
         const float z = random.between(-1, 1), turn = random.between(0, 2 * std::numbers::pi_v<float>),
                     r = std::sqrt(1 - z * z);
         direction = glm::normalize(normal * 1.0001f + glm::vec3(r * std::cos(turn), r * std::sin(turn), z));

@@ -13,8 +13,8 @@ struct OccludedLight {
     std::vector<float> open;   // [receiver]: share of the cosine-weighted hemisphere that is free
 };
 
-// Two rays a cell, each somewhere in it; from how they differ comes the noise of their mean. What meets a
-// body that sends light back goes on, off matte surfaces, until it is free or has met a fifth. On all cores.
+// Casts two rays a cell at random places in it; their difference gives the noise of their mean. Bodies that
+// send light back reflect rays off matte surfaces until they are free or hit a fifth. Runs on all cores.
 OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<const Receiver> receivers,
                             const Cells& cells);
 

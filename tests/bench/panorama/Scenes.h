@@ -1,4 +1,4 @@
-// Photos made by arithmetic, whose light and uprights are known.
+// Synthetic photos in which the light and the upright lines are known.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -9,15 +9,15 @@ namespace shoal::bench {
 
 struct Scene {
     ImageRgb8 photo;
-    glm::dvec2 light; // where its middle is, pixels
+    glm::dvec2 light; // middle of the light, pixels
 };
 
 inline constexpr double kSceneFov_deg = 65; // horizontal
 
-// A sun of two degrees over the sea, clipped, between wooden posts on a beach.
+// Returns a clipped sun of two degrees over the sea, seen between wooden posts on a beach.
 Scene beach(int width, int height);
 
-// Between trunks, a clearing as a window of light.
+// Returns a forest with a bright clearing between trunks.
 Scene forest(int width, int height);
 
 } // namespace shoal::bench

@@ -27,7 +27,7 @@ glm::vec3 sample(const ImageRgbF& map, const glm::vec2& uv) {
                     glm::mix(texel(x, y + 1), texel(x + 1, y + 1), part.x), part.y);
 }
 
-// Ray from the eye through a pixel's middle; as long as from the eye to the image plane.
+// Returns the ray from the eye to a pixel's middle on the image plane.
 glm::vec3 rayOf(const glm::vec2& pixel, const glm::mat3& envFromEye, int size) {
     return envFromEye * glm::vec3(2.0f * (pixel + 0.5f) / static_cast<float>(size) - 1.0f, -1);
 }
@@ -46,7 +46,7 @@ struct Vertex {
     glm::vec2 uv;
 };
 
-// Perspective-correct, nearest wins. What reaches behind the image plane is left out.
+// Draws a perspective-correct triangle with a depth test; skips it if it reaches behind the image plane.
 void fill(const std::array<Vertex, 3>& corners, const ImageRgbF& map, Picture& picture,
           std::vector<float>& nearest) {
     constexpr float kNear_m = 0.01f;
@@ -121,7 +121,7 @@ Picture seenByCells(const Frame& frame, const glm::vec3& eyeInFilm, const glm::m
 
 Picture seenByGrid(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size,
                    int step) {
-    constexpr float kFurthest_m = 100; // of what is endlessly far
+    constexpr float kFurthest_m = 100; // distance that stands for infinity
     const int across = frame.depth.inverse.width / step, down = frame.depth.inverse.height / step;
     const glm::mat3 eyeFromEnv = glm::transpose(envFromEye);
     std::vector<Vertex> vertices;

@@ -12,7 +12,7 @@
 
 namespace shoal::bench {
 
-// Lat-long; display values, 0 to 1.
+// A lat-long frame in display values, 0 to 1.
 struct Frame {
     ImageRgbF display;
     depth::DepthMap depth, widened;
@@ -23,17 +23,17 @@ struct Picture {
     std::vector<glm::vec3> pixels; // rows from the bottom, display values
 };
 
-// A square view of 90 degrees from the camera.
+// Returns a square view of 90 degrees from the camera.
 Picture seenFlat(const ImageRgbF& display, const glm::mat3& envFromEye, int size);
 
-// View by render::BackgroundCells: the search at corners, linear between them.
+// Returns the view by render::BackgroundCells: searches at cells' corners, interpolates between them.
 Picture seenByCells(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size);
 
-// The same search for every pixel.
+// Returns the view by the same search for every pixel.
 Picture seenBySearch(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size);
 
-// A grid over the sphere, a vertex for each `step` texels of the map at its distance, with a depth buffer:
-// what lies behind an edge is covered by stretched triangles.
+// Returns the view of a mesh over the sphere, drawn with a depth buffer: a vertex for each `step` texels of
+// the map, at its distance. Stretched triangles cover what lies behind an edge.
 Picture seenByGrid(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size,
                    int step);
 

@@ -1,5 +1,5 @@
-// A person's sight of a dive on a screen: projected positions and apparent sizes, no depth, a
-// reaction time late.
+// A person's sight of a dive on a screen: projected positions and apparent sizes without depth, delayed by
+// the reaction time.
 #pragma once
 
 #include "game/rules/Snapshot.h"
@@ -18,10 +18,10 @@ constexpr float kTanHalfFov = 0.63707026f;                  // of 32.5 degrees
 constexpr float kFocal_px = kHalfScreen_px.y / kTanHalfFov; // 565: a degree is 10 pixels
 constexpr float kDegree_px = 9.86f;
 
-constexpr float kReaction_s = 0.25f; // from the picture to what the hand does about it
+constexpr float kReaction_s = 0.25f; // from the picture to the hand's response
 
 struct SeenFish {
-    int id = -1; // as eyes keep to what they follow
+    int id = -1; // stays the same while eyes follow the fish
     int species = 0;
     glm::vec2 at_px{0};
     float size_px = 0;   // its length's, if it were seen from the side: people allow for the way it turns
@@ -42,12 +42,12 @@ struct Sight {
 
 class Eyes {
   public:
-    // Once a frame: what the screen shows now. isPrey: by species.
+    // Takes what the screen shows now; call it once a frame. isPrey: by species.
     void look(const game::Snapshot& shown, const std::vector<bool>& isPrey, double time_s);
 
-    // Returns what has been understood by now: the sight of kReaction_s ago.
+    // Returns the sight that the person has understood by now, that of kReaction_s ago.
     const Sight& now() const { return sights_.front(); }
-    // Velocity on the screen of what was seen there, pixels a second; zero if it has just appeared.
+    // Returns the fish's velocity on the screen in now(), pixels a second; zero if it has just appeared.
     glm::vec2 velocity_px(int id) const;
 
   private:

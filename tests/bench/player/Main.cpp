@@ -1,6 +1,6 @@
-// Dives that a modelled person plays, over many seeds: bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]],
-// of that player alone unless it is "all", in the reef if no dive is named. Prints a table and writes
-// FOLDER/players.tsv, a row a dive.
+// bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]: plays dives by modelled persons over many seeds, by
+// PLAYER alone unless it is "all", in the reef if no dive is named. Prints a table and writes
+// FOLDER/players.tsv, with a row for each dive.
 #include "engine/core/WriteFile.h"
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/playthrough/Rooms.h"

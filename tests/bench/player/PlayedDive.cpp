@@ -16,7 +16,7 @@ namespace {
 constexpr int kFrameRate_Hz = 60, kTicksPerFrame = 2;
 constexpr float kFrame_s = 1.0f / kFrameRate_Hz;
 
-// The mouse's hand, as game/session/HandSource.cpp drives it.
+// Hand of the mouse, driven as by game/session/HandSource.cpp.
 class AtTheMouse {
   public:
     AtTheMouse(const hands::HandRig& rig, const game::SpeciesTable& species, float reachHelp)
@@ -64,7 +64,7 @@ class UnderATracker {
         if (static_cast<int>(late_.size()) > kDelay_frames) {
             time_us_ += static_cast<int64_t>(1e6f * kFrame_s);
             late_.front().time_us = time_us_;
-            late_.front().seenAt = now_; // it does not say how late it is
+            late_.front().seenAt = now_; // the tracker does not report its delay
             stream_.push(late_.front());
             late_.pop_front();
         }

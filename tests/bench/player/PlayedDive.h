@@ -1,5 +1,5 @@
-// A dive as a modelled person plays it, along the way that a real one's input takes: pointer, help with reach
-// and mouse's hand, or tracker, filters and selection of hands; 60 frames and 120 ticks a second.
+// A dive that a modelled person plays. The input takes the path of a real one: pointer, help with reach and
+// the mouse's hand, or tracker, filters and selection of hands; 60 frames and 120 ticks a second.
 #pragma once
 
 #include "game/rules/Dive.h"
@@ -28,7 +28,7 @@ struct PlayedDive {
     std::array<float, kDoings> spent_s{}; // by Doing
 };
 
-// watch, where there is one, sees the dive after every tick.
+// watch, if given, is called with the dive after every tick.
 using Watch = std::function<void(const game::DiveState&, const game::Events&)>;
 PlayedDive play(const game::DiveFiles&, const hands::HandRig&, const PlayerSetup&, const Watch& watch = {});
 

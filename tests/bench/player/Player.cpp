@@ -11,7 +11,7 @@ namespace shoal::player {
 namespace {
 
 constexpr float kTires_s = 3;       // of a chase...
-constexpr float kTiredFor_s = 5;    // ...and tries that fish no more for so long
+constexpr float kTiredFor_s = 5;    // ...and then avoids that fish for so long
 constexpr float kWaits_s = 3;       // for a fish to come
 constexpr float kPatience_s = 1.2f; // with a fish that looks right and does not light up
 constexpr float kTurn_radps = 1.2f;
@@ -88,13 +88,13 @@ Action Player::frame(const game::Snapshot& shown, double time_s) {
     return action;
 }
 
-// Distance by its apparent size, if eyes have no other way.
+// Returns the judged distance: by apparent size on a screen, else by stereo vision with an error.
 float Player::judgedDistance_m(const SeenFish& fish) const {
     if (device_ == Device::Hands) return fish.distance_m + misjudged_m_;
     return length_m_[static_cast<size_t>(fish.species)] * kFocal_px / fish.size_px;
 }
 
-// The fish that is easiest to get: near the hand, near the eye, slow; -1: none.
+// Returns the fish that is easiest to get: near the hand, near the eye, slow; -1: none.
 int Player::choose(double time_s) const {
     const Sight& sight = eyes_.now();
     int best = -1;
@@ -139,14 +139,14 @@ void Player::giveUp(double time_s) {
     target_ = -1;
 }
 
-// One that has swum out of the picture is not waited for.
+// Drops the target, for example once it has swum out of the picture.
 void Player::lookForAnother(double time_s) {
     doing_ = Doing::Looking;
     since_s_ = time_s;
     target_ = -1;
 }
 
-// The hand rests where it is, in the way of whoever comes.
+// Lets the hand rest where it is, in the path of fish that come.
 void Player::wait(double time_s) {
     for (const SeenFish& fish : eyes_.now().fish)
         if (fish.marked) {
@@ -158,8 +158,8 @@ void Player::wait(double time_s) {
     since_s_ = time_s;
 }
 
-// Place to bring the pointer or the hand to. ahead_s: since what is seen, in which the practised expect the
-// fish to go on.
+// Returns the goal of the pointer or the hand. ahead_s: time since the picture, over which the practised
+// extrapolate the fish's movement.
 glm::vec3 Player::goalFor(const SeenFish& fish, float ahead_s) const {
     const float lead_s = skill_ == Skill::Practised ? ahead_s : 0;
     const glm::vec2 px = fish.at_px + eyes_.velocity_px(fish.id) * lead_s;
@@ -192,7 +192,7 @@ void Player::point(const SeenFish& fish, double time_s) {
     startMoving(goalFor(fish, kReaction_s + takes_s), width, time_s);
 }
 
-// The highlight; or, for longer, the pointer over the fish and a hand as far away as the fish seems to be.
+// Returns whether to close: on the highlight, or after longer with the hand at the fish's judged place.
 bool Player::looksRight(const SeenFish& fish, double time_s) {
     const Sight& sight = eyes_.now();
     const float near_px = 0.5f * fish.size_px + 1.5f * kDegree_px;

@@ -18,15 +18,15 @@
 
 namespace shoal::player {
 
-// Novice: knows what the tutorial says: aim at a fish, wait for the highlight, close and hold; a slow hand;
-// wait in a fish's way. Practised: also leads the fish, and knows how large each kind is.
+// A novice follows the tutorial: aim at a fish, wait for the highlight, close and hold; move slowly; wait in
+// a fish's way. The practised also lead the fish, and know how large each kind is.
 enum class Skill { Novice, Practised };
 enum class Device { Mouse, Hands };
 
 // The person's actions in a frame.
 struct Action {
     glm::vec2 cursor_px{0}; // of the mouse
-    glm::vec3 grasp{0};     // where the hand is, viewer's frame, metres
+    glm::vec3 grasp{0};     // place of the hand, viewer's frame, metres
     bool close = false;
     float turn_radps = 0; // of the head, to the right
 };
@@ -49,8 +49,8 @@ constexpr size_t kDoings = 5;
 
 class Player {
   public:
-    // arm_m: how far from the eyes hands in space get; a mouse's hand gets as far as the help with reach
-    // takes it.
+    // arm_m: reach of tracked hands from the eyes; a mouse's hand gets as far as the help with reach takes
+    // it.
     Player(Skill, Device, float arm_m, uint64_t seed, const game::SpeciesTable&);
 
     Action frame(const game::Snapshot& shown, double time_s);
@@ -78,7 +78,7 @@ class Player {
     float arm_m_;
     Random random_;
     std::vector<bool> isPrey_;
-    std::vector<float> length_m_; // what the person believes of each species
+    std::vector<float> length_m_; // believed length of each species
     Eyes eyes_;
     Movement movement_;
     Doing doing_ = Doing::Looking;
@@ -87,10 +87,10 @@ class Player {
     double turnUntil_s_ = 0;
     float turn_ = 1; // side it turns to
     int target_ = -1;
-    double rightSince_s_ = -1; // it has looked right since then; -1: it does not
+    double rightSince_s_ = -1; // time since which the fish looks right; -1: it does not
     float holdFor_s_ = 0;
     bool close_ = false;
-    float misjudged_m_ = 0;         // of the target's distance, with a hand in space
+    float misjudged_m_ = 0;         // error of the target's distance, with tracked hands
     double judged_s_ = 0;           // when that was last corrected
     std::map<int, double> tiredOf_; // fish, until when
 };

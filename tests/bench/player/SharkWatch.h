@@ -16,7 +16,7 @@ namespace shoal::player {
 struct SharkWatch {
     int dives = 0, steals = 0, bumps = 0, grabs = 0, threats = 0, strikes = 0;
     double ticks = 0, farther = 0; // farther: from the vertical axis than the median of the free fish
-    double roomTicks = 0, fartherWithRoom = 0; // of those in which the film leaves that room
+    double roomTicks = 0, fartherWithRoom = 0; // ticks in which the film leaves room farther out
     double near = 0;                 // within kNear_m of the eyes, after it has come there for no strike
     double middleNear = 0;           // of its middle, in no strike
     std::array<double, 5> inState{}; // ticks by Shark::State
@@ -67,7 +67,7 @@ struct SharkWatch {
 
   private:
     std::vector<float> radii_;
-    bool struck_ = false; // it came so near for a strike, and has not been farther away since
+    bool struck_ = false; // true from a strike within kNear_m until it is farther away again
     game::Shark::State before_ = game::Shark::State::Circle;
 };
 

@@ -26,11 +26,11 @@ constexpr Method kMethods[] = {{"thesis", light::FrameRadiance::Thesis},
                                {"linear", light::FrameRadiance::Linear},
                                {"auto (the game)", light::FrameRadiance::Auto}};
 
-// Light of a frame of a clip, by method, the truth last.
+// Light of one frame of a clip by each method; the last is the truth.
 using Lights = std::array<ImageRgbF, std::size(kMethods) + 1>;
 
-// The camera's factor on radiance, since it adapts and what is lit has to follow: the median over
-// pixels neither clipped nor nearly black, as small lamps seldom fall on the pixels that stand for them.
+// Returns the camera's exposure, which adapts, so that the true light has to follow: the median factor over
+// pixels neither clipped nor nearly black. (Small lamps seldom fall on the pixels that stand for them.)
 double exposureOf(const ImageRgb8& bgr, const ImageRgbF& radianceLin) {
     std::vector<double> ratios;
     for (int y = 0; y < radianceLin.height; ++y)
@@ -45,7 +45,7 @@ double exposureOf(const ImageRgb8& bgr, const ImageRgbF& radianceLin) {
     return *middle;
 }
 
-// Root of the integral of the squared difference over that of the square.
+// Returns the root of the integrated squared difference over the integrated square.
 double stepBetween(const ImageRgbF& before, const ImageRgbF& after) {
     double off = 0, whole = 0;
     for (int y = 0; y < before.height; ++y) {

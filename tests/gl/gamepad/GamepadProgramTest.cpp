@@ -26,8 +26,8 @@ namespace {
 
 using test::fakeGamepad, test::FakeGamepad;
 
-// Hands on the pad: runs on a thread of its own, and only while the program waits for it in a frame, so that
-// neither sees the other half done.
+// A player with the pad, on a thread of its own. It runs only while the program waits for it in a frame, so
+// that neither sees a state that the other has half changed.
 class Player {
   public:
     Player(Application& application, std::function<void(Player&)> plays) : application_(application) {
@@ -178,7 +178,7 @@ TEST_F(GamepadProgram, AWebcamThatIsChosenInTheSettingsIsThereAtOnce) {
     });
 }
 
-// A film that is gone when a setting needs it anew: the title comes, over the dive's own film, and says so.
+// If a setting has to reload a film that is gone, the title appears over the dive's own film and says so.
 TEST_F(GamepadProgram, ASettingThatCannotTakeEffectIsSaidOnTheTitle) {
     const Path film = folder_.path() / "film.png";
     ASSERT_TRUE(media::writePng(film, ImageRgb8(64, 32)));

@@ -36,7 +36,7 @@ std::vector<RayGpu> someRays(const Body& body, int count) {
     return rays;
 }
 
-// Shares of rays that one meets and the other does not, and whose distances differ.
+// Shares of rays that hit by one method alone, and whose distances or normals differ.
 struct Difference {
     double met = 0, distance = 0, normal = 0;
 };

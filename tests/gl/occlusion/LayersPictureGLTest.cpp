@@ -120,7 +120,7 @@ TEST_F(LayersPicture, AHolesWallIsAsDarkAsTheLightThatReachesIt) {
     EXPECT_NEAR(radianceAt(model, outside, {1, 0.3f, 0}, LayerMethod::Ollfb).g, free, 0.01f * free);
 }
 
-// Light that comes by way of another part of a red metal is redder by that reflection.
+// Light that another part of a red metal reflects first is redder by that reflection.
 TEST_F(LayersPicture, AMirrorShowsItselfOnceMore) {
     const scene::Model model = modelOf({1, 0.3f, 0.3f}, 1, 0);
     const glm::vec3 place = wall(-0.4f), eye(-0.5f, 0.866f, 0); // reflected to the other side of the hole

@@ -1,4 +1,4 @@
-// Many rays at once, one per pixel of a picture of floats.
+// Traces many rays at once on the graphics card, one for each pixel of a picture of floats.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -10,7 +10,7 @@
 
 namespace shoal::occlusion {
 
-// Layout of the shader.
+// A ray in the shader's memory layout.
 struct RayGpu {
     glm::vec3 origin{0};
     float nearest = 0;
@@ -21,7 +21,7 @@ static_assert(sizeof(RayGpu) == 32);
 
 class TracePass {
   public:
-    // Compiles; no OpenGL 4.3 is an error.
+    // Compiles the shader; fails without OpenGL 4.3.
     static Result<TracePass> make();
 
     // Traces as the methods' trace() does, body frame. Waits for the answers.

@@ -31,8 +31,8 @@ class WithFakeRuntime : public testing::Test {
     }
     // Debian's layer (1.0.20) refuses structures of extensions that are younger.
     static void withoutValidation() { unsetenv("XR_ENABLE_API_LAYERS"); }
-    // Complaints of the layer, which writes no file without one.
-    // But that it begins and ends, which the layer's version 1.1 reports as well.
+    // Returns the layer's complaints; without any it writes no file. Lines about its start and end, which
+    // version 1.1 writes too, are left out.
     std::string validationReport() const {
         const auto text = readText(validation_);
         return std::regex_replace(text ? *text : "", std::regex("[^\n]*VALID_DEBUG[^\n]*\n"), "");
@@ -56,7 +56,7 @@ class WithFakeRuntime : public testing::Test {
         ASSERT_TRUE(window) << window.error().message();
         window_ = std::move(*window);
     }
-    // All that was made is gone, and nothing was called that must not be.
+    // Checks that all objects were destroyed and that no forbidden call was made.
     void TearDown() override {
         window_.reset();
         EXPECT_EQ(fake.complaints, std::vector<std::string>());

@@ -1,4 +1,4 @@
-// A headset through the real loader, down to a runtime that only tests have.
+// A headset through the real loader and the fake runtime of the tests.
 #include "engine/xr/Headset.h"
 #include "engine/core/Log.h"
 #include "engine/xr/Tracked.h"
@@ -182,7 +182,7 @@ TEST_F(HeadsetGL, TheFloorIsKnownWhereTheRuntimeKnowsIt) {
     EXPECT_FALSE(floor());
 }
 
-// Valid is all that a runtime promises; Monado's simulated headset never says that it is tracked.
+// A runtime need only mark poses as valid; Monado's simulated headset never marks them as tracked.
 TEST_F(HeadsetGL, PosesThatAreOnlyValidAreTaken) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     Headset headset = focused();
@@ -260,7 +260,7 @@ TEST_F(HeadsetGL, AHeadThatOnlyTurnsIsDrawnFrom) {
                 1e-5f);
 }
 
-// Every pixel as it was written, in the poses and angles that were given.
+// The headset shows every pixel as it was written, in the given poses and fields of view.
 TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     fake.keepPictures = true;
     Headset headset = focused();
@@ -301,7 +301,7 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     EXPECT_EQ(fake.last.panel->picture.rgba[2], 2);
 }
 
-// The eyes' alpha counts, and is multiplied in already; from frame to frame, as the specification allows.
+// The eyes' pictures blend by alpha, premultiplied; the mode may change in each frame, as is specified.
 TEST_F(HeadsetGL, TheRoomIsBlendedWhereTheRuntimeOffersIt) {
     EXPECT_FALSE(open().seesRoom());
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
@@ -455,7 +455,7 @@ TEST_F(HeadsetGL, WorksWithoutHandTracking) {
     EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));
 }
 
-// XR_EXT_user_presence, whatever the session's state; who senses nothing has nothing to say.
+// XR_EXT_user_presence counts in any session state; a headset without the sensor sends no such events.
 TEST_F(HeadsetGL, TakingItOffEndsPlay) {
     withoutValidation();
     fake.extensions.insert(XR_EXT_USER_PRESENCE_EXTENSION_NAME);

@@ -1,5 +1,5 @@
-// Losses in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
-// pauses, is shown in the window, and all of it is in its recording.
+// The headset is unplugged, or the runtime stops or crashes, in the middle of a dive. The dive pauses, is
+// shown in the window, and all of it is in its recording.
 #include "game/app/Application.h"
 #include "tests/gl/xr/WindowEvents.h"
 #include "tests/gl/xr/XrProgram.h"
@@ -62,8 +62,8 @@ TEST_F(LostRuntime, ARuntimeThatCrashesWhileItsPictureIsDrawn) {
            "xrReleaseSwapchainImage says XR_ERROR_INSTANCE_LOST");
 }
 
-// It is asked for again and again, beside the window, which goes on; the dive then goes on in it, where it
-// was.
+// The program looks for the runtime again and again while the window goes on. The dive then continues in the
+// headset where it was.
 TEST_F(LostRuntime, ComesBackAndTheDiveGoesOnInIt) {
     std::promise<void> windowGoesOn;
     std::atomic<int> gone = 0, polls = 0, asked = 0;

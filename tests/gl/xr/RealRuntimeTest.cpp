@@ -10,7 +10,7 @@
 namespace shoal::xr {
 namespace {
 
-// Looks for it as the loader does.
+// Returns whether a runtime is configured, looked for as by the loader.
 bool runtimeIsNamed() {
     if (const char* json = std::getenv("XR_RUNTIME_JSON")) return *json != 0;
     const char* config = std::getenv("XDG_CONFIG_HOME");

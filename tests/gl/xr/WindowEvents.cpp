@@ -1,4 +1,4 @@
-// Apart from the rest, because X11's headers define words such as Status and None.
+// A file of its own, because X11's headers define macros such as Status and None.
 #include "tests/gl/xr/WindowEvents.h"
 
 #include <GLFW/glfw3.h>
@@ -15,7 +15,7 @@ namespace shoal::test {
 
 namespace {
 
-// On return it is in the window's queue.
+// Sends an event, which is in the window's queue on return.
 void send(XEvent event, long mask) {
     const std::unique_ptr<Display, int (*)(Display*)> display(XOpenDisplay(nullptr), &XCloseDisplay);
     event.xany.display = display.get();

@@ -5,11 +5,11 @@
 
 namespace shoal::test {
 
-// Pressed and released; the window learns of it when it looks for events next. glfwKey: F1 to F12, Escape,
+// Presses and releases a key; the window gets both events at its next poll. glfwKey: F1 to F12, Escape,
 // Enter, Down, Home.
 void strikeKey(int glfwKey);
 
-// Whenever the window looks for events, until it returns false.
+// Calls the function whenever the window polls events, until it returns false.
 void onEachPoll(std::function<bool()> then);
 
 } // namespace shoal::test

@@ -74,7 +74,7 @@ class XrPicture : public test::WithFakeRuntime {
         const SceneRenderer::Eye seen{eye, view, canvas};
         return sceneRenderer_->draw({&seen, 1});
     }
-    // Frames until nothing is dark any more, then one in which the scene stands as it is.
+    // Shows frames until the fade-in is over, then one with the scene at rest.
     void show(HeadsetDisplay& headset, float scale) {
         show(headset, scale,
              Painter::of(*sceneRenderer_, [](HudPart, Audience, const render::View&, glm::ivec2) {}));
@@ -96,7 +96,7 @@ class XrPicture : public test::WithFakeRuntime {
         }
         ASSERT_TRUE(drew);
     }
-    // Both eyes' middle was the origin of LOCAL, where the dive was centred, level and ahead.
+    // Expects ordinary() pictures in both eyes. The dive was centred at LOCAL's origin, the eyes' middle.
     void expectOrdinary(glm::ivec2 size, int samples) {
         for (int eye = 0; eye < 2; ++eye) {
             const test::FakePicture& picture = (*fake.last.eyes)[static_cast<size_t>(eye)].picture;
@@ -104,7 +104,7 @@ class XrPicture : public test::WithFakeRuntime {
             EXPECT_EQ(picture.rgba, ordinary(eye, size, samples)) << "eye " << eye << " of " << samples;
         }
     }
-    // The ordinary way, from where OpenXR says that the eye is, in the frame that the dive was centred in.
+    // Draws an eye's picture without a headset, from the pose of OpenXR relative to the dive's centre.
     std::vector<uint8_t> ordinary(int eye, glm::ivec2 size, int samples) {
         const XrView& given = fake.views[static_cast<size_t>(eye)];
         const auto& [p, q] = std::pair(given.pose.position, given.pose.orientation);
@@ -156,7 +156,7 @@ TEST_F(XrPicture, MovesWithTheHead) {
     expectOrdinary({200, 240}, 1);
 }
 
-// The player's room: animals as the film lights them, nothing beside them, and a hand only hides them.
+// In the player's room only animals are drawn, lit by the film, and hands only hide them.
 TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
     const glm::ivec2 size(200, 240);
     const render::View view{.verticalFov = 1.2f, .aspect = 200.0f / 240, .heightPixels = size.y};
@@ -313,8 +313,8 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     }
 }
 
-// The film has the distances that its track tells, for each eye where that is; and what the runtime
-// does not take is not made.
+// The depth of the film is that of its track, seen from each eye. No depth is made for a runtime that does
+// not take it.
 TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
     ASSERT_TRUE(environment_->depth()) << "the reef's film comes with a track of distances";
     showOnly_ = [](game::Snapshot& shown) {
@@ -399,7 +399,7 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
                 ASSERT_TRUE(headset) << headset.error().message();
                 showOnly_ = [&](game::Snapshot& shown) {
                     shown.hands = {};
-                    // Not as it swims: in the same pose each time.
+                    // The animal has the same pose each time and does not swim.
                     shown.creatures = {{.species = shown.creatures[0].species,
                                         .position = {kRight_m, kUp_m, -kAway_m},
                                         .worldFromBody = glm::angleAxis(1.57f, glm::vec3(0, 1, 0)),

@@ -40,7 +40,7 @@ class XrProgram : public test::WithFakeRuntime {
         PlayOptions o;
         o.xr = true;
         o.start = Start::Dive;
-        o.seed = 1; // with a window each run would draw another
+        o.seed = 1; // with a window each run would choose another seed
         o.mute = true;
         o.quality = QualityControl::Fixed;
         o.shadows = ShadowChoice::Off; // half of a frame's time on the processor
@@ -48,7 +48,7 @@ class XrProgram : public test::WithFakeRuntime {
         o.environment.photo = ""; // the dive's own video
         return o;
     }
-    // A script that does nothing wrong must not run for ever.
+    // Runs the program; ends it after maxFrames, even if the test's script does not.
     Outcome run(const PlayOptions& o, uint64_t maxFrames = 2000) {
         const auto scripted = fake.onWait;
         fake.onWait = [scripted, maxFrames](FakeRuntime& f) {
@@ -67,7 +67,7 @@ class XrProgram : public test::WithFakeRuntime {
             outcome.said.erase(at, outcome.said.find('\n', at) + 1 - at);
         return outcome;
     }
-    // Plays so many frames of a dive, which succeeds and says nothing, and returns its recording.
+    // Plays so many frames of a dive, which must succeed without messages, and returns its recording.
     tests::Recorded recorded(PlayOptions o, uint64_t frames) {
         o.record = folder_ / "a.replay";
         const Outcome outcome = run(o, frames);
@@ -126,7 +126,7 @@ class XrProgram : public test::WithFakeRuntime {
         EXPECT_TRUE(same) << same.error().message();
     }
 
-    // Lengths of the stretches in which `pause` was held or not, in ticks, beginning with held.
+    // Returns lengths, in ticks, of the stretches with and without `pause`, in turn, first one with it.
     static std::vector<int> pauses(const tests::Recorded& recording) {
         std::vector<int> lengths{0};
         bool paused = true;
@@ -140,7 +140,7 @@ class XrProgram : public test::WithFakeRuntime {
         }
         return lengths;
     }
-    // Pauses in so many frames of a dive in which the runtime does as it was told.
+    // Returns the pauses() of so many frames of a dive.
     std::vector<int> pausesWithin(uint64_t frames) { return pauses(recorded(options(), frames)); }
 };
 

@@ -24,7 +24,7 @@ TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     EXPECT_FALSE(fake.running);
 }
 
-// Between frames where a script takes many seconds.
+// Time between frames for scripts of many seconds.
 constexpr double kSlow_s = 1.0 / 30;
 
 // A pause from frame 30 lasts until a hand that closes in frame 60 has taken hold, for 0.4 s; four ticks a
@@ -160,8 +160,8 @@ TEST_F(XrProgram, APlayerWhoSitsDivesSeated) {
     expectReplays(recording);
 }
 
-// The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
-// steady, or hands would seem to stop and leap.
+// The headset reports poses 72 times a second, the game asks for them 120 times. A steady motion must stay
+// steady, so that hands do not seem to stop and leap.
 TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
     fake.period_s = 1.0 / 72;
     closeHand(1, 0);
@@ -380,7 +380,7 @@ TEST_F(XrProgram, TheFilmStaysWhereTheRuntimeShowsNoRoom) {
     EXPECT_FALSE(kept.passthrough);
 }
 
-// Failures that a player may meet before anything is seen.
+// Failures that a player may meet before the first picture.
 TEST_F(XrProgram, WithoutAHeadsetItSaysWhatToDo) {
     fake.present = false;
     expectOneMessage(run(options()), "plug it in");
@@ -486,8 +486,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "xrEndFrame", "xrEndSession", "xrApplyHapticFeedback", "xrStopHapticFeedback"),
     [](const auto& parameter) { return std::string(parameter.param); });
 
-// Every test of these demands that the validation layer has nothing to say; here all is used in one dive, and
-// the layer is shown to be awake.
+// All tests of this class demand that the validation layer reports nothing. This one uses all features in one
+// dive, and shows that the layer is active.
 TEST_F(XrProgram, CoreValidationHasNothingToComplainOf) {
     if (!validated_) GTEST_SKIP() << "needs openxr-layer-corevalidation";
     fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);

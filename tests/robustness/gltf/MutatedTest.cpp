@@ -35,7 +35,7 @@ std::string bytesOf(const Path& file) {
     return bytes ? std::string(bytes->begin(), bytes->end()) : "";
 }
 
-// Mostly in the JSON, which lies in front: numbers there decide what is read, and how far.
+// Changes mostly the JSON at the beginning, whose numbers decide which bytes are read.
 void mutate(std::string& bytes, size_t jsonEnd, Random& random) {
     const auto size = static_cast<uint32_t>(bytes.size());
     const uint32_t within =

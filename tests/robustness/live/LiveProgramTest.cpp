@@ -1,4 +1,4 @@
-// The whole program inside a live video that behaves as networks do.
+// Runs the whole program with a live video over a network that stalls and breaks.
 #include "tests/robustness/program/Program.h"
 #include "tests/unit/live_server/HttpServer.h"
 
@@ -59,7 +59,7 @@ class LiveProgram : public tests::Program {
     }
 };
 
-// Sends pictures at some thirty a second: as many, or until the client leaves. The pause is a wait for that.
+// Sends `count` pictures at some thirty a second, or fewer if the client leaves, for which each pause waits.
 int stream(HttpServer& server, int first, int count, cv::Size size = {256, 128}) {
     int number = first;
     for (; number < first + count; ++number) {

@@ -1,5 +1,5 @@
-// Files cut short and with flipped bytes: each reader gives a value or an Error, and comes back. A crash, a
-// hang (the test's time limit) or a report of the sanitizers is the failure.
+// Readers return a value or an Error for files that are cut short or have flipped bytes. The test fails by a
+// crash, a hang (the test's time limit) or a report of the sanitizers.
 #include "engine/core/Random.h"
 #include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
@@ -85,7 +85,7 @@ TEST_P(DamagedPicture, GivesAValueOrAReason) {
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPicture,
                          testing::Values(".png", ".jpg", ".bmp", ".webp", ".ppm", ".hdr", ".exr", ".pfm"));
 
-// Found by tests/fuzz: OpenEXR took gigabytes for a size that was stated where we had not looked.
+// Found by tests/fuzz: OpenEXR allocated gigabytes for a size in a field that we had not checked.
 TEST(DamagedExr, SizesAreCheckedBeforeTheLibraryBelievesThem) {
     for (const char* name : {"exr_attribute_size", "exr_list_shorter_than_stated"}) {
         const auto read = readHdr(tests::sourceFolder() / "tests/fuzz/regressions/Pictures" / name, kLimits);

@@ -1,5 +1,5 @@
-// The program on a full disk, stopped or killed, and with outputs that are no ordinary files: nothing is lost
-// but what was not done yet, and it is said.
+// The program on a full disk, stopped or killed, and with outputs that are not ordinary files: it loses only
+// unfinished work, and reports that.
 #include "Program.h"
 #include "tests/Recorded.h"
 
@@ -37,7 +37,7 @@ class Faults : public tests::Program {
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
-    // With pictures.
+    // Returns the words of a run that also draws pictures.
     std::vector<std::string> draw(std::vector<std::string> more) const {
         more.insert(more.end(), {"--screenshot", file("picture.png")});
         return play(std::move(more));
@@ -47,7 +47,7 @@ class Faults : public tests::Program {
     }
     std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-    // Has recorded for so many seconds of play.
+    // Waits until the child has recorded so many seconds of play.
     void awaitRecording(pid_t child, uint64_t seconds) const {
         const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(10);
         while (std::chrono::steady_clock::now() < until && ::waitpid(child, nullptr, WNOHANG) == 0) {
@@ -64,7 +64,7 @@ void limitFiles(uint64_t bytes) {
     ::setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-// A session that is asked to stop writes what it was to leave, and the recording is whole.
+// A session that a signal stops writes all its output files, and the recording is whole.
 TEST_F(Faults, SignalsEndADiveInOrder) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const pid_t child = start(draw(
@@ -156,7 +156,7 @@ TEST_F(Faults, StatisticsGoThroughDevicesPipesAndLinks) {
     EXPECT_THAT(said(), HasSubstr("/dev/full: cannot be written"));
 }
 
-// Twenty files may be open at once: it plays, or says what is missing.
+// With few files that may be open at once, the program plays or says what is missing.
 TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
     for (const rlim_t files : {8, 12, 16, 20, 40}) {
         const int status = run(draw({"--at", "0.5", "--stats", file("s.json")}), [&] {
@@ -201,7 +201,7 @@ TEST_F(Faults, LackOfMemoryIsSaid) {
     EXPECT_NE(said(), "");
 }
 
-// Drivers and sound do without.
+// Drivers and sound work without shared memory.
 TEST_F(Faults, SharedMemoryIsNotNeeded) {
     if (std::system("unshare -rm umount /dev/shm 2>/dev/null") != 0)
         GTEST_SKIP() << "this user may not unmount";

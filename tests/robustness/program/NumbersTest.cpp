@@ -1,5 +1,5 @@
-// Numbers that are none pass no range, wherever they come from: one sentence names the option or the key, and
-// nothing is done.
+// Invalid numbers are refused wherever they come from: one sentence names the option or the key, and nothing
+// is done.
 #include "Program.h"
 
 #include <array>
@@ -103,7 +103,7 @@ TEST_F(Numbers, SettingsRefuseThem) {
     for (const Place& place : places)
         fill(place, kNone, [&](const std::string& text) {
             write("shoal/settings.json", text);
-            const std::string err = run("play").err; // which then finds no display
+            const std::string err = run("play").err; // fails because there is no display
             EXPECT_NE(err.find("settings.json: "), std::string::npos) << err;
             EXPECT_NE(err.find("--headless"), std::string::npos) << err;
             EXPECT_EQ(lines(err), 2) << err;

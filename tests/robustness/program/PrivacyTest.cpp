@@ -1,4 +1,4 @@
-// The program asks no network for anything, and leaves no files but those that are named.
+// The program uses no network, and leaves only the files that the command line names.
 #include "engine/core/Files.h"
 #include "tests/TestPaths.h"
 

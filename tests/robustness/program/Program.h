@@ -1,4 +1,4 @@
-// Runs the program as a person would: words on a command line, what it says and how it ends.
+// Runs the program as a person would, by a command line, and returns its output and exit status.
 #pragma once
 
 #include "engine/core/Files.h"

@@ -38,7 +38,7 @@ class Program : public tests::Program {
     }
 };
 
-// A grey ramp without end, in the plainest of formats.
+// Returns a repeating grey ramp as a PNM file.
 std::string pnm(int width, int height, const char* kind = "P5") {
     std::string bytes =
         std::string(kind) + " " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
@@ -48,7 +48,7 @@ std::string pnm(int width, int height, const char* kind = "P5") {
     return bytes;
 }
 
-// They would take a tenth of a second and an eighth of the memory (engine/media/Codecs.h).
+// Loading the libraries would take a tenth of a second and an eighth of the memory (engine/media/Codecs.h).
 TEST_F(Program, StartsWithoutTheLibrariesOfPicturesAndCameras) {
     const Path list = folder_ / "libraries.txt";
     const std::string command =
@@ -105,7 +105,7 @@ TEST_F(Program, AFileToBeWrittenMustHaveAPlace) {
     EXPECT_FALSE(fs::exists(folder_ / "none"));
 }
 
-// A film of noise that stays as it is: a camera that stands still.
+// Writes a film of noise that does not change, as of a camera that stands still.
 void writeStillFilm(const Path& file) {
     cv::Mat picture(128, 256, CV_8UC3);
     cv::RNG(3).fill(picture, cv::RNG::UNIFORM, 0, 255);
@@ -122,7 +122,7 @@ TEST_F(Program, DepthOfAStillCameraCannotBeKnown) {
     EXPECT_FALSE(fs::exists(out.string() + ".part"));
 }
 
-// Before a frame is read: of the two things that are wrong here, the message names the output.
+// The output is checked before a frame is read: of two errors here, the message names the output.
 TEST_F(Program, DepthIsMadeOfFilesAndHasToHaveAPlace) {
     const std::string out = " -o " + folder_.string() + "/out.mkv";
     expectOneMessage(run("rtsp://localhost/live" + out, depthProgram()), "depth is made of files");
@@ -143,8 +143,8 @@ TEST_F(Program, DepthIsMadeOfFilesAndHasToHaveAPlace) {
     EXPECT_EQ(readText(text).value(), "no film, but text");
 }
 
-// A model without a file of its occlusion gets one, once, which is what its maker has stored for the same
-// model here.
+// A model without an occlusion file gets one, once, with the same content as the stored file of the same
+// model.
 TEST_F(Program, OcclusionOfAModelIsMadeOnceAndKept) {
     const Path photo = write("photo.ppm", pnm(256, 128, "P6")), out = folder_ / "out.png";
     const Path stored = tests::sourceFolder() / "content/models/angelfish.glb", copy = folder_ / "copy.glb";
@@ -189,7 +189,7 @@ TEST_F(Program, WaysOfLightingCanBeChosen) {
     EXPECT_NE(draw("--glossy phong36"), ours);
 }
 
-// Below OpenGL 4.3 one sentence says so. Where the driver cannot be made old, there is a picture.
+// Below OpenGL 4.3 one sentence says so. If the driver cannot lower its version, a picture is drawn.
 TEST_F(Program, LayersNeedANewerOpenGl) {
     const Path photo = write("photo.ppm", pnm(256, 128, "P6")), out = folder_ / "out.png";
     const Path model = tests::sourceFolder() / "content/models/angelfish.glb";
@@ -284,8 +284,8 @@ TEST_F(Program, ABrokenScoresFileIsSaidOnce) {
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
 
-// A start from a menu has no terminal, and a display. A fake of the first program that shows boxes keeps what
-// it is given.
+// A start from a menu has a display and no terminal. A fake of the program that shows message boxes records
+// the text that it is given.
 TEST_F(Program, StartedFromAMenuItTellsItsErrorsInAMessageBox) {
     const Path box = folder_ / "box.txt",
                fake = write("zenity", "#!/bin/sh\nprintf '%s\\n' \"$@\" >" + box.string());
@@ -504,7 +504,7 @@ TEST_F(Program, TheSameMomentGivesTheSamePicture) {
     EXPECT_EQ(readFile(a, 1u << 20).value(), readFile(b, 1u << 20).value());
 }
 
-// Shadows need the film's distances, and no more than these.
+// Shadows need only the film's distances.
 TEST_F(Program, ShadowsFallWhereverAFilmHasADepthTrack) {
     const Path film = folder_ / "own.mp4", content = tests::sourceFolder() / "content/video";
     fs::create_symlink(content / "reef.small.mp4", film);

@@ -1,6 +1,6 @@
-// Runs the program with a tracking service that behaves as services do: a hand over the device closes on a
-// fish; the service drops, stalls, talks rubbish and starts anew in the middle, and the game plays on. Time
-// is that of the frames' stamps, so nothing waits for a clock.
+// Runs the program with a tracking service that fails as real ones do. A hand over the device closes on a
+// fish; the service drops, stalls, sends invalid data and restarts meanwhile, and the game plays on. Time is
+// that of the frames' stamps, so nothing waits for a clock.
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "tests/TestRig.h"
@@ -30,7 +30,7 @@ struct Fist {
     double closes_s = -1, ends_s = 0;
 };
 
-// Finds where the hand of a recording closes, by our own reading of it.
+// Returns where the hand of a recording closes, as our own reader finds it.
 Fist fistIn(const std::vector<std::string>& messages) {
     hands::LeapTracks tracks(rig(), hands::kDeskMount);
     hands::HandFilter filter;
@@ -51,7 +51,7 @@ Fist fistIn(const std::vector<std::string>& messages) {
     return fist;
 }
 
-// The same hand more slowly: its time stamps stretched.
+// Returns the recording slowed down, by stretched time stamps.
 std::vector<std::string> slowed(const std::vector<std::string>& messages, double times) {
     static const std::regex stamp("\"timestamp\":([0-9]+)");
     std::vector<std::string> out;

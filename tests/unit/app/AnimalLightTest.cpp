@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPicture_s = 1.0 / 60;
 
-// White all around at 1 m but behind the viewer, where it is black.
+// A room white at 1 m all around, except behind the viewer, where it is black.
 struct HalfWhiteRoom {
     depth::LightDifference light;
     HalfWhiteRoom() {
@@ -49,7 +49,7 @@ TEST(AnimalLight, WithoutDistancesIsTheCameras) {
 }
 
 TEST(AnimalLight, NewAnimalsHaveTheLightOfTheirPlaceAtOnce) {
-    Swim swim(6); // more than are asked each time
+    Swim swim(6); // more animals than are updated in each picture
     for (auto& animal : swim.shown.creatures) animal.position = kAhead;
     swim.picture();
     ASSERT_NE(swim.evenAt(kAhead), glm::vec3(0));
@@ -61,7 +61,7 @@ TEST(AnimalLight, FollowsEveryAnimalWithoutAStep) {
     for (auto& animal : swim.shown.creatures) animal.position = kAhead * 0.2f;
     swim.picture();
     const float from = swim.even(0).x;
-    for (auto& animal : swim.shown.creatures) animal.position = kAhead; // 0.4 m: it swam
+    for (auto& animal : swim.shown.creatures) animal.position = kAhead; // moved by 0.4 m, as by swimming
     const float to = swim.evenAt(kAhead).x;
     ASSERT_GT(to, from);
     float last = from;

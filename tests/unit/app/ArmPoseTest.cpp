@@ -117,7 +117,7 @@ TEST(ArmPose, HoldsForEveryHeadAndHand) {
             }
 }
 
-// The arms that come with the game: joints where poseArm() takes them to be, closed behind, and around the
+// The game's arm models have their joints where poseArm() expects them, are closed behind, and enclose the
 // wrist.
 TEST(ArmModels, AreWhatTheyArePosedAs) {
     for (const char* name : {"arm_left", "arm_right"}) {

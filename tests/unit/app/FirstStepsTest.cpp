@@ -91,7 +91,7 @@ TEST(FirstSteps, TheGhostHandReachesForNothingThatStings) {
     EXPECT_EQ(*p.steps.target(), p.shown.creatures[1].position);
 }
 
-// The session that they are made from is a copy that is gone when they are drawn.
+// First steps are made from a copy of the session, which no longer exists when they are drawn.
 TEST(FirstSteps, TheGhostHandDoesNotDependOnWhatItWasMadeFrom) {
     auto rig = std::make_unique<hands::HandRig>(tests::rig());
     const FirstSteps steps(*rig, {});

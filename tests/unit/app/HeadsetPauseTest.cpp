@@ -1,4 +1,4 @@
-// When a dive in a headset goes on: hands are all that a player has.
+// Tests when a paused dive in a headset goes on, for players who have only their hands.
 #include "game/session/HeadsetPause.h"
 #include "game/ui/PanelPlacement.h"
 
@@ -116,14 +116,14 @@ TEST(PanelPlacement, HangsAheadAndStaysWhileTheHeadLooksAround) {
     const xr::Pose first = place.follow(yawed(0), kDt);
     EXPECT_NEAR(glm::length(first.position - glm::vec3(0, -PanelPlacement::kBelow_m, 0)),
                 PanelPlacement::kDistance_m, 1e-6f);
-    // Looking about within the lag, and nodding: it does not stir.
+    // The panel does not move while the head looks about within the lag, and nods.
     for (int i = 0; i < 180; ++i) {
         const float t = static_cast<float>(i) * kDt;
         const xr::Pose now = place.follow(yawed(0.55f * std::sin(3 * t), 0.5f * std::sin(2 * t)), kDt);
         EXPECT_LT(glm::distance(now.position, first.position), 1e-6f);
         EXPECT_EQ(now.orientation, first.orientation);
     }
-    // Turned well aside: it comes after, never faster than the head, and upright.
+    // The panel follows a head that turns far aside, upright and never faster than the head.
     glm::vec3 last = first.position;
     for (int i = 0; i < 270; ++i) {
         const xr::Pose now = place.follow(yawed(1.5f, 0.4f), kDt);

@@ -61,7 +61,7 @@ TEST_F(KeptFiles, EverySettingComesBack) {
     }
 }
 
-// What a command is given for one run is written by nobody: only a setting that the player changes is.
+// Options for one run are not written to the file: only settings that the player changes are.
 TEST_F(KeptFiles, OneSettingIsWrittenAndAllElseInTheFileStays) {
     const Path file = folder_ / "shoal/settings.json";
     ASSERT_TRUE(writeFileWhole(file, R"({"of-a-later-version": [1, 2], "volume": 17, "fov": 80})"));
@@ -97,7 +97,7 @@ TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {
     ASSERT_TRUE(addScore("wreck", 40));
     EXPECT_EQ(readScores("reef").top, (std::vector<int>{120, 70, 60, 50, 30}));
     EXPECT_EQ(readScores("reef").last, 60);
-    ASSERT_TRUE(addScore("wreck", 0)); // nothing to be proud of
+    ASSERT_TRUE(addScore("wreck", 0)); // 0 is no top score
     EXPECT_EQ(readScores("wreck").top, std::vector<int>{40});
     EXPECT_EQ(readScores("wreck").last, 0);
 }

@@ -69,8 +69,8 @@ TEST_F(MenuTest, TheLanguageChangesThePage) {
     EXPECT_EQ(page().items[0].value, "Deutsch");
 }
 
-// What is the same in two languages is in the table with both, or is no word: a number, or the name of a key
-// or button as it is printed there.
+// A text that is the same in two languages is in the table with both, or is not a word: a number, or the name
+// of a key or button as it is printed there.
 TEST_F(MenuTest, NoWordOfThePagesIsOutsideTheTable) {
     const auto wordsIn = [&](LanguageChoice language) {
         options_.text.language = language;
@@ -117,7 +117,7 @@ TEST_F(MenuTest, NoWordOfThePagesIsOutsideTheTable) {
     EXPECT_LT(same, 20u);
 }
 
-// Only before a webcam, whose picture is then on the page.
+// The page exists only with a webcam, whose picture it shows.
 TEST_F(MenuTest, TheHandIsMeasuredOnAPageOfTheHandsSettings) {
     choose("Settings");
     choose("Hands");
@@ -341,7 +341,7 @@ TEST(FingerPoke, AQuickMoveForwardPressesOnceAndASlowOneDoesNot) {
     EXPECT_EQ(presses(0.02f, 120), 0);
 }
 
-// A tracker that sees the hand on the keys would else take the focus away in every frame.
+// Otherwise a tracker that sees the hand on the keys would take the focus away in every frame.
 TEST(MenuControls, FingersRestWhileKeysOrMouseAreUsed) {
     MenuControls controls;
     std::array<Pointing, 2> fingers;

@@ -1,4 +1,4 @@
-// What a mistyped word may have meant.
+// Suggestions for mistyped words.
 #include "game/tools/NearestWord.h"
 
 #include <gtest/gtest.h>

@@ -40,7 +40,7 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
         screens_.open(screen);
         frame({});
     }
-    // What the device did since the last frame, and what is drawn then.
+    // Passes on the device's input since the last frame, and draws.
     void frame(const platform::WindowInput& input) {
         screens_.input(controls_.step(&input, nullptr, {}, {kSize}, 1.0f / 60));
         target_->bind();

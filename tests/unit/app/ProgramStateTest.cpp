@@ -1,4 +1,4 @@
-// What keys and the dive itself do in each state of the program, and which pages stand over the picture then.
+// Effects of keys and of the dive in each state of the program, and the pages shown over the picture then.
 #include "game/app/DiveRunner.h"
 #include "game/app/ProgramStates.h"
 #include "tests/Recorded.h"
@@ -99,7 +99,7 @@ TEST_F(ProgramStatesTest, AReplayCannotBePausedOnlyLeft) {
     press(Action::Pause);
     EXPECT_FALSE(session_.paused);
     EXPECT_TRUE(leaving_);
-    end(500); // its score is no person's
+    end(500); // its score was not played by a person
     EXPECT_TRUE(readScores("reef").top.empty());
 }
 

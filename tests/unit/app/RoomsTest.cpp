@@ -1,4 +1,4 @@
-// The rooms in which playthroughs are played where no film can be decoded are those that the program makes of
+// The room files, for playthroughs on machines that decode no film, equal the rooms that the program makes of
 // the films' depth tracks. With SHOAL_UPDATE=1 the files are written anew.
 #include "tests/playthrough/Rooms.h"
 #include "game/views/FilmSpaceOf.h"
@@ -11,7 +11,7 @@
 namespace shoal::app {
 namespace {
 
-// The distances that it was made of: those in the middles of cells, at the times of steps.
+// Returns the distances that a space was made of: those in the middles of cells, at the times of steps.
 game::Room roomIn(const game::FilmSpace& space, double length_s) {
     game::Room room{length_s, {}};
     for (int step = 0; step < space.steps(); ++step) {

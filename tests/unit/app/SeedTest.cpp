@@ -1,4 +1,4 @@
-// Which seed a dive has: what can be compared keeps it, what is played for pleasure is another each time.
+// The seed of a dive: the same in dives that can be compared, and another each time in dives for pleasure.
 #include "game/session/GameSession.h"
 
 #include <gtest/gtest.h>

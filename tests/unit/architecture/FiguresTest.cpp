@@ -33,7 +33,7 @@ double figureAt(const std::string& place) {
     return std::atof(cell.c_str()) / (part[5].matched ? std::stod(part[5]) : 1);
 }
 
-// The numbers that stand where the phrase has "#".
+// Returns the README's numbers at the places where the phrase has "#".
 std::vector<std::string> numbersIn(const std::string& readme, const std::string& phrase) {
     const std::string text = std::regex_replace(textOf(readme), std::regex("\\s+"), " ");
     const std::string plain = std::regex_replace(phrase, std::regex(R"([.|*()+^$?\[\]{}\\])"), R"(\$&)");

@@ -15,9 +15,9 @@ namespace shoal {
 
 namespace {
 
-using Folders = std::map<std::string, std::set<std::string>>; // a folder, and those whose headers it includes
+using Folders = std::map<std::string, std::set<std::string>>; // by folder: those whose headers it includes
 
-// From the lowest layer up; a folder that is missing here belongs in a row of this table.
+// Layer of each folder, from the lowest up. A folder that is missing has to be added to this table.
 const std::map<std::string, int> kLayerOf = {
     {"engine/core", 0},        {"engine/math", 0},                                                 //
     {"engine/gl", 1},          {"engine/media", 1},  {"engine/platform", 1},                       //
@@ -92,7 +92,7 @@ TEST(Layers, RulesKnowNeitherPicturesNorSoundNorDevices) {
         EXPECT_TRUE(allowed.count(to)) << "game/rules includes " << to;
 }
 
-// Nothing is lost on a full disk or in a crash only as long as nobody opens files for writing by other means.
+// Files survive a full disk and a crash only if all code writes them through this function.
 TEST(Sources, WriteFilesThroughOneFunction) {
     static const std::regex kWrites(
         "ofstream|fopen\\(|imwrite|O_CREAT|avio_open(?!_dyn_buf)|(std::filesystem|fs)::rename");
@@ -106,7 +106,7 @@ TEST(Sources, WriteFilesThroughOneFunction) {
         }
 }
 
-// Equal input gives equal states on every compiler and library: nothing whose result they may choose.
+// States are equal on every machine only without functions whose results depend on compiler or library.
 TEST(Sources, TheRulesUseNothingThatDiffersBetweenMachines) {
     static const std::regex kDiffers(
         "std::(sin|cos|tan|asin|acos|atan2?|exp2?|log2?|pow|hypot|cbrt)\\b|unordered_|_distribution|std::"

@@ -64,7 +64,7 @@ TEST(Audio, WithinReachOfTheHeadASoundKeepsItsLevel) {
         const double level = hear(tone(200, 1), {.position = {0, 0, -distance_m}}).both();
         EXPECT_NEAR(20 * std::log10(level / at07), 0, 0.5) << distance_m; // dB
     }
-    // A sound in the very head has no direction: both ears, at most the 3 dB that panning law may differ by.
+    // A sound inside the head has no direction: both ears hear it, within the 3 dB of panning laws.
     const Loudness inside = hear(tone(200, 1), {});
     EXPECT_NEAR(inside.left / inside.right, 1, 0.04); // the reverberation: OpenAL Soft 1.24 has 0.027
     EXPECT_NEAR(20 * std::log10(inside.both() / at07), 0, 3.1);

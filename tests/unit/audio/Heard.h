@@ -12,7 +12,7 @@
 
 namespace shoal::audio {
 
-// No test makes a noise, nor wants a sound card.
+// Selects OpenAL's null driver: tests are silent and need no sound card.
 inline const int kSilentDevice = setenv("ALSOFT_DRIVERS", "null", 0);
 
 inline Clip tone(float frequency_Hz, float seconds) {
@@ -38,7 +38,7 @@ inline Loudness loudness(std::span<const float> stereo) {
     return {std::sqrt(sum.left / frames), std::sqrt(sum.right / frames)};
 }
 
-// Half a second of what is heard.
+// Renders half a second of what the listener hears.
 inline std::vector<float> render(const Clip& clip, const Sound& shot, const Listener& listener,
                                  AudioOptions options) {
     options.loopback = true;

@@ -34,7 +34,7 @@ struct Show {
     Clicks clicks;
     Audio audio;
     std::vector<float> samples;
-    std::vector<double> heard_s; // of the picture's time, when a click began
+    std::vector<double> heard_s; // the picture's time at which each click began
     double picture_s = 0, owed = 0;
     float loudest = 0;
     int quiet = 48000;
@@ -44,7 +44,7 @@ struct Show {
         audio.setTrack(clicks.sound());
     }
 
-    // A picture, and the sound until the next. skew: of the device's clock, which runs that much faster.
+    // Shows a picture and plays the sound until the next. skew: share by which the device's clock is fast.
     double frame(double frame_s = 1.0 / 60, double skew = 0, bool paused = false) {
         const double ahead_s = audio.syncTrack(picture_s, 1, paused);
         owed += frame_s * 48000 * (1 + skew);
@@ -137,7 +137,7 @@ TEST(StreamedTrack, PausedItIsSilentAndThenGoesOnInStep) {
     for (int i = 0; i < 300; ++i) show.frame();
     ASSERT_GE(show.heard_s.size(), 4u);
     for (const double heard_s : show.heard_s) EXPECT_NEAR(offBeat_ms(heard_s), 0, 20) << heard_s;
-    EXPECT_NEAR(offBeat_ms(show.heard_s.back()), 0, 10); // what the pause cost is being made good
+    EXPECT_NEAR(offBeat_ms(show.heard_s.back()), 0, 10); // the offset that the pause left is being corrected
 }
 
 TEST(StreamedTrack, AFrameThatTakesLongIsBridgedOrCaughtUpWith) {

@@ -1,4 +1,4 @@
-// The camera found again in frames made with a known one.
+// Tests that a known camera is found again in frames made with it.
 #include "engine/camera/EstimateCameraResponse.h"
 #include "MadeFilm.h"
 
@@ -13,8 +13,8 @@ CameraResponseEstimate estimated(const ImageRgb8& frame) {
 
 class KnownBlur : public testing::TestWithParam<std::tuple<float, float>> {};
 
-// Within 12 % and 0.12 texels: edges' tails are cut at a fixed share, texels are few, and the sharpest fifth
-// of what noise has made of them lies below their mean. Strong noise breaks the tails of soft edges off.
+// Found within 12 % and 0.12 texels: edges' tails are cut at a fixed share, texels are few, and with noise
+// the sharpest fifth of the edges lies below their mean. Strong noise breaks off the tails of soft edges.
 TEST_P(KnownBlur, IsFoundAgain) {
     const auto [blur, noise] = GetParam();
     const CameraResponseEstimate found = estimated(filmed({.blur_texels = blur, .noise = noise}));
@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(BlursAndNoises, KnownBlur,
                          testing::Combine(testing::Values(0.3f, 0.6f, 1.0f, 1.5f, 2.2f),
                                           testing::Values(0.0f, 1.0f, 3.0f)));
 
-// The camera's blur is that of the sharpest: what is soft by itself says nothing about it.
+// The camera's blur is that of the sharpest edges; things that are soft themselves do not count.
 TEST(EstimateCameraResponse, SoftThingsDoNotMakeASoftCamera) {
     for (const float blur : {0.2f, 0.5f, 0.8f})
         for (const float noise : {0.0f, 1.0f}) {
@@ -37,7 +37,7 @@ TEST(EstimateCameraResponse, SoftThingsDoNotMakeASoftCamera) {
 
 class KnownNoise : public testing::TestWithParam<std::tuple<float, int>> {};
 
-// Within 15 % and a third of 255: edges lie in some blocks, and what is taken is the flattest thirtieth.
+// Found within 15 % and a third of a value of 255: some blocks hold edges, and the flattest thirtieth counts.
 TEST_P(KnownNoise, IsFoundAgain) {
     const auto [noise, grain] = GetParam();
     const CameraResponseEstimate found =

@@ -1,4 +1,4 @@
-// The share that a lens scatters, found again where it is known.
+// Tests that a known share of scattered light is found again.
 #include "engine/camera/Glare.h"
 #include "MadeFilm.h"
 #include "engine/camera/EstimateCameraResponse.h"
@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kSigma = 0.082f; // radians: 4.7 degrees
 
-// Bright ahead, black behind, seen through a lens that scatters a share of the light over kSigma:
-// beside a straight edge that is the normal distribution's integral.
+// Returns a frame bright ahead and black behind, through a lens that scatters a share of the light over
+// kSigma: beside a straight edge this gives the normal distribution's integral.
 ImageRgb8 edgeBehindALens(float share, float dark, float noise) {
     ImageRgb8 frame(1024, 512);
     Random random(5, 9);

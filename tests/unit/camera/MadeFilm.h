@@ -12,11 +12,11 @@
 namespace shoal::camera {
 
 struct Film {
-    int width = 800, height = 256; // the estimator reads every row of its middle half
+    int width = 800, height = 256; // pixels; the estimator reads every row of the middle half
     float blur_texels = 1;
-    float softer = 0;     // blur besides, of four edges in five: of things that are not sharp themselves
-    float noise = 0;      // standard deviation of 255
-    float noiseSlope = 0; // more of it at white, of 255
+    float softer = 0;     // additional blur of four edges in five, as of things without sharp edges
+    float noise = 0;      // standard deviation, in values of 255
+    float noiseSlope = 0; // increase of it from black to white, in values of 255
     int grain_texels = 1; // squares that share their noise
     float black = 20, white = 235;
 };
@@ -26,8 +26,8 @@ inline float gaussian(Random& random) { // Box and Muller 1958
     return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi_v<float> * random.unit());
 }
 
-// Bars 40 texels apart, of random greys with a tint, that lean by up to 20 degrees; each row of the map
-// stretched as the sphere asks, so that the blur is the same angle everywhere.
+// Returns a frame of tilted bars (up to 20 degrees) 40 texels apart, of random greys with a tint. Each row is
+// stretched by its latitude, so that the blur is the same angle everywhere.
 inline ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
     ImageRgb8 frame(film.width, film.height);
     Random random(seed, 3);
@@ -56,7 +56,7 @@ inline ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
         }
         return value;
     };
-    // Bars hardly lean: within a row their places are as good as even.
+    // Bars are tilted so little that their positions within a row count as even.
     const auto mean = [&](const std::vector<float>& of, int x, int y, int size) {
         float sum = 0;
         const int samples = 5 * size;
@@ -65,7 +65,7 @@ inline ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
                          static_cast<float>(y) + 0.5f * static_cast<float>(size));
         return sum / static_cast<float>(samples);
     };
-    // Colours come in bands down the frame, too.
+    // Colours also change in bands down the frame.
     const auto meanTint = [&](const std::vector<float>& of, int x, int y, int size) {
         const float turn = 2 * std::numbers::pi_v<float> / 11, top = turn * static_cast<float>(y),
                     bottom = turn * static_cast<float>(y + size);

@@ -94,7 +94,7 @@ TEST(StereoDepth, OneEyeTwiceIsFarAway) {
     EXPECT_LT(*std::max_element(depth.confidence.begin(), depth.confidence.end()), 0.25f) << "not believed";
 }
 
-// Another frame, from 0.2 m beside, knows the room: what contradicts it is no longer believed.
+// Another frame, 0.2 m beside, knows the room: texels that contradict it lose their confidence.
 TEST(TrackFilter, DepthThatOtherFramesContradictIsNotBelieved) {
     const TestRoom room;
     const glm::vec3 beside(0.2f, 0, 0);

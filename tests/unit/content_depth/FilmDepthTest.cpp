@@ -59,8 +59,8 @@ FilmDepthOptions interruptedAfter(int reports) {
 
 } // namespace
 
-// Its texture has a deviation of a grey value or two, as the noise has: enough to find a movement, but hardly
-// any distance that several frames agree in.
+// The film's texture has a deviation of a grey value or two, like its noise: enough to find a movement, but
+// hardly any distance that several frames agree on.
 TEST_F(FilmDepths, AFilmDarkerThanItsNoiseIsNotKnownAndWritesNothing) {
     film({0.04f, 0, 0}, 0.05, 1.5);
     int reports = 0;

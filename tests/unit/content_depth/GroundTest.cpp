@@ -1,4 +1,4 @@
-// The ground that is seen in places goes on where it is not.
+// The ground is continued from where it is seen to where it is not.
 #include "content/make/depth/Ground.h"
 
 #include "content/make/depth/FrameRecord.h"
@@ -12,8 +12,8 @@
 namespace shoal::depth {
 namespace {
 
-// 1.6 m below the camera, falling to one side by 6 degrees: the inverse distance in a direction is this times
-// it.
+// A plane 1.6 m below the camera that falls to one side by 6 degrees; the inverse distance in a direction is
+// its dot product with this.
 const glm::vec3 kPlane = glm::normalize(glm::vec3(0.1f, -1, 0.03f)) / 1.6f;
 
 bool isClearlyBelow(const glm::vec3& dir) {
@@ -24,8 +24,8 @@ bool isBoulder(const glm::vec3& dir) {
 }
 bool isLit(const glm::vec3& dir) { return dir.x > 0 && std::abs(dir.z) < dir.x; } // a quarter of all around
 
-// Estimates the ground exactly and surely in so many texels of ten, others in each frame. A boulder hides
-// some of it, and waves' light plays over a quarter.
+// Returns a frame that knows the ground exactly in so many of ten texels, in others in each frame. A boulder
+// hides some of it, and caustics move over a quarter.
 DepthEstimate seenInPlaces(size_t inTen = 5, size_t frame = 0) {
     DepthEstimate depth;
     for (size_t i = 0; i < kEstimateTexels; ++i) {
@@ -38,7 +38,7 @@ DepthEstimate seenInPlaces(size_t inTen = 5, size_t frame = 0) {
     return depth;
 }
 
-// A ball that rises under one side of the camera, on ground without anything to see.
+// Returns a frame with a ball below one side of the camera, on ground without any texture.
 DepthEstimate ballBelow() {
     const glm::vec3 middle(0.7f, -1.7f, 0);
     const float radius = 1;
@@ -54,7 +54,7 @@ DepthEstimate ballBelow() {
     return depth;
 }
 
-// A texel has to be known in two frames.
+// Returns the frame twice, since a texel has to be known in two frames.
 std::vector<DepthEstimate> twice(const DepthEstimate& depth) { return {depth, depth}; }
 
 } // namespace
@@ -65,8 +65,8 @@ TEST(Ground, IsThePlaneThatMostOfItLiesIn) {
     EXPECT_NEAR(glm::distance(ground.inverse, kPlane), 0, 0.005f * glm::length(kPlane));
 }
 
-// Each frame knows a tenth of it, together they know three quarters; one in five believes that it is twice as
-// far.
+// Each frame knows a tenth of the ground, all frames together three quarters; one frame in five believes that
+// it is twice as far.
 TEST(Ground, FramesTellOfItTogether) {
     std::vector<DepthEstimate> frames;
     for (size_t frame = 0; frame < kGroundFrames; ++frame) {

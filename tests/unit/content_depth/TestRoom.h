@@ -1,4 +1,4 @@
-// A room of known size, seen from anywhere in it: a box with noise on its walls.
+// A room of known size that can be drawn from any place in it: a box with noise on its walls.
 #pragma once
 
 #include "engine/core/Image.h"

@@ -1,4 +1,4 @@
-// The models that come with the game hold what the game asks of them by name.
+// The game's models hold the nodes and clips that the game finds by name.
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Lod.h"
 #include "engine/scene/Surface.h"
@@ -235,7 +235,7 @@ TEST_P(Hands, CanWearThreeComplexionsAndAGlove) {
     }
 }
 
-// They are drawn nearest of all, every frame, on two cores.
+// Hands are drawn nearest of all models, in every frame, on two cores.
 TEST_P(Hands, AreOneLeanDraw) {
     const Model model = load(GetParam());
     ASSERT_EQ(model.meshes.size(), 1u);
@@ -244,7 +244,7 @@ TEST_P(Hands, AreOneLeanDraw) {
     EXPECT_LE(model.meshes[0].primitives[0].positions.size(), 4000u);
 }
 
-// It ends in a wrist of three quarters of the palm's breadth, which the sleeve hides
+// A hand ends in a wrist of three quarters of the palm's breadth, which the sleeve hides
 // (content/make/models/arms.py).
 TEST_P(Hands, EndInAWrist) {
     const Model model = load(GetParam());

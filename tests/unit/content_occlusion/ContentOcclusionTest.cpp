@@ -1,4 +1,4 @@
-// Baked occlusion is of the models that it stands beside, and what is not is refused.
+// Stored occlusion belongs to the model beside it; that of another model is refused.
 #include "content/make/models/occlusion/HandOcclusion.h"
 #include "engine/scene/LoadModel.h"
 
@@ -37,8 +37,8 @@ TEST_P(EachHandOcclusion, IsOfTheHandBesideIt) {
     EXPECT_GE(shade_.parts.size(), 16u);
 }
 
-// Share of values that differ by more than a step. Rounding, another compiler's too, moves few across a step
-// or a ray past an edge.
+// Returns the share of values that differ by more than a step. Rounding, also by another compiler, moves few
+// values across a step and few rays past an edge.
 double differing(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
     EXPECT_EQ(a.size(), b.size());
     size_t count = 0;

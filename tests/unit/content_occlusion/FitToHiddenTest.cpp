@@ -55,7 +55,7 @@ TEST(FitToHidden, FindsTheEllipsoidThatASkinIs) {
     EXPECT_EQ(parts[0].joint, 0);
 }
 
-// Nor does it fall over nothing.
+// The fit accepts empty input.
 TEST(FitToHidden, NothingHiddenFitsToNothing) {
     std::vector<occlusion::BodyPart> none;
     fitToHidden(none, {});

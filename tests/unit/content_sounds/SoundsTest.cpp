@@ -93,8 +93,8 @@ TEST_P(Sounds, NeitherStartsNorEndsWithAClick) {
             EXPECT_LE(std::abs(last), 33);
             continue;
         }
-        // The step over the seam is one like those around it: the second difference, which a click in a
-        // smooth rumble cannot hide from, is within those of the 100 ms on both sides.
+        // The step over the seam is like those around it: its second difference, which shows clicks even in a
+        // smooth rumble, is within those of the 100 ms on both sides.
         const size_t frames = s.size() / channels, around = 4800;
         const auto at = [&](size_t i) { return static_cast<int>(s[(i % frames) * channels + c]); };
         const auto bend = [&](size_t i) { return std::abs(at(i) - 2 * at(i + 1) + at(i + 2)); };

@@ -1,4 +1,4 @@
-// The videos that come with the game are what the game, and other players, take them for.
+// The game's videos have the properties that the game and other players rely on.
 #include "engine/core/WriteFile.h"
 #include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
@@ -48,7 +48,7 @@ TEST_P(ContentVideo, IsMonoLatLongThatFits) {
     EXPECT_LE(std::filesystem::file_size(video_), 45'000'000u);
 }
 
-// One for all versions of a film, every second frame.
+// One depth track serves all versions of a film, with a frame for every second one of the film.
 TEST_P(ContentVideo, HasItsDepth) {
     const auto track = DepthTrack::open(depthTrackOf(video_), video_);
     ASSERT_TRUE(track) << track.error().message();
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Films, ContentVideo,
                                          Film{"night", 2048, 30}, Film{"kelp", 2048, 30},
                                          Film{"kelp.small", 2048, 30}));
 
-// Of the logarithms of green, over the truth's texels.
+// Returns the correlation of the logarithms of green over the truth's texels.
 double correlation(const ImageRgbF& light, const ImageRgb8& shown) {
     const int block = shown.width / light.width;
     double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;

@@ -36,7 +36,7 @@ TEST(ThreadPool, LeavesWhatIsNotFinished) {
     EXPECT_LT(done, 1 << 30);
 }
 
-// A part may only be done by a helper: two threads are in the task at once, or this never ends.
+// The parts wait for each other, so this ends only if two threads are in the task at once.
 TEST(ThreadPool, WorksBesideTheCaller) {
     ThreadPool threadPool(1);
     std::atomic<int> within = 0;

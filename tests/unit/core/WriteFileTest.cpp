@@ -171,7 +171,7 @@ TEST_F(WriteFile, OnlyAFileThatIsThereCanBeExtended) {
     EXPECT_TRUE(names().empty());
 }
 
-// Killed 200 times at moments that the kill itself chooses: the file is one of those that were written.
+// After each of 200 kills at arbitrary moments, the file is one of those that were written.
 TEST_F(WriteFile, AKilledWriterLeavesAWholeFile) {
     const auto textOf = [](int i) {
         return std::string(20'000 + 100 * static_cast<size_t>(i % 50), static_cast<char>('a' + i % 26));

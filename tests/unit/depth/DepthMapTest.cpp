@@ -1,5 +1,5 @@
-// Maps of distances: linear where there is no edge, at the film's edge where there is one, nothing where the
-// track does not know.
+// Maps of distances are linear where there is no edge, have their edges at the film's, and are far away where
+// the track is not sure.
 #include "engine/depth/DepthMap.h"
 
 #include "content/make/depth/DepthTrackWriter.h"
@@ -30,7 +30,7 @@ media::DepthFrame trackOf(const std::function<float(int x, int y)>& mapCode,
     return track;
 }
 
-// isNear: of the map's texels, which have another colour than the rest.
+// isNear: returns whether a texel of the map is near; near texels get another colour than the rest.
 ImageRgb8 filmOf(const std::function<bool(int x, int y)>& isNear) {
     ImageRgb8 film(kMapWidth * kFilmScale, kMapHeight * kFilmScale);
     for (int y = 0; y < film.height; ++y)
@@ -107,7 +107,7 @@ TEST(DepthMap, KeepsDistancesToItsStep) {
     EXPECT_EQ(enlarged(trackOf([](int, int) { return 0.0f; })).inverse_perM({0, 0, -1}), 0);
 }
 
-// Below a quarter nothing is known, from 0.6 on all is believed, between them it fades to far away.
+// Below a confidence of a quarter a distance is ignored, from 0.6 on it counts in full, and it fades between.
 TEST(DepthMap, DoubtIsFarAway) {
     const auto code = [](float confidence) {
         const auto track =
@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(ByHalfATexel, DepthEdges,
                                          Displaced{0, 2}, Displaced{0, -2}, Displaced{4, 5}, Displaced{4, 3},
                                          Displaced{508, 506}));
 
-// Near and far stay what they are up to the edge: no ring of what lies between.
+// Near and far distances stay the same up to the edge, without a ring of intermediate ones.
 TEST(DepthRefiner, MakesNoHalo) {
     const auto track = trackOf([](int x, int) { return x < 100 ? kNear : kFar; });
     const DepthMap map = refined(track, filmOf([](int x, int) { return x < 401; }));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// A matte white wall across +X, endless, at this distance from the camera; round what is lit of it.
+// An infinite matte white wall across +X, at this distance from the camera, with a lit disc.
 struct Wall {
     float distance_m, litRadius_m;
     ImageRgbF radiance{64, 32};

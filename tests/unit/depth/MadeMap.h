@@ -7,7 +7,7 @@
 
 namespace shoal::depth {
 
-// inverseOf: of a direction from the film's camera, unit length, one over the distance of what it meets.
+// inverseOf: returns one over the distance of the surface in a unit direction from the film's camera.
 template <class Inverse> DepthMap mapOf(const Inverse& inverseOf, int width = kMapWidth) {
     DepthMap map{Image<uint8_t, 1>(width, width / 2)};
     for (int y = 0; y < width / 2; ++y)

@@ -35,8 +35,8 @@ TEST(Search, MeetsAWallWhereItIs) {
             }
 }
 
-// A rock that covers columns 100 to 199 and rows 50 to 79 of a film of slopes: what is around it comes to be
-// as near, a texel wide, and nothing else changes. So does what lies across the seam.
+// A rock covers columns 100 to 199 and rows 50 to 79 of a film of slopes. A ring of one texel around it
+// becomes as near, also across the seam, and nothing else changes.
 TEST(Search, NearThingsAreWidenedByATexel) {
     DepthMap map, widened;
     map.inverse = Image<uint8_t, 1>(1024, 512);

@@ -1,4 +1,4 @@
-// How bodies bend and beat: against what is known of fish.
+// Bending and tail beats of bodies, compared with what is known of fish.
 #include "Fixture.h"
 
 #include "game/rules/Steering.h"

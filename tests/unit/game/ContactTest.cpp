@@ -243,7 +243,7 @@ TEST(Contact, AHandThatIsNotSolidTouchesNothing) {
     EXPECT_EQ(gliding.fish().state, Fish::State::Cruise);
 }
 
-// It becomes solid in the middle of a fish: the fish is let out gently, and no speed comes of the glide.
+// A hand becomes solid in the middle of a fish: it pushes the fish out gently, without the glide's speed.
 TEST(Contact, AHandThatBecomesSolidInsideAFishLetsItOutGently) {
     OneFish one;
     one.input.hands[1] = handAt(kPlace + glm::vec3(-0.3f, 0, 0), 1);

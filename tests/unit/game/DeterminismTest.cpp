@@ -1,4 +1,4 @@
-// Equal inputs, equal states: over runs and over recordings.
+// Equal inputs give equal states in all runs and recordings.
 #include "Fixture.h"
 #include "game/rules/ReachHelp.h"
 #include "tests/Recorded.h"

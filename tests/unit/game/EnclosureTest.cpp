@@ -1,4 +1,4 @@
-// How enclosed the video's places are, by the dive's own time.
+// Enclosure of the video's places over the dive's time.
 #include "Fixture.h"
 
 #include <gtest/gtest.h>

@@ -16,10 +16,10 @@ namespace {
 
 using test::cove;
 
-// A wall across the way ahead, 1.6 m from the eyes.
+// Returns the distance to a wall ahead, 1.6 m from the eyes.
 float toWall_m(glm::vec3 dir, double = 0) { return dir.z < -0.05f ? 1.6f / -dir.z : FilmSpace::kFar_m; }
 
-// A pillar of 0.3 m ahead, its middle 1.5 m away.
+// Returns the distance to a pillar of 0.3 m ahead, whose middle is 1.5 m away.
 float toPillar_m(glm::vec3 dir, double = 0) {
     const glm::vec2 flat(dir.x, dir.z), centre(0, -1.5f);
     const float level = glm::length(flat);
@@ -30,7 +30,7 @@ float toPillar_m(glm::vec3 dir, double = 0) {
     return (along - std::sqrt(0.09f - squared)) / level;
 }
 
-// A sphere around the viewer that shrinks by 4 m to least_m within 8 s, 0.5 m/s, and grows again.
+// Returns the radius of a sphere around the viewer that shrinks by 4 m to least_m in 8 s, and grows again.
 float toShrinking_m(double time_s, float least_m) {
     const double share = time_s < 8 ? time_s / 8 : 2 - time_s / 8;
     return least_m + 4 * (1 - static_cast<float>(share));

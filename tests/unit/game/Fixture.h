@@ -29,9 +29,9 @@ inline const DiveFiles& cove() {
 
 using tests::rig;
 
-inline constexpr glm::vec3 kPlace(0, -0.1f, -0.6f); // where a hand easily is
+inline constexpr glm::vec3 kPlace(0, -0.1f, -0.6f); // within easy reach
 
-// A hand whose grasp centre is there; the player looks along -Z, so viewer's frame and world agree.
+// Returns a hand with this grasp centre. The player looks along -Z, so viewer's frame and world agree.
 inline hands::HandPose handAt(glm::vec3 grasp, float closed = 0, int side = 1) {
     return hands::reachingHand(rig(), side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
 }
@@ -47,7 +47,7 @@ template <EventKind K> const Event* first(const Events& events) {
     return nullptr;
 }
 
-// A dive whose state tests look at and change.
+// A dive whose state is open to tests.
 struct OpenDive : Dive {
     using Dive::Dive;
     std::vector<Fish>& fish = state().fish;
@@ -64,14 +64,14 @@ struct OpenDive : Dive {
     }
 };
 
-// The cove with nothing to fear.
+// Returns the cove's dive without its shark.
 inline DiveFile calmCove() {
     DiveFile file = cove().dive;
     file.shark.species = -1;
     return file;
 }
 
-// A dive with one resting fish 0.6 m ahead and no shark: rules can be watched one at a time.
+// A dive with one resting fish 0.6 m ahead and no shark, to test rules one at a time.
 struct OneFish {
     OpenDive world;
     TickInput input;
@@ -96,7 +96,7 @@ struct OneFish {
     }
 
     Fish& fish() { return world.fish[0]; }
-    // Puts the fish back where it was and stills it.
+    // Places the fish here and stops its movement.
     void rest(glm::vec3 at = kPlace) {
         fish().position = at;
         fish().forward = {1, 0, 0};
@@ -129,7 +129,7 @@ struct OneFish {
         rest();
         moveGrip(kPlace, 0, closed);
     }
-    // The same; the hand must hold the fish afterwards.
+    // Calls closeOn(), after which the hand must hold the fish.
     void takeFish(float closed = 1) {
         closeOn(closed);
         ASSERT_EQ(held(), 0);

@@ -1,4 +1,4 @@
-// Hands that are nearly right: which fish they mean, how they are helped, and why they missed.
+// Hands that nearly reach a fish: the fish that they aim at, the help that they get, and why they missed.
 #include "Fixture.h"
 
 #include "game/rules/Misses.h"

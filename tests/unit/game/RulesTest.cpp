@@ -167,7 +167,7 @@ TEST(Fright, ASlowHandDoesNotFrighten) {
     EXPECT_EQ(count<EventKind::Startle>(one.events), 0);
 }
 
-// Fish do not mind a hand that a turning head takes along, as they would a hand as fast.
+// A hand that a turning head takes along does not frighten fish, though one moved as fast would.
 TEST(Fright, AHeadThatTurnsFrightensNobody) {
     OneFish one;
     for (int i = 0; i < 30; ++i) { // 3.6 rad/s at 0.6 m: 2.2 m/s
@@ -178,7 +178,7 @@ TEST(Fright, AHeadThatTurnsFrightensNobody) {
     EXPECT_EQ(count<EventKind::Startle>(one.events), 0);
 }
 
-// Hands are given as the viewer has them: a head that leans takes them along.
+// Hands are given in the viewer's frame, so that a head that leans takes them along.
 TEST(Head, HandsGoWhereTheHeadGoes) {
     OneFish one;
     one.hand(kPlace + glm::vec3(0.3f, 0, 0));
@@ -241,7 +241,7 @@ TEST(BadInput, IsNotBelieved) {
     EXPECT_EQ(count<EventKind::Touch>(one.events), 0);
 }
 
-// A player who cannot step or bend to a fish finds it above the lap, and nearer.
+// For a seated player, who cannot step or bend, fish circle above the lap, and nearer.
 TEST(Seated, FishCircleWhereTheyAreReached) {
     const auto reef = loadDiveFiles("reef");
     ASSERT_TRUE(reef) << reef.error().message();

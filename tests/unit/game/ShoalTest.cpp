@@ -1,4 +1,4 @@
-// Company of fish: shoals, pairs and solitary fish, told apart by quantities that biologists measure in a
+// Shoals, pairs and solitary fish, distinguished by quantities that biologists measure in a
 // tank.
 #include "Fixture.h"
 

@@ -115,7 +115,7 @@ TEST_P(Swimming, KeepsApartUprightAndInBounds) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Swimming, testing::Values(1, 2, 3, 99));
 
-// The shipped dive may gain species and schools; whatever it has must be worth a dive and swim well.
+// The shipped dive may gain species and schools; all of them must swim well and make a good dive.
 TEST(Reef, IsADiveInWhichFishSwimWell) {
     const auto reef = loadDiveFiles("reef");
     ASSERT_TRUE(reef) << reef.error().message();

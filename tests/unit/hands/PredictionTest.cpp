@@ -129,7 +129,7 @@ TEST(Prediction, AHandThatStopsIsNotSeenFarBeyondAndAStillOneHardlyTremblesMore)
         }
 }
 
-// Half of what its velocity would take it in kStops_s, however long it is awaited.
+// A lost hand goes half as far as its velocity would take it in kStops_s, however long it is awaited.
 TEST(Prediction, AHandNotSeenAnyMoreGoesOnAndStops) {
     HandFilter filter;
     HandPose hand = tests::rig().pose(Side::Right, {}, {{0, 0, -0.5f}, {1, 0, 0, 0}});

@@ -1,5 +1,5 @@
-// A simulated tracker that sees a moving hand late and with noise, and the hand in the game, in simulated
-// time.
+// A simulated tracker, which sees a moving hand late and with noise, and the simulation of the hand in the
+// game, in simulated time.
 #pragma once
 
 #include "input/hands/HandSourceSelector.h"
@@ -17,19 +17,19 @@ using Motion = std::function<glm::dvec3(double t_s)>; // of the palm, metres
 
 struct TrackerModel {
     double rate_Hz = 30;
-    double late_s = 0.014; // two hands' landmarks, tests/bench/README.md
+    double late_s = 0.014; // as the landmarks of two hands take (tests/bench/README.md)
     double noise_m = 0;    // standard deviation of each coordinate
     int phase = 0;         // of the first picture, in eighths of its interval
 };
 
 struct Moment {
     double t_s = 0;         // of the tick
-    glm::dvec3 palm{0};     // as the simulation has it
-    glm::dvec3 filtered{0}; // as it was seen last
+    glm::dvec3 palm{0};     // palm in the simulation
+    glm::dvec3 filtered{0}; // palm as it was seen last
     bool solid = false;
 };
 
-// hand: any, of which the palm is moved. A display of 60 frames a second, 120 ticks.
+// Simulates 120 ticks and a display of 60 frames a second. hand: any pose, whose palm is moved.
 inline std::vector<Moment> played(const Motion& motion, double length_s, const HandPose& hand,
                                   const TrackerModel& tracker) {
     constexpr double kFrame_s = 1 / 60.0, kTick_s = 1 / 120.0;

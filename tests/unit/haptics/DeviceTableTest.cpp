@@ -51,7 +51,7 @@ TEST(Motors, AreDrivenAboveWhatCanBeFelt) {
     EXPECT_EQ(driveOf(std::nanf("")), 0);
 }
 
-// Absurd frames must not reach a motor as something else than bounded strength.
+// Frames with invalid numbers must reach a motor only as bounded strength.
 TEST(Devices, NonsenseIsBounded) {
     const float inf = std::numeric_limits<float>::infinity();
     for (const DeviceRow& row : kDevices)

@@ -24,13 +24,13 @@ inline Driver driverOf(const DeviceRow& row, Transport transport) {
     return row.driver({row.product, transport == Transport::Bluetooth, deaf});
 }
 
-// A vendor number that is given to nobody, for a device that no table knows.
+// A vendor number that is assigned to nobody, for a device that is in no table.
 constexpr uint16_t kNoVendor = 0xFFFF;
 
 struct FakeBus {
     struct Node {
         HidInfo info;
-        std::vector<uint8_t> feature; // with its id
+        std::vector<uint8_t> feature; // feature report, its id first
         bool permitted = true;
     };
     std::vector<Node> plugged;

@@ -172,7 +172,7 @@ TEST(HapticDevices, SequenceNumbersRise) {
     for (size_t i = 0; i < 20; ++i) EXPECT_EQ(fake.written["a"][i][1], i % 16 << 4);
 }
 
-// A pad that HID and the kernel's own driver both lead to.
+// A pad that is reachable by HID and by the kernel's own driver.
 TEST(HapticDevices, APadIsMovedThroughOneOfItsTwoPaths) {
     FakeBus fake;
     fake.plug("hid", kSony, kDualSense);

@@ -1,5 +1,5 @@
-// Lets known pulses be felt through the real hidapi; run below umockdev, which compares every byte written
-// and then sends one, which only arrives when all was written.
+// Sends known pulses through the real hidapi; run below umockdev, which compares every byte written and then
+// sends one, which only arrives when all was written.
 //   send_pulse COUNT         as many devices: a strong pulse left, a quick one right, silence
 //   send_pulse COUNT SIGNAL  the first pulse alone, and then the program dies by that signal
 //   send_pulse 0             says why the device is not let in

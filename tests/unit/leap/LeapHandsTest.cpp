@@ -61,7 +61,7 @@ TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
     }
 }
 
-// A proxy for the web, set for the whole session, knows nothing of this machine's own services.
+// A web proxy that is set for the whole session is not used for this machine's own services.
 TEST(LeapHands, GoesThroughNoProxy) {
     setenv("http_proxy", "http://127.0.0.1:9", 1);
     Server server;
@@ -176,8 +176,8 @@ TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {
     EXPECT_NE(identities[0], identities[1]) << "hand 1 of another service need not be the same hand";
 }
 
-// A service that takes whoever comes, sends a frame and closes: within the time that is to be waited, here an
-// hour, it is asked once by each tracker, and nobody takes what is meant for the next.
+// The service accepts each client, sends a frame and closes. Within the waiting time, here an hour, each
+// tracker connects only once, so that none gets the frame that is meant for the next.
 TEST(LeapHands, AServiceThatClosesAtOnceIsNotAskedAgainAtOnce) {
     Server server;
     std::vector<Tracker> all;
@@ -205,8 +205,8 @@ TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
     }
 }
 
-// Two flat hands, fingers ahead and palms towards each other, whose palm joints are so far apart; device's
-// frame, the middle between them where a player's hands meet.
+// Returns two flat hands, fingers ahead and palms towards each other, with their palm joints apart_m apart;
+// device's frame, the middle between them where a player's hands meet.
 std::vector<test::MadeHand> facingHands(float apart_m) {
     std::vector<test::MadeHand> hands;
     for (const Side side : {Side::Left, Side::Right}) {
@@ -286,7 +286,7 @@ std::string changed(const std::string& message, bool otherLabel, bool otherNorma
     return frame.dump();
 }
 
-// A service that takes the right hand for the left, or the palm for the back: the joints know better.
+// The joints correct a service that takes the right hand for the left, or the palm for the back.
 TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
     Server server;
     const Tracker hands = connectTo(server);
@@ -317,7 +317,7 @@ TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
             }
 }
 
-// Fingers as straight as rulers do not tell which of the two is wrong: such a hand is not shown.
+// Straight fingers do not show whether the label or the normal is wrong: such a hand is not shown.
 TEST(LeapHands, AHandThatCannotBeMendedIsDropped) {
     Server server;
     const Tracker hands = connectTo(server);

@@ -1,4 +1,4 @@
-// The filter on real hands: how much less they tremble, and how much later they come. Prints a table.
+// Measures the filter on real hands: the remaining jitter and the added delay. Prints a table.
 #include "tests/unit/leap_service/Recordings.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandSourceSelector.h"
@@ -224,7 +224,7 @@ TEST(MadeRecording, ShortLossesOfARealKindAreBridgedAndTheFistKept) {
     EXPECT_LT(fistBegan, 60);
 }
 
-// The right hand's gesture at each frame of a recording; none where it is not at hand.
+// Returns the right hand's gesture at each frame of a recording; empty without the recording.
 std::vector<Gesture> gesturesOf(const char* name) {
     const Path file = test::sharedRecording(name);
     std::vector<Gesture> gestures;

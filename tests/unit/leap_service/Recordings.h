@@ -10,10 +10,10 @@
 
 namespace shoal::hands::test {
 
-// $SHOAL_SHARED or ../shared beside the sources, then data/hands/leap/NAME.json; it may not exist.
+// Returns data/hands/leap/NAME.json below $SHOAL_SHARED or ../shared beside the sources; it may not exist.
 Path sharedRecording(const std::string& name);
 
-// The messages of a recording as they went over the socket; packed ones are unpacked.
+// Returns the messages of a recording as they went over the socket; rows packed by a schema are unpacked.
 std::vector<std::string> readRecordingMessages(const Path& file);
 
 // One frame of a hand posed by the rig, in the Leap's desk frame and millimetres, as a service of that
@@ -26,7 +26,7 @@ struct MadeHand {
 };
 std::string madeFrame(int version, int64_t id, int64_t time_us, const std::vector<MadeHand>& hands);
 
-// A right hand over the device that closes, stays closed and opens again, 100 frames a second.
+// Returns a right hand over the device that closes, stays closed and opens again, 100 frames a second.
 std::vector<MadeHand> closingHand(const HandRig& rig, int frames, float amplitude = 1);
 std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames);
 

@@ -38,7 +38,7 @@ class UpperHalf {
     std::vector<std::vector<float>> rows_ = std::vector(kAbove, std::vector<float>(kFrameWidth));
 };
 
-// Cells of a neighbourhood, at the elevation of a row.
+// Returns the number of cells of a neighbourhood at the elevation of a row.
 float cellsAround(int y) {
     const double ring = std::sin(std::numbers::pi * (y / 4 + 0.5) / (kFrameHeight / 4));
     return 3 * (2 * static_cast<float>(std::lround(1 / ring)) + 1);

@@ -35,7 +35,7 @@ FrameView viewOf(const ImageRgb8& frame) {
     return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false};
 }
 
-// Straight above, where the ground is trusted wholly.
+// Returns the gain straight above, where the estimate from the ground has full trust.
 float gainOf(const FrameView& frame, int askedWidth = 512) {
     PyramidMaker maker;
     RadiancePyramid pyramid;
@@ -51,13 +51,13 @@ float gainOf(const std::function<float(const glm::vec3&)>& radianceIn) {
 constexpr float kSky = 0.1f;
 const float kSunCosine = std::cos(0.2f); // about the zenith
 
-// Irradiance of level ground by a sun of this radiance in an even sky, over pi.
+// Returns the irradiance of level ground, over pi, by a sun of this radiance in an even sky.
 float fromAbove(float sun) {
     const float sunShare = 1 - kSunCosine * kSunCosine; // of the cosine-weighed half sphere
     return sun * sunShare + kSky * (1 - sunShare);
 }
 
-// The same over ground of the assumed albedo in their light.
+// Returns the radiance of that sky, and of the ground of the assumed albedo in its light.
 float openAir(const glm::vec3& towards, float sun) {
     if (towards.y < 0) return kGroundAlbedo * fromAbove(sun);
     return towards.y > kSunCosine ? sun : kSky;
@@ -128,7 +128,7 @@ TEST(ClippedLight, GlintsAreNoSun) {
     EXPECT_NEAR(gainOf(viewOf(frame)) / sun, 1, 0.03f); // 1 / 144 of all, of density 1 / 144, is left of them
 }
 
-// Nothing goes beyond what is stated, in any of the cases in which a cue is missing.
+// The gain stays within its stated limits in every case in which a cue is missing.
 TEST(ClippedLight, FallsBackWhereACueIsMissing) {
     const float usual = kUsualGain, most = 1 + kMaxFromGround;
     const auto sunlit = [](const glm::vec3& d) { return openAir(d, 40); };
@@ -158,9 +158,9 @@ TEST(ClippedLight, FallsBackWhereACueIsMissing) {
     EXPECT_LE(boxed, most);
 }
 
-// It takes the ground for less the less of it is seen. A step is a row or two of 256, of which every second
-// one is read, so none, two or four; and 40 rows lie from where the share begins to count to the horizon,
-// over which the gain falls from 40 to 2.5: four of them are a factor of 1.32.
+// The ground counts less the less of it is seen. A step is a row or two of 256, of which every second one is
+// read, so none, two or four. Over the 40 rows from where the share begins to count to the horizon, the gain
+// falls from 40 to 2.5: four of them are a factor of 1.32.
 TEST(ClippedLight, GroundThatDisappearsIsForgottenSmoothly) {
     float before = 0;
     for (float below = -1; below <= 0; below += 0.01f) {

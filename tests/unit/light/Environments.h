@@ -24,7 +24,7 @@ inline ImageRgbF uniform(int width, const glm::dvec3& radiance) {
     return paint(width, width / 2, [&](const glm::dvec3&) { return radiance; });
 }
 
-// Rough, bright, different in every texel, so that a mistake in an index shows.
+// Returns bright noise that differs in every texel, so that a wrong index shows.
 inline ImageRgbF noise(int width, int height, uint32_t seed = 1) {
     ImageRgbF image(width, height);
     for (float& value : image.pixels) {

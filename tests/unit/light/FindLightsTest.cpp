@@ -1,4 +1,4 @@
-// Lights of known place, size and strength are found there; where there is none, none is.
+// Lights of known place, size and strength are found there, and none is found where there is none.
 #include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
@@ -55,7 +55,7 @@ TEST(FindLights, FourTexelSunsAreFoundWhereTheyStand) {
     }
 }
 
-// White on grey, all that a display-coded frame leaves of them: discs of 0.4 degrees' radius, which at the
+// A display-coded frame shows these suns only as white on grey: discs of 0.4 degrees' radius, which at the
 // horizon cover as many texels.
 TEST(FindLights, FourTexelSunsOfAVideoToo) {
     for (const glm::dvec2& uv : {glm::dvec2(0.5, 0), glm::dvec2(0.3, 0.015), glm::dvec2(0.5, 0.5),
@@ -111,7 +111,7 @@ TEST(FindLights, AClippedSunIsFoundInALopsidedGlow) {
         }
 }
 
-// Lamps to Snell's window, which is 48.6 degrees wide.
+// Caps from a lamp's size to that of Snell's window, whose radius is 48.6 degrees.
 TEST(FindLights, CapsAreFoundWithTheirSizeAndStrength) {
     for (const double radius_deg : {3.0, 10.0, 25.0, 40.0, 48.6})
         for (const glm::dvec3& towards :

@@ -25,7 +25,7 @@ struct Watcher {
     }
 };
 
-// Soft-edged, so that it can stand between texels.
+// Returns an environment with a light of soft edges, so that it can stand between texels.
 ImageRgbF dominantAt(const glm::dvec3& towards, double radius_deg = 6, double radiance = 10,
                      double rest = 0.5) {
     const double edge = std::cos(glm::radians(radius_deg)), soft = 0.3 * (1 - edge);

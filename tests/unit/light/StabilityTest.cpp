@@ -1,4 +1,4 @@
-// The light follows the environment: nothing jumps as a sun creeps on, nothing changes as everything turns.
+// The light follows the environment: it does not jump as a sun moves slowly, and turns with the environment.
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
 #include "tests/unit/light/Environments.h"
@@ -18,7 +18,7 @@ EnvironmentLight lightOf(const ImageRgbF& environment, LightMaker& maker) {
     return light;
 }
 
-// Largest change of any texel, relative to the texel.
+// Returns the largest change of any texel, relative to the texel.
 double largestStep(const ImageRgbF& before, const ImageRgbF& after) {
     double worst = 0;
     for (size_t i = 0; i < before.pixels.size(); ++i)
@@ -66,7 +66,7 @@ TEST(Stability, NoiseOfAStillVideoIsNotSeen) {
     }
 }
 
-// A tenth of a texel a frame, along a row, down a meridian, and askew over the seam.
+// The sun moves by a tenth of a texel a frame along a row, down a meridian, and diagonally over the seam.
 TEST(Stability, ACreepingSunMovesTheLightWithoutAStep) {
     for (const LightQuality quality : {LightQuality::Video, LightQuality::Still})
         for (const auto& [column, row, along, down] : {std::array{300.0, 150.0, 0.1, 0.0},

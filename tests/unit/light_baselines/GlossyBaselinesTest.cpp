@@ -1,4 +1,4 @@
-// Glossy methods: uniform light stays, smooth light is met, and what filters maps agrees with what gathers.
+// Glossy methods keep uniform light, are right in smooth light, and agree whether they filter maps or gather.
 #include "engine/light/Lookup.h"
 #include "engine/light/Pyramid.h"
 #include "tests/baselines/light/Baselines.h"

@@ -19,7 +19,7 @@ using shoallight::Direction;
 
 constexpr int kWidth = 256, kHeight = 128;
 
-// Four bytes a pixel: blue above, sand below, a bright patch between.
+// Returns a frame of four bytes a pixel: blue above, sand below, a bright patch between.
 std::vector<uint8_t> scene() {
     std::vector<uint8_t> rgba;
     for (int y = 0; y < kHeight; ++y)
@@ -56,7 +56,7 @@ float floatFromHalf(uint16_t half) { // finite, not negative
                     : std::ldexp(static_cast<float>(fraction), -24);
 }
 
-// Returns what a sampler gives: linear, clamped.
+// Samples a texture as a linear, clamped sampler does.
 Colour sampled(const ShoalLightTexture& texture, float u, float v) {
     const float x = u * static_cast<float>(texture.width) - 0.5f,
                 y = v * static_cast<float>(texture.height) - 0.5f;

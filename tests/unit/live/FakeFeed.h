@@ -1,4 +1,4 @@
-// Pictures when a test says so.
+// A live feed whose pictures a test sends.
 #pragma once
 
 #include "engine/media/live/LiveFeed.h"
@@ -15,17 +15,17 @@ class FakeFeed final : public LiveFeed {
   public:
     FakeFeed() : LiveFeed("fake:0", "stream") {}
 
-    // A grey picture that numberOf() reads back.
+    // Sends a grey picture, whose number numberOf() reads back.
     void send(int number, double arrived_s = 0, int width = 64, int height = 32) {
         change([&] { events_.push_back({number, arrived_s, width, height, {}}); });
     }
     void breakOff(std::string why) {
         change([&] { events_.push_back({.broken = std::move(why)}); });
     }
-    void refuse(std::string why) { // to be opened, until it is empty
+    void refuse(std::string why) { // open() fails with this message until it is empty
         change([&] { refusal_ = std::move(why); });
     }
-    void block(bool deaf) { // open() and read(); deaf: interrupting does not help
+    void block(bool deaf) { // blocks open() and read(); deaf: an interruption does not end that
         change([&] { blocked_ = true, deaf_ = deaf; });
     }
     void unblock() {

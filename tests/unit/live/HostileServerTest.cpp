@@ -1,4 +1,4 @@
-// Servers that mean harm: they are left soon, are asked for nothing else, and make nobody else be asked.
+// Malicious servers: the player leaves them soon, and they cannot make it open another file or server.
 #include "engine/media/live/LivePlayer.h"
 
 #include "tests/unit/live_server/HttpServer.h"

@@ -1,4 +1,4 @@
-// The player over a made-up feed and a made-up clock: nothing here takes the time that it speaks of.
+// Tests of the player with a fake feed and a simulated clock, so that no test waits for real time.
 #include "engine/media/live/LivePlayer.h"
 
 #include "tests/unit/live/FakeFeed.h"

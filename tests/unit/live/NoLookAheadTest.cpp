@@ -1,5 +1,5 @@
-// Tests that a picture is shown when it has come, not when the next one does: each is sent only once the one
-// before is shown.
+// Tests that a picture is shown when it arrives, not when the next one does: each picture is sent only after
+// the one before is shown.
 #include "engine/media/live/LivePlayer.h"
 
 #include "tests/unit/live_server/HttpServer.h"

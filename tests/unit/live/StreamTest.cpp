@@ -38,7 +38,7 @@ LiveOptions eager() {
     return options;
 }
 
-// The server's pictures reach the player: picture `number` is sent until it is what is shown.
+// Sends picture `number` until the player shows it.
 void showBy(HttpServer& server, LivePlayer& player, int number, int width = 64, int height = 32) {
     const std::string jpeg = jpegOf(number, width, height);
     while (numberOf(player.newest()->pixelsBgr) != number) {
@@ -165,7 +165,7 @@ TEST(Stream, AnAddressThatIsNoStreamIsRefusedWithASentence) {
     EXPECT_FALSE(refusalOf(ok + "\r\n" + jpegOf(0).substr(0, 300)).empty());
 }
 
-// A file on a server gives as much as is read. It is played at its own rate, whole, and again.
+// A file on a server arrives as fast as it is read. It is played at its own rate, whole, and then again.
 TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
     const TempFolder folder;
     writeGreyVideo(folder / "grey.avi", 12);
@@ -213,7 +213,7 @@ class Writer {
     int descriptor_;
 };
 
-// More than FFmpeg wants to see before it says what it is.
+// Returns more bytes of a picture than FFmpeg needs to recognise the format.
 std::string manyOf(int number) {
     std::string bytes;
     for (int i = 0; i < 20; ++i) bytes += jpegOf(number);

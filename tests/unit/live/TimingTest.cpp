@@ -24,7 +24,7 @@ TEST(TokenBucket, ABurstPassesWhereItMay) {
     EXPECT_GT(bucket.wait_s(97 * kFrame_s, 0), 0);
 }
 
-// A file that comes as fast as it is read: who waits as told takes its own time over it.
+// Waiting as the bucket says plays a file at its own rate, though it arrives as fast as it is read.
 TEST(TokenBucket, AFileTakesItsOwnTime) {
     TokenBucket bucket(0.05);
     double now_s = 0;

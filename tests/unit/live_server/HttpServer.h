@@ -17,22 +17,22 @@ class HttpServer {
 
     std::string url(const std::string& path = "/live") const;
 
-    // Blocks until a client has connected and asked; drops the one before. False after 20 seconds.
-    // asks: false for a protocol in which clients say nothing.
+    // Drops the last client and blocks until the next has connected and sent its request. False after 20
+    // seconds. asks: false for a protocol in which clients send none.
     bool accept(bool asks = true);
     int accepted() const { return accepted_; }
-    bool wasTried() const; // somebody is connecting, whom accept() would take
-    const std::string& request() const { return request_; } // the last
-    const std::string& nextRequest();                       // of the same client; empty if none comes
+    bool wasTried() const;                                  // true if a client waits for accept()
+    const std::string& request() const { return request_; } // last request
+    const std::string& nextRequest();                       // of the same client; empty: none came
 
     // Sends bytes to the client; false if it has gone.
     bool send(std::string_view bytes);
-    bool beginPictures(); // the head of a stream of JPEG pictures
+    bool beginPictures(); // sends the head of a stream of JPEG pictures
     bool sendPicture(std::string_view jpeg);
 
-    void cut();                                // the connection, as a cable is cut
-    void hangUp();                             // in good order
-    bool waitForLeave(int atMax_ms = 600'000); // of the client; false if it is still there then
+    void cut();                                // breaks the connection, as if a cable were cut
+    void hangUp();                             // closes the connection properly
+    bool waitForLeave(int atMax_ms = 600'000); // false if the client is still there after that
 
   private:
     int listening_ = -1, client_ = -1;

@@ -9,7 +9,7 @@ namespace shoal::media::test {
 
 struct MadeStream {
     std::string description;                      // SDP
-    std::vector<std::vector<std::string>> pieces; // [picture][piece]: the bytes that are sent
+    std::vector<std::vector<std::string>> pieces; // [picture][piece]: bytes to send
 };
 
 // Encodes a grey picture of each level (0 to 255), 30 a second, every eighth a keyframe. format: FFmpeg's

@@ -1,4 +1,4 @@
-// A server of as much of RTSP (RFC 2326) as a player needs: one client, pictures over the same connection.
+// A server of the part of RTSP (RFC 2326) that a player needs: one client, pictures over the same connection.
 #pragma once
 
 #include "tests/unit/live_server/HttpServer.h"
@@ -13,16 +13,16 @@ class RtspServer {
 
     std::string url() const;
 
-    // Blocks until a client has been through all questions and is waiting for pictures; drops the one before.
+    // Drops the last client and blocks until the next has sent all requests and waits for pictures.
     bool accept();
     int accepted() const { return server_.accepted(); }
 
-    // RTP and RTCP packets; false if the client has gone.
+    // Sends RTP and RTCP packets; false if the client has gone.
     bool send(const std::vector<std::string>& packets);
     void cut() { server_.cut(); }
 
   private:
-    HttpServer server_; // whose requests look the same
+    HttpServer server_; // reads requests, which have the same form
     std::string description_;
 };
 

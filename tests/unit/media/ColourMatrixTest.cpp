@@ -60,7 +60,7 @@ TEST(ColourMatrix, FramesOfLargeVideosAreTakenForBt709) {
     EXPECT_GT(std::abs(wanted[0] - bgr[0]), 2 * 2.6);
 }
 
-// A video of red, green and blue has no matrix.
+// A video coded as red, green and blue has no matrix.
 TEST(ColourMatrix, ColoursThatAreCodedAsSuchStayAsTheyAre) {
     const TempFolder folder;
     const Path file = folder / "colour.mkv";

@@ -1,4 +1,4 @@
-// Depth tracks come back as they were written, or not at all.
+// Depth tracks are read as they were written, or refused.
 #include "content/make/depth/DepthTrackWriter.h"
 #include "engine/core/Random.h"
 #include "engine/media/Check.h"
@@ -11,7 +11,7 @@
 namespace shoal::media {
 namespace {
 
-// Slopes and noise, another frame each time.
+// Returns a frame of slopes and noise, a different one for each number.
 DepthFrame frameOf(int number, int width) {
     Random random(static_cast<uint32_t>(number));
     DepthFrame frame{width, width / 2, {}, {}};
@@ -219,7 +219,7 @@ TEST_F(DepthTracks, TracksOfImpossibleLengthsAreNotWritten) {
     EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
-// An error, or all of it: cut behind the last frame only the table of contents is missing.
+// A file that is cut gives an error or all frames: behind the last frame lies only the table of contents.
 TEST_F(DepthTracks, CutAnywhereGiveAnErrorOrAllFrames) {
     ASSERT_TRUE(write(file_, kSmall));
     const std::string good = readBytes(file_);
@@ -236,7 +236,7 @@ TEST_F(DepthTracks, CutAnywhereGiveAnErrorOrAllFrames) {
     EXPECT_LT(whole * 3, good.size() / 8);
 }
 
-// A byte anywhere: what is read is one of the frames, whole.
+// With any byte damaged, a frame that is read is one of the original frames.
 TEST_F(DepthTracks, DamagedGiveNoWrongFrames) {
     ASSERT_TRUE(write(file_, kSmall));
     const std::string good = readBytes(file_);

@@ -63,7 +63,7 @@ ImageRgb8 drawn(int width, int height, const Brightness& at) {
     return frame;
 }
 
-// Two eyes' pictures of this. What is low is near, and shifted by up to `disparity` of the width.
+// Returns the pictures of both eyes. Lower parts are nearer, and shifted by up to `disparity` of the width.
 ImageRgb8 stereoPair(bool topBottom, const Brightness& seen, int width = 512, int height = 256,
                      double disparity = 0.02) {
     return drawn(width, height, [&](double u, double v) {
@@ -102,7 +102,7 @@ TEST(StereoView, SqueezedPairsAreFoundByContent) {
     EXPECT_EQ(layoutOf(ImageRgb8(512, 256)), Layout::Mono) << "blank";
 }
 
-// No structure, no verdict: blank frames, fades, plain water with its gradient and a camera's noise.
+// Frames without structure give no layout: blank frames, fades, plain water with a gradient and noise.
 TEST(StereoView, WithoutStructureNothingIsSaid) {
     EXPECT_EQ(layoutFromContent(ImageRgb8(64, 32)), Layout::Auto);
     EXPECT_EQ(layoutFromContent(ImageRgb8(1, 1)), Layout::Auto);

@@ -15,7 +15,7 @@ namespace shoal::media {
 
 using TempFolder = tests::ScratchFolder;
 
-// Reference data, or an empty path.
+// Returns a file of the reference data, or an empty path.
 inline Path sharedData(const std::string& name) {
     const Path file = tests::sharedDataFolder() / name;
     return std::filesystem::exists(file) ? file : Path{};

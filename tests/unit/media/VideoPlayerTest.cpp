@@ -183,7 +183,7 @@ TEST(VideoPlayer, AFileThatChangesWhilePlayingNeverEndsThePlaying) {
     }
 }
 
-// A telephone's: the track's matrix says how it was held.
+// In a telephone's clip the track's matrix says how the telephone was held.
 TEST(VideoPlayer, AClipIsTurnedUpright) {
     const TempFolder folder;
     const Path file = folder / "turned.mp4";
@@ -231,7 +231,7 @@ TEST(VideoPlayer, AnEditListGivesTheLengthShown) {
     EXPECT_EQ(opened(file).info().frameCount, 15);
 }
 
-// Told by its header alone, before a decoder sees it.
+// The file is refused by its header alone, before a decoder reads it.
 TEST(VideoPlayer, RefusesWhatStatesAPictureTooLarge) {
     const TempFolder folder;
     const Path file = folder / "grey.avi";

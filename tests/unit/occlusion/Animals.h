@@ -15,7 +15,7 @@ inline scene::Model loadAnimal(const std::string& name) {
     return model ? std::move(*model) : scene::Model{};
 }
 
-// The opaque parts in this pose, model frame.
+// Returns the model's opaque parts in this pose, model frame.
 inline Body bodyOf(const scene::Model& model, const scene::Pose& pose) {
     Body body;
     std::vector<glm::mat4> skin;

@@ -1,4 +1,4 @@
-// Bodies made by formula, and what rays really meet.
+// Bodies made by formula, and their true ray hits.
 #pragma once
 
 #include "engine/core/Random.h"
@@ -22,7 +22,7 @@ struct Body {
     BodyMesh mesh() const { return {positions, normals, triangles}; }
 };
 
-// Normals from the triangles around each position, by area.
+// Sets each position's normal to the area-weighted mean of the triangles around it.
 inline void addNormals(Body& body) {
     body.normals.assign(body.positions.size(), glm::vec3(0));
     for (const glm::uvec3& t : body.triangles) {
@@ -33,8 +33,8 @@ inline void addNormals(Body& body) {
     for (glm::vec3& n : body.normals) n = glm::length(n) > 0 ? glm::normalize(n) : glm::vec3(0, 0, 1);
 }
 
-// A sheet of columns x rows cells, place(u, v) for u, v in [0, 1], outside where u cross v points. Rows close
-// to a ring over u; over v too if `ring`, else the ends are closed with a point each.
+// Adds a sheet of columns x rows cells, place(u, v) for u, v in [0, 1]; u cross v points outside. Rows close
+// to a ring over u. Columns do so over v if `ring`, else each end is closed by a point.
 inline void addTube(Body& body, int columns, int rows, bool ring,
                     const std::function<glm::vec3(float, float)>& place) {
     const auto first = static_cast<uint32_t>(body.positions.size());
@@ -63,7 +63,7 @@ inline void addTube(Body& body, int columns, int rows, bool ring,
     }
 }
 
-// Around the y axis.
+// Returns a torus around the y axis.
 inline Body torus(float large, float small, int columns, int rows) {
     Body body;
     addTube(body, columns, rows, true, [=](float u, float v) {
@@ -75,7 +75,7 @@ inline Body torus(float large, float small, int columns, int rows) {
     return body;
 }
 
-// Star-shaped: radius(direction) from the origin, closed at the poles.
+// Returns a star-shaped body at radius(direction) from the origin, closed at the poles.
 inline Body star(int columns, int rows, const std::function<float(const glm::vec3&)>& radius) {
     Body body;
     addTube(body, columns, rows, false, [&](float u, float v) {
@@ -92,7 +92,7 @@ inline Body sphere(float radius, int columns = 64, int rows = 32) {
     return star(columns, rows, [=](const glm::vec3&) { return radius; });
 }
 
-// Bunny-like: a lump with two ears, a snout and a tail.
+// Returns a body like a bunny: a lump with two ears, a snout and a tail.
 inline Body bunny() {
     struct Bump {
         glm::vec3 along;
@@ -112,7 +112,7 @@ inline Body bunny() {
     });
 }
 
-// A blended normal may look away from the ray where it grazes what faces it: laid down until it does not.
+// Turns an interpolated normal towards the ray's origin: it may point away where the ray grazes a surface.
 inline glm::vec3 towardsOrigin(const glm::vec3& outwards, const glm::vec3& direction, bool fromBehind) {
     const glm::vec3 n = fromBehind ? -outwards : outwards;
     const float away = glm::dot(n, direction);
@@ -161,7 +161,7 @@ inline glm::vec3 anyDirection(Random& random) {
     return {r * std::cos(a), r * std::sin(a), z};
 }
 
-// A ray from outside, through anywhere in the bounding sphere.
+// Returns a ray from outside through a random point of the bounding sphere.
 inline Ray chord(Random& random, const Sphere& sphere) {
     glm::vec3 in;
     do in = glm::vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
@@ -170,7 +170,7 @@ inline Ray chord(Random& random, const Sphere& sphere) {
     return {sphere.centre + sphere.radius * (in - 3.0f * d), d};
 }
 
-// A random ray to the eye, mirrored at a random place of the surface.
+// Returns a ray that is reflected at a random place of the surface, from a random eye.
 inline Ray reflection(Random& random, const Body& body) {
     std::vector<float> sums;
     float sum = 0;

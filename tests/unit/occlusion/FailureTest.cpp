@@ -10,8 +10,8 @@
 namespace shoal::occlusion {
 namespace {
 
-// Rays that only just leave a sphere's surface stay clear of it; those that dip under it are no concern of
-// anybody.
+// Rays that leave a sphere at a small angle do not hit it again; rays that dip below its surface are not
+// tested.
 TEST(Failure, RaysAlongASurface) {
     const Body body = sphere(1, 96, 48);
     const TracedOllfb cured = TracedOllfb::make(body.mesh()).value();

@@ -1,4 +1,4 @@
-// How far a method is from the truth.
+// Measures the errors of a method against the truth.
 #pragma once
 
 #include "Bodies.h"
@@ -14,7 +14,7 @@ struct Errors {
     double gaps() const { return missed + invented; }
 };
 
-// Distances below which a ray does not see where it started, shares of the sphere's radius.
+// Least distance of a hit, share of the sphere's radius, so that a ray does not hit where it starts.
 inline constexpr float kNearest = 0.01f;
 
 struct Question {
@@ -22,7 +22,7 @@ struct Question {
     std::optional<TrueHit> answer;
 };
 
-// Whether a place lies inside, where one part sticks in another: nobody sees it.
+// Returns whether a place is inside the body, where one part overlaps another: it is never seen.
 inline bool buried(const Body& body, const glm::vec3& place, float nearest) {
     for (const glm::vec3 out : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
         const auto first = truth(body, place, out, static_cast<double>(nearest));
@@ -41,7 +41,7 @@ inline std::vector<Question> ask(const Body& body, int count, bool reflected) {
         const auto answer =
             truth(body, ray.origin, ray.direction, static_cast<double>(kNearest * sphere.radius));
         if (answer && answer->fromBehind) continue;
-        // Above the surface, where three rays tell.
+        // Tests a place above the surface, by three rays.
         if (reflected && buried(body, ray.origin + 0.01f * sphere.radius * ray.direction, 0)) continue;
         questions.push_back({ray, answer});
     }
@@ -78,7 +78,7 @@ Errors measure(const Method& method, const std::vector<Question>& questions, flo
     return errors;
 }
 
-// An environment with detail down to a tenth of a radian.
+// Radiance of an environment with detail down to a tenth of a radian.
 inline glm::vec3 environment(const glm::vec3& d) {
     return glm::vec3(0.5f) +
            0.25f *
@@ -86,7 +86,7 @@ inline glm::vec3 environment(const glm::vec3& d) {
            0.25f * d.y;
 }
 
-// The rays of a picture of the body as a mirror: for each pixel, the eye's ray after its reflection.
+// Returns the rays for a picture of the body as a mirror: the reflected eye ray of each pixel.
 inline std::vector<Question> picture(const Body& body, int size) {
     const Sphere sphere = boundingSphere(body.mesh());
     const glm::vec3 back = glm::normalize(glm::vec3(0.5f, 0.7f, 0.8f));
@@ -110,7 +110,7 @@ inline std::vector<Question> picture(const Body& body, int size) {
     return questions;
 }
 
-// RMS error of that picture with one bounce off the body itself.
+// Returns the RMS error of that picture with one bounce off the body itself.
 template <TracesRays Method>
 double pictureError(const Method& method, const std::vector<Question>& questions, float radius) {
     double sum = 0;

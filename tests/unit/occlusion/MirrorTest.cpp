@@ -1,4 +1,4 @@
-// Rays followed from mirror to mirror.
+// Rays that are reflected from mirror to mirror.
 #include "tests/baselines/occlusion/Mirror.h"
 
 #include <gtest/gtest.h>

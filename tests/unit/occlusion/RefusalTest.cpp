@@ -1,4 +1,4 @@
-// Meshes that cannot be seen are refused with a reason, before memory is taken.
+// Meshes that cannot be drawn are refused with a reason, before memory is allocated.
 #include "Odd.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"

@@ -20,7 +20,7 @@ float shareOf(const glm::vec3& normal, std::span<const Occluder> occluders) {
     return occlusionMoments(axisOcclusion({}, normal, occluders), normal).w;
 }
 
-// The furthest that a direction lies from the nearest end, and how evenly cosines add up.
+// Tests the largest angle between a direction and the nearest end, and how evenly cosines add up.
 TEST(Axes, AreSpreadEvenly) {
     for (int i = 0; i < 500; ++i) {
         const auto k = static_cast<float>(i);
@@ -99,7 +99,7 @@ TEST(Take, NothingTakesExactlyNothing) {
     EXPECT_EQ(taken.radiance, glm::vec3(0));
 }
 
-// White walls all around, a furnace, send back what they take.
+// In a white furnace, bodies reflect as much light as they take.
 TEST(Take, WhiteBodiesInEvenLightTakeLittle) {
     SmoothLight light;
     light.ahead.fill(glm::vec3(1));
@@ -113,7 +113,7 @@ TEST(Take, WhiteBodiesInEvenLightTakeLittle) {
     EXPECT_NEAR(lit.radiance.x, dark.share * dark.share, 0.03f * dark.share); // white in each other's shade
 }
 
-// A dominant light behind a sphere is gone, beside it whole, and in between fades.
+// A dominant light is fully hidden behind a sphere, fully visible beside it, and fades in between.
 TEST(Take, ADominantLightRunsFromAllToNoneAcrossTheEdge) {
     SmoothLight light;
     light.dominantShare = 0.02f;

@@ -1,4 +1,4 @@
-// Bodies become ellipsoids: what they were made of comes back.
+// Fits to bodies made of ellipsoids return these ellipsoids.
 #include "content/make/models/occlusion/Bvh.h"
 #include "content/make/models/occlusion/FitEllipsoids.h"
 #include "engine/math/LatLong.h"

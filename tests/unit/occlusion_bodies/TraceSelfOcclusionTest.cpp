@@ -63,7 +63,7 @@ TEST(TraceSelfOcclusion, ABuriedRootLeavesWhatIsSeenAsItIs) {
     }
 }
 
-// Nor do corners darken because all that is looked at between them lies behind a label.
+// Corners do not darken if all samples between them lie behind a label.
 TEST(TraceSelfOcclusion, ALabelLeavesTheCornersOfItsWallAsTheyAre) {
     Sheets sheets;
     sheets.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
@@ -73,8 +73,8 @@ TEST(TraceSelfOcclusion, ALabelLeavesTheCornersOfItsWallAsTheyAre) {
         EXPECT_LT(withSelfOcclusion(selfOcclusion[corner], sheets.normals[corner]).w, 0.15f) << corner;
 }
 
-// Own ellipsoids and the self-occlusion that complete them hide together what self-occlusion alone do, at
-// rest.
+// At rest, own ellipsoids and the self-occlusion that completes them hide together what self-occlusion alone
+// hides.
 TEST(TraceSelfOcclusion, CompleteTheBodysOwnEllipsoids) {
     Sheets sheets;
     sheets.add({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 12);   // a floor, facing up
@@ -164,8 +164,8 @@ TEST(TraceSelfOcclusion, NothingHasNone) {
         EXPECT_EQ(selfOcclusion, glm::vec4(0));
 }
 
-// A tile hangs before a board: the board's shade ends an edge of the tile away. Two triangles cannot carry it
-// and would be darkened from corner to corner; small ones are dark behind the tile alone.
+// A tile hangs before a board: its shade on the board ends one edge of the tile away. Two triangles cannot
+// represent that and would be dark from corner to corner; small ones are dark behind the tile alone.
 TEST(TraceSelfOcclusion, DetailThatCornersCannotCarryIsLeftOut) {
     const auto boardOf = [](int cells) {
         Sheets sheets;

@@ -1,4 +1,4 @@
-// Photos grown to environments: where the light comes to stand, what bends, how the ends meet.
+// Photos grown to environments: the place of the light, straight lines, and how the ends meet.
 #include "engine/panorama/Panorama.h"
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
@@ -24,7 +24,7 @@
 namespace shoal::panorama {
 namespace {
 
-// Dusk with a clipped disc, and black pillars from top to bottom at these columns.
+// Returns a dusk sky with a clipped disc, and black pillars from top to bottom at these columns.
 ImageRgb8 dusk(int width, int height, double lightX, double lightY, double radius,
                const std::vector<int>& pillars, int pillarWidth) {
     ImageRgb8 picture(width, height);

@@ -77,7 +77,7 @@ TEST(Separation, IsThatOfBullet) {
     EXPECT_GT(overlapping, 200);
 }
 
-// Against the same way cut into a thousand pieces: what these see, firstTouch sees, and where it says.
+// firstTouch finds the touches that a thousand small steps along the same path find, at the same place.
 TEST(FirstTouch, AgreesWithFineSteps) {
     Random random(5, 1);
     int hits = 0, grazed = 0;

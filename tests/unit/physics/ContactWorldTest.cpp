@@ -148,7 +148,7 @@ TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
     EXPECT_GT(touching, 10);
 }
 
-// A hand that appears in a fish has no past; even where the core segments cross there is a way out.
+// A hand that appears inside a fish has no earlier position; even crossing core segments are separated.
 TEST(ContactWorld, ABodyThatAppearsInsideGetsAWayOut) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> contacts;

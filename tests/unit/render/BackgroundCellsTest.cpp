@@ -18,7 +18,7 @@ View ahead() {
     return view;
 }
 
-// A wall 1 m ahead left of the middle, 4 m right of it.
+// Returns a map of a wall that is 1 m ahead to the left of the middle and 4 m ahead to the right of it.
 depth::DepthMap step() {
     return depth::mapOf([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / (d.x < 0 ? 1.0f : 4.0f); });
 }

@@ -24,8 +24,8 @@ void expectF0(const Material& material, const glm::vec3& f0, float f90) {
     EXPECT_EQ(material.dielectricF90, f90);
 }
 
-// What the core specification has, to the last bit: such materials are drawn by the same program as all
-// others.
+// The index 1.5 gives exactly the core specification's values, so that such materials are drawn by the same
+// program as all others.
 TEST(Dielectric, OneAndAHalfIsTheUsualIndex) {
     for (const Material& material :
          {materialWith(Json()), materialWith({{"ior", 1.5}}), materialWith(Json::object(), Json::object()),

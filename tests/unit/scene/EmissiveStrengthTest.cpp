@@ -1,4 +1,4 @@
-// KHR_materials_emissive_strength: what glows brighter than white.
+// KHR_materials_emissive_strength: surfaces that glow brighter than white.
 #include "Fixture.h"
 
 #include <gmock/gmock.h>

@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 
 inline Path sharedData() { return tests::sharedDataFolder(); }
 
-// A folder that goes with the test.
+// A folder that is deleted at the end of the test.
 class Folder : public tests::ScratchFolder {
   public:
     Path write(const std::string& name, const std::string& bytes) const {
@@ -45,7 +45,7 @@ inline std::string base64(const std::vector<uint8_t>& bytes) {
     return text;
 }
 
-// A glTF document under construction; one accessor per add.
+// A glTF document under construction. Each add function appends one accessor.
 struct Gltf {
     Json root = {{"asset", {{"version", "2.0"}}}};
     std::vector<uint8_t> bytes;
@@ -78,7 +78,7 @@ struct Gltf {
     }
     int addFloats(const std::vector<float>& values, const char* type) { return add(values, type, kFloat); }
 
-    // One triangle mesh shown by one node; returns the primitive for more.
+    // Adds a mesh of one primitive and a node that shows it. Returns the primitive, for changes.
     Json& addTriangles(int positions) {
         root["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", positions}}}}}}});
         root["nodes"].push_back({{"mesh", root["meshes"].size() - 1}});
@@ -105,7 +105,7 @@ inline constexpr const char* kWhitePixel =
     "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
     "AAX+Av4N70a4AAAAAElFTkSuQmCC";
 
-// With the file's first material, and both sets of texture coordinates.
+// Adds a triangle with the file's first material and both sets of texture coordinates.
 inline void addTexturedTriangle(Gltf& file) {
     Json& primitive = file.addTriangles(file.addFloats(kTriangle, "VEC3"));
     primitive["material"] = 0;
@@ -113,7 +113,7 @@ inline void addTexturedTriangle(Gltf& file) {
     primitive["attributes"]["TEXCOORD_1"] = file.addFloats({2, 2, 3, 3, 4, 4}, "VEC2");
 }
 
-// The reason for which the document is refused; "" if it is not.
+// Returns the reason for which the document is refused; "" if it is accepted.
 inline std::string refusal(const Result<Model>& model) { return model ? "" : model.error().reason; }
 
 } // namespace shoal::scene

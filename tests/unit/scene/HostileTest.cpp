@@ -1,4 +1,4 @@
-// Files made to hurt: each is refused in a sentence that names the element, and none takes much memory or
+// Malicious files: each is refused in a sentence that names the element, and none takes much memory or
 // time.
 #include "tests/unit/scene/Fixture.h"
 

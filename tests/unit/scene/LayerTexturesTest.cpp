@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Two textures of one white picture, which nothing but these extensions shows.
+// Returns a file with two textures of one white picture, which only these extensions use.
 Gltf layered(const Json& specular, const Json& clearcoat) {
     Gltf file;
     file.root["extensionsUsed"] = {"KHR_materials_specular", "KHR_materials_clearcoat",

@@ -14,7 +14,7 @@ namespace shoal::scene {
 
 struct ScaledSphere {
     const char* name;
-    void (*transform)(Model&); // of one node with one primitive, a unit sphere
+    void (*transform)(Model&); // changes a model of one node with one primitive, a unit sphere
     glm::mat3 modelFromSphere;
 };
 
@@ -25,7 +25,7 @@ inline glm::mat3 scaling(const glm::vec3& s) {
     return {glm::vec3(s.x, 0, 0), glm::vec3(0, s.y, 0), glm::vec3(0, 0, s.z)};
 }
 
-// Hangs all of it on these joints, to equal parts.
+// Skins every vertex to these joints with equal weights.
 inline void bindTo(Model& model, const std::vector<Transform>& joints, const glm::mat4& jointFromMesh) {
     Skin& skin = model.skins.emplace_back();
     Primitive& primitive = model.meshes[0].primitives[0];
@@ -75,7 +75,7 @@ inline const std::array kScaledSpheres = {
                  0.5f * (glm::mat3_cast(kTurn) * scaling(kUneven)) + 0.5f * scaling(kOther)},
 };
 
-// At a point of the ellipsoid: the gradient of |sphereFromModel x|^2, outwards.
+// Returns the outward normal at a point of the ellipsoid: the gradient of |sphereFromModel x|^2.
 inline glm::vec3 ellipsoidNormal(const glm::mat3& modelFromSphere, const glm::vec3& point) {
     const glm::mat3 sphereFromModel = glm::inverse(modelFromSphere);
     return glm::normalize(glm::transpose(sphereFromModel) * (sphereFromModel * point));

@@ -33,7 +33,7 @@ Model load(const Gltf& file) {
     return std::move(*model);
 }
 
-// Where the base colour's texture is looked up, at each corner.
+// Returns the coordinates of the base colour's texture at each corner.
 std::vector<glm::vec2> lookedUp(const Model& model) {
     return model.meshes[0].primitives[0].texCoords[model.materials[0].baseColour.texCoord];
 }

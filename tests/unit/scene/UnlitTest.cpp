@@ -1,4 +1,4 @@
-// KHR_materials_unlit: what is shown in its own colours.
+// KHR_materials_unlit: surfaces that show their own colours.
 #include "Fixture.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace shoal::scene {
 namespace {
 
-// Whatever a file says of how the surface takes light stands for readers without the extension.
+// Properties for lighting serve readers without the extension; base colour and alpha stay.
 TEST(Unlit, BaseColourAndAlphaStay) {
     Gltf file;
     file.root["extensionsRequired"] = {"KHR_materials_unlit"};

@@ -1,4 +1,4 @@
-// KHR_materials_variants: a model that can wear several looks.
+// KHR_materials_variants: a model with several sets of materials.
 #include "Fixture.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Two primitives, of which the second looks the same in every variant.
+// Returns a file with two primitives; the second has the same material in every variant.
 Gltf dressed() {
     Gltf file;
     file.root["extensionsUsed"] = {"KHR_materials_variants"};

@@ -83,8 +83,8 @@ Difference compare(const Ellipsoid& body, const CastingLight& light) {
     return all;
 }
 
-// A disc is no square, and the product of strips no rectangle's share of a disc: that is most for a sphere
-// about as large as the light.
+// The light's disc is not a square, and a product of strips is not a rectangle's share of a disc. This error
+// is largest for a sphere about as large as the light.
 TEST(CastShadow, ASphereUnderACapShadesAsRaysFindIt) {
     for (const float radius_deg : {4.0f, 10.0f, 16.0f, 25.0f})
         for (const float elevation_deg : {90.0f, 66.0f}) {

@@ -55,7 +55,7 @@ glm::vec3 directionOf(const FilmShadows& shadows, int x, int y) {
     return texelDirection(x, y, shadows.left().width, shadows.left().height);
 }
 
-// visit(direction in the film's frame, what is left) of each texel.
+// Calls visit(direction in the film's frame, remaining light) for each texel.
 template <class Visit> void eachTexel(const FilmShadows& shadows, Visit&& visit) {
     for (int y = 0; y < shadows.left().height; ++y)
         for (int x = 0; x < shadows.left().width; ++x) {
@@ -70,8 +70,8 @@ int shadedTexels(const FilmShadows& shadows) {
     return count;
 }
 
-// On planes, level and tilted, is left what the closed form gives for the place times the share that the
-// plane's slope towards the light leaves; nothing is dimmed elsewhere.
+// On level and tilted planes the remaining light is the closed form's for the place, times the share that the
+// plane's slope towards the light leaves. Nothing is dimmed elsewhere.
 TEST(FilmShadows, OnPlanesAreTheClosedForm) {
     const water::Water sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
     for (const glm::vec3& normal : {glm::vec3(0, 1, 0), glm::normalize(glm::vec3(0.5f, 1, 0.2f))}) {
@@ -297,7 +297,7 @@ TEST(FilmShadows, ComeInWithoutAStep) {
     }
 }
 
-// Eyes all around, each of which looks past bodies all around: whoever sees a shaded place is shown it.
+// Eyes all around look past bodies all around: each eye that sees a shaded place gets its shadow.
 TEST(FilmShadows, AreWorkedOutWhereAnEyeMaySeeThem) {
     const auto ground = levelGround();
     int seen = 0, unseen = 0, leftOut = 0;

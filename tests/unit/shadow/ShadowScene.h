@@ -18,7 +18,7 @@ inline depth::DepthMap levelGround(float height_m = kGround_m) {
     return depth::mapOf([&](const glm::vec3& dir) { return std::max(dir.y / height_m, 0.0f); });
 }
 
-// The film of a camera at the world's origin, by the distance of a solid in each direction.
+// Returns the depth map of a camera at the world's origin; distance_m: distance of the solid in a direction.
 template <class Distance> depth::DepthMap filmOf(const Distance& distance_m) {
     return depth::mapOf([&](const glm::vec3& dir) { return 1 / distance_m(dir); });
 }
@@ -28,7 +28,7 @@ inline float toPlane(const glm::vec3& dir, const glm::vec3& normal, float distan
     return towards > 1e-4f ? distance_m / towards : INFINITY;
 }
 
-// Its azimuth is that of no axis.
+// Returns a light in a direction whose azimuth is not along an axis.
 inline render::CastingLight lightAt(float elevation_deg, float radius_deg) {
     const float e = glm::radians(elevation_deg);
     return {.towards = {0.3f * std::cos(e), std::sin(e), std::sqrt(0.91f) * std::cos(e)},
@@ -36,7 +36,7 @@ inline render::CastingLight lightAt(float elevation_deg, float radius_deg) {
             .share = glm::vec3(0.4f, 0.35f, 0.3f)};
 }
 
-// The share of the light's solid angle from which no ray gets through; blocked: (unit direction) -> bool.
+// Returns the share of the light's solid angle that is blocked; blocked: (unit direction) -> bool.
 template <class Blocked>
 float hiddenByRays(const render::CastingLight& light, int rays, const Blocked& blocked) {
     const glm::vec3 side = glm::normalize(glm::cross(light.towards, glm::vec3(0.1f, 0.2f, 0.9f)));

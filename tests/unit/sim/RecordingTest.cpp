@@ -37,7 +37,7 @@ Recorded sample(size_t ticks) {
     return recorded;
 }
 
-// The first ticks are those of `whole`.
+// Expects that `read` holds the first ticks of `whole`.
 void expectBeginOf(const Recorded& whole, const Recorded& read) {
     ASSERT_LE(read.ticks(), whole.ticks());
     for (size_t i = 0; i < read.ticks(); ++i) {
@@ -96,7 +96,7 @@ TEST_F(RecordingFile, OneThatIsCutIsReadUpToItsLastWholeBlock) {
     EXPECT_FALSE(RecordingReader::open(file_)->complete());
 }
 
-// Ticks before the damage are right, and it is never taken for whole.
+// Ticks before the damage are read correctly, and a damaged file is never taken for complete.
 TEST_F(RecordingFile, NoFlippedBitGoesUnseen) {
     const Recorded out = sample(kBlockTicks + 10);
     ASSERT_TRUE(tests::write(file_, out));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kFrame_s = 1.0f / 120;
 
-// One event of each kind, at a place and with a speed where it has them.
+// Returns one event of each kind, with a place and a speed if the kind has them.
 Events oneOfEach() {
     Events events;
     for (const EventRow& row : kEventRows)
@@ -43,7 +43,7 @@ SoundCues after(const Event& event) {
     return hear;
 }
 
-// One creature that goes straight on; how often it is heard passing within `seconds`.
+// Returns how often a creature that goes straight on is heard passing within `seconds`.
 int passes(Sound sound, CreatureView creature, float seconds) {
     SoundCues hear;
     Snapshot shown;
@@ -95,7 +95,7 @@ TEST(SoundCues, ANewDiveHasNoCaptionsOfTheLast) {
     EXPECT_TRUE(hasCaption(hear, EventKind::DiveStart));
 }
 
-// No sound is made in vain: a dive in which everything happens plays each of them.
+// Every sound is used: a dive in which everything happens plays each of them.
 TEST(SoundCues, EverySoundIsPlayedOfSomething) {
     SoundCues hear;
     Snapshot shown;

@@ -1,4 +1,4 @@
-// Water found again in frames made with known water.
+// Tests that known water is found again in frames made with it.
 #include "engine/water/EstimateWater.h"
 #include "MadeFrames.h"
 #include "engine/core/Files.h"
@@ -57,10 +57,10 @@ const auto kOthers =                                        // a clear ocean, an
 INSTANTIATE_TEST_SUITE_P(ClearCoasts, KnownSea, kClearCoasts);
 INSTANTIATE_TEST_SUITE_P(Others, KnownSea, kOthers);
 
-// Water as attenuationFromVeil() takes it to be.
+// Seas whose water satisfies the assumptions of attenuationFromVeil().
 class ClearCoast : public KnownSea {};
 
-// The purpose of it all: something drawn at a distance looks as something of the same colour filmed there.
+// The estimate's purpose: an object drawn at a distance looks like one of the same colour filmed there.
 TEST_P(ClearCoast, AThingDrawnLooksAsAThingFilmed) {
     const Sea& sea = GetParam();
     const Water water = estimated(filmed(sea)).water;

@@ -16,22 +16,22 @@ namespace shoal::water {
 struct Sea {
     glm::vec3 attenuation_perM{0.20f, 0.10f, 0.08f};
     glm::vec3 veilLin{0.02f, 0.10f, 0.20f}; // at the horizon
-    glm::vec3 sandLin{0.45f, 0.50f, 0.45f}; // sent back by the floor
+    glm::vec3 sandLin{0.45f, 0.50f, 0.45f}; // albedo of the floor
     glm::vec3 rockLin{0.05f, 0.07f, 0.07f};
     float eyeHeight_m = 1.2f;
     float downwelling = 0.4f; // K / beta
-    float wallShare = 0;      // of the horizon stands a wall `wall_m` away, up to 30 degrees
+    float wallShare = 0;      // share of the horizon with a wall `wall_m` away, up to 30 degrees
     float wall_m = 4;
-    float texture = 0; // relative, of sand and rock
+    float texture = 0; // relative variation of sand and rock
 };
 
-// A ray through water: the water's own glow, and the share of what stands at its end.
+// A ray through water: the light scattered into it, and the transmitted share of the light from its end.
 struct Ray {
     glm::vec3 glowLin, left;
     glm::vec3 from(const glm::vec3& endLin) const { return glowLin + left * endLin; }
 };
 
-// Single scattering, the sum of glow along the way, in steps of a centimetre at first. sine: of its
+// Sums single scattering along a ray, in steps of a centimetre at first. sine: sine of the ray's
 // elevation.
 inline Ray rayThrough(const Sea& sea, float sine, float distance_m) {
     Ray ray{glm::vec3(0), glm::exp(-sea.attenuation_perM * distance_m)};

@@ -8,7 +8,7 @@
 
 namespace shoal::water {
 
-// Squared coded values, 0 and above; dir: unit length, env frame.
+// Returns the veil as squared coded values, 0 and above; dir: unit length, env frame.
 inline glm::vec3 veilTowards(const Water& water, const glm::vec3& dir) {
     glm::vec3 sum(0);
     const auto terms = veilTerms(dir);
@@ -16,7 +16,7 @@ inline glm::vec3 veilTowards(const Water& water, const glm::vec3& dir) {
     return glm::max(sum, 0.0f);
 }
 
-// Display values (0 to 1) of an object `distance_m` away that has the values `display` without water.
+// Returns the display values (0 to 1) of an object at `distance_m` that shows `display` without water.
 inline glm::vec3 seenThrough(const Water& water, const glm::vec3& display, const glm::vec3& dir,
                              float distance_m) {
     const glm::vec3 transmitted = glm::exp(-water.attenuation_perM * distance_m);

@@ -1,4 +1,4 @@
-// A headset's poses and angles as the renderer takes them.
+// Conversion of a headset's poses and angles for the renderer.
 #include "engine/xr/Tracked.h"
 
 #include <gtest/gtest.h>

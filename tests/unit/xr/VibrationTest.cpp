@@ -1,4 +1,4 @@
-// One motor a hand, told no more often than it needs.
+// One motor for each hand, which is sent no more commands than it needs.
 #include "input/haptics/HapticFrame.h"
 
 #include <gtest/gtest.h>

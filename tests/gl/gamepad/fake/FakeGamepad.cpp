@@ -25,7 +25,7 @@ constexpr int kKeys[] = {BTN_SOUTH,  BTN_EAST,  BTN_NORTH, BTN_WEST,   BTN_TL,  
                          BTN_SELECT, BTN_START, BTN_MODE,  BTN_THUMBL, BTN_THUMBR};
 constexpr int kAxes[] = {ABS_X, ABS_Y, ABS_Z, ABS_RX, ABS_RY, ABS_RZ, ABS_HAT0X, ABS_HAT0Y};
 
-// The system's function behind ours.
+// Returns the system's function that ours replaces.
 template <class Function> Function* real(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
@@ -55,7 +55,7 @@ template <size_t kCount> void setBits(void* to, size_t size, const int (&codes)[
         if (static_cast<size_t>(code / 8) < size) bytes[code / 8] |= static_cast<uint8_t>(1 << code % 8);
 }
 
-// Answers of the driver xpad.
+// Answers an ioctl as the driver xpad does.
 int answer(FakeGamepad& pad, unsigned long request, void* to) {
     const size_t size = _IOC_SIZE(request);
     const unsigned number = _IOC_NR(request);

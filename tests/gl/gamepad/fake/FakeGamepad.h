@@ -1,6 +1,6 @@
-// A gamepad that is not there: this library answers in the system's place what the program asks of
-// /dev/input, so that GLFW and our force feedback find one Xbox 360 pad behind their own code for Linux. It
-// must be linked, or preloaded, by the program that plays.
+// A fake gamepad. This library replaces the system's functions for /dev/input, so that GLFW and our force
+// feedback find one Xbox 360 pad through their own code for Linux. It must be linked, or preloaded, by the
+// program that plays.
 #pragma once
 
 #include <linux/input-event-codes.h>
@@ -20,7 +20,7 @@ class FakeGamepad {
   public:
     // Called before GLFW reads the pad's events, twice a frame, on the thread that does. May press and move.
     std::function<void(FakeGamepad&)> onPoll;
-    bool permitted = true; // may be opened for writing, which rumble needs
+    bool permitted = true; // the pad may be opened for writing, which rumble needs
 
     // button: BTN_SOUTH and so on.
     void press(int button) { push(EV_KEY, button, 1); }
@@ -29,8 +29,8 @@ class FakeGamepad {
     // triggers, 0 to 255; ABS_HAT0X, ABS_HAT0Y: -1 to 1, down positive.
     void move(int axis, int value) { push(EV_ABS, axis, value); }
 
-    std::vector<Rumble> felt() const; // in turn; each once however often it is repeated
-    bool opened() const;              // for its events
+    std::vector<Rumble> felt() const; // rumbles in order, without repetitions
+    bool opened() const;              // true if the pad was opened for its events
 
     // Used by the functions that stand in for the system's.
     struct Event {

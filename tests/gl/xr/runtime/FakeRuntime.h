@@ -1,6 +1,6 @@
-// An OpenXR runtime for tests: a shared library that the real loader loads by XR_RUNTIME_JSON. A headset that
-// does what a test tells it, tells what it was shown, and complains of calls out of order. Its time is made:
-// nothing waits.
+// An OpenXR runtime for tests: a shared library that the real loader loads by XR_RUNTIME_JSON. Its headset
+// does what a test tells it, records what it was shown, and complains of calls out of order. Its time is
+// simulated, so that nothing waits.
 //
 // A test reaches it in its own process by loading the same library: fakeRuntime() is the one in use.
 #pragma once
@@ -27,8 +27,8 @@ namespace shoal::test {
 
 struct FakeHand {
     bool active = false;
-    bool isMadeUp = false;  // of a hand that holds a controller
-    bool bareAlone = false; // its tracker was asked for what is not made up
+    bool isMadeUp = false;  // joints are derived from a controller that the hand holds
+    bool bareAlone = false; // its tracker asked for joints that are not made up
     std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{}; // in LOCAL's frame
 };
 
@@ -74,7 +74,7 @@ struct ShownFrame {
 
 struct FeltPulse {
     int hand = 0;
-    float amplitude = 0, frequency_Hz = 0; // amplitude 0: told to stop
+    float amplitude = 0, frequency_Hz = 0; // amplitude 0: a stop
     XrDuration duration = 0;
 };
 
@@ -83,7 +83,7 @@ struct FakeRuntime {
     bool present = true; // a headset is plugged in
     std::set<std::string> extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME,
                                         XR_EXT_HAND_TRACKING_EXTENSION_NAME};
-    std::map<std::string, XrResult> failing; // by function: it does nothing but return this
+    std::map<std::string, XrResult> failing; // result that a function, by name, returns at once
     std::vector<int64_t> formats = {GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8};
     std::vector<XrEnvironmentBlendMode> blendModes = {XR_ENVIRONMENT_BLEND_MODE_ADDITIVE,
                                                       XR_ENVIRONMENT_BLEND_MODE_OPAQUE};
@@ -101,7 +101,7 @@ struct FakeRuntime {
     std::vector<float> refreshRates_Hz = {72, 80, 90, 120}; // with XR_FB_display_refresh_rate
     float refreshRate_Hz = 72;
     bool shouldRender = true;
-    bool tellsDataSources = true;               // of hands; else it fails where they are asked for
+    bool tellsDataSources = true;               // of hands; false: asking for them fails
     bool focusesByItself = true;                // after the first frame
     bool sensesWearer = true;                   // with XR_EXT_user_presence
     bool keepPictures = false;                  // of the eyes and the panel, each frame anew
@@ -109,7 +109,7 @@ struct FakeRuntime {
     std::function<void(FakeRuntime&)> onCreate; // in each xrCreateInstance, before it answers
     std::function<void(FakeRuntime&)> onGone;   // when the last instance has been destroyed
 
-    // News for the next xrPollEvent.
+    // Queues an event for xrPollEvent.
     template <class Event> void say(const Event& event) {
         static_assert(sizeof(Event) <= sizeof(XrEventDataBuffer));
         std::memcpy(&events.emplace_back(), &event, sizeof event);
@@ -120,13 +120,13 @@ struct FakeRuntime {
     void sayWorn(bool worn);
 
     // Calls and pictures that it saw.
-    std::vector<std::string> complaints; // of what the specification forbids
+    std::vector<std::string> complaints; // about calls that the specification forbids
     std::set<std::string> called;
     std::set<std::string> enabled; // extensions, of the last instance
     std::vector<FeltPulse> pulses;
     std::vector<std::string> boundProfiles; // interaction profiles with suggested bindings
     uint64_t framesWaited = 0, framesEnded = 0, framesWithEyes = 0;
-    XrSessionState state = XR_SESSION_STATE_UNKNOWN; // last one said
+    XrSessionState state = XR_SESSION_STATE_UNKNOWN; // last one reported
     bool running = false, exitRequested = false;
     int instances = 0, sessions = 0, swapchains = 0, spaces = 0, handTrackers = 0; // alive
     ShownFrame last;
@@ -134,7 +134,7 @@ struct FakeRuntime {
     FakeRuntime();
     void complain(const std::string& what) { complaints.push_back(what); }
 
-    std::deque<XrEventDataBuffer> events; // what was said and not yet polled
+    std::deque<XrEventDataBuffer> events; // events that were not polled yet
 };
 
 } // namespace shoal::test

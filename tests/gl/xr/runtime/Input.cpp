@@ -1,4 +1,4 @@
-// Actions of controllers, bare hands, and what is felt.
+// Actions of controllers, tracking of bare hands, and haptics.
 #include "tests/gl/xr/runtime/State.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ int handOf(XrPath path) {
                                                          : -1;
 }
 
-// Inputs of the registry's interaction profiles (xr.xml, 1.1.53) a game may bind, but poses and haptics.
+// Inputs of the registry's interaction profiles (xr.xml, 1.1.53) for games, no poses or haptics.
 struct KnownProfile {
     const char* extension; // null: OpenXR 1.0
     const char* name;

@@ -73,7 +73,7 @@ XrResult xrRequestExitSession(XrSession) {
     return XR_SUCCESS;
 }
 
-// The extension's only where it is enabled.
+// Returns the reference spaces on offer; those of an extension only if it is enabled.
 std::vector<XrReferenceSpaceType> referenceSpaces() {
     const FakeRuntime& fake = shoalFakeRuntime();
     std::vector<XrReferenceSpaceType> offered;
@@ -145,7 +145,7 @@ XrResult xrCreateSwapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapc
     *out = handleOf<XrSwapchain>(chain);
     return XR_SUCCESS;
 }
-// Pictures of a real runtime may be in memory that goes with them, whatever OpenGL still has to draw into it.
+// Returns whether OpenGL still draws: a real runtime may free its images' memory although it does.
 bool stillDraws() {
     const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     GLint state = 0;
@@ -222,7 +222,7 @@ XrResult xrBeginFrame(XrSession, const XrFrameBeginInfo*) {
     return XR_SUCCESS;
 }
 
-// Reads the part of what was released last, by `read` from the framebuffer that is bound.
+// Reads a part of the image released last; `read` reads from the bound framebuffer.
 template <class Read> void readPart(const XrSwapchainSubImage& sub, Read&& read) {
     const FakeSwapchain& chain = objectOf<FakeSwapchain>(sub.swapchain);
     const XrRect2Di& rect = sub.imageRect;

@@ -20,7 +20,7 @@ Place operator*(const Place& a, const Place& b);
 Place inverse(const Place& place);
 
 struct FakeSpace {
-    int hand = -1; // of an action space; else of a reference space
+    int hand = -1; // hand of an action space; -1 for a reference space
     XrReferenceSpaceType type = XR_REFERENCE_SPACE_TYPE_LOCAL;
     Place offset; // parentFromSpace
 };
@@ -28,7 +28,7 @@ struct FakeSpace {
 struct FakeSwapchain {
     std::vector<GLuint> textures;
     uint32_t width = 0, height = 0;
-    bool depth = false; // else colour
+    bool depth = false; // true: depth swapchain; false: colour
     uint32_t next = 0;
     int acquired = -1, lastReleased = -1;
     bool waited = false;
@@ -43,7 +43,7 @@ enum class FramePhase { Idle, Waited, Begun };
 
 struct Session {
     FramePhase phase = FramePhase::Idle;
-    bool shown = false; // a frame was handed in
+    bool shown = false; // a frame was submitted
     XrTime now = 1'000'000'000;
     bool attached = false;
 };
@@ -51,7 +51,7 @@ struct Session {
 Session& session();
 std::vector<std::string>& pathTexts(); // XrPath p is entry p - 1
 
-// Pose of a space, in LOCAL's frame, now.
+// Returns the current pose of a space in LOCAL's frame.
 Place localFromSpace(XrSpace space);
 
 template <class Handle, class Object> Handle handleOf(Object* object) {
@@ -61,12 +61,12 @@ template <class Object, class Handle> Object& objectOf(Handle handle) {
     return *reinterpret_cast<Object*>(handle);
 }
 
-// Null if the runtime has none of that name.
+// Return the function of that name, or null if the runtime has none.
 PFN_xrVoidFunction instanceFunction(const std::string& name);
 PFN_xrVoidFunction sessionFunction(const std::string& name);
 PFN_xrVoidFunction inputFunction(const std::string& name);
 
-// Two-call idiom for plain items.
+// Implements OpenXR's two-call idiom for plain items.
 template <class Item, class From>
 XrResult giveList(const From& from, uint32_t capacity, uint32_t* count, Item* items) {
     *count = static_cast<uint32_t>(from.size());
@@ -79,7 +79,7 @@ XrResult giveList(const From& from, uint32_t capacity, uint32_t* count, Item* it
 
 } // namespace shoal::test
 
-// Opens every function: notes the call, and fails it when the test says so.
+// Starts every function: records the call, and returns an error if the test asks for it.
 #define FAKE_XR(name)                                                                                        \
     shoalFakeRuntime().called.insert(#name);                                                                 \
     if (const auto told = shoalFakeRuntime().failing.find(#name); told != shoalFakeRuntime().failing.end())  \
