@@ -21,7 +21,11 @@ void HandStream::push(HandFrame frame) {
 
 bool HandStream::take(HandFrame& out, std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, patience, [&] { return closed_ || !frames_.empty(); });
+    const auto ready = [&] { return closed_ || !frames_.empty(); };
+    if (full_ == Full::Wait && patience.count() > 0)
+        changed_.wait(lock, ready);
+    else
+        changed_.wait_for(lock, patience, ready);
     if (frames_.empty()) return false;
     out = frames_.front();
     frames_.pop_front();

@@ -46,7 +46,8 @@ class HandStream {
     explicit HandStream(size_t capacity = 1024, Full full = Full::Drop);
 
     void push(HandFrame frame); // a frame without seenAt counts as seen now
-    // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time.
+    // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time;
+    // if it is not 0, a clip, which waits for its reader, is waited for until its next frame or its end.
     bool take(HandFrame& out, std::chrono::milliseconds patience = {});
     void close(); // calls no longer wait
 
