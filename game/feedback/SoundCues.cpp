@@ -11,7 +11,7 @@ namespace shoal::game {
 
 namespace {
 
-constexpr float kPass_m = 1; // distance from the origin within which a pass is heard; twice it for large ones
+constexpr float kPass_m = 1; // distance from the head within which a pass is heard; twice it for large ones
 constexpr float kPass_mps = 0.45f; // slower passes are silent
 constexpr float kPassQuiet_s = 4;  // time between two passes of the same creature
 constexpr float kLarge_m = 1;      // body length from which a pass sounds large
@@ -83,13 +83,14 @@ void SoundCues::struggling(const CreatureView& creature) {
     caption(kStruggleCaption, creature.position);
 }
 
-void SoundCues::passing(const CreatureView& creature, float& quiet_s) {
+void SoundCues::passing(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s) {
     const bool large = creature.length > kLarge_m;
     const float speed2 = glm::dot(creature.velocity, creature.velocity);
     if (quiet_s > 0 || speed2 < kPass_mps * kPass_mps) return;
-    const float nearestIn_s = -glm::dot(creature.position, creature.velocity) / speed2;
+    const glm::vec3 fromHead = creature.position - headWorld;
+    const float nearestIn_s = -glm::dot(fromHead, creature.velocity) / speed2;
     if (nearestIn_s < 0 || nearestIn_s > (large ? kPassPeakLarge_s : kPassPeakSmall_s)) return;
-    const float nearest_m = glm::length(creature.position + creature.velocity * nearestIn_s);
+    const float nearest_m = glm::length(fromHead + creature.velocity * nearestIn_s);
     if (nearest_m > kPass_m * (large ? 2.0f : 1.0f)) return;
     quiet_s = kPassQuiet_s;
     const float pitch =
@@ -157,7 +158,7 @@ void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, flo
         if (creature.heldBy >= 0)
             struggling(creature);
         else
-            passing(creature, quiet_s_[i]);
+            passing(creature, shown.headWorld, quiet_s_[i]);
     }
     for (const Event& event : events) happened(event);
     breathe(shown, dt_s);

@@ -42,7 +42,7 @@ class SoundCues {
               const glm::vec3& velocity = glm::vec3(0));
     void caption(Text text, const glm::vec3& position);
     void beds(const Snapshot& shown, float dt_s);
-    void passing(const CreatureView& creature, float& quiet_s);
+    void passing(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s);
     void struggling(const CreatureView& creature);
     void happened(const Event& event);
     void breathe(const Snapshot& shown, float dt_s);

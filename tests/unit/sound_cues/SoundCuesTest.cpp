@@ -44,9 +44,9 @@ SoundCues after(const Event& event) {
 }
 
 // Returns how often a creature that goes straight on is heard passing within `seconds`.
-int passes(Sound sound, CreatureView creature, float seconds) {
+int passes(Sound sound, CreatureView creature, float seconds, const glm::vec3& headWorld = {}) {
     SoundCues hear;
-    Snapshot shown;
+    Snapshot shown{.headWorld = headWorld};
     shown.creatures = {creature};
     int heard = 0;
     for (int i = 0; i < static_cast<int>(seconds / kFrame_s); ++i) {
@@ -214,6 +214,9 @@ TEST(SoundCues, AFishIsHeardPassingOnceAndOnlyNearAndFast) {
     EXPECT_EQ(passes(Sound::FishPassSmall, from({0.1f, 0, -0.5f}, {1, 0, 0}), 1), 0);  // already past
     EXPECT_EQ(passes(Sound::FishPassLarge, from({-4, 0, -1.5f}, {1, 0, 0}, 2.5f), 8), 1);
     EXPECT_EQ(passes(Sound::FishPassSmall, from({-4, 0, -1.5f}, {1, 0, 0}, 2.5f), 8), 0);
+    const glm::vec3 head(0, 0.5f, 1.5f); // of a player who stepped back
+    EXPECT_EQ(passes(Sound::FishPassSmall, from({-2, 0.5f, 1}, {1, 0, 0}), 4, head), 1);
+    EXPECT_EQ(passes(Sound::FishPassSmall, from({-2, 0, -0.5f}, {1, 0, 0}), 4, head), 0);
 }
 
 TEST(SoundCues, APassingIsNotRepeatedWithinSeconds) {
