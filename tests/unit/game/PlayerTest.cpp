@@ -33,7 +33,7 @@ TEST_P(Players, CatchAsManyAsTheyShould) {
         inTime += dive.firstCatch_s <= kind.firstBefore_s;
     }
     // The goal is nine of ten; practised hands reach it in 92 and 93 % of 60 dives from seeds 201 and 5001.
-    // Of six dives with such chances, two fail in every tenth run, three in one of a hundred.
+    // With such chances two of six dives fail in one run of ten, and three in one run of a hundred.
     EXPECT_GE(met, 4);
     EXPECT_GE(inTime, 5);
 }
