@@ -15,8 +15,7 @@ constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "op
                                                   "offer", "rest",  "hold",  "look",  "wait",   "restart",
                                                   "pause", "again", "point", "press", "release"};
 constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
-constexpr std::array<const char*, 2> kWaterNames = {"open", "film"};
-constexpr std::array<const char*, 3> kAtNames = {"given", "shark", "fish"};
+constexpr std::array<const char*, 2> kAtNames = {"shark", "fish"}, kWaterNames = {"open", "film"};
 
 constexpr auto kEventNames = [] {
     std::array<const char*, kEventRows.size()> names{};

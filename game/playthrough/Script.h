@@ -45,8 +45,8 @@ struct ScriptStep {
     int line = 0; // line in the file
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
-    enum class At { Given, Shark, Fish };
-    At at = At::Given;              // Look at the shark, or Point at a fish, not at the numbers below
+    enum class At { Shark, Fish };
+    std::optional<At> at;           // Look at the shark, or Point at a fish, not at the numbers below
     glm::vec3 offset{0}, to{0};     // viewer's frame, metres
     glm::vec2 pointer_px{640, 360}; // place in a window of 1280x720: +x right, +y down
     float near_m = 0;
