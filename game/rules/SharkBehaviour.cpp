@@ -101,7 +101,7 @@ void decideProwling(Shark& shark, const DiveContext& in, int struggling) {
     if (h < 0) return;
     const Hand& hand = in.state.hands[h];
     const bool holds = struggling >= 0 && hand.grasp.holds == struggling;
-    if (fromMouth(shark, hand, in) >= kThreatFrom_m || threatSpare(shark, h, in) <= 0.2f) return;
+    if (fromMouth(shark, hand, in) >= kThreatFrom_m || threatSpare(shark, h, in) <= kThreatSpare_m) return;
     if (!holds && shark.threatRest_s > 0) return;
     shark.set(State::Threaten);
     shark.watched = h;

@@ -16,7 +16,7 @@ constexpr float kFarOut_m = 0.6f;        // distance from its circle at which it
 constexpr float kBumpRest_s = 2;         // time between two bumps
 constexpr float kNotice_s = 1;           // time without bumps at the start of a visit
 constexpr float kTempted = 4;            // Shark::interest above which it comes before a visit is due
-constexpr float kStrikeFrom_m = 3.0f;    // greatest distance of a strike's start
+constexpr float kStrikeFrom_m = 2.0f;    // greatest distance of a strike's start
 
 // Time for which it points at a hand, slowly and in full view, before it may strike.
 constexpr float kAim_s = 1.1f;
@@ -24,7 +24,8 @@ constexpr float kAimed = 0.92f;               // cosine of the angle within whic
 constexpr float kThreat_s = 4.5f;             // longest threat
 constexpr float kThreatRest_s = 2.5f;         // time between two threats
 constexpr float kThreatFrom_m = 2.6f;         // greatest distance from mouth to hand for a threat
-constexpr float kThreatRoom_m = 0.7f;         // least distance from mouth to hand in a threat
+constexpr float kThreatRoom_m = 0.7f;         // least distance from mouth to hand in a threat...
+constexpr float kThreatSpare_m = 0.6f;        // ...and how much more than that it wants at the start
 constexpr float kSoon_s = 1.2f, kLater_s = 3; // look-ahead times for approaching walls
 constexpr float kVisitRoom_m = 2.2f;          // open radius below which the visit's clock stops
 constexpr float kWide_m = 2.6f;               // radius from which it begins the next approach
