@@ -17,11 +17,9 @@ constexpr float kBumpRest_s = 2;         // time between two bumps
 constexpr float kNotice_s = 1;           // time without bumps at the start of a visit
 constexpr float kTempted = 4;            // Shark::interest above which it comes before a visit is due
 constexpr float kStrikeFrom_m = 2.0f;    // greatest distance of a strike's start
-
-// Time for which it points at a hand, slowly and in full view, before it may strike.
-constexpr float kAim_s = 1.1f;
-constexpr float kAimed = 0.92f;               // cosine of the angle within which it points at a hand
-constexpr float kThreat_s = 4.5f;             // longest threat
+constexpr float kAim_s = 1.1f;    // time for which it points at a hand, in full view, before it may strike
+constexpr float kAimed = 0.92f;   // cosine of the angle within which it points at a hand
+constexpr float kThreat_s = 4.5f; // longest threat
 constexpr float kThreatRest_s = 2.5f;         // time between two threats
 constexpr float kThreatFrom_m = 2.6f;         // greatest distance from mouth to hand for a threat
 constexpr float kThreatRoom_m = 0.7f;         // least distance from mouth to hand in a threat...
