@@ -14,7 +14,7 @@ namespace shoal {
 namespace {
 
 // Lower them with the code. Raising one is a decision, not a repair.
-constexpr int kMaxProductLines = 48072, kMaxTestLines = 49584;
+constexpr int kMaxProductLines = 48071, kMaxTestLines = 49586;
 
 // Prints the lines of each folder that has any; returns their sum.
 int linesBelow(const std::set<std::string>& tops) {
