@@ -1,6 +1,4 @@
-#include "input/haptics/ForceFeedback.h"
-
-#include "input/haptics/DeviceFolder.h"
+#include "input/haptics/HidBus.h"
 
 #include <fcntl.h>
 #include <linux/input.h>
@@ -8,8 +6,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <filesystem>
-#include <memory>
 #include <utility>
 
 namespace shoal::haptics {
