@@ -1,9 +1,7 @@
 // Access to haptic devices: through hidapi, or a recording fake in tests.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
@@ -51,28 +49,6 @@ HidBus hidapiBus();
 // have no driver, and those whose HID node may not be opened. Their report is the strengths of the strong and
 // of the weak motor, 16 bits each, the low byte first. The kernel stops them when the program dies.
 HidBus withForceFeedback(HidBus bus);
-
-// Detector of device nodes that came or went, so that a costly list of devices is made only then.
-class DeviceFolder {
-  public:
-    explicit DeviceFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-    // Returns whether a list that was made at the last call may be out of date; also for a while after a
-    // change, because a device is not set up in one moment, and if the folder cannot be read.
-    bool mayHaveChanged() {
-        constexpr std::chrono::seconds kSettles{3};
-        std::error_code code;
-        const auto changed = std::filesystem::last_write_time(folder_, code);
-        const auto now = std::filesystem::file_time_type::clock::now();
-        if (!code && listed_ > changed + kSettles && listed_ <= now) return false;
-        listed_ = now;
-        return true;
-    }
-
-  private:
-    std::filesystem::path folder_;
-    std::filesystem::file_time_type listed_ = std::filesystem::file_time_type::min();
-};
 
 // A helper process that stops a device's motors when the program dies, however it dies.
 class CrashStop {
