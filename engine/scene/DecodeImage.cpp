@@ -38,10 +38,6 @@ namespace shoal::scene {
 
 namespace {
 
-struct FreePixels {
-    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
-};
-
 // Limit of scans: each scan of a progressive JPEG costs as much as a whole decoding. Encoders make about ten.
 constexpr int kMaxScans = 100;
 
@@ -97,8 +93,8 @@ ImageRgba8 decodeImage(GltfFile& file, std::span<const uint8_t> bytes, const std
     // sampling factor, 4.
     const uint64_t rounded = (uint64_t{32} + width) * (uint64_t{32} + height);
     largestPiece = rounded * 16 + bytes.size() * 2 + 65536;
-    const std::unique_ptr<stbi_uc, FreePixels> data(
-        stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4));
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> data(
+        stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
     if (!data || uint64_t{1} * width * height != pixels) fault(who, " is broken or cut short");
     ImageRgba8 image(width, height);
     std::memcpy(image.pixels.data(), data.get(), image.pixels.size());

@@ -7,10 +7,10 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 
 #include <glm/vec2.hpp>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 
 #include <array>
@@ -62,38 +62,12 @@ struct Budget {
     }
 };
 
-struct ImageSource { // either a uri or a bufferView
-    std::string uri;
-    int bufferView = -1;
-    std::string mimeType;
-};
-
 // KHR_texture_transform of one use of a texture.
 struct TextureTransform {
     glm::vec2 offset{0}, scale{1};
     float rotation = 0; // radians, about the picture's upper left corner
-    int texCoord = -1;  // overrides the texture's own set; -1: none
 
     bool operator==(const TextureTransform&) const = default;
-};
-
-struct TextureReference {
-    int index = -1; // -1: none
-    int texCoord = 0;
-};
-
-// Extensions of one material, as the file states them.
-struct MaterialExtensions {
-    double emissiveStrength = 1; // KHR_materials_emissive_strength
-    bool unlit = false;          // KHR_materials_unlit
-    double ior = 1.5;            // KHR_materials_ior
-    // KHR_materials_specular
-    double specularFactor = 1;
-    std::array<double, 3> specularColour = {1, 1, 1};
-    TextureReference specular, specularColourMap;
-    double clearcoatFactor = 0, clearcoatRoughness = 0; // KHR_materials_clearcoat
-    TextureReference coat, coatRoughness;
-    bool clearcoatNormals = false;
 };
 
 // Source of a set of texture coordinates: a set of the file, and the transform applied to it.
@@ -112,12 +86,10 @@ struct GltfFile {
         keyValues{limits.maxKeyValues, "key values"};
     std::set<std::string> warnings;
 
-    tinygltf::Model gltf; // holds the buffers' bytes, but no images: see imageSources
-    std::vector<ImageSource> imageSources;
-    bool quantized = false;                             // KHR_mesh_quantization is used
-    std::vector<MaterialExtensions> materialExtensions; // by material
-    // By material, then in the order of Material::textures().
-    std::vector<std::array<TextureTransform, 9>> textureTransforms;
+    tinygltf::Model gltf;     // holds the buffers' bytes, but no images
+    bool quantized = false;   // KHR_mesh_quantization is used
+    nlohmann::json images;    // as in the file, checked
+    nlohmann::json materials; // as in the file, with their extensions, of which only core members are checked
     // Sources, by material, of the two sets in Primitive::texCoords to which TextureUse::texCoord refers.
     std::vector<std::array<UvSource, 2>> uvSources;
     // KHR_materials_variants: names of the variants, and materials by mesh, primitive and variant; -1: the
@@ -132,30 +104,13 @@ struct GltfFile {
 
 // All functions below throw Fault.
 
-// Reads and checks the file: container, JSON, types, indices, extensions, buffers, and that every bufferView
-// and accessor lies inside what it refers to. The functions below rely on it.
-void readDocument(GltfFile& file);
-
 // Checks a document against the specification before tinygltf reads it, because tinygltf narrows 64-bit
 // numbers, skips members of the wrong type, and trusts some indices. Afterwards every member that the loader
 // reads has the right type; indices of elements are in range; sizes and counts are 0 .. 2^31-1; numbers are
 // finite as floats; lists have at most maxElements (accessors and bufferViews four times as many).
 void checkSchema(const nlohmann::json& document, uint32_t maxElements);
 
-// Copies the EXT_meshopt_compression object of each buffer and bufferView from its `extensions` to a member
-// of the extension's name, for checkSchema(). root: the document with its extensions, unchecked.
-void keepCompression(nlohmann::json& root);
-// Returns the indices of buffers whose bytes are not needed, because their views are decoded from other
-// buffers. root: checked. hasBinary: the file is a GLB with a BIN chunk, which is buffer 0.
-std::set<size_t> replacedBuffers(const nlohmann::json& root, bool hasBinary);
-// Makes each compressed bufferView a view of a new buffer with its decoded bytes. root: checked.
-void decompressViews(GltfFile& file, nlohmann::json& root, std::vector<tinygltf::Buffer>& buffers);
-
-// Fills file.materialExtensions. root: the document with its extensions, unchecked.
-void readMaterialExtensions(const nlohmann::json& root, GltfFile& file);
-// Fills file.textureTransforms. root: as above.
-void readTextureTransforms(const nlohmann::json& root, GltfFile& file);
-// Fills file.variants and file.variantMaterials. root: as above.
+// Fills file.variants and file.variantMaterials. root: the document with its extensions, unchecked.
 void readVariants(const nlohmann::json& root, GltfFile& file);
 
 // Returns the bytes of a data URI, or of a file at or below the model's own folder, to which links must lead
@@ -189,11 +144,6 @@ void readNodes(GltfFile& file, Model& model);
 // Fills model.meshes; materials, nodes and skins must have been read. Every primitive gets normals, and
 // tangents if its material has a normal map.
 void readMeshes(GltfFile& file, Model& model);
-
-// Returns one primitive's vertex attributes and morph targets, and checks their types; from.attributes must
-// contain POSITION. Normals and tangents get length 1, weights the sum 1 (of eight the four largest stay).
-// who: such as "meshes[0].primitives[1]".
-Primitive readAttributes(GltfFile& file, const tinygltf::Primitive& from, const std::string& who);
 
 // Fills model.animations; nodes and meshes must have been read. Channels without effect are left out.
 void readAnimations(GltfFile& file, Model& model);

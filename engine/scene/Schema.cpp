@@ -1,7 +1,5 @@
 #include "engine/scene/Gltf.h"
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -13,8 +11,8 @@ using Json = nlohmann::json;
 
 // Schema of the members that are read: glTF 2.0 specification, appendix A "JSON Schema Reference". A name
 // that ends in ! is required. "count": 0 .. 2^31-1. "@nodes": an index into the top-level list `nodes`. [x]:
-// a list of x; [x, n]: a list of n numbers. {"*": x}: an object whose every member is x. keepCompression()
-// makes the members that are named as an extension.
+// a list of x; [x, n]: a list of n numbers. {"*": x}: an object whose every member is x. Members that are
+// named as an extension are made by tidy().
 const char* const kShape = R"({
   "asset!": {"version!": "text", "minVersion": "text", "generator": "text", "copyright": "text"},
   "extensionsUsed": ["text"], "extensionsRequired": ["text"],

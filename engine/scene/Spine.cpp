@@ -21,7 +21,7 @@ constexpr size_t kMinNodes = 3;
 glm::mat4 upTo(const Spine& spine, size_t joint, const Pose& pose) {
     glm::mat4 all(1);
     for (size_t i = 0; i <= joint; ++i) {
-        const Transform& local = pose.local[static_cast<size_t>(spine.joints[i].node)];
+        const Transform& local = pose.local[spine.joints[i].node];
         all = glm::translate(all, local.translation) * glm::mat4_cast(local.rotation);
     }
     return all;
@@ -32,15 +32,13 @@ glm::quat rotationOf(const glm::mat4& m) {
                                     glm::normalize(glm::vec3(m[2]))));
 }
 
-glm::vec3 positionOf(const Pose& pose, int node) {
-    return glm::vec3(pose.modelFromNode[static_cast<size_t>(node)][3]);
-}
+glm::vec3 positionOf(const Pose& pose, int node) { return glm::vec3(pose.modelFromNode[node][3]); }
 
 // Returns the longest chain of joints, each the parent of the next, along -z or along +z.
 std::vector<int> longestLine(const Model& model, const Pose& pose) {
     std::vector<bool> isJoint(model.nodes.size(), false);
     for (const Skin& skin : model.skins)
-        for (const int joint : skin.joints) isJoint[static_cast<size_t>(joint)] = true;
+        for (const int joint : skin.joints) isJoint[joint] = true;
     const auto along = [&](int node, int child, float direction) {
         const glm::vec3 step = positionOf(pose, child) - positionOf(pose, node);
         return direction * step.z > 0.7f * glm::length(step);
@@ -52,19 +50,19 @@ std::vector<int> longestLine(const Model& model, const Pose& pose) {
         std::vector<int> next(model.nodes.size(), -1);
         int first = -1;
         for (auto it = model.order.rbegin(); it != model.order.rend(); ++it) {
-            const auto node = static_cast<size_t>(*it);
+            const int node = *it;
             if (!isJoint[node]) continue;
             steps[node] = 1;
             for (const int child : model.nodes[node].children) {
-                const auto c = static_cast<size_t>(child);
-                if (!isJoint[c] || !along(*it, child, direction) || steps[c] + 1 <= steps[node]) continue;
-                steps[node] = steps[c] + 1;
+                if (!isJoint[child] || !along(node, child, direction) || steps[child] + 1 <= steps[node])
+                    continue;
+                steps[node] = steps[child] + 1;
                 next[node] = child;
             }
-            if (first < 0 || steps[node] > steps[static_cast<size_t>(first)]) first = *it;
+            if (first < 0 || steps[node] > steps[first]) first = node;
         }
         std::vector<int> line;
-        for (int node = first; node >= 0; node = next[static_cast<size_t>(node)]) line.push_back(node);
+        for (int node = first; node >= 0; node = next[node]) line.push_back(node);
         if (line.size() > best.size()) best = std::move(line);
     }
     return best;
@@ -88,8 +86,8 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
     for (size_t i = 0; i < best.size(); ++i) {
         Spine::Joint joint;
         joint.node = best[i];
-        joint.rest = model.nodes[static_cast<size_t>(best[i])].parentFromNode;
-        joint.nodeFromModel = glm::conjugate(rotationOf(pose.modelFromNode[static_cast<size_t>(best[i])]));
+        joint.rest = model.nodes[best[i]].parentFromNode;
+        joint.nodeFromModel = glm::conjugate(rotationOf(pose.modelFromNode[best[i]]));
         // A joint's share is half the length of its two segments; the first, which moves the body, has none.
         const float z = place(best[i]).z;
         const float after =
@@ -103,7 +101,7 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
     // Left is +x: a rotation about +y moves the part behind the joint to the right.
     for (Spine::Joint& joint : spine.joints) joint.share *= (tailwards ? -1.0f : 1.0f) / total;
     spine.last = tailwards ? best.size() - 1 : 0;
-    const glm::mat4& tail = pose.modelFromNode[static_cast<size_t>(best[spine.last])];
+    const glm::mat4& tail = pose.modelFromNode[best[spine.last]];
     spine.tipInLast = glm::vec3(glm::inverse(tail) * glm::vec4(tail[3].x, tail[3].y, low_m, 1));
     return spine;
 }
@@ -114,15 +112,15 @@ TailBeat measureBeat(const Model& model, const Spine& spine, int animation, Pose
     TailBeat beat;
     if (spine.joints.empty()) return beat;
     std::array<float, kSamples> left{};
-    const float duration_s = model.animations[static_cast<size_t>(animation)].duration_s;
+    const float duration_s = model.animations[animation].duration_s;
     float mean = 0;
     for (int i = 0; i < kSamples; ++i) {
         restPose(model, scratch);
         animate(model, animation, duration_s * static_cast<float>(i) / kSamples, scratch);
         updateGlobals(model, scratch);
-        const auto tail = static_cast<size_t>(spine.joints[spine.last].node);
-        left[static_cast<size_t>(i)] = (scratch.modelFromNode[tail] * glm::vec4(spine.tipInLast, 1)).x;
-        mean += left[static_cast<size_t>(i)] / kSamples;
+        const int tail = spine.joints[spine.last].node;
+        left[i] = (scratch.modelFromNode[tail] * glm::vec4(spine.tipInLast, 1)).x;
+        mean += left[i] / kSamples;
     }
     float power = 0;
     for (float& x : left) {
@@ -137,8 +135,8 @@ TailBeat measureBeat(const Model& model, const Spine& spine, int animation, Pose
         float c = 0, s = 0;
         for (int i = 0; i < kSamples; ++i) {
             const float angle = kTurn * static_cast<float>(n * i) / kSamples;
-            c += left[static_cast<size_t>(i)] * glm::cos(angle);
-            s += left[static_cast<size_t>(i)] * glm::sin(angle);
+            c += left[i] * glm::cos(angle);
+            s += left[i] * glm::sin(angle);
         }
         if (c * c + s * s <= strongest) continue;
         strongest = c * c + s * s;
@@ -150,7 +148,7 @@ TailBeat measureBeat(const Model& model, const Spine& spine, int animation, Pose
 
 void scaleWave(const Spine& spine, float factor, Pose& pose) {
     for (const Spine::Joint& joint : spine.joints) {
-        Transform& local = pose.local[static_cast<size_t>(joint.node)];
+        Transform& local = pose.local[joint.node];
         local.rotation = glm::normalize(glm::slerp(joint.rest.rotation, local.rotation, factor));
         local.translation = glm::mix(joint.rest.translation, local.translation, factor);
     }
@@ -164,12 +162,12 @@ void bend(const Spine& spine, float left, float up, Pose& pose) {
     const float angle = glm::length(turn);
     for (const Spine::Joint& joint : spine.joints) {
         if (joint.share == 0) continue;
-        glm::quat& local = pose.local[static_cast<size_t>(joint.node)].rotation;
+        glm::quat& local = pose.local[joint.node].rotation;
         local =
             glm::normalize(local * glm::angleAxis(angle * joint.share, joint.nodeFromModel * (turn / angle)));
     }
     const glm::mat4 after = upTo(spine, spine.middle, pose);
-    Transform& root = pose.local[static_cast<size_t>(spine.joints[0].node)];
+    Transform& root = pose.local[spine.joints[0].node];
     const glm::mat4 corrected = before * glm::inverse(after);
     root.rotation = glm::normalize(glm::quat_cast(corrected) * root.rotation);
     root.translation = glm::vec3(corrected * glm::vec4(root.translation, 1));

@@ -30,8 +30,7 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
             int maximum = 0;
             for (int k = 1; k < 4; ++k)
                 if (primitive.weights[v][k] > primitive.weights[v][maximum]) maximum = k;
-            mover = static_cast<uint16_t>(
-                model.skins[static_cast<size_t>(node.skin)].joints[primitive.joints[v][maximum]]);
+            mover = static_cast<uint16_t>(model.skins[node.skin].joints[primitive.joints[v][maximum]]);
         }
         const glm::mat3 m(modelFromMesh);
         const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
@@ -80,10 +79,10 @@ Surface posedSurface(const Model& model, const Pose& pose) {
     Surface surface;
     std::vector<glm::mat4> joints;
     for (const int index : model.order) {
-        const Node& node = model.nodes[static_cast<size_t>(index)];
+        const Node& node = model.nodes[index];
         if (node.mesh < 0) continue;
         if (node.skin >= 0) skinMatrices(model, node.skin, pose, joints);
-        for (const Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives)
+        for (const Primitive& primitive : model.meshes[node.mesh].primitives)
             append(model, node, static_cast<uint16_t>(index), pose, joints, primitive, surface);
     }
     return surface;
@@ -186,7 +185,7 @@ std::vector<NodeSphere> boundingSpheresOf(const Model& model, const Pose& rest) 
         byNode[surface.nodesOf[v]].push_back(surface.positions[v]);
     std::vector<NodeSphere> all;
     for (auto& [node, positions] : byNode) {
-        const glm::mat4 nodeFromModel = glm::inverse(rest.modelFromNode[static_cast<size_t>(node)]);
+        const glm::mat4 nodeFromModel = glm::inverse(rest.modelFromNode[node]);
         for (glm::vec3& p : positions) p = glm::vec3(nodeFromModel * glm::vec4(p, 1));
         addSpheres(node, positions, all);
     }
@@ -197,7 +196,7 @@ void placeSpheres(const std::vector<NodeSphere>& reach, const Pose& pose, const 
                   std::vector<Sphere>& spheres) {
     spheres.clear();
     for (const NodeSphere& each : reach) {
-        const glm::mat4 world = worldFromModel * pose.modelFromNode[static_cast<size_t>(each.node)];
+        const glm::mat4 world = worldFromModel * pose.modelFromNode[each.node];
         spheres.push_back(
             {glm::vec3(world * glm::vec4(each.centre, 1)), each.radius * glm::length(glm::vec3(world[0]))});
     }

@@ -1,4 +1,4 @@
-// Reorders a primitive's vertices, and makes normals and tangents where a file has none.
+// Reorders a primitive's vertices, makes normals and tangents where a file has none, and levels of detail.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -38,5 +38,16 @@ struct TangentSplit {
 // texCoord: the normal map's set, 0 or 1; the primitive must have it, and normals. v grows downwards. Corners
 // without a direction (no area, no extent in the texture) get any tangent at right angles to their normal.
 TangentSplit makeTangents(const Primitive& primitive, int texCoord);
+
+// A level of detail: a triangle smaller than a few pixels costs as much as a large one.
+struct Lod {
+    std::vector<uint32_t> vertices; // indices of the primitive's vertices that it uses
+    std::vector<uint32_t> indices;  // triangles, into `vertices`
+    float error = 0;                // approximate greatest displacement of the surface, primitive's units
+};
+
+// Makes levels of about half the triangles of the one before, finest first, by quadric edge collapse
+// (meshoptimizer). Makes none of meshes that cannot be reduced and of primitives with morph targets.
+std::vector<Lod> makeLods(const Primitive& primitive);
 
 } // namespace shoal::scene

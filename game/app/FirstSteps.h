@@ -4,7 +4,6 @@
 
 #include "engine/render/View.h"
 #include "game/rules/DiveFile.h"
-#include "game/rules/Events.h"
 #include "game/rules/Snapshot.h"
 #include "game/ui/Pen.h"
 #include "input/hands/HandRig.h"

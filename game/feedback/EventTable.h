@@ -1,8 +1,8 @@
 // The tables of sounds and of events: each event's name in playthroughs, sound, caption and haptic pulse. An
-// event of game/rules/Events.h that has no row here does not compile.
+// event of EventKind that has no row here does not compile.
 #pragma once
 
-#include "game/rules/Events.h"
+#include "game/rules/Snapshot.h"
 #include "game/texts/Texts.h"
 
 #include <array>

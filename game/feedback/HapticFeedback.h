@@ -2,7 +2,6 @@
 // of a held fish while a finger touches it. Time is an argument; the pulses are the only state.
 #pragma once
 
-#include "game/rules/Events.h"
 #include "game/rules/Snapshot.h"
 #include "input/haptics/HapticFrame.h"
 

@@ -5,7 +5,6 @@
 #include "engine/audio/Audio.h"
 #include "engine/core/Random.h"
 #include "game/feedback/EventTable.h"
-#include "game/rules/Events.h"
 #include "game/rules/Snapshot.h"
 
 #include <span>

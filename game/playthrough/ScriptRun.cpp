@@ -2,7 +2,6 @@
 #include "game/playthrough/Script.h"
 
 #include "engine/math/Trigonometry.h"
-#include "game/rules/Steering.h"
 #include "input/hands/MouseHands.h"
 
 #include <fmt/core.h>

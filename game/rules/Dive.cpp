@@ -1,16 +1,14 @@
 #include "game/rules/Dive.h"
 
-#include "game/rules/Curiosity.h"
-#include "game/rules/Encounter.h"
+#include "engine/core/Hash.h"
 #include "game/rules/Grasping.h"
-#include "game/rules/HandTracking.h"
-#include "game/rules/Holding.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
-#include "game/rules/Spawn.h"
-#include "game/rules/StateHash.h"
 
 #include <fmt/core.h>
+
+#include <tuple>
+#include <utility>
 
 namespace shoal::game {
 
@@ -27,6 +25,34 @@ void bringToSeated(DiveFile& dive) {
         school.radiusHigh_m = std::max(school.radiusHigh_m - kStep_m,
                                        std::min(school.radiusHigh_m, school.radiusLow_m + kMinBand_m));
     }
+}
+
+// Distance at which its sound is placed, in the giant's true direction: a whale's voice carries far.
+constexpr float kHeardFrom_m = 1.5f;
+
+// The encounter of a dive: a giant (a whale), too large to catch, swims past once. It reacts to nothing, and
+// nothing collides with it. The field guide counts it as met when it sets out. id: its creature id.
+void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events& events) {
+    const EncounterPlan& plan = in.dive.encounter;
+    if (plan.species < 0 || in.state.time_s() < plan.at_s || passer.state == Passer::State::Gone) return;
+    const Species& kind = in.species[plan.species];
+    if (passer.state == Passer::State::ToCome) {
+        passer.state = Passer::State::Passing;
+        passer.position = plan.from;
+        passer.forward = normalizedOr(plan.to - plan.from, {0, 0, 1});
+        passer.speed = kind.cruise_mps;
+        passer.worldFromBody = bodyTurn(passer.forward, 0);
+        passer.shape.amplitude = tailAmplitude(1);
+        score.species[plan.species].touched = true;
+        events.push_back({.kind = EventKind::Encounter,
+                          .creature = id,
+                          .position = kHeardFrom_m * normalizedOr(plan.from, kUp)});
+    }
+    passer.velocity = passer.forward * passer.speed;
+    passer.position += passer.velocity * kDt;
+    beatTail(passer, kind);
+    passer.gait.advance(1);
+    if (glm::dot(plan.to - passer.position, passer.forward) <= 0) passer.state = Passer::State::Gone;
 }
 
 } // namespace
@@ -115,7 +141,7 @@ void Dive::touch(Events& events) {
             return bumpHands(s.shark, own, s.hands, s.fish, in, events);
         Fish& fish = s.fish[id];
         for (const physics::Contact& contact : own) feel(contact, fish, s.hands);
-        s.score.species[static_cast<size_t>(fish.species)].touched = true;
+        s.score.species[fish.species].touched = true;
         if (fish.heldBy < 0) pushFish(fish, id, own, in, s.random, events);
     });
     for (Fish& fish : s.fish)
@@ -200,6 +226,71 @@ Status checkFilmSpace(const sim::RecordingHeader& header, const FilmSpace* space
     if (recorded.empty()) return Error{"the recording", "was made in a film without distances"};
     return Error{"the recording", fmt::format("was made in a film with other distances: {}, here {}",
                                               recorded, here.empty() ? "none" : here)};
+}
+
+// Hash of simulation state over all fields in the order of their declarations. A struct with a base class has
+// a member fields() that ties the base and its own fields; if it omits a field, it does not compile.
+
+// fieldCount() returns the number of an aggregate's elements: the most initialisers that it accepts.
+struct AnyField {
+    template <class T> operator T() const;
+};
+template <class T, size_t... I> consteval bool acceptsFields(std::index_sequence<I...>) {
+    return requires { T{(static_cast<void>(I), AnyField{})...}; };
+}
+template <class T, size_t N = 1> consteval size_t fieldCount() {
+    if constexpr (acceptsFields<T>(std::make_index_sequence<N>{}))
+        return fieldCount<T, N + 1>();
+    else
+        return N - 1;
+}
+
+inline auto fieldsOf(const glm::vec3& v) { return std::tie(v.x, v.y, v.z); }
+inline auto fieldsOf(const glm::quat& q) { return std::tie(q.w, q.x, q.y, q.z); }
+template <class T>
+requires requires(const T& state) { state.fields(); }
+auto fieldsOf(const T& state) { return state.fields(); }
+
+// Ties the fields of an aggregate, for the numbers of fields that occur in the state.
+template <class T> auto fieldsOf(const T& state) {
+#define SHOAL_TIE(number, ...)                                                                               \
+    if constexpr (fieldCount<T>() == number) {                                                               \
+        const auto& [__VA_ARGS__] = state;                                                                   \
+        return std::tie(__VA_ARGS__);                                                                        \
+    }
+    SHOAL_TIE(2, a, b);
+    SHOAL_TIE(3, a, b, c);
+    SHOAL_TIE(4, a, b, c, d);
+    SHOAL_TIE(5, a, b, c, d, e);
+    SHOAL_TIE(6, a, b, c, d, e, f);
+    SHOAL_TIE(7, a, b, c, d, e, f, g);
+    SHOAL_TIE(8, a, b, c, d, e, f, g, h);
+    SHOAL_TIE(9, a, b, c, d, e, f, g, h, i);
+    SHOAL_TIE(11, a, b, c, d, e, f, g, h, i, j, k);
+    SHOAL_TIE(12, a, b, c, d, e, f, g, h, i, j, k, l);
+    SHOAL_TIE(15, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+    SHOAL_TIE(23, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w);
+#undef SHOAL_TIE
+}
+
+template <class T> void addState(Hash& hash, const T& value);
+inline void addState(Hash& hash, const Random& random) { hash.add(random.state()); }
+template <class T> void addState(Hash& hash, const std::vector<T>& values) {
+    hash.add(values.size());
+    for (const T& value : values) addState(hash, value);
+}
+template <class T, size_t N> void addState(Hash& hash, const std::array<T, N>& values) {
+    for (const T& value : values) addState(hash, value);
+}
+template <class T> void addState(Hash& hash, const T& value) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+        hash.add(value);
+    } else {
+        const auto fields = fieldsOf(value);
+        if constexpr (std::is_aggregate_v<T>)
+            static_assert(std::tuple_size_v<decltype(fields)> == fieldCount<T>(), "a field is missing");
+        std::apply([&](const auto&... field) { (addState(hash, field), ...); }, fields);
+    }
 }
 
 uint64_t Dive::stateHash() const {

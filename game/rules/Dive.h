@@ -4,7 +4,6 @@
 
 #include "engine/sim/Recording.h"
 #include "game/rules/DiveState.h"
-#include "game/rules/Events.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/HandContacts.h"
 #include "game/rules/Snapshot.h"

@@ -144,9 +144,9 @@ int findSpecies(const SpeciesTable& table, std::string_view name) {
 
 std::vector<bool> speciesShown(const SpeciesTable& table, const DiveFile& dive) {
     std::vector<bool> shown(table.size(), false);
-    for (const School& school : dive.schools) shown[static_cast<size_t>(school.species)] = true;
+    for (const School& school : dive.schools) shown[school.species] = true;
     for (const int species : {dive.shark.species, dive.encounter.species})
-        if (species >= 0) shown[static_cast<size_t>(species)] = true;
+        if (species >= 0) shown[species] = true;
     return shown;
 }
 

@@ -1,6 +1,8 @@
-// The table of species, content/species.toml, and one dive (a level), content/dives/NAME.toml.
+// The table of species, content/species.toml; one dive (a level), content/dives/NAME.toml; and the player's
+// choice of rules before a dive.
 #pragma once
 
+#include "engine/core/EnumNames.h"
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
 
@@ -144,4 +146,25 @@ std::vector<std::string> diveNames(const Path& content = {});
 // or by path, from NAME.toml and the species.toml beside it.
 Result<DiveFiles> loadDiveFiles(const std::string& dive, const Path& content = {});
 
+// Help for a hand that reaches for a fish (game/rules/Intent.h). None: it takes hold only of a fish that its
+// fingers really close around.
+enum class Assist { None, Normal, Strong };
+
+// The player's choice of rules before a dive. A replay's header holds it: with the same rules, seed and
+// inputs a dive goes the same way. The defaults are those of the settings.
+struct DiveRules {
+    Assist assist = Assist::Normal;
+    bool freeSwim = false; // no clock, no shark, no goals
+    // The player sits: no fish circles where only a step or bent knees would reach it.
+    bool seated = false;
+
+    bool operator==(const DiveRules&) const = default;
+};
+
 } // namespace shoal::game
+
+namespace shoal {
+template <> struct EnumNames<game::Assist> {
+    static constexpr std::array kNames = {"none", "normal", "strong"};
+};
+} // namespace shoal

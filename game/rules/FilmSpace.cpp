@@ -1,7 +1,7 @@
 #include "game/rules/FilmSpace.h"
 
 #include "engine/core/Hash.h"
-#include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
 
 #include <algorithm>
 #include <array>
@@ -101,12 +101,12 @@ void smoothDirections(const std::vector<std::array<float, 8>>& allowed, float* r
 
 FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
     : length_s_(length_s), steps_(static_cast<int>(surface_mm.size() / kCells)) {
-    surface_mm_.resize(static_cast<size_t>(steps_) * kStride);
+    surface_mm_.resize(steps_ * kStride);
     for (int step = 0; step < steps_; ++step) {
-        uint16_t* to = surface_mm_.data() + static_cast<size_t>(step) * kStride;
+        uint16_t* to = surface_mm_.data() + step * kStride;
         for (int cell = 0; cell < kCells; ++cell)
-            to[cellAt(cell % kSide, cell / kSide)] = std::min(
-                surface_mm[static_cast<size_t>(step) * kCells + cell], static_cast<uint16_t>(1000 * kFar_m));
+            to[cellAt(cell % kSide, cell / kSide)] =
+                std::min(surface_mm[step * kCells + cell], static_cast<uint16_t>(1000 * kFar_m));
         fillBorder(to);
     }
     for (const Room of : {Room::Fish, Room::Shark}) makeRoom(of);
@@ -119,15 +119,15 @@ void FilmSpace::makeRoom(Room of) {
     const auto allowed = allowances(may.narrowing_m);
     std::vector<float> room(surface_mm_.size());
     for (int step = 0; step < steps_; ++step) {
-        float* here = room.data() + static_cast<size_t>(step) * kStride;
-        widen(surface_mm_.data() + static_cast<size_t>(step) * kStride, here);
+        float* here = room.data() + step * kStride;
+        widen(surface_mm_.data() + step * kStride, here);
         smoothDirections(allowed, here);
     }
     const auto step_s = static_cast<float>(length_s_ / steps_);
     const float later = 1000 * may.wall_mps * step_s;
     const auto limit = [&](int step, int by) {
-        float* here = room.data() + static_cast<size_t>(step) * kStride;
-        const float* other = room.data() + static_cast<size_t>(by) * kStride;
+        float* here = room.data() + step * kStride;
+        const float* other = room.data() + by * kStride;
         for (size_t i = 0; i < kStride; ++i) here[i] = std::min(here[i], other[i] + later);
     };
     // Two rounds, as the film repeats.

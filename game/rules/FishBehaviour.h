@@ -6,7 +6,6 @@
 #pragma once
 
 #include "game/rules/DiveState.h"
-#include "game/rules/Events.h"
 
 #include <span>
 
@@ -36,5 +35,13 @@ void startle(Fish&, int id, glm::vec3 from, const DiveContext&, Random&, Events&
 
 // Startles fish that a fast hand approaches.
 void frightenByHands(std::span<Fish>, const DiveContext&, Random&, Events&);
+
+// Fish come to look at a hand that rests, open and in the player's view, one or two at a time: they swim to
+// about a hand's width before the palm, linger and leave. So fish that are out of reach come within it, and
+// waiting works. A fast or closing hand ends a visit. Begins and ends visits; called every tick.
+void chooseVisitors(Hands&, std::span<Fish>, const DiveContext&, Random&);
+
+// Returns the place in front of the palm that a visiting fish swims to.
+glm::vec3 visitedPlace(const Hand&);
 
 } // namespace shoal::game

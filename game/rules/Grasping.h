@@ -1,10 +1,10 @@
-// Decides which fish a closing hand takes hold of, whether the hand keeps it, and when it counts as a catch.
+// Decides which fish a closing hand takes hold of, whether the hand keeps it, and when it counts as a catch;
+// moves the fish in a hand, and the fingers that lie on it.
 // How fingers lie on a fish and what force they bear: engine/physics/ContactModel.h, steps 4 and 5.
 #pragma once
 
 #include "engine/physics/Grip.h"
 #include "game/rules/DiveState.h"
-#include "game/rules/Events.h"
 
 #include <span>
 
@@ -33,5 +33,15 @@ void drop(Hand&, int h, std::span<Fish>, const DiveContext&, Events&);
 
 // Advances all holds, after everything has moved: a held fish may slip out, or is caught and then let go.
 void countCatches(Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
+
+// Moves held fish with the hands that hold them.
+void followHands(const Hands&, std::span<Fish>);
+
+// Bends the body and beats the tail of a fish in the hand: it curls away from the palm, and bouts of
+// struggling alternate with rests, each bout weaker than the last.
+void struggle(Fish&, const Hand&, Random&);
+
+// Eases the shown joints towards where the fingers rest: the last step of a tick.
+void easeFingers(Hand&);
 
 } // namespace shoal::game

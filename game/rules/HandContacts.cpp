@@ -2,7 +2,6 @@
 
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Intent.h"
-#include "game/rules/Steering.h"
 
 #include <algorithm>
 

@@ -3,7 +3,6 @@
 
 #include "engine/physics/ContactWorld.h"
 #include "game/rules/DiveState.h"
-#include "game/rules/Events.h"
 
 #include <algorithm>
 #include <span>

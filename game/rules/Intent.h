@@ -1,4 +1,5 @@
-// Finds the fish that a hand reaches for, and helps a hand that closes beside it.
+// Finds the fish that a hand reaches for, helps a hand that closes beside it, and tells why one takes
+// nothing.
 //
 // The fish that a hand means to take is inferred from their distance, now and when the fingers will have
 // closed, from their relative speed, and from the side on which the palm is. Whether the hand closes is
@@ -37,5 +38,14 @@ bool isClosing(const Hand&);
 
 // Returns whether the hand is being helped to that fish, which therefore is not frightened by it.
 bool helpedTo(const Hand&, int fish);
+
+constexpr float kFastHand_mps = 1.2f;
+
+// Returns why a hand whose grip has just closed would take nothing; see EventKind. The intended fish is the
+// one nearest to the line of sight from the eyes through the grasp centre. TooFast: the hand was faster than
+// kFastHand_mps while it closed, or the fish flees.
+Miss missOf(const Hand&, std::span<const Fish>, const DiveContext&);
+
+EventKind eventOf(Miss);
 
 } // namespace shoal::game

@@ -27,8 +27,7 @@ std::optional<float> ReachHelp::update(const Snapshot& now, const SpeciesTable& 
     float leastCost = 0, targetBeside = 0, targetAlong_m = 0; // beside: angle from ray to outline, a tangent
     for (const CreatureView& creature : now.creatures) {
         const bool free = creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
-        if (!isCatchable(species[static_cast<size_t>(creature.species)]) || !free || creature.hidden)
-            continue;
+        if (!isCatchable(species[creature.species]) || !free || creature.hidden) continue;
         const glm::vec3 fromHead = creature.position - now.headWorld;
         const float along_m = glm::dot(fromHead, ray);
         if (along_m < kNear_m || along_m > kFar_m) continue;

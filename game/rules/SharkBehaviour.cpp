@@ -2,7 +2,6 @@
 
 #include "engine/math/Trigonometry.h"
 #include "game/rules/Grasping.h"
-#include "game/rules/Steering.h"
 
 #include <algorithm>
 #include <numbers>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "game/rules/DiveState.h"
-#include "game/rules/Events.h"
 
 #include <span>
 

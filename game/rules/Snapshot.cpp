@@ -1,7 +1,6 @@
 // Makes the snapshots of a dive and interpolates between them.
 #include "game/rules/Dive.h"
 #include "game/rules/Grasping.h"
-#include "game/rules/Steering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "game/rules/Swimmer.h"
 
-#include "game/rules/Steering.h"
-
 #include <algorithm>
 
 namespace shoal::game {

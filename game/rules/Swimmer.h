@@ -8,8 +8,12 @@
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace shoal::game {
 
@@ -62,5 +66,88 @@ inline float tailAmplitude(float pace) { return kFullBeat * pace / (pace + 0.3f)
 
 // Beats the tail for its speed and stride, but at least minBeat_Hz.
 void beatTail(Swimmer&, const Species&, float minBeat_Hz = 0);
+
+// Arithmetic of everything that swims: only roots, which IEEE 754 rounds exactly.
+
+constexpr glm::vec3 kUp(0, 1, 0);
+
+inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
+    const float squared = glm::dot(v, v);
+    return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
+}
+
+// Position relative to the vertical axis through the player.
+struct Place {
+    float radius;
+    glm::vec3 outward; // unit, level
+};
+inline Place placeOf(glm::vec3 position) {
+    const glm::vec3 flat(position.x, 0, position.z);
+    const float radius = glm::length(flat);
+    return {radius, radius > 1e-4f ? flat / radius : glm::vec3(0, 0, -1)};
+}
+
+inline glm::vec3 limited(glm::vec3 v, float length) {
+    const float squared = glm::dot(v, v);
+    return squared > length * length ? v * (length / std::sqrt(squared)) : v;
+}
+
+// Returns the unit vector to the left of a body that looks along forward with +Y up.
+inline glm::vec3 leftOf(glm::vec3 forward) {
+    return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
+}
+
+// Turns the unit heading towards the unit goal as a body with inertia does, by a critically damped spring of
+// rate `eager`, 1/s: the angular velocity (spin, rad/s, world frame, never along forward) does not jump, and
+// at rates below the limit the heading does not overshoot. Returns the desired spin.
+inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goal, float eager,
+                              float max_radps, float max_radps2, float dt) {
+    const float along = glm::dot(forward, goal);
+    glm::vec3 axis = glm::cross(forward, goal);
+    const float sine = glm::length(axis);
+    if (sine > 1e-4f)
+        axis /= sine;
+    else
+        axis = along > 0 ? glm::vec3(0) : kUp;
+    float angle = sine; // approximated by its sine
+    if (along < 0) {
+        // Turns about the vertical; if the goal is well behind, a turn already under way keeps its side.
+        const glm::vec3 left = leftOf(forward);
+        const float side = along < -0.5f && std::fabs(spin.y) > 0.05f ? spin.y : glm::dot(goal, left);
+        axis = glm::cross(forward, side < 0 ? -left : left);
+        angle = 2 - sine;
+    }
+    const glm::vec3 request = axis * std::min(max_radps, eager * angle);
+    spin += limited((request - spin) * std::min(1.0f, 4 * eager * dt), max_radps2 * dt);
+    spin -= forward * glm::dot(spin, forward);
+    forward = glm::normalize(forward + glm::cross(spin, forward) * dt);
+    return request;
+}
+
+// Limits the pitch of a unit heading: |y| <= maximum, unit length.
+inline glm::vec3 levelled(glm::vec3 forward, float maximum) {
+    if (std::fabs(forward.y) <= maximum) return forward;
+    const glm::vec3 flat = normalizedOr({forward.x, 0, forward.z}, {0, 0, 1});
+    const float y = forward.y > 0 ? maximum : -maximum;
+    return glm::vec3(flat.x, 0, flat.z) * std::sqrt(1 - maximum * maximum) + glm::vec3(0, y, 0);
+}
+
+// Returns worldFromBody: +Z along forward, +Y as upright as bank, the tangent of the left lean, allows.
+inline glm::quat bodyTurn(glm::vec3 forward, float bank) {
+    const glm::vec3 left = leftOf(forward);
+    const glm::vec3 up = glm::normalize(glm::cross(forward, left) + left * bank);
+    const glm::vec3 x = glm::normalize(glm::cross(up, forward));
+    return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(forward, x), forward)));
+}
+
+// Interpolates between two rotations the shorter way; good enough for small blends.
+inline glm::quat blended(glm::quat from, glm::quat to, float t) {
+    if (glm::dot(from, to) < 0) to = -to;
+    return glm::normalize(from * (1 - t) + to * t);
+}
+
+inline float towards(float value, float goal, float step) {
+    return value + std::clamp(goal - value, -step, step);
+}
 
 } // namespace shoal::game

@@ -5,7 +5,7 @@
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/render/View.h"
-#include "game/rules/DiveRules.h"
+#include "game/rules/DiveFile.h"
 #include "input/hands/HandTracker.h"
 
 #include <array>

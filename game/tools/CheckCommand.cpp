@@ -4,7 +4,7 @@
 #include "engine/core/Files.h"
 #include "engine/media/Check.h"
 #include "engine/media/live/LivePlayer.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "engine/sim/Recording.h"
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"

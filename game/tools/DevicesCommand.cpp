@@ -7,7 +7,6 @@
 #include "engine/xr/Headset.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandTracker.h"
-#include "input/haptics/ForceFeedback.h"
 #include "input/haptics/HapticDevices.h"
 
 #include <algorithm>

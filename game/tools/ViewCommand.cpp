@@ -11,7 +11,7 @@
 #include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
 #include "engine/render/ObjectPass.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 #include "game/views/Environment.h"
 #include "game/views/ModelOcclusion.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "game/rules/DiveFile.h"
-#include "game/rules/Events.h"
+#include "game/rules/Snapshot.h"
 
 #include <algorithm>
 #include <span>

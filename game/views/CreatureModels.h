@@ -5,7 +5,7 @@
 #include "engine/core/Files.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/ObjectPass.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "engine/scene/Spine.h"
 #include "engine/scene/Surface.h"
 #include "game/rules/DiveFile.h"

@@ -26,8 +26,8 @@ glm::quat rotationBetween(const glm::vec3& from, const glm::vec3& to) {
 } // namespace
 
 bool agreesWithJoints(PartialHand& hand) {
-    const auto &index = hand.joints[static_cast<size_t>(kFingerJoints[1].proximal)],
-               &little = hand.joints[static_cast<size_t>(kFingerJoints[4].proximal)];
+    const auto &index = hand.joints[kFingerJoints[1].proximal],
+               &little = hand.joints[kFingerJoints[4].proximal];
     if (!index || !little || !(glm::distance(*index, *little) > 1e-3f)) return true;
     const glm::vec3 thumbwards = glm::normalize(*index - *little);
     // Fingers bend about an axis that points to the thumb's side in a right hand, away from it in a left one.

@@ -83,19 +83,9 @@ Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
     begun_ = true;
     grip_ += (std::clamp(grip, 0.0f, 1.0f) - grip_) * share;
     pinch_ += (std::clamp(pinch, 0.0f, 1.0f) - pinch_) * share;
-    switch (gesture_) {
-    case Gesture::Fist:
-        if (grip_ < kGripOpens) gesture_ = Gesture::Open;
-        break;
-    case Gesture::Pinch:
-        if (grip_ > kPinchToFist)
-            gesture_ = Gesture::Fist;
-        else if (pinch_ < kPinchOpens)
-            gesture_ = Gesture::Open;
-        break;
-    case Gesture::Open:
-        break;
-    }
+    if (gesture_ == Gesture::Fist && grip_ < kGripOpens) gesture_ = Gesture::Open;
+    if (gesture_ == Gesture::Pinch && grip_ > kPinchToFist) gesture_ = Gesture::Fist;
+    if (gesture_ == Gesture::Pinch && pinch_ < kPinchOpens) gesture_ = Gesture::Open;
     if (gesture_ == Gesture::Open) {
         if (grip_ > kGripCloses)
             gesture_ = Gesture::Fist;
@@ -127,18 +117,15 @@ Palm HandFilter::palm(float after_s) const {
             palmSpin_.ahead(palmTurn_.value(), after_s + palmTurn_.lag_s())};
 }
 
-bool HandFilter::continues(const HandPose& seen, int64_t identity, float dt_s) const {
-    return pose_.tracked && identity == identity_ && dt_s >= 0 && dt_s <= kHandLost_s &&
-           glm::distance(seen.joints[0].position, raw_.joints[0].position) < kJump_m + kFastest_mps * dt_s;
-}
-
 void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
     if (!seen.tracked || !plausible(seen)) {
         pose_.tracked = false;
         return;
     }
     float dt_s = static_cast<float>(time_us - raw_.time_us) * 1e-6f;
-    const bool goesOn = continues(seen, identity, dt_s);
+    const bool goesOn =
+        pose_.tracked && identity == identity_ && dt_s >= 0 && dt_s <= kHandLost_s &&
+        glm::distance(seen.joints[0].position, raw_.joints[0].position) < kJump_m + kFastest_mps * dt_s;
     if (!goesOn) dt_s = 0; // every filter begins anew
     interval_s_ = dt_s;
     raw_ = seen;

@@ -147,8 +147,6 @@ class HandFilter {
     Palm palm(float after_s) const;
 
   private:
-    bool continues(const HandPose& seen, int64_t identity, float dt_s) const;
-
     HandPose pose_, raw_;
     OneEuroPoint palm_;
     OneEuroTurn palmTurn_;

@@ -101,8 +101,8 @@ void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>
     fromDevice_ = device.seesHands(kMouseReturns_s);
     everFromDevice_ |= fromDevice_;
     for (int side = 0; side < 2; ++side) {
-        Hand& hand = hands_[static_cast<size_t>(side)];
-        HandPose& pose = given[static_cast<size_t>(side)];
+        Hand& hand = hands_[side];
+        HandPose& pose = given[side];
         if (!everFromDevice_) {
             hand.continuity.take(pose); // so that the first change of source is a glide too
             continue;

@@ -19,13 +19,13 @@ class DeviceHands {
     // Takes the stream's frames for the elapsed_s seconds of the game's time that end now.
     void advance(HandStream& stream, double elapsed_s, Clock::time_point now);
 
-    const HandFilter& hand(int side) const { return filters_[static_cast<size_t>(side)]; }
-    float notSeen_s(int side) const { return notSeen_s_[static_cast<size_t>(side)]; } // since last seen
+    const HandFilter& hand(int side) const { return filters_[side]; }
+    float notSeen_s(int side) const { return notSeen_s_[side]; } // since last seen
     // Age of hand()'s pose: notSeen_s() plus the time from its picture to its arrival here.
-    float age_s(int side) const { return notSeen_s(side) + lateness_s_[static_cast<size_t>(side)]; }
+    float age_s(int side) const { return notSeen_s(side) + lateness_s_[side]; }
     // HandFrame's values, when the hand was seen last.
-    glm::vec3 towardsElbow(int side) const { return towardsElbow_[static_cast<size_t>(side)]; }
-    float asRig_m(int side) const { return asRig_m_[static_cast<size_t>(side)]; }
+    glm::vec3 towardsElbow(int side) const { return towardsElbow_[side]; }
+    float asRig_m(int side) const { return asRig_m_[side]; }
     bool seesHands(float within_s) const { return notSeen_s_[0] <= within_s || notSeen_s_[1] <= within_s; }
 
   private:

@@ -51,19 +51,18 @@ DeviceState HandStream::state() const {
 
 float spanOf(const HandPose& hand) {
     const FingerJoints& middle = kFingerJoints[static_cast<size_t>(Finger::Middle)];
-    const auto at = [&](int joint) { return hand.joints[static_cast<size_t>(joint)].position; };
-    float span_m = glm::distance(at(kPalmJoint), at(middle.proximal)) +
-                   hand.joints[static_cast<size_t>(middle.tip)].radius;
+    const auto at = [&](int joint) { return hand.joints[joint].position; };
+    float span_m = glm::distance(at(kPalmJoint), at(middle.proximal)) + hand.joints[middle.tip].radius;
     for (int joint = middle.proximal; joint < middle.tip; ++joint)
         span_m += glm::distance(at(joint), at(joint + 1));
     return span_m;
 }
 
-std::array<glm::vec3, 2> HandPlacement::shifts(const std::array<std::optional<glm::vec3>, 2>& palmsDevice,
-                                               float touching_m, int64_t time_us) {
-    const bool both = palmsDevice[0] && palmsDevice[1];
+void HandPlacement::apply(std::array<HandPose, 2>& hands, int64_t time_us) {
+    const bool both = hands[0].tracked && hands[1].tracked;
     if (both) {
-        const glm::vec3 apart = *palmsDevice[1] - *palmsDevice[0];
+        const glm::vec3 apart = hands[1].joints[kPalmJoint].position - hands[0].joints[kPalmJoint].position;
+        const float touching_m = spanOf(hands[0]) + spanOf(hands[1]); // palms nearer than this may touch
         const float far = std::clamp((glm::length(apart) - touching_m) / kFull_m, 0.0f, 1.0f);
         const float lengthened = far * far * (3 - 2 * far);
         const glm::vec3 back = mount_.viewerFromDevice * apart * ((mount_.reach - 1) * (1 - lengthened) / 2);
@@ -74,24 +73,12 @@ std::array<glm::vec3, 2> HandPlacement::shifts(const std::array<std::optional<gl
         share_ = both ? 1.0f : 0.0f;
     else
         share_ = std::clamp(share_ + (both ? step : -step), 0.0f, 1.0f);
-    seen_ = palmsDevice[0] || palmsDevice[1];
+    seen_ = hands[0].tracked || hands[1].tracked;
     time_us_ = time_us;
-    return {shifts_[0] * share_, shifts_[1] * share_};
-}
-
-void HandPlacement::apply(std::array<HandPose, 2>& hands, int64_t time_us) {
-    std::array<std::optional<glm::vec3>, 2> palms;
-    float touching_m = 0;
-    for (size_t i = 0; i < 2; ++i) {
-        if (!hands[i].tracked) continue;
-        palms[i] = hands[i].joints[kPalmJoint].position;
-        touching_m += spanOf(hands[i]);
-    }
-    const auto by = shifts(palms, touching_m, time_us);
     for (size_t i = 0; i < 2; ++i) {
         if (!hands[i].tracked) continue;
         mount_.apply(hands[i]);
-        for (Joint& joint : hands[i].joints) joint.position += by[i];
+        for (Joint& joint : hands[i].joints) joint.position += shifts_[i] * share_;
     }
 }
 

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "engine/core/Files.h"
-#include "input/hands/CameraPreview.h"
+#include "engine/core/Image.h"
 #include "input/hands/HandRig.h"
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -62,6 +63,39 @@ class HandStream {
     const Full full_;
     bool closed_ = false;
     DeviceState state_;
+};
+
+// A small copy of a camera's picture for the player. The tracker's thread writes it, the program's reads it;
+// it never leaves the process.
+class CameraPreview {
+  public:
+    static constexpr int kWidth = 240; // pixels
+
+    // Returns whether look() was called since the last show(): a picture is needed. Tracker's thread.
+    bool isWatched() const { return watched_; }
+    void show(const ImageRgba8& picture) {
+        const std::lock_guard lock(mutex_);
+        picture_ = picture;
+        isNew_ = true;
+        watched_ = false;
+    }
+
+    // Copies a new picture to out; returns false if there is none. For the program's thread, once a frame
+    // while the picture is on the screen.
+    bool look(ImageRgba8& out) {
+        const std::lock_guard lock(mutex_);
+        watched_ = true;
+        if (!isNew_) return false;
+        isNew_ = false;
+        out = picture_;
+        return true;
+    }
+
+  private:
+    std::atomic<bool> watched_ = false;
+    std::mutex mutex_;
+    ImageRgba8 picture_; // guarded by mutex_, as is isNew_
+    bool isNew_ = false;
 };
 
 // A tracker that runs until it is destroyed.
@@ -162,13 +196,8 @@ class HandPlacement {
     static constexpr float kEase_s = 0.3f;
 
   private:
-    // Returns the shift of each hand from its place by the mount; viewer's frame, metres. palmsDevice: palms
-    // of the hands that are seen. touching_m: palms nearer than this may belong to hands that touch.
-    std::array<glm::vec3, 2> shifts(const std::array<std::optional<glm::vec3>, 2>& palmsDevice,
-                                    float touching_m, int64_t time_us);
-
     Mount mount_;
-    std::array<glm::vec3, 2> shifts_{}; // corrections when both were seen last
+    std::array<glm::vec3, 2> shifts_{}; // from the places by the mount, when both were seen last
     float share_ = 0;                   // share of them that is applied, 0 to 1
     bool seen_ = false;                 // a hand was seen in the last frame
     int64_t time_us_ = 0;

@@ -45,11 +45,9 @@ struct DeviceContext {
     HidDevice& device;
 };
 
-// Functions that make the drivers; each is defined in the file named beside it.
+// Functions that make the drivers.
 using MakeDriver = Driver(const DeviceContext&);
-MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia, makeForceFeedback; // Gamepads.cpp
-MakeDriver makeSwitch;                                                             // Switch.cpp
-MakeDriver makeGlove;                                                              // Glove.cpp
+MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia, makeSwitch, makeGlove, makeForceFeedback;
 
 struct DeviceRow {
     uint16_t vendor, product;

@@ -71,13 +71,11 @@ std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double
 void HapticDevices::findDevices(double now_s) {
     refused_.clear();
     for (const HidInfo& info : bus_.list()) {
-        if (std::any_of(devices_.begin(), devices_.end(),
-                        [&](const Device& device) { return device.listed.path == info.path; }))
-            continue;
         // A pad that is open through its HID node is not opened twice.
-        if (info.transport == Transport::ForceFeedback && !info.device.empty() &&
-            std::any_of(devices_.begin(), devices_.end(),
-                        [&](const Device& device) { return device.physical == info.device; }))
+        const bool mayBeOpen = info.transport == Transport::ForceFeedback && !info.device.empty();
+        if (std::ranges::any_of(devices_, [&](const Device& device) {
+                return device.listed.path == info.path || (mayBeOpen && device.physical == info.device);
+            }))
             continue;
         const DeviceRow* row = recognise(info);
         if (!row) continue;

@@ -1,13 +1,19 @@
 #include "input/haptics/HidBus.h"
 
-#include "input/haptics/CrashStop.h"
-#include "input/haptics/DeviceFolder.h"
-
+#include <fmt/core.h>
 #include <hidapi/hidapi.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <fcntl.h>
 #include <filesystem>
+#include <linux/input.h>
 #include <optional>
+#include <spawn.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace shoal::haptics {
 
@@ -39,6 +45,28 @@ std::string deviceOf(const std::string& path) {
     return fs::canonical(fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device", none).string();
 }
 
+// Detector of device nodes that came or went, so that a costly list of devices is made only then.
+class DeviceFolder {
+  public:
+    explicit DeviceFolder(fs::path folder) : folder_(std::move(folder)) {}
+
+    // Returns whether a list that was made at the last call may be out of date; also for a while after a
+    // change, because a device is not set up in one moment, and if the folder cannot be read.
+    bool mayHaveChanged() {
+        constexpr std::chrono::seconds kSettles{3};
+        std::error_code code;
+        const auto changed = fs::last_write_time(folder_, code);
+        const auto now = fs::file_time_type::clock::now();
+        if (!code && listed_ > changed + kSettles && listed_ <= now) return false;
+        listed_ = now;
+        return true;
+    }
+
+  private:
+    fs::path folder_;
+    fs::file_time_type listed_ = fs::file_time_type::min();
+};
+
 struct Hidapi {
     std::vector<HidInfo> found;
     DeviceFolder folder{"/dev"};
@@ -67,6 +95,69 @@ struct Hidapi {
     }
 };
 
+constexpr uint16_t kPlay_ms = 1000; // an effect ends by itself, unless it is written again before
+
+class EventNode final : public HidDevice {
+  public:
+    explicit EventNode(const std::string& path)
+        : fd_(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC)), path_(path) {}
+    ~EventNode() override {
+        if (fd_ >= 0) ::close(fd_);
+    }
+
+    bool isOpen() const { return fd_ >= 0; }
+
+    bool rumbles() const { return has<EV_FF, FF_MAX>(FF_RUMBLE) && has<EV_KEY, KEY_MAX>(BTN_GAMEPAD); }
+
+    HidInfo info() const {
+        input_id id{};
+        std::array<char, 128> name{};
+        ::ioctl(fd_, EVIOCGID, &id);
+        ::ioctl(fd_, EVIOCGNAME(name.size() - 1), name.data());
+        for (char& c : name)
+            if (c && (c < ' ' || c > '~')) c = '?';
+        std::error_code none;
+        const fs::path input = fs::path("/sys/class/input") / fs::path(path_).filename() / "device/device";
+        return {path_,       id.vendor,
+                id.product,  Transport::ForceFeedback,
+                name.data(), fs::canonical(input, none).string()};
+    }
+
+    bool write(std::span<const uint8_t> report) override {
+        const auto word = [&](size_t at) { return static_cast<uint16_t>(report[at] | report[at + 1] << 8); };
+        const uint16_t strong = word(0), weak = word(2);
+        const bool stop = strong == 0 && weak == 0;
+        if (stop && effect_ < 0) return true;
+        if (!stop) {
+            ff_effect effect{};
+            effect.type = FF_RUMBLE;
+            effect.id = effect_;
+            effect.replay.length = kPlay_ms;
+            effect.u.rumble.strong_magnitude = strong;
+            effect.u.rumble.weak_magnitude = weak;
+            if (::ioctl(fd_, EVIOCSFF, &effect) < 0) return false;
+            effect_ = effect.id;
+        }
+        input_event event{};
+        event.type = EV_FF;
+        event.code = static_cast<uint16_t>(effect_);
+        event.value = stop ? 0 : 1;
+        return ::write(fd_, &event, sizeof event) == sizeof event;
+    }
+
+  private:
+    // Returns whether the device has this code among its events of the type.
+    template <int kType, int kMax> bool has(int code) const {
+        std::array<uint8_t, kMax / 8 + 1> bits{};
+        return ::ioctl(fd_, EVIOCGBIT(kType, bits.size()), bits.data()) >= 0 &&
+               (bits[code / 8] >> (code % 8) & 1);
+    }
+
+    int fd_;
+    std::string path_;
+    int16_t effect_ = -1; // in the device; -1: none yet
+};
+
 } // namespace
 
 HidBus hidapiBus() {
@@ -81,6 +172,58 @@ HidBus hidapiBus() {
         return device ? std::make_unique<HidapiDevice>(path, device) : nullptr;
     };
     return bus;
+}
+
+// The shell waits for a line from a pipe. The destructor sends one; if the process dies, the pipe closes
+// without a line. Signals that end the program may also reach the shell, so it ignores them.
+CrashStop::CrashStop(const std::string& file, std::span<const uint8_t> stop) {
+    constexpr const char* kScript =
+        R"(trap '' HUP INT QUIT TERM; read -r line || printf "$1" 2>/dev/null >"$0")";
+    std::string octal;
+    for (const uint8_t byte : stop) octal += fmt::format("\\{:03o}", byte);
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return;
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    const char* arguments[] = {"sh", "-c", kScript, file.c_str(), octal.c_str(), nullptr};
+    if (posix_spawn(&shell_, "/bin/sh", &actions, nullptr, const_cast<char**>(arguments), environ) != 0)
+        shell_ = -1;
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[0]);
+    pipe_ = ends[1];
+}
+
+CrashStop::~CrashStop() {
+    if (shell_ > 0 && write(pipe_, "\n", 1) == 1) waitpid(shell_, nullptr, 0);
+    if (pipe_ >= 0) close(pipe_);
+}
+
+HidBus withForceFeedback(HidBus bus) {
+    struct Nodes {
+        DeviceFolder folder{"/dev/input"};
+        std::vector<HidInfo> found;
+    };
+    const auto list = [nodes = std::make_shared<Nodes>(), other = bus.list] {
+        std::error_code none;
+        if (nodes->folder.mayHaveChanged()) {
+            nodes->found.clear();
+            for (const fs::directory_entry& entry : fs::directory_iterator("/dev/input", none)) {
+                if (!entry.path().filename().string().starts_with("event")) continue;
+                const EventNode node(entry.path().string());
+                if (node.isOpen() && node.rumbles()) nodes->found.push_back(node.info());
+            }
+        }
+        std::vector<HidInfo> all = other();
+        all.insert(all.end(), nodes->found.begin(), nodes->found.end());
+        return all;
+    };
+    const auto open = [other = bus.open](const std::string& path) -> std::unique_ptr<HidDevice> {
+        if (!path.starts_with("/dev/input/")) return other(path);
+        auto node = std::make_unique<EventNode>(path);
+        return node->isOpen() ? std::move(node) : nullptr;
+    };
+    return {list, open};
 }
 
 } // namespace shoal::haptics

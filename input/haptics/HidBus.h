@@ -6,11 +6,12 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace shoal::haptics {
 
-// ForceFeedback: not HID, but the kernel's own driver (ForceFeedback.h).
+// ForceFeedback: not HID, but the kernel's own driver.
 enum class Transport { Any, Usb, Bluetooth, ForceFeedback };
 
 struct HidInfo {
@@ -42,5 +43,26 @@ struct HidBus {
 
 // Makes hidapi's bus. One thread at a time; lives until the last copy goes.
 HidBus hidapiBus();
+
+// Returns the bus with gamepads appended that rumble through the kernel's own drivers: force feedback of
+// /dev/input/event* (Linux, input/ff), which every user at the screen may open. It serves pads for which we
+// have no driver, and those whose HID node may not be opened. Their report is the strengths of the strong and
+// of the weak motor, 16 bits each, the low byte first. The kernel stops them when the program dies.
+HidBus withForceFeedback(HidBus bus);
+
+// A helper process that stops a device's motors when the program dies, however it dies.
+class CrashStop {
+  public:
+    // Starts a shell that writes the report to the device's file when this process has ended, unless this
+    // object was destroyed before. Without a shell nothing is guarded.
+    CrashStop(const std::string& file, std::span<const uint8_t> stop);
+    ~CrashStop();
+    CrashStop(const CrashStop&) = delete;
+    CrashStop& operator=(const CrashStop&) = delete;
+
+  private:
+    int pipe_ = -1;
+    pid_t shell_ = -1;
+};
 
 } // namespace shoal::haptics

@@ -52,7 +52,7 @@ std::optional<glm::vec3> triple(const json& object, const char* key, double scal
     if (!value || !value->is_array() || value->size() != 3) return std::nullopt;
     glm::vec3 v(0);
     for (int i = 0; i < 3; ++i) {
-        const json& entry = (*value)[static_cast<size_t>(i)];
+        const json& entry = (*value)[i];
         if (!entry.is_number()) return std::nullopt;
         const double given = entry.get<double>() * scale;
         if (!isWithin(given, -maximum, maximum)) return std::nullopt;
@@ -110,17 +110,15 @@ void readPointable(const json& from, std::vector<PartialHand>& hands) {
     if (!type && mcp)
         if (const auto id = whole(from, "id")) type = *id - 10 * hand->identity;
     if (type && *type >= 0 && *type < kFingerCount) {
-        const FingerJoints& finger = kFingerJoints[static_cast<size_t>(*type)];
-        const auto set = [&](int joint, const std::optional<glm::vec3>& position) {
-            hand->joints[static_cast<size_t>(joint)] = position;
-        };
-        if (*type != 0) set(finger.metacarpal, point(from, "carpPosition"));
-        set(finger.tip - 3, mcp);
-        set(finger.tip - 2, pip);
-        set(finger.tip - 1, dip);
-        set(finger.tip, tip);
+        const FingerJoints& finger = kFingerJoints[*type];
+        JointPositions& joints = hand->joints;
+        if (*type != 0) joints[finger.metacarpal] = point(from, "carpPosition");
+        joints[finger.tip - 3] = mcp;
+        joints[finger.tip - 2] = pip;
+        joints[finger.tip - 1] = dip;
+        joints[finger.tip] = tip;
     } else if (tip && hand->looseTipCount < kFingerCount) {
-        hand->looseTips[static_cast<size_t>(hand->looseTipCount++)] = *tip;
+        hand->looseTips[hand->looseTipCount++] = *tip;
     }
 }
 

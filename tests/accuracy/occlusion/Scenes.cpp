@@ -5,7 +5,7 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/media/VideoSource.h"
 #include "engine/render/BakedOcclusion.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "input/hands/HandRig.h"
 #include "tests/TestPaths.h"
 

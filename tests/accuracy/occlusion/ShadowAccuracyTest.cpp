@@ -3,7 +3,7 @@
 #include "engine/render/BakedOcclusion.h"
 #include "engine/render/BodyOccluders.h"
 #include "engine/render/CastShadow.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "engine/scene/Spine.h"
 #include "engine/scene/Surface.h"
 #include "tests/TestPaths.h"

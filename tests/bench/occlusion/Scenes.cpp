@@ -3,7 +3,7 @@
 #include "engine/core/Files.h"
 #include "engine/physics/Grip.h"
 #include "engine/render/BakedOcclusion.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "input/hands/HandRig.h"
 #include "tests/bench/occlusion/Shapes.h"
 

@@ -3,7 +3,7 @@
 
 #include "game/rules/Dive.h"
 #include "game/rules/SharkBehaviour.h"
-#include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 // Asserts what LoadModel.h promises of every model that it returns.
 #pragma once
 
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Arms reach from an estimated shoulder to where the hand is, whatever the hand and the head do.
 #include "game/views/ArmPose.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 
 #include <glm/gtc/quaternion.hpp>

@@ -1,7 +1,7 @@
 // The game's models hold the nodes and clips that the game finds by name.
-#include "engine/scene/LoadModel.h"
-#include "engine/scene/Lod.h"
+#include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
+#include "engine/scene/Vertices.h"
 #include "input/hands/HandRig.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,6 +1,6 @@
 // Stored occlusion belongs to the model beside it; that of another model is refused.
 #include "content/make/models/occlusion/HandOcclusion.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 
 #include <gtest/gtest.h>
 

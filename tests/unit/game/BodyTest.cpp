@@ -1,7 +1,6 @@
 // Bending and tail beats of bodies, compared with what is known of fish.
 #include "Fixture.h"
 
-#include "game/rules/Steering.h"
 #include "game/rules/Swimmer.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Fish that come to look at a hand that rests.
 #include "Fixture.h"
 
-#include "game/rules/Curiosity.h"
+#include "game/rules/FishBehaviour.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "game/rules/Dive.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Grasping.h"
-#include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"

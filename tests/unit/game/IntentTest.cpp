@@ -1,7 +1,7 @@
 // Hands that nearly reach a fish: the fish that they aim at, the help that they get, and why they missed.
 #include "Fixture.h"
 
-#include "game/rules/Misses.h"
+#include "game/rules/Intent.h"
 
 #include <gtest/gtest.h>
 

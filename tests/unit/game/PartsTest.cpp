@@ -2,7 +2,7 @@
 #include "Fixture.h"
 #include "engine/core/WriteFile.h"
 
-#include "game/rules/HandTracking.h"
+#include "game/rules/DiveState.h"
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>

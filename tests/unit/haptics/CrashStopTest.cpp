@@ -1,5 +1,5 @@
 // Files stand for devices here; umockdev.dies_by_* does the same with hidapi's.
-#include "input/haptics/CrashStop.h"
+#include "input/haptics/HidBus.h"
 
 #include <gtest/gtest.h>
 

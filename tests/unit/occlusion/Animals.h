@@ -3,7 +3,7 @@
 
 #include "Bodies.h"
 #include "engine/core/Files.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 
 #include <gtest/gtest.h>
 

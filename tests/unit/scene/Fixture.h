@@ -1,7 +1,7 @@
 // Small glTF files made in a test, and the reference data.
 #pragma once
 
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>

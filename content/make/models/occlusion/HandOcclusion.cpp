@@ -3,7 +3,7 @@
 #include "content/make/models/occlusion/FitToHidden.h"
 #include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/render/BodyOccluders.h"
-#include "engine/scene/LoadModel.h"
+#include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 
 #include <fmt/core.h>

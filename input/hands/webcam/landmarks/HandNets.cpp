@@ -98,7 +98,7 @@ Crop cropAround(const Landmarks& hand) {
     const float turn = turnOf(0.25f * (at[5] + at[13]) + 0.5f * at[9] - at[0]);
     cv::Point2f low(1e9f, 1e9f), high(-1e9f, -1e9f);
     for (const int i : kSteady) {
-        const cv::Point2f p = turned(at[static_cast<size_t>(i)], -turn);
+        const cv::Point2f p = turned(at[i], -turn);
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }

@@ -26,9 +26,7 @@ constexpr size_t kWrist = 0, kIndexKnuckle = 5, kMiddleKnuckle = 9, kRingKnuckle
 constexpr std::array<int, kLandmarkCount> kJointAt = [] {
     std::array<int, kLandmarkCount> joints{kWristJoint};
     for (int finger = 0; finger < kFingerCount; ++finger)
-        for (int i = 0; i < 4; ++i)
-            joints[static_cast<size_t>(1 + 4 * finger + i)] =
-                kFingerJoints[static_cast<size_t>(finger)].tip - 3 + i;
+        for (int i = 0; i < 4; ++i) joints[1 + 4 * finger + i] = kFingerJoints[finger].tip - 3 + i;
     return joints;
 }();
 
@@ -44,7 +42,7 @@ constexpr std::array<float, 4> kThumbBeyond_m = {0.008f, 0.003f, 0.001f, -0.0025
                                kFingerBeyond_m = {0.003f, -0.001f, -0.002f, -0.0035f};
 
 glm::vec3 landmarkOf(const HandPose& hand, size_t landmark) {
-    const Joint& joint = hand.joints[static_cast<size_t>(kJointAt[landmark])];
+    const Joint& joint = hand.joints[kJointAt[landmark]];
     float beyond = kWristBeyond_m;
     if (landmark != kWrist) {
         const auto& finger = landmark < kIndexKnuckle ? kThumbBeyond_m : kFingerBeyond_m;
@@ -163,7 +161,7 @@ LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
             bend += math::arcCosine(glm::dot(before, after) /
                                     std::max(glm::length(before) * glm::length(after), 1e-9f));
         }
-        fit.hand.curl[static_cast<size_t>(finger)] =
+        fit.hand.curl[finger] =
             std::clamp(bend / (finger == 0 ? 2.0f : 4.1f), 0.0f, 1.0f); // bends of the rig's fist, radians
     }
     return fit;
@@ -184,7 +182,7 @@ LandmarkFinder::Residuals LandmarkFinder::residuals(const Fit& fit, const Seen& 
     }
     out(3 * kLandmarkCount) = fit.hand.spread / kSpread;
     for (int finger = 0; finger < kFingerCount; ++finger)
-        out(3 * kLandmarkCount + 1 + finger) = fit.hand.curl[static_cast<size_t>(finger)] / kCurl;
+        out(3 * kLandmarkCount + 1 + finger) = fit.hand.curl[finger] / kCurl;
     return out;
 }
 
@@ -192,7 +190,7 @@ LandmarkFinder::Fit LandmarkFinder::moved(Fit fit, const Step& by) {
     fit.turn = glm::normalize(glm::quat(1, by(0) / 2, by(1) / 2, by(2) / 2) * fit.turn);
     fit.wrist += glm::vec3(by(3), by(4), by(5));
     for (int finger = 0; finger < kFingerCount; ++finger) {
-        float& curl = fit.hand.curl[static_cast<size_t>(finger)];
+        float& curl = fit.hand.curl[finger];
         curl = std::clamp(curl + by(6 + finger), 0.0f, 1.0f);
     }
     fit.hand.spread = std::clamp(fit.hand.spread + by(11), -1.0f, 1.0f);
@@ -202,8 +200,7 @@ LandmarkFinder::Fit LandmarkFinder::moved(Fit fit, const Step& by) {
 HandPose LandmarkFinder::fitted(const Seen& seen, Side side) const {
     const HandPose& rest = rest_[side == Side::Left ? 0 : 1];
     std::array<glm::vec3, kLandmarkCount> restAt;
-    for (size_t i = 0; i < kLandmarkCount; ++i)
-        restAt[i] = rest.joints[static_cast<size_t>(kJointAt[i])].position;
+    for (size_t i = 0; i < kLandmarkCount; ++i) restAt[i] = rest.joints[kJointAt[i]].position;
     Fit fit = firstFit(seen, restAt);
     Residuals off = residuals(fit, seen, side);
     float damping = 1e-3f;
@@ -214,7 +211,7 @@ HandPose LandmarkFinder::fitted(const Seen& seen, Side side) const {
             Step delta;
             delta(k) = kDelta;
             // Steps away from the end of a range, beyond which nothing changes.
-            if (k >= 6 && k < 11 && fit.hand.curl[static_cast<size_t>(k - 6)] > 0.5f) delta(k) = -kDelta;
+            if (k >= 6 && k < 11 && fit.hand.curl[k - 6] > 0.5f) delta(k) = -kDelta;
             if (k == 11 && fit.hand.spread > 0) delta(k) = -kDelta;
             const Residuals changed = (residuals(moved(fit, delta), seen, side) - off) * (1 / delta(k));
             for (int i = 0; i < kResiduals; ++i) slope(i, k) = changed(i);

@@ -1,7 +1,6 @@
-#include "input/hands/webcam/landmarks/NeuralNet.h"
+#include "input/hands/webcam/landmarks/HandNets.h"
 
 #include <TfLite_generated.h>
-#include <opencv2/core.hpp>
 #include <xnnpack.h>
 
 #include <bit>
@@ -20,20 +19,15 @@ using Shape = std::vector<size_t>;
 constexpr size_t kExtra = XNN_EXTRA_BYTES / sizeof(float);
 static_assert(std::endian::native == std::endian::little, "weights are copied as they are in the file");
 
+// Limits of a layer's results.
 struct Limits {
-    float low = -std::numeric_limits<float>::infinity(), high = std::numeric_limits<float>::infinity();
+    float low, high;
 };
 
 Limits limitsOf(tflite::Activation activation) {
-    switch (activation) {
-    case tflite::Activation::None:
-        break;
-    case tflite::Activation::Relu:
-        return {.low = 0};
-    case tflite::Activation::Relu6:
-        return {0, 6};
-    }
-    return {};
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    return {activation == tflite::Activation::None ? -kInfinity : 0,
+            activation == tflite::Activation::Relu6 ? 6 : kInfinity};
 }
 
 uint32_t flagsOf(tflite::Padding padding) {
@@ -67,12 +61,11 @@ class NeuralNet::Builder {
     xnn_status addConvolution(const Operator& op);
     xnn_status addDepthwise(const Operator& op);
     xnn_status addMaxPool(const Operator& op);
-    xnn_status addFullyConnected(const Operator& op);
     xnn_status addPad(const Operator& op);
 
     tflite::Operation kind(const Operator& op) const { return codes_[op.code()]; }
     Tensor& tensor(const flatbuffers::Vector<int32_t>& list, uint32_t place) {
-        return tensors_[static_cast<size_t>(list.Get(place))];
+        return tensors_[list.Get(place)];
     }
     // Return the tensor as defined to XNNPACK, in single precision.
     const Tensor& in(const Operator& op, uint32_t place) { return define(tensor(*op.inputs(), place)); }
@@ -187,12 +180,6 @@ xnn_status NeuralNet::Builder::addMaxPool(const Operator& op) {
         limits.low, limits.high, from.id, to.id, flagsOf(options.padding()));
 }
 
-xnn_status NeuralNet::Builder::addFullyConnected(const Operator& op) {
-    const Tensor &from = in(op, 0), &filter = in(op, 1), &bias = in(op, 2), &to = out(op);
-    const Limits limits = limitsOf(op.options_as_FullyConnectedOptions()->activation());
-    return xnn_define_fully_connected(graph_, limits.low, limits.high, from.id, filter.id, bias.id, to.id, 0);
-}
-
 xnn_status NeuralNet::Builder::addPad(const Operator& op) {
     const Tensor &from = in(op, 0), &to = out(op);
     const std::span<const uint8_t> bytes = tensor(*op.inputs(), 1).bytes;
@@ -207,6 +194,7 @@ xnn_status NeuralNet::Builder::addPad(const Operator& op) {
 }
 
 bool NeuralNet::Builder::add(const Operator& op) {
+    const Limits none = limitsOf(tflite::Activation::None);
     xnn_status status = xnn_status_unsupported_parameter;
     switch (kind(op)) {
     case tflite::Operation::Concatenation: // its parts are in place
@@ -223,9 +211,12 @@ bool NeuralNet::Builder::add(const Operator& op) {
     case tflite::Operation::MaxPool:
         status = addMaxPool(op);
         break;
-    case tflite::Operation::FullyConnected:
-        status = addFullyConnected(op);
+    case tflite::Operation::FullyConnected: {
+        const Limits limits = limitsOf(op.options_as_FullyConnectedOptions()->activation());
+        status = xnn_define_fully_connected(graph_, limits.low, limits.high, in(op, 0).id, in(op, 1).id,
+                                            in(op, 2).id, out(op).id, 0);
         break;
+    }
     case tflite::Operation::Pad:
         status = addPad(op);
         break;
@@ -246,8 +237,8 @@ bool NeuralNet::Builder::add(const Operator& op) {
         break;
     }
     case tflite::Operation::Mean: // over the whole picture
-        status = xnn_define_global_average_pooling_2d(graph_, Limits{}.low, Limits{}.high, in(op, 0).id,
-                                                      out(op).id, 0);
+        status =
+            xnn_define_global_average_pooling_2d(graph_, none.low, none.high, in(op, 0).id, out(op).id, 0);
         break;
     case tflite::Operation::ResizeBilinear: { // between the middles of pixels
         const Shape& to = out(op).shape;
