@@ -22,8 +22,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
 constexpr double kGlide_s = 0.05;         // OpenAL Soft glides to a new gain over one mix, at most 43 ms
 
-constexpr int kLoopbackRate_Hz = 48000;
-
 // OpenAL output device, or loopback to memory.
 class Device {
   public:
@@ -44,10 +42,11 @@ class Device {
         return context_ != nullptr;
     }
 
-    // Returns false once the device has been unplugged.
-    bool connected() const { return device_ && integer(ALC_CONNECTED) != ALC_FALSE; }
-
-    bool headphones() const { return device_ && integer(ALC_HRTF_SOFT) != ALC_FALSE; }
+    bool is(ALCenum property) const { // ALC_CONNECTED: not unplugged yet; ALC_HRTF_SOFT: for headphones
+        ALCint value = ALC_FALSE;
+        if (device_) alcGetIntegerv(device_.get(), property, 1, &value);
+        return value != ALC_FALSE;
+    }
 
     // Seconds of sound rendered so far, to a device or to memory.
     double played_s() const {
@@ -62,12 +61,6 @@ class Device {
     }
 
   private:
-    ALCint integer(ALCenum which) const {
-        ALCint value = ALC_FALSE;
-        alcGetIntegerv(device_.get(), which, 1, &value);
-        return value;
-    }
-
     struct Close {
         void operator()(ALCdevice* device) const { alcCloseDevice(device); }
         void operator()(ALCcontext* context) const {
@@ -89,7 +82,7 @@ Result<Device> Device::open(bool loopback, bool headphones) {
     std::vector<ALCint> attributes = {ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE};
     if (loopback)
         for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
-                                  ALC_FLOAT_SOFT, ALC_FREQUENCY, kLoopbackRate_Hz})
+                                  ALC_FLOAT_SOFT, ALC_FREQUENCY, 48000})
             attributes.push_back(each);
     attributes.push_back(0);
     made.context_.reset(alcCreateContext(made.device_.get(), attributes.data()));
@@ -160,7 +153,7 @@ struct Audio::State {
 
     // Returns whether there is a device to play on; looks for another if it is gone.
     bool ready() {
-        if (device.connected()) return device.makeCurrent();
+        if (device.is(ALC_CONNECTED)) return device.makeCurrent();
         if (device) {
             log::info("the sound device is gone; playing on silently until there is another");
             close();
@@ -239,7 +232,7 @@ void Audio::setPaused(bool paused) {
     }
 }
 
-bool Audio::headphones() const { return state_->device.headphones(); }
+bool Audio::headphones() const { return state_->device.is(ALC_HRTF_SOFT); }
 
 int Audio::sounding() const { return state_->device.makeCurrent() ? state_->voices.sounding() : 0; }
 
