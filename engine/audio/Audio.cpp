@@ -20,18 +20,34 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
-constexpr double kGlide_s = 0.05;         // OpenAL Soft glides to a new gain over one mix, at most 43 ms
 
 // OpenAL output device, or loopback to memory.
 class Device {
   public:
-    static Result<Device> open(bool loopback, bool headphones);
     Device() = default; // no device
     Device(Device&&) noexcept = default;
     Device& operator=(Device&& other) noexcept {
         std::swap(device_, other.device_); // the other destroys its context before its device
         std::swap(context_, other.context_);
         return *this;
+    }
+
+    static Result<Device> open(bool loopback, bool headphones) {
+        // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
+        // sentence.
+        const log::QuietStandardError quiet;
+        Device made;
+        made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
+        if (!made.device_) return Error{"", "there is no sound device"};
+        std::vector<ALCint> attributes = {ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE};
+        if (loopback)
+            for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
+                                      ALC_FLOAT_SOFT, ALC_FREQUENCY, 48000})
+                attributes.push_back(each);
+        attributes.push_back(0);
+        made.context_.reset(alcCreateContext(made.device_.get(), attributes.data()));
+        if (!made.context_) return Error{"", "the sound device could not be set up"};
+        return made;
     }
 
     explicit operator bool() const { return context_ != nullptr; }
@@ -72,24 +88,6 @@ class Device {
     std::unique_ptr<ALCcontext, Close> context_;
 };
 
-Result<Device> Device::open(bool loopback, bool headphones) {
-    // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
-    // sentence.
-    const log::QuietStandardError quiet;
-    Device made;
-    made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
-    if (!made.device_) return Error{"", "there is no sound device"};
-    std::vector<ALCint> attributes = {ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE};
-    if (loopback)
-        for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
-                                  ALC_FLOAT_SOFT, ALC_FREQUENCY, 48000})
-            attributes.push_back(each);
-    attributes.push_back(0);
-    made.context_.reset(alcCreateContext(made.device_.get(), attributes.data()));
-    if (!made.context_) return Error{"", "the sound device could not be set up"};
-    return made;
-}
-
 } // namespace
 
 struct Audio::State {
@@ -106,8 +104,6 @@ struct Audio::State {
     StreamedTrack streamed;
     TrackSource track;
 
-    ~State() { close(); }
-
     void addBuffer(const Clip& clip) {
         ALuint buffer = 0;
         alGenBuffers(1, &buffer);
@@ -119,13 +115,6 @@ struct Audio::State {
     void setVolume() {
         alListenerf(AL_GAIN, paused ? 0 : std::clamp(options.volume, 0.0f, 1.0f));
         voices.setSilent(paused);
-    }
-
-    void standStill() {
-        if (standing || device.played_s() - pausedAt_s < kGlide_s) return;
-        standing = true;
-        pausedAt_s = device.played_s();
-        voices.setPaused(true);
     }
 
     Status open() {
@@ -143,12 +132,8 @@ struct Audio::State {
     }
 
     void close() {
-        if (!device.makeCurrent()) return;
-        streamed.tearDown();
-        voices.tearDown();
-        if (!buffers.empty()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
         buffers.clear();
-        device = Device();
+        device = Device(); // OpenAL Soft frees all that belongs to it
     }
 
     // Returns whether there is a device to play on; looks for another if it is gone.
@@ -194,7 +179,12 @@ void Audio::update(const Listener& listener, std::span<const Sound> emitters, st
     const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
-    if (s.paused) return s.standStill();
+    if (s.paused) {
+        if (s.standing || s.device.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;
+        s.standing = true;
+        s.pausedAt_s = s.device.played_s();
+        return s.voices.setPaused(true);
+    }
     s.voices.setEnclosure(listener.enclosure);
     s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots,
                     s.device.played_s() - s.pausedFor_s);

@@ -26,25 +26,19 @@ inline double rateFor(double ahead_s) {
 
 class StreamedTrack {
   public:
+    // Begins in a new context, with which source and buffers end.
     void setUp() {
+        source_ = 0; // stays so if the device has no more
         alGenSources(1, &source_);
         alGenBuffers(kBuffers, buffers_.data());
         alSourcei(source_, AL_SOURCE_RELATIVE, AL_TRUE);
         alSourcei(source_, AL_DIRECT_CHANNELS_SOFT, AL_TRUE);
-        state_ = State::Stopped;
-    }
-
-    void tearDown() {
         stop();
-        if (source_) alDeleteSources(1, &source_);
-        if (buffers_[0]) alDeleteBuffers(kBuffers, buffers_.data());
-        source_ = 0;
-        buffers_ = {};
     }
 
     // See Audio::syncTrack().
     void update(const TrackSource& sound, double position_s, float gain, bool paused) {
-        if (!source_ || sound.length <= 0) return;
+        if (!source_) return;
         // Before pausing, the gain goes to 0, to which OpenAL fades without a click.
         alSourcef(source_, AL_GAIN, paused ? 0 : std::clamp(gain, 0.0f, 1.0f));
         if (paused) {
@@ -67,10 +61,8 @@ class StreamedTrack {
     }
 
     void stop() {
-        if (source_) {
-            alSourceStop(source_);
-            alSourcei(source_, AL_BUFFER, 0); // releases all queued buffers
-        }
+        alSourceStop(source_);
+        alSourcei(source_, AL_BUFFER, 0); // releases all queued buffers
         spare_ = buffers_;
         spares_ = kBuffers;
         ahead_s_ = 0;

@@ -19,8 +19,13 @@ namespace shoal::audio {
 
 class VoicePool {
   public:
-    // Makes kSources voices, fewer if the device has fewer.
+    // OpenAL Soft glides to a new gain over one mix, at most 2048 samples: 43 ms. After that a silenced sound
+    // may stop without a click.
+    static constexpr double kGlide_s = 0.05;
+
+    // Makes kSources voices in a new context, fewer if the device has fewer. They end with the context.
     void setUp() {
+        voices_ = {};
         alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
         alSpeedOfSound(kSpeed_mps);
         alDopplerFactor(kDopplerAsInAir);
@@ -46,17 +51,6 @@ class VoicePool {
         }
     }
 
-    void tearDown() {
-        for (Voice& voice : voices_) {
-            if (voice.source) alDeleteSources(1, &voice.source);
-            if (voice.filter) alDeleteFilters(1, &voice.filter);
-            voice = {};
-        }
-        alDeleteAuxiliaryEffectSlots(1, &slot_);
-        alDeleteEffects(1, &reverb_);
-        slot_ = reverb_ = 0;
-    }
-
     // Clips and their OpenAL buffers, indexed by Sound::clip.
     struct Clips {
         std::span<const ALuint> buffers;
@@ -73,7 +67,7 @@ class VoicePool {
             } else if (voice.use == Use::OneShot) {
                 place(voice, listener, now_s - voice.since_s);
             } else if (voice.use == Use::Ending) {
-                if (now_s - voice.since_s > kEnding_s) release(voice);
+                if (now_s - voice.since_s > kGlide_s) release(voice);
             } else if (std::none_of(emitters.begin(), emitters.end(),
                                     [&](const Sound& e) { return e.id == voice.sound.id; })) {
                 alSourcef(voice.source, AL_GAIN, 0);
@@ -129,9 +123,6 @@ class VoicePool {
     }
 
   private:
-    // OpenAL Soft glides to a new gain over one mix, at most 2048 samples: 43 ms. After that an ending sound
-    // is silent and may stop without a click.
-    static constexpr double kEnding_s = 0.05;
     // A new sound must be this many times as loud as the one it replaces, so that two equal ones do not
     // alternate.
     static constexpr float kTakeOver = 1.3f;
