@@ -20,20 +20,34 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
-constexpr double kGlide_s = 0.05;         // OpenAL Soft glides to a new gain over one mix, at most 43 ms
-
-constexpr int kLoopbackRate_Hz = 48000;
 
 // OpenAL output device, or loopback to memory.
 class Device {
   public:
-    static Result<Device> open(bool loopback, bool headphones);
     Device() = default; // no device
     Device(Device&&) noexcept = default;
     Device& operator=(Device&& other) noexcept {
         std::swap(device_, other.device_); // the other destroys its context before its device
         std::swap(context_, other.context_);
         return *this;
+    }
+
+    static Result<Device> open(bool loopback, bool headphones) {
+        // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
+        // sentence.
+        const log::QuietStandardError quiet;
+        Device made;
+        made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
+        if (!made.device_) return Error{"", "there is no sound device"};
+        std::vector<ALCint> attributes = {ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE};
+        if (loopback)
+            for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
+                                      ALC_FLOAT_SOFT, ALC_FREQUENCY, 48000})
+                attributes.push_back(each);
+        attributes.push_back(0);
+        made.context_.reset(alcCreateContext(made.device_.get(), attributes.data()));
+        if (!made.context_) return Error{"", "the sound device could not be set up"};
+        return made;
     }
 
     explicit operator bool() const { return context_ != nullptr; }
@@ -44,10 +58,11 @@ class Device {
         return context_ != nullptr;
     }
 
-    // Returns false once the device has been unplugged.
-    bool connected() const { return device_ && integer(ALC_CONNECTED) != ALC_FALSE; }
-
-    bool headphones() const { return device_ && integer(ALC_HRTF_SOFT) != ALC_FALSE; }
+    bool is(ALCenum property) const { // ALC_CONNECTED: not unplugged yet; ALC_HRTF_SOFT: for headphones
+        ALCint value = ALC_FALSE;
+        if (device_) alcGetIntegerv(device_.get(), property, 1, &value);
+        return value != ALC_FALSE;
+    }
 
     // Seconds of sound rendered so far, to a device or to memory.
     double played_s() const {
@@ -62,12 +77,6 @@ class Device {
     }
 
   private:
-    ALCint integer(ALCenum which) const {
-        ALCint value = ALC_FALSE;
-        alcGetIntegerv(device_.get(), which, 1, &value);
-        return value;
-    }
-
     struct Close {
         void operator()(ALCdevice* device) const { alcCloseDevice(device); }
         void operator()(ALCcontext* context) const {
@@ -78,24 +87,6 @@ class Device {
     std::unique_ptr<ALCdevice, Close> device_;
     std::unique_ptr<ALCcontext, Close> context_;
 };
-
-Result<Device> Device::open(bool loopback, bool headphones) {
-    // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
-    // sentence.
-    const log::QuietStandardError quiet;
-    Device made;
-    made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
-    if (!made.device_) return Error{"", "there is no sound device"};
-    std::vector<ALCint> attributes = {ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE};
-    if (loopback)
-        for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
-                                  ALC_FLOAT_SOFT, ALC_FREQUENCY, kLoopbackRate_Hz})
-            attributes.push_back(each);
-    attributes.push_back(0);
-    made.context_.reset(alcCreateContext(made.device_.get(), attributes.data()));
-    if (!made.context_) return Error{"", "the sound device could not be set up"};
-    return made;
-}
 
 } // namespace
 
@@ -113,8 +104,6 @@ struct Audio::State {
     StreamedTrack streamed;
     TrackSource track;
 
-    ~State() { close(); }
-
     void addBuffer(const Clip& clip) {
         ALuint buffer = 0;
         alGenBuffers(1, &buffer);
@@ -126,13 +115,6 @@ struct Audio::State {
     void setVolume() {
         alListenerf(AL_GAIN, paused ? 0 : std::clamp(options.volume, 0.0f, 1.0f));
         voices.setSilent(paused);
-    }
-
-    void standStill() {
-        if (standing || device.played_s() - pausedAt_s < kGlide_s) return;
-        standing = true;
-        pausedAt_s = device.played_s();
-        voices.setPaused(true);
     }
 
     Status open() {
@@ -150,17 +132,13 @@ struct Audio::State {
     }
 
     void close() {
-        if (!device.makeCurrent()) return;
-        streamed.tearDown();
-        voices.tearDown();
-        if (!buffers.empty()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
         buffers.clear();
-        device = Device();
+        device = Device(); // OpenAL Soft frees all that belongs to it
     }
 
     // Returns whether there is a device to play on; looks for another if it is gone.
     bool ready() {
-        if (device.connected()) return device.makeCurrent();
+        if (device.is(ALC_CONNECTED)) return device.makeCurrent();
         if (device) {
             log::info("the sound device is gone; playing on silently until there is another");
             close();
@@ -201,7 +179,12 @@ void Audio::update(const Listener& listener, std::span<const Sound> emitters, st
     const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
-    if (s.paused) return s.standStill();
+    if (s.paused) {
+        if (s.standing || s.device.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;
+        s.standing = true;
+        s.pausedAt_s = s.device.played_s();
+        return s.voices.setPaused(true);
+    }
     s.voices.setEnclosure(listener.enclosure);
     s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots,
                     s.device.played_s() - s.pausedFor_s);
@@ -239,7 +222,7 @@ void Audio::setPaused(bool paused) {
     }
 }
 
-bool Audio::headphones() const { return state_->device.headphones(); }
+bool Audio::headphones() const { return state_->device.is(ALC_HRTF_SOFT); }
 
 int Audio::sounding() const { return state_->device.makeCurrent() ? state_->voices.sounding() : 0; }
 

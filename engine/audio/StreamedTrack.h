@@ -1,4 +1,4 @@
-// Streaming source that is kept in step with a video. Internal to this folder. All calls require the OpenAL
+// Streaming source that is kept in step with a video. Part of Audio.cpp. All calls require the OpenAL
 // context to be current.
 //
 // Once a frame the position of the sound (what has left the device, by its own clock) is compared with the
@@ -11,36 +11,160 @@
 #include <AL/al.h>
 #include <AL/alext.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace shoal::audio {
 
 // Returns the playback rate that corrects this offset; 1: none.
-double rateFor(double ahead_s);
+inline double rateFor(double ahead_s) {
+    constexpr double kMaxBend = 0.005, kCorrection_s = 2; // time constant
+    return 1 - std::clamp(ahead_s / kCorrection_s, -kMaxBend, kMaxBend);
+}
 
 class StreamedTrack {
   public:
-    void setUp();
-    void tearDown();
+    // Begins in a new context, with which source and buffers end.
+    void setUp() {
+        source_ = 0; // stays so if the device has no more
+        alGenSources(1, &source_);
+        alGenBuffers(kBuffers, buffers_.data());
+        alSourcei(source_, AL_SOURCE_RELATIVE, AL_TRUE);
+        alSourcei(source_, AL_DIRECT_CHANNELS_SOFT, AL_TRUE);
+        stop();
+    }
 
     // See Audio::syncTrack().
-    void update(const TrackSource& sound, double position_s, float gain, bool paused);
-    void stop();
+    void update(const TrackSource& sound, double position_s, float gain, bool paused) {
+        if (!source_) return;
+        // Before pausing, the gain goes to 0, to which OpenAL fades without a click.
+        alSourcef(source_, AL_GAIN, paused ? 0 : std::clamp(gain, 0.0f, 1.0f));
+        if (paused) {
+            if (paused_ && state_ == State::Playing) alSourcePause(source_);
+            paused_ = true;
+            return;
+        }
+        ALint state = AL_STOPPED;
+        alGetSourcei(source_, AL_SOURCE_STATE, &state);
+        if (paused_ && state == AL_PAUSED) alSourcePlay(source_);
+        const bool ranDry = state_ == State::Playing && state == AL_STOPPED;
+        paused_ = false;
+        if (state_ == State::Stopped || ranDry) begin(sound, position_s);
+        if (state_ == State::Waiting) return prime(sound, position_s);
+        refill(sound);
+        const double ahead_s = wrapped(heard_s() - position_s, sound);
+        if (std::abs(ahead_s) > kJump_s) return begin(sound, position_s);
+        ahead_s_ += kSmoothing * (ahead_s - ahead_s_);
+        alSourcef(source_, AL_PITCH, static_cast<ALfloat>(rateFor(ahead_s_)));
+    }
+
+    void stop() {
+        alSourceStop(source_);
+        alSourcei(source_, AL_BUFFER, 0); // releases all queued buffers
+        spare_ = buffers_;
+        spares_ = kBuffers;
+        ahead_s_ = 0;
+        state_ = State::Stopped;
+    }
 
     double ahead_s() const { return ahead_s_; } // offset to the picture, smoothed; 0 while silent
 
   private:
+    static constexpr int kRate_Hz = 48000;
+    static constexpr int kFrameBytes = 2 * sizeof(int16_t);
+    static constexpr double kJump_s = 0.08;      // larger offsets, which would be seen, restart it
+    static constexpr double kLead_s = 0.05;      // starts reading so far ahead, because reading takes time
+    static constexpr double kSmoothing = 0.1;    // weight of each new measurement of the offset
+    static constexpr int kMinPieces = 4;         // number of pieces queued before it starts
+    static constexpr double kMaxSilence_s = 0.1; // longest silence queued in front of its first samples
     static constexpr int kBuffers = 16, kPieceFrames = 1024; // 0.34 s in all, for a slow frame
     enum class State { Stopped, Waiting, Playing };
 
-    void begin(const TrackSource& sound, double position_s);
-    void prime(const TrackSource& sound, double position_s);
-    void refill(const TrackSource& sound);
-    bool queue(const TrackSource& sound);
-    void queuePiece(int64_t frames);
-    void queueSilence(int64_t frames);
-    double heard_s() const;
+    static int64_t framesOf(double seconds) { return std::llround(seconds * kRate_Hz); }
+
+    // Wraps to -half .. half of the track's length.
+    static double wrapped(double seconds, const TrackSource& sound) {
+        const double length_s = static_cast<double>(sound.length) / kRate_Hz;
+        return seconds - length_s * std::round(seconds / length_s);
+    }
+
+    void begin(const TrackSource& sound, double position_s) {
+        stop();
+        next_ = framesOf(position_s + kLead_s);
+        sound.seek(next_);
+        state_ = State::Waiting;
+    }
+
+    // Fills and queues the spare buffers for as long as samples are ready; returns their number.
+    int queue(const TrackSource& sound) {
+        int queued = 0;
+        for (; spares_ > 0; ++queued) {
+            const auto frames = static_cast<int64_t>(sound.read(piece_));
+            if (frames == 0) break;
+            queuePiece(frames);
+            next_ += frames;
+        }
+        return queued;
+    }
+
+    // Queues the first frames of piece_.
+    void queuePiece(int64_t frames) {
+        const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
+        alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(), static_cast<ALsizei>(frames * kFrameBytes),
+                     kRate_Hz);
+        alSourceQueueBuffers(source_, 1, &buffer);
+    }
+
+    void queueSilence(int64_t frames) {
+        std::fill(piece_.begin(), piece_.end(), int16_t{0});
+        for (; frames > 0; frames -= kPieceFrames) queuePiece(std::min<int64_t>(frames, kPieceFrames));
+    }
+
+    // Starts playing at the right time, exact to the sample.
+    void prime(const TrackSource& sound, double position_s) {
+        const double ahead_s = wrapped(static_cast<double>(next_) / kRate_Hz - position_s, sound);
+        if (std::abs(ahead_s) > 1) return begin(sound, position_s); // the picture has jumped meanwhile
+        if (ahead_s > kMaxSilence_s) return;                        // too early to start
+        for (int64_t late = framesOf(-ahead_s); late > 0;) { // skips what should have been heard already
+            const auto maximum = static_cast<size_t>(std::min<int64_t>(late, kPieceFrames));
+            const auto frames = static_cast<int64_t>(sound.read(std::span(piece_).first(2 * maximum)));
+            if (frames == 0) return;
+            next_ += frames;
+            late -= frames;
+        }
+        const int64_t early = std::max<int64_t>(framesOf(ahead_s), 0);
+        queueBegins_ = next_ - early;
+        queueSilence(early);
+        if (queue(sound) < kMinPieces)
+            return begin(sound, position_s); // too little to last until the next frame
+        alSourcePlay(source_);
+        state_ = State::Playing;
+    }
+
+    void refill(const TrackSource& sound) {
+        ALint done = 0;
+        alGetSourcei(source_, AL_BUFFERS_PROCESSED, &done);
+        for (; done > 0; --done) {
+            ALuint buffer = 0;
+            ALint bytes = 0;
+            alSourceUnqueueBuffers(source_, 1, &buffer);
+            alGetBufferi(buffer, AL_SIZE, &bytes);
+            queueBegins_ += bytes / kFrameBytes;
+            spare_[static_cast<size_t>(spares_++)] = buffer;
+        }
+        queue(sound);
+    }
+
+    // Returns the position in the track that leaves the device now.
+    double heard_s() const {
+        std::array<ALint64SOFT, 2> offset{}; // frames as 32.32, and nanoseconds on the way to the ear
+        alGetSourcei64vSOFT(source_, AL_SAMPLE_OFFSET_LATENCY_SOFT, offset.data());
+        return static_cast<double>(queueBegins_) / kRate_Hz +
+               static_cast<double>(offset[0]) / (4294967296.0 * kRate_Hz) -
+               static_cast<double>(offset[1]) * 1e-9;
+    }
 
     ALuint source_ = 0;
     std::array<ALuint, kBuffers> buffers_{};

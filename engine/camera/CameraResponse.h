@@ -1,11 +1,17 @@
-// Response of a video's camera and codec: blur, noise, levels, glare and chroma subsampling. Values are
-// display-coded, 0 to 1; lengths are texels of the frame at its equator.
+// Response of a video's camera and codec, estimated from its frames: blur, noise, levels, glare and chroma
+// subsampling. Values are display-coded, 0 to 1; lengths are texels of the frame at its equator.
+//
+// The estimators allocate nothing after the first frame of a size. One thread at a time.
 #pragma once
+
+#include "engine/core/Image.h"
+#include "engine/light/FrameView.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <vector>
 
 namespace shoal::camera {
 
@@ -21,10 +27,93 @@ struct CameraResponse {
 
     glm::vec3 black{0}, white{1}; // 0.1 and 99.9 % quantiles of each channel
 
-    // Fraction of the light that port and lens scatter by some degrees; Glare.h.
+    // Fraction of the light that port and lens scatter by some degrees; see Glare.
     float glare = 0;
 
     glm::ivec2 chromaTexels{1}; // chroma subsampling, horizontal and vertical: 2, 2 is 4:2:0
+};
+
+// Estimated response; the counts tell how reliable it is.
+struct CameraResponseEstimate {
+    CameraResponse response{.chromaTexels = glm::ivec2(2)}; // not estimated: 4:2:0, unless the decoder knows
+    int edges = 0;                                          // edges measured; below kFewEdges blur is 0
+    std::array<int, kBrightnesses> flatBlocks{}; // blocks measured for noise; a band without any takes its
+                                                 // neighbour's noise
+};
+
+constexpr int kFewEdges = 12;
+constexpr int kFewBlocks = 8; // of a band: fewer probably contain texture
+
+class CameraResponseEstimator {
+  public:
+    // Reads stripes of the frame's middle half, where texels are nearly square (8 % of 2048 x 1024), and for
+    // the levels one texel in 64.
+    CameraResponseEstimate estimate(const light::FrameView& frame);
+
+  private:
+    void readStripe(const light::FrameView& frame, int top);
+    void measureEdges(float stretch);
+    void measureBlur(CameraResponseEstimate& out);
+    void measureNoise(CameraResponseEstimate& out);
+    void measureLevels(const light::FrameView& frame, CameraResponse& response);
+
+    // The current stripe, row by row: luma, 0 to 255; clipped: whether any channel is.
+    int width_ = 0;
+    std::vector<float> luma_;
+    std::vector<unsigned char> clipped_;
+
+    struct Blocks {
+        std::vector<float> fine, coarse; // standard deviations
+    };
+    struct Edge {
+        float blur_texels;
+        float step; // of 255
+    };
+    std::vector<Edge> edges_;
+    std::vector<float> blurs_; // scratch
+    std::array<Blocks, kBrightnesses> blocks_;
+};
+
+constexpr int kGlowWidth = 128, kGlowHeight = 64; // cells of the lat-long map
+
+// Veiling glare: port and lens scatter a fraction of the surrounding light to every texel, most visibly to
+// dark objects in front of bright ones (ISO 9358). Virtual objects need it added.
+struct Glare {
+    // Light blurred with a standard deviation of five degrees. Light is the square of display values, which
+    // approximates any camera's coding well enough for this.
+    ImageRgbF spread{kGlowWidth, kGlowHeight};
+    // Upper bound of the fraction that the lens scatters, from the darkest texels in bright surroundings; 1
+    // if no bright texels are seen.
+    float maxShare = 1;
+};
+
+class GlareFilter {
+  public:
+    void make(const light::FrameView& frame, Glare& out);
+
+  private:
+    ImageRgbF cells_{kGlowWidth, kGlowHeight}, across_{kGlowWidth, kGlowHeight};
+    std::vector<float> shares_; // scratch
+};
+
+// Temporal smoothing of estimates. Deterministic: depends only on the estimates and the times between them.
+class CameraResponseOverTime {
+  public:
+    // Takes the estimate of the frame now shown; dt_s: since the last call. The first is used directly, later
+    // ones with a time constant of 2.2 seconds: cameras are not changed in mid-dive. Unknown values stay.
+    void follow(const CameraResponseEstimate& estimate, float dt_s);
+
+    // Upper bound of the glare from one frame: the minimum of all frames counts. While no frame gives a
+    // useful bound, a typical lens is assumed.
+    void followGlare(float maxShare, float dt_s);
+
+    const CameraResponse& response() const { return response_; } // before the first estimate: no effect
+
+  private:
+    float maxGlare_ = 1;
+    bool glareSeen_ = false;
+    bool begun_ = false, edgesSeen_ = false;
+    CameraResponse response_;
 };
 
 } // namespace shoal::camera

@@ -28,10 +28,9 @@ template <class T, int kChannels> struct Image {
     }
 };
 
-using ImageRgb8 = Image<uint8_t, 3>; // sRGB-coded
-using ImageRgba8 =
-    Image<uint8_t, 4>;             // sRGB-coded colour, straight linear alpha, unless a name says otherwise
-using ImageRgbF = Image<float, 3>; // linear radiance, Rec. 709 primaries
+using ImageRgb8 = Image<uint8_t, 3>;  // sRGB-coded
+using ImageRgba8 = Image<uint8_t, 4>; // sRGB-coded colour, straight linear alpha, unless named otherwise
+using ImageRgbF = Image<float, 3>;    // linear radiance, Rec. 709 primaries
 using ImageF = Image<float, 1>;
 
 } // namespace shoal

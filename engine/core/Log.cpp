@@ -30,12 +30,9 @@ void setUp(bool verbose) {
     spdlog::set_default_logger(std::move(logger));
 }
 
-static std::mutex& quietTurn() {
-    static std::mutex mutex;
-    return mutex;
-}
+static std::mutex quietTurn;
 
-QuietStandardError::QuietStandardError() : turn_(quietTurn()), kept_(::dup(STDERR_FILENO)) {
+QuietStandardError::QuietStandardError() : turn_(quietTurn), kept_(::dup(STDERR_FILENO)) {
     if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
         ::dup2(nowhere, STDERR_FILENO);
         ::close(nowhere);

@@ -55,7 +55,7 @@ class Staging {
             fs::remove(to, code);
             staged_.emplace_back(to, place);
         }
-        auto out = GrowingFile::create(to);
+        auto out = GrowingFile::open(to);
         if (out && fs::is_regular_file(old)) fs::permissions(to, old.permissions(), code);
         Status written = out ? out->write(bytes) : Status(out.error());
         if (written) written = out->finish();
@@ -100,19 +100,13 @@ Status writeFolderWhole(const Path& folder, std::span<const NamedBytes> files) {
     return written;
 }
 
-Result<GrowingFile> GrowingFile::open(const Path& file, const char* mode) {
-    GrowingFile opened(file, std::fopen(file.c_str(), mode));
+Result<GrowingFile> GrowingFile::open(const Path& file, uint64_t kept) {
+    std::error_code code;
+    if (kept > 0) fs::resize_file(file, kept, code);
+    if (code) return cannotWrite(file, code.message());
+    GrowingFile opened(file, std::fopen(file.c_str(), kept > 0 ? "abe" : "wbe"));
     if (!opened.out_) return cannotWrite(file, errno);
     return opened;
-}
-
-Result<GrowingFile> GrowingFile::create(const Path& file) { return open(file, "wbe"); }
-
-Result<GrowingFile> GrowingFile::extend(const Path& file, uint64_t bytes) {
-    std::error_code code;
-    fs::resize_file(file, bytes, code);
-    if (code) return cannotWrite(file, code.message());
-    return open(file, "abe");
 }
 
 Status GrowingFile::write(std::string_view bytes) {

@@ -32,17 +32,14 @@ Status writeFolderWhole(const Path& folder, std::span<const NamedBytes> files);
 // A file that grows while the program runs, under its final name, so that it survives a crash.
 class GrowingFile {
   public:
-    // Replaces the file.
-    static Result<GrowingFile> create(const Path& file);
-    // Cuts a file to its first `bytes` and continues it.
-    static Result<GrowingFile> extend(const Path& file, uint64_t bytes);
+    // Replaces the file, or cuts it to its first `kept` bytes, if above 0, and continues it.
+    static Result<GrowingFile> open(const Path& file, uint64_t kept = 0);
 
     Status write(std::string_view bytes);
     // Waits until all bytes are on the disk, and closes the file.
     Status finish();
 
   private:
-    static Result<GrowingFile> open(const Path& file, const char* mode); // of std::fopen()
     GrowingFile(const Path& file, std::FILE* opened) : file_(file), out_(opened, std::fclose) {}
     Path file_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> out_;

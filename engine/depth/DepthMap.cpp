@@ -57,14 +57,21 @@ SHOAL_VECTORISE void widenRow(const uint8_t* above, const uint8_t* row, const ui
     out[count - 1] = widened(count - 2, count - 1, 0);
 }
 
+// Extends the range of each column by a row.
+SHOAL_VECTORISE void addRow(const uint8_t* codes, size_t count, uint8_t* min, uint8_t* max) {
+    for (size_t x = 0; x < count; ++x) {
+        min[x] = std::min(min[x], codes[x]);
+        max[x] = std::max(max[x], codes[x]);
+    }
+}
+
 // The nine texels of a track around an edge, which vote.
 struct Voters {
     const uint8_t* colours; // colours of the map's texels in the middle texel: channels `stride` apart
     const float* nearness;  // nearness of these to each of the nine: `stride` apart
     size_t stride;
-    std::array<const float*, 9> means; // their colours
-    std::array<float, 9> inverse;
-    std::array<bool, 9> isNear;
+    const DepthEdge& edge;
+    std::array<const float*, 9> means; // colours of the nine
 };
 
 // Assigns each texel of the map to the texels of the track around it that are close and share its colour:
@@ -80,11 +87,11 @@ SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
         farWeight[i] = nearWeight[i] = farSum[i] = nearSum[i] = 0;
     }
     for (size_t n = 0; n < 9; ++n) {
-        Lanes& weights = voters.isNear[n] ? nearWeight : farWeight;
-        Lanes& sums = voters.isNear[n] ? nearSum : farSum;
+        Lanes& weights = voters.edge.isNear[n] ? nearWeight : farWeight;
+        Lanes& sums = voters.edge.isNear[n] ? nearSum : farSum;
         const float* nearness = voters.nearness + n * voters.stride + begin;
         const float m0 = voters.means[n][0], m1 = voters.means[n][1], m2 = voters.means[n][2];
-        const float inverse = voters.inverse[n];
+        const float inverse = voters.edge.inverse[n];
         for (size_t i = 0; i < kLanes; ++i) {
             const float d0 = c0[i] - m0, d1 = c1[i] - m1, d2 = c2[i] - m2;
             const float off = (d0 * d0 + d1 * d1 + d2 * d2) * (1 / (kSameColour * kSameColour));
@@ -165,6 +172,36 @@ void widenNear(const DepthMap& map, DepthMap& out) {
     }
 }
 
+void DepthRange::make(const DepthMap& map) {
+    const int width = map.inverse.width, height = map.inverse.height;
+    cells_.assign(static_cast<size_t>(kCells.x) * kCells.y, {});
+    for (int row = 0; row < kCells.y; ++row) {
+        columnMin_.assign(static_cast<size_t>(width), 255);
+        columnMax_.assign(static_cast<size_t>(width), 0);
+        for (int y = row * height / kCells.y; y < (row + 1) * height / kCells.y; ++y)
+            addRow(map.inverse.at(0, y), columnMin_.size(), columnMin_.data(), columnMax_.data());
+        for (int x = 0; x < width; ++x) {
+            Codes& cell = cells_[static_cast<size_t>(row) * kCells.x + x * kCells.x / width];
+            cell.min = std::min(cell.min, columnMin_[static_cast<size_t>(x)]);
+            cell.max = std::max(cell.max, columnMax_[static_cast<size_t>(x)]);
+        }
+    }
+}
+
+DepthRange::Range DepthRange::around(const glm::vec3& dirEnv, float halfAngle) const {
+    if (cells_.empty()) return {};
+    constexpr float kTexel = 0.01f; // radians by which interpolation reaches beyond an edge
+    const CellRange range = cellsOfCap(kCells, dirEnv, halfAngle + kTexel);
+    Codes codes;
+    for (int y = range.first.y; y <= range.last.y; ++y)
+        for (int x = range.first.x; x <= range.last.x; ++x) {
+            const Codes& cell = cells_[static_cast<size_t>(y * kCells.x + (x + 2 * kCells.x) % kCells.x)];
+            codes.min = std::min(codes.min, cell.min);
+            codes.max = std::max(codes.max, cell.max);
+        }
+    return {DepthMap::perM(codes.min), DepthMap::perM(codes.max)};
+}
+
 void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
     coarse_.fit(depth.width, depth.height);
     constexpr float kScale = media::kMaxInverse_perM / media::kMaxDepthCode * kNearest_m * DepthMap::kSteps;
@@ -212,7 +249,7 @@ void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
 }
 
 // Finds an edge where the nine inverse distances fall into two groups with a gap between: slopes have none.
-bool DepthRefiner::findEdge(int x, int y, Edge& edge) const {
+bool DepthRefiner::findEdge(int x, int y, DepthEdge& edge) const {
     const std::array<int, 3> columns{wrappedColumn(x - 1, coarse_.width), x,
                                      wrappedColumn(x + 1, coarse_.width)};
     const std::array<const uint8_t*, 3> rows{coarse_.at(0, std::max(y - 1, 0)), coarse_.at(0, y),
@@ -288,18 +325,14 @@ void DepthRefiner::readColours(const light::FrameView& film, int scale) {
         }
 }
 
-void DepthRefiner::split(const Edge& edge, int scale, DepthMap& out) const {
+void DepthRefiner::split(const DepthEdge& edge, int scale, DepthMap& out) const {
     const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
-    Voters voters;
-    voters.colours = colours_.data() + (static_cast<size_t>(edge.y) * coarse_.width + edge.x) * 3 * padded_;
-    voters.nearness = nearness_.data();
-    voters.stride = padded_;
+    const size_t texel = static_cast<size_t>(edge.y) * coarse_.width + edge.x;
+    Voters voters{colours_.data() + texel * 3 * padded_, nearness_.data(), padded_, edge, {}};
     for (size_t n = 0; n < 9; ++n) {
         const int x = wrappedColumn(edge.x + static_cast<int>(n % 3) - 1, coarse_.width);
         const int y = std::clamp(edge.y + static_cast<int>(n / 3) - 1, 0, coarse_.height - 1);
         voters.means[n] = means_.at(x, y);
-        voters.inverse[n] = edge.inverse[n];
-        voters.isNear[n] = edge.isNear[n];
     }
     std::array<uint8_t, kLanes> codes;
     for (size_t begin = 0; begin < count; begin += kLanes) {
@@ -321,7 +354,7 @@ void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView
     std::ranges::fill(wanted_.pixels, uint8_t{0});
     edges_.clear();
     edges_.reserve(coarse_.pixels.size());
-    Edge edge;
+    DepthEdge edge;
     for (int y = 0; y < coarse_.height; ++y)
         for (int x = 0; x < coarse_.width; ++x) {
             if (!findEdge(x, y, edge)) continue;
@@ -332,7 +365,7 @@ void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView
                                 std::clamp(y + dy, 0, coarse_.height - 1)) = 1;
         }
     readColours(film, scale);
-    for (const Edge& each : edges_) split(each, scale, out);
+    for (const DepthEdge& each : edges_) split(each, scale, out);
 }
 
 } // namespace shoal::depth

@@ -8,6 +8,7 @@
 #include "engine/media/DepthTrack.h"
 #include "shaders/render/Attributes.glsl"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -50,6 +51,37 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
 // the far side, an eye would see a ghost of the edge.
 void widenNear(const DepthMap& map, DepthMap& out);
 
+// Nearest and farthest distance within a part of a film, found without reading every texel: tells whether the
+// film can hide an object at all, or hides it fully.
+class DepthRange {
+  public:
+    struct Range {
+        float min_perM = 0, max_perM = 0; // inverse distances
+    };
+
+    // Allocates only for a map of a new size.
+    void make(const DepthMap& map);
+
+    // Returns the range within this angle of a direction, and a little around it. dirEnv: unit length.
+    Range around(const glm::vec3& dirEnv, float halfAngle) const;
+
+  private:
+    static constexpr glm::ivec2 kCells{64, 32};
+
+    struct Codes {
+        uint8_t min = 255, max = 0;
+    };
+    std::vector<Codes> cells_;
+    std::vector<uint8_t> columnMin_, columnMax_; // scratch: extremes over the rows of a cell
+};
+
+// A texel of a depth track at which near and far surfaces meet, with the eight texels around it.
+struct DepthEdge {
+    int x, y;
+    std::array<float, 9> inverse; // steps of DepthMap, row by row
+    std::array<bool, 9> isNear;
+};
+
 // Aligns frames of a depth track to the film's own edges. Allocates nothing once the map has its size.
 class DepthRefiner {
   public:
@@ -68,22 +100,16 @@ class DepthRefiner {
     };
     static Interpolation interpolationOf(int fine, int fineCount, int coarseCount, bool repeats);
 
-    // A texel of the track at which near and far surfaces meet, with the eight texels around it.
-    struct Edge {
-        int x, y;
-        std::array<float, 9> inverse; // steps of DepthMap, row by row
-        std::array<bool, 9> isNear;
-    };
-    bool findEdge(int x, int y, Edge& edge) const;
+    bool findEdge(int x, int y, DepthEdge& edge) const;
     void readTrusted(const media::DepthFrame& depth);
     void placeTexels(int scale);
     void readColours(const light::FrameView& film, int scale);
-    void split(const Edge& edge, int scale, DepthMap& out) const;
+    void split(const DepthEdge& edge, int scale, DepthMap& out) const;
 
     int mapWidth_;
     Image<uint8_t, 1> coarse_; // inverse distances in DepthMap's steps, less where confidence is low
     // Scratch.
-    std::vector<Edge> edges_;
+    std::vector<DepthEdge> edges_;
     int placedScale_ = 0;                // the scale that nearness_ was made for
     size_t padded_ = 0;                  // the map's texels in one of the track, to a multiple of kLanes
     std::vector<Interpolation> columns_; // by column of the map

@@ -2,8 +2,7 @@
 // decode thread.
 #pragma once
 
-#include "engine/camera/EstimateCameraResponse.h"
-#include "engine/camera/Glare.h"
+#include "engine/camera/CameraResponse.h"
 #include "engine/light/BruteForceDiffuse.h"
 #include "engine/light/FindLights.h"
 #include "engine/light/FrameView.h"

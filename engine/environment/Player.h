@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
-#include "engine/depth/DepthRange.h"
+#include "engine/depth/DepthMap.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/environment/FrameAnalysis.h"
 #include "engine/light/LightOverTime.h"

@@ -1,8 +1,8 @@
 #include "engine/light/LightOverTime.h"
 
 #include "engine/light/InverseToneMap.h"
-#include "engine/math/Follow.h"
 #include "engine/math/LatLong.h"
+#include "engine/math/Trigonometry.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

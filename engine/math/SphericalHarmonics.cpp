@@ -9,11 +9,7 @@ namespace shoal::math {
 
 using std::numbers::pi;
 
-namespace {
-
-double root(double square) { return std::sqrt(square / pi); }
-
-} // namespace
+static double root(double square) { return std::sqrt(square / pi); }
 
 const std::array<double, kShBands> kShCosine = {pi, 2 * pi / 3, pi / 4, 0, -pi / 24};
 const std::array<double, 9> kShFactors = {root(1.0 / 4),  root(3.0 / 4),  root(3.0 / 4),

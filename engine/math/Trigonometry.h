@@ -1,6 +1,6 @@
-// Trigonometry from additions, multiplications, divisions and square roots alone, so that it has the same
-// bits on every machine; the C library's is not correctly rounded and differs between libraries and
-// processors.
+// Trigonometry and an exponential from additions, multiplications, divisions and square roots alone, so that
+// they have the same bits on every machine; the C library's are not correctly rounded and differ between
+// libraries and processors.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -52,6 +52,16 @@ inline float arcCosine(float value) {
 // Returns the rotation by the angle about an axis of unit length.
 inline glm::quat rotationAbout(glm::vec3 axis, float angle) {
     return {cosine(angle / 2), axis * sine(angle / 2)};
+}
+
+// Returns the share of the way to its goal that a value covers in dt_s: 1 - exp(-x), x = dt_s / constant_s.
+// exp(x / 16) by Taylor's series to order 7, which is within 1e-9 for x <= 2, to the power of 16.
+inline float followShare(float dt_s, float constant_s) {
+    const double x = static_cast<double>(std::max(dt_s, 0.0f)) / static_cast<double>(constant_s) / 16;
+    double power = 1;
+    for (int n = 7; n >= 1; --n) power = 1 + power * x / n;
+    for (int squaring = 0; squaring < 4; ++squaring) power *= power;
+    return static_cast<float>(1 - 1 / power);
 }
 
 } // namespace shoal::math

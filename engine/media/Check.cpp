@@ -11,16 +11,14 @@
 
 namespace shoal::media {
 
-namespace {
-
-std::string shapeNote(int width, int height) {
+static std::string shapeNote(int width, int height) {
     const Layout layout = layoutFromShape(width, height);
     if (layout != Layout::Auto) return fmt::format("lat-long {} by its shape", enumName(layout));
     return "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
 }
 
 // Returns checkVideo()'s clause about a film's depth; empty if no track lies beside the film.
-std::string depthNote(const Path& film) {
+static std::string depthNote(const Path& film) {
     const Path file = depthTrackOf(film);
     std::error_code missing;
     if (file == film || !std::filesystem::exists(file, missing)) return "";
@@ -28,8 +26,6 @@ std::string depthNote(const Path& film) {
     if (!track) return "; without depth, because " + file.filename().string() + " " + track.error().reason;
     return fmt::format("; with depth, {}x{}", track->info().width, track->info().height);
 }
-
-} // namespace
 
 Result<std::string> checkVideo(const Path& file) {
     auto source = VideoSource::open(file, Layout::Auto);

@@ -2,7 +2,7 @@
 
 #include "engine/core/Hash.h"
 #include "engine/core/Number.h"
-#include "engine/media/DepthTrackFormat.h"
+#include "engine/media/Ffmpeg.h"
 
 #include <fmt/core.h>
 
@@ -11,27 +11,34 @@ extern "C" {
 }
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace shoal::media {
 
-namespace {
-
 constexpr size_t kIdentityBytes = 1 << 20;
 
-std::string tagOf(const AVFormatContext& input, const char* name) {
+static std::string tagOf(const AVFormatContext& input, const char* name) {
     const AVDictionaryEntry* tag = av_dict_get(input.metadata, name, nullptr, 0);
     return tag ? tag->value : "";
 }
 
 // Each of FFV1's slices ends with the CRC of the bytes before it, so the CRC of a whole slice is 0, and so is
 // that of all slices (RFC 9043, 4.9.3). FFmpeg's decoder shows damaged slices as in the frame before.
-bool isWhole(const AVPacket& packet) {
+static bool isWhole(const AVPacket& packet) {
     const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE);
     return packet.size > 0 && av_crc(table, 0, packet.data, static_cast<size_t>(packet.size)) == 0;
 }
 
-} // namespace
+bool isDepthTrack(const DepthTrackInfo& info) {
+    constexpr int kMinWidth = 16, kMaxWidth = 4096;
+    constexpr double kMaxFps = 240; // frames need time stamps of their own, which are whole milliseconds
+    constexpr double kMaxDuration_s = 1e6;
+    const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height == info.width / 2;
+    return fits && std::has_single_bit(static_cast<unsigned>(info.width)) && info.frameCount > 0 &&
+           info.duration_s > 0 && info.duration_s <= kMaxDuration_s &&
+           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0);
+}
 
 Path depthTrackOf(const Path& film) {
     Path stem = film;
@@ -56,38 +63,32 @@ struct DepthTrack::Impl {
     Frame frame = makeFrame();
     int next = 0; // number of the packet that is read next without a seek
 
-    bool seek(int number);
-    bool readPacket(int number);
-    int numberOf(const AVPacket& packet) const;
-};
-
-int DepthTrack::Impl::numberOf(const AVPacket& from) const {
-    if (from.pts == AV_NOPTS_VALUE) return -1;
-    const double time_s = static_cast<double>(from.pts) * av_q2d(input->streams[0]->time_base);
-    const double number = std::round(time_s * info.frameCount / info.duration_s);
-    return number >= 0 && number < info.frameCount ? static_cast<int>(number) : -1;
-}
-
-bool DepthTrack::Impl::seek(int number) {
-    const double time_s = number * info.duration_s / info.frameCount;
-    const auto stamp = static_cast<int64_t>(time_s / av_q2d(input->streams[0]->time_base));
-    return av_seek_frame(input.get(), 0, stamp, AVSEEK_FLAG_BACKWARD) >= 0;
-}
-
-bool DepthTrack::Impl::readPacket(int number) {
-    constexpr int kReadOn = 32; // packets; a seek costs more
-    if ((number < next || number > next + kReadOn) && !seek(number)) return false;
-    next = -1 - kReadOn; // unknown until the packet is found
-    for (;;) {
-        av_packet_unref(packet.get());
-        if (av_read_frame(input.get(), packet.get()) < 0) return false;
-        const int found = numberOf(*packet);
-        if (found > number) return false;
-        if (found < number) continue;
-        next = number + 1;
-        return true;
+    int numberOf(const AVPacket& from) const {
+        if (from.pts == AV_NOPTS_VALUE) return -1;
+        const double time_s = static_cast<double>(from.pts) * av_q2d(input->streams[0]->time_base);
+        const double number = std::round(time_s * info.frameCount / info.duration_s);
+        return number >= 0 && number < info.frameCount ? static_cast<int>(number) : -1;
     }
-}
+
+    bool readPacket(int number) {
+        constexpr int kReadOn = 32; // packets; a seek costs more
+        if (number < next || number > next + kReadOn) {
+            const double time_s = number * info.duration_s / info.frameCount;
+            const auto stamp = static_cast<int64_t>(time_s / av_q2d(input->streams[0]->time_base));
+            if (av_seek_frame(input.get(), 0, stamp, AVSEEK_FLAG_BACKWARD) < 0) return false;
+        }
+        next = -1 - kReadOn; // unknown until the packet is found
+        for (;;) {
+            av_packet_unref(packet.get());
+            if (av_read_frame(input.get(), packet.get()) < 0) return false;
+            const int found = numberOf(*packet);
+            if (found > number) return false;
+            if (found < number) continue;
+            next = number + 1;
+            return true;
+        }
+    }
+};
 
 Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     setUpDecoders();

@@ -6,8 +6,11 @@
 #include "engine/core/Hidden.h"
 #include "engine/core/Result.h"
 
+extern "C" {
+#include <libavutil/pixfmt.h>
+}
+
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +37,26 @@ struct DepthTrackInfo {
     int frameCount = 0;
     double duration_s = 0; // length of the film; frame i belongs to the time i / frameCount of it
 };
+
+// --- The file, as its reader and its writer (content/make/depth) have it
+
+// Plane Y is the inverse distance, Cb the confidence; Cr is 512 throughout.
+constexpr AVPixelFormat kDepthPixels = AV_PIX_FMT_YUV420P10LE;
+
+// Tags of the file, and the values of those that never change.
+namespace depth_tags {
+constexpr const char* kVersion = "SHOAL_DEPTH";
+constexpr const char* kVersionValue = "1";
+constexpr const char* kFrames = "SHOAL_FRAMES";
+constexpr const char* kDuration = "SHOAL_DURATION"; // of the film, seconds
+constexpr const char* kLayout = "SHOAL_LAYOUT";
+constexpr const char* kLayoutValue = "equirectangular mono";
+constexpr const char* kFilms = "SHOAL_FILMS"; // identities of films, with blanks between them
+} // namespace depth_tags
+
+// Returns whether a track can have this size, frame count and duration. Widths are powers of two, so that a
+// texel fills a whole number of texels in maps of distances.
+bool isDepthTrack(const DepthTrackInfo& info);
 
 // Returns FILM.depth.mkv for FILM.mp4 and for FILM.small.mp4, which show the same.
 Path depthTrackOf(const Path& film);

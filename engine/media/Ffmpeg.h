@@ -18,23 +18,13 @@ namespace shoal::media {
 template <auto kFree> struct FreeAt {
     template <class T> void operator()(T* object) const { kFree(&object); }
 };
-struct CloseParser {
-    void operator()(AVCodecParserContext* parser) const { av_parser_close(parser); }
-};
-// Frees an output that is written to memory (avio_open_dyn_buf()), with its contents so far.
-struct CloseOutput {
-    void operator()(AVFormatContext* output) const {
-        uint8_t* bytes = nullptr;
-        if (output->pb) avio_close_dyn_buf(output->pb, &bytes);
-        av_free(bytes);
-        avformat_free_context(output);
-    }
+template <auto kFree> struct FreeBy {
+    template <class T> void operator()(T* object) const { kFree(object); }
 };
 using Packet = std::unique_ptr<AVPacket, FreeAt<av_packet_free>>; // never null once made
 using Frame = std::unique_ptr<AVFrame, FreeAt<av_frame_free>>;
 using Codec = std::unique_ptr<AVCodecContext, FreeAt<avcodec_free_context>>;
 using Input = std::unique_ptr<AVFormatContext, FreeAt<avformat_close_input>>;
-using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
 
 inline Packet makePacket() { return Packet(av_packet_alloc()); }
 inline Frame makeFrame() { return Frame(av_frame_alloc()); }

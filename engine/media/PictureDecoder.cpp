@@ -1,27 +1,128 @@
 #include "engine/media/PictureDecoder.h"
 
-#include "engine/media/YuvToBgr.h"
+#include "engine/core/Vectorise.h"
+
+#include <fmt/core.h>
+#include <opencv2/core.hpp>
 
 extern "C" {
+#include <libavutil/csp.h>
 #include <libavutil/pixdesc.h>
 }
 
 #include <algorithm>
-#include <string>
+#include <cmath>
 
 namespace shoal::media {
+
+// --- Conversion of luma and colour differences
+
+namespace {
+
+// Sums are in units of 1/32 level: they fit in 16 bits, and rounding a product changes it by 1/64 at most.
+constexpr int kSumBits = 5;
+constexpr int kLumaBits = 7, kDifferenceBits = 8; // shifts that fill 16 bits before they are multiplied
+constexpr int kMiddle = 128;                      // code of a difference of 0
+
+// Returns the rounded product of two fractions of 2^15, in a form that GCC compiles to one instruction.
+int16_t product(int16_t a, int16_t b) { return static_cast<int16_t>((((a * b) >> 14) + 1) >> 1); }
+
+// Fixed-point factors: of luma times 2^13, of differences times 2^12. black: the luma code of black.
+struct Factors {
+    int16_t black, luma, blueOfBlue, greenOfBlue, greenOfRed, redOfRed;
+};
+
+// Computes what a row's differences add to the luma of each pixel: by channel, blue first.
+SHOAL_VECTORISE
+void addends(const uint8_t* __restrict blueDifference, const uint8_t* __restrict redDifference, int pairs,
+             const Factors& factors, int16_t* __restrict blue, int16_t* __restrict green,
+             int16_t* __restrict red) {
+    for (int i = 0; i < pairs; ++i) {
+        const auto cb = static_cast<int16_t>((blueDifference[i] - kMiddle) << kDifferenceBits);
+        const auto cr = static_cast<int16_t>((redDifference[i] - kMiddle) << kDifferenceBits);
+        blue[2 * i] = blue[2 * i + 1] = product(cb, factors.blueOfBlue);
+        green[2 * i] = green[2 * i + 1] =
+            static_cast<int16_t>(-product(cb, factors.greenOfBlue) - product(cr, factors.greenOfRed));
+        red[2 * i] = red[2 * i + 1] = product(cr, factors.redOfRed);
+    }
+}
+
+SHOAL_VECTORISE
+void levels(const uint8_t* __restrict luma, const int16_t* __restrict add, int width, const Factors& factors,
+            uint8_t* __restrict out) {
+    const int16_t black = factors.black, scale = factors.luma;
+    for (int x = 0; x < width; ++x) {
+        const int16_t y = product(static_cast<int16_t>((luma[x] - black) << kLumaBits), scale);
+        const auto sum = static_cast<int16_t>(y + add[x] + (1 << (kSumBits - 1)));
+        out[x] = static_cast<uint8_t>(std::clamp<int16_t>(sum >> kSumBits, 0, 255));
+    }
+}
+
+// The formula, with weights kr, kg, kb of luma and differences of +-1/2 (BT.601, BT.709 item 3):
+//   R = Y + (2 - 2 kr) Cr,  B = Y + (2 - 2 kb) Cb,
+//   G = (Y - kr R - kb B) / kg = Y - kb (2 - 2 kb) / kg Cb - kr (2 - 2 kr) / kg Cr.
+Factors factorsOf(ColourMatrix matrix, bool fullRange) {
+    const Luma k = lumaOf(matrix);
+    const double green = 1 - k.red - k.blue;
+    const auto fraction = [](double factor, int shift) {
+        return static_cast<int16_t>(std::lround(factor * (1 << (15 + kSumBits - shift))));
+    };
+    const double difference = fullRange ? 1 : 255.0 / 224;
+    const double blue = (2 - 2 * k.blue) * difference, red = (2 - 2 * k.red) * difference;
+    return {.black = static_cast<int16_t>(fullRange ? 0 : 16),
+            .luma = fraction(fullRange ? 1 : 255.0 / 219, kLumaBits),
+            .blueOfBlue = fraction(blue, kDifferenceBits),
+            .greenOfBlue = fraction(blue * k.blue / green, kDifferenceBits),
+            .greenOfRed = fraction(red * k.red / green, kDifferenceBits),
+            .redOfRed = fraction(red, kDifferenceBits)};
+}
+
+} // namespace
+
+void toBgr(const YuvPicture& yuv, ImageRgb8& bgr) {
+    const Factors factors = factorsOf(yuv.matrix, yuv.fullRange);
+    const int width = bgr.width, pairs = (width + 1) / 2;
+    std::vector<int16_t> add(static_cast<size_t>(6 * pairs));
+    std::vector<uint8_t> values(static_cast<size_t>(3 * width));
+    for (int y = 0; y < bgr.height; ++y) {
+        const auto row = [&](size_t plane, int at) { return yuv.planes[plane] + at * yuv.strides[plane]; };
+        const int differences = y / yuv.rowsPerDifference;
+        addends(row(1, differences), row(2, differences), pairs, factors, add.data(), &add[2 * pairs],
+                &add[4 * pairs]);
+        cv::Mat channels[3];
+        for (int c = 0; c < 3; ++c) {
+            channels[c] = cv::Mat(1, width, CV_8U, &values[c * width]);
+            levels(row(0, y), &add[2 * c * pairs], width, factors, channels[c].data);
+        }
+        cv::merge(channels, 3, cv::Mat(1, width, CV_8UC3, bgr.at(0, y)));
+    }
+}
+
+// --- Decoding
 
 Status checkPictureSize(int width, int height) {
     if (width < 2 || height < 2) return Error{"", "its picture has no size"};
     if (width > kMaxVideoSide || height > kMaxVideoSide)
-        return Error{"", "its picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                             " pixels is larger than the limit of " + std::to_string(kMaxVideoSide) +
-                             " a side"};
+        return Error{"", fmt::format("its picture of {}x{} pixels is larger than the limit of {} a side",
+                                     width, height, kMaxVideoSide)};
     return Done{};
 }
 
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height) {
-    return codec == AV_CODEC_ID_MJPEG ? ColourMatrix::Bt601 : colourMatrixOf(stated, width, height);
+    if (codec == AV_CODEC_ID_MJPEG || stated == AVCOL_SPC_BT470BG || stated == AVCOL_SPC_SMPTE170M)
+        return ColourMatrix::Bt601;
+    if (stated == AVCOL_SPC_BT709) return ColourMatrix::Bt709;
+    if (stated == AVCOL_SPC_BT2020_NCL) return ColourMatrix::Bt2020;
+    return width >= 1280 || height > 576 ? ColourMatrix::Bt709 : ColourMatrix::Bt601;
+}
+
+Luma lumaOf(ColourMatrix matrix) {
+    const AVLumaCoefficients* luma = av_csp_luma_coeffs_from_avcsp(static_cast<AVColorSpace>(matrix));
+    return {av_q2d(luma->cr), av_q2d(luma->cb)};
+}
+
+const char* nameOf(ColourMatrix matrix) {
+    return matrix == ColourMatrix::Bt709 ? "BT.709" : matrix == ColourMatrix::Bt601 ? "BT.601" : "BT.2020";
 }
 
 Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase,
@@ -48,18 +149,9 @@ void PictureDecoder::send(const AVPacket* packet, bool hurry) {
 
 bool PictureDecoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
 
-ColourMatrix PictureDecoder::matrix() const {
-    return matrixOf(codec_->codec_id, frame_->colorspace, frame_->width, frame_->height);
-}
-
 glm::ivec2 PictureDecoder::chromaTexels() const {
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format));
     return format ? glm::ivec2(1 << format->log2_chroma_w, 1 << format->log2_chroma_h) : glm::ivec2(1);
-}
-
-bool PictureDecoder::fullRange() const {
-    return frame_->color_range == AVCOL_RANGE_JPEG || frame_->format == AV_PIX_FMT_YUVJ420P ||
-           frame_->format == AV_PIX_FMT_YUVJ422P || codec_->codec_id == AV_CODEC_ID_MJPEG;
 }
 
 Status PictureDecoder::convert(ImageRgb8& bgr) {
@@ -67,32 +159,34 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     bgr.fit(width, height);
     const auto format = static_cast<AVPixelFormat>(frame_->format);
-    if (format != AV_PIX_FMT_YUV420P && format != AV_PIX_FMT_YUVJ420P && format != AV_PIX_FMT_YUV422P &&
-        format != AV_PIX_FMT_YUVJ422P)
-        return convertBySwscale(bgr);
+    const bool ofJpeg = format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P;
+    const bool fullRange =
+        frame_->color_range == AVCOL_RANGE_JPEG || ofJpeg || codec_->codec_id == AV_CODEC_ID_MJPEG;
+    const ColourMatrix matrix = matrixOf(codec_->codec_id, frame_->colorspace, width, height);
+    if (!ofJpeg && format != AV_PIX_FMT_YUV420P && format != AV_PIX_FMT_YUV422P)
+        return convertBySwscale(matrix, fullRange, bgr);
     // Uses our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND
     // SWS_FULL_CHR_H_INT) or up to 3 of 255 levels off, where ours is within 0.6.
     toBgr({{frame_->data[0], frame_->data[1], frame_->data[2]},
            {frame_->linesize[0], frame_->linesize[1], frame_->linesize[2]},
            chromaTexels().y,
-           matrix(),
-           fullRange()},
+           matrix,
+           fullRange},
           bgr);
     return Done{};
 }
 
 // Converts by swscale into memory of its own, because swscale writes beyond the ends of rows.
-Status PictureDecoder::convertBySwscale(ImageRgb8& bgr) {
+Status PictureDecoder::convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
     const Error unknown{"", "its picture is of an unknown form"};
     const int width = frame_->width, height = frame_->height;
     scaler_.reset(sws_getCachedContext(
         scaler_.release(), width, height, static_cast<AVPixelFormat>(frame_->format), width, height,
         AV_PIX_FMT_BGR24, SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr));
     if (!scaler_) return unknown;
-    const int* from = sws_getCoefficients(static_cast<int>(matrix()));
     constexpr int kOne = 1 << 16;
-    sws_setColorspaceDetails(scaler_.get(), from, fullRange(), sws_getCoefficients(SWS_CS_DEFAULT), 1, 0,
-                             kOne, kOne);
+    sws_setColorspaceDetails(scaler_.get(), sws_getCoefficients(static_cast<int>(matrix)), fullRange,
+                             sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne);
     constexpr int kMargin = 64;
     const int stride = (3 * width + 2 * kMargin) / kMargin * kMargin;
     rows_.resize(static_cast<size_t>(stride) * static_cast<size_t>(height + 1));

@@ -5,7 +5,6 @@
 #include "engine/core/Result.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/VideoFrame.h"
-#include "engine/media/YuvToBgr.h"
 
 extern "C" {
 #include <libswscale/swscale.h>
@@ -13,6 +12,7 @@ extern "C" {
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <vector>
 
 namespace shoal::media {
@@ -22,12 +22,29 @@ constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
 // Fails if pictures of that size are not played.
 Status checkPictureSize(int width, int height);
 
-// Returns BT.601 for Motion JPEG of any size (JFIF), else colourMatrixOf().
+// Returns BT.601 for Motion JPEG of any size (JFIF), else the matrix that is stated. Without a known code
+// (unspecified, or RGB) it follows from the size, as in other players: BT.709 from 1280 wide or above 576
+// high.
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
 
-struct FreeScaler {
-    void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+// Weights of red and blue in luma; green's is 1 minus both.
+struct Luma {
+    double red, blue;
 };
+Luma lumaOf(ColourMatrix matrix);
+
+// A picture in planes: luma, blue and red difference. Each difference stands for two pixels of a row, the
+// last one of an odd width for one.
+struct YuvPicture {
+    std::array<const uint8_t*, 3> planes;
+    std::array<ptrdiff_t, 3> strides; // bytes
+    int rowsPerDifference;            // 1 or 2
+    ColourMatrix matrix;
+    bool fullRange; // luma 0 to 255, differences span 255; else 16 to 235 and 224 (BT.601 and 709)
+};
+
+// Writes a picture of the size that bgr has. Values are within 0.6 of the formula's, clamped to 0 .. 255.
+void toBgr(const YuvPicture& yuv, ImageRgb8& bgr);
 
 // ByThreads: each thread decodes its own picture, which is faster but delays pictures by one for each thread.
 enum class FrameThreading { None, ByThreads };
@@ -47,7 +64,6 @@ class PictureDecoder {
     bool receive();
     // Properties of the picture received last:
     const AVFrame& frame() const { return *frame_; }
-    ColourMatrix matrix() const;
     glm::ivec2 chromaTexels() const; // texels that share a colour, across and down
 
     // Converts the picture received last, blue first, by the matrix and range that it states; bgr takes its
@@ -55,13 +71,12 @@ class PictureDecoder {
     Status convert(ImageRgb8& bgr);
 
   private:
-    bool fullRange() const;
-    Status convertBySwscale(ImageRgb8& bgr);
+    Status convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr);
 
     Codec codec_;
     Frame frame_ = makeFrame();
-    std::unique_ptr<SwsContext, FreeScaler> scaler_; // for rare pixel formats
-    std::vector<uint8_t> rows_;                      // the scaler's output, with a margin behind each row
+    std::unique_ptr<SwsContext, FreeBy<sws_freeContext>> scaler_; // for rare pixel formats
+    std::vector<uint8_t> rows_; // the scaler's output, with a margin behind each row
 };
 
 } // namespace shoal::media

@@ -42,13 +42,13 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
     if (isHdr(header->kind) && !hdr)
         return Error{file.string(), "is a high dynamic range picture; give it as --env"};
     if (!isHdr(header->kind) && hdr)
-        return Error{file.string(), std::string("is a ") + nameOf(header->kind) +
-                                        ", which has no high dynamic range; give it as --photo"};
+        return Error{file.string(),
+                     fmt::format("is a {}, which has no high dynamic range; give it as --photo",
+                                 nameOf(header->kind))};
     if (header->width > limits.maxWidth || header->height > limits.maxHeight)
         return Error{file.string(),
-                     "its " + std::to_string(header->width) + "x" + std::to_string(header->height) +
-                         " pixels are more than the limit of " + std::to_string(limits.maxWidth) + "x" +
-                         std::to_string(limits.maxHeight)};
+                     fmt::format("its {}x{} pixels are more than the limit of {}x{}", header->width,
+                                 header->height, limits.maxWidth, limits.maxHeight)};
     return PictureFile{std::move(*bytes), *header};
 }
 
@@ -61,8 +61,9 @@ template <class T, int kChannels> cv::Mat viewOf(const Image<T, kChannels>& imag
 // Decodes a picture by OpenCV, to red first. decode: returns a matrix of `type`, empty on failure; may throw.
 template <class Picture, class Decode>
 Result<Picture> decoded(const Path& file, PictureKind kind, int type, Decode&& decode) {
-    const Error undecodable{file.string(), std::string("cannot be decoded as ") + nameOf(kind) +
-                                               ": cut short, damaged, or a rare variant"};
+    const Error undecodable{
+        file.string(),
+        fmt::format("cannot be decoded as {}: cut short, damaged, or a rare variant", nameOf(kind))};
     const auto with = codecs();
     if (!with) return with.error();
     try {
@@ -231,8 +232,8 @@ void repair(HdrPicture& picture) {
     }
 }
 
-// Encodes by extension. toOpenCv: OpenCV's code for the conversion to blue first.
-Result<std::string> encoded(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
+// Encodes by extension a picture of 3 or 4 channels, red first.
+Result<std::string> encoded(const Path& file, const cv::Mat& rgb, const char* extension,
                             const char* uncodable) {
     assert(!rgb.empty());
     const auto with = codecs();
@@ -241,7 +242,7 @@ Result<std::string> encoded(const Path& file, const cv::Mat& rgb, int toOpenCv, 
     try {
         const log::QuietStandardError quiet; // OpenCV 4.6 prints exceptions, whatever the log level
         cv::Mat bgr;
-        cv::cvtColor(rgb, bgr, toOpenCv);
+        cv::cvtColor(rgb, bgr, rgb.channels() == 4 ? cv::COLOR_RGBA2BGRA : cv::COLOR_RGB2BGR);
         if (!(*with)->imencode(extension, bgr, bytes, {})) return Error{file.string(), uncodable};
     } catch (const std::exception& failure) {
         return Error{file.string(), std::string(uncodable) + ": " + failure.what()};
@@ -249,9 +250,7 @@ Result<std::string> encoded(const Path& file, const cv::Mat& rgb, int toOpenCv, 
     return std::string(asText(bytes));
 }
 
-Status write(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
-             const char* uncodable) {
-    const auto bytes = encoded(file, rgb, toOpenCv, extension, uncodable);
+Status write(const Path& file, const Result<std::string>& bytes) {
     return bytes ? writeFileWhole(file, *bytes) : Status(bytes.error());
 }
 
@@ -298,10 +297,10 @@ std::string HdrPicture::repairs() const {
 }
 
 Status writePng(const Path& file, const ImageRgb8& image) {
-    return write(file, viewOf(image), cv::COLOR_RGB2BGR, ".png", kNoPng);
+    return write(file, encoded(file, viewOf(image), ".png", kNoPng));
 }
 Status writePng(const Path& file, const ImageRgba8& image) {
-    return write(file, viewOf(image), cv::COLOR_RGBA2BGRA, ".png", kNoPng);
+    return write(file, encoded(file, viewOf(image), ".png", kNoPng));
 }
 
 PictureContent pictureContent(const Path& file) {
@@ -324,7 +323,7 @@ Status writePicture(const Path& file, const ImageRgb8& image) {
     if (kind == WrittenAs::Png) return writePng(file, image);
     if (kind != WrittenAs::Jpeg)
         return Error{file.string(), "is of no kind that photos are written as; use .png or .jpg"};
-    return write(file, viewOf(image), cv::COLOR_RGB2BGR, ".jpg", "the picture cannot be coded as JPEG");
+    return write(file, encoded(file, viewOf(image), ".jpg", "the picture cannot be coded as JPEG"));
 }
 
 Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
@@ -334,8 +333,7 @@ Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
     if (extension != ".exr")
         return Error{name.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
     // OpenCV writes into a temporary file, which may not fit.
-    auto bytes =
-        encoded(name, viewOf(radianceLin), cv::COLOR_RGB2BGR, extension, "the picture cannot be coded");
+    auto bytes = encoded(name, viewOf(radianceLin), ".exr", "the picture cannot be coded");
     if (!bytes) return bytes;
     const auto header =
         readPictureHeader(std::span(reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()));
@@ -346,8 +344,7 @@ Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
 }
 
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {
-    const auto bytes = encodeHdr(file, radianceLin);
-    return bytes ? writeFileWhole(file, *bytes) : Status(bytes.error());
+    return write(file, encodeHdr(file, radianceLin));
 }
 
 void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out) {

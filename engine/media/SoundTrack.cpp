@@ -33,20 +33,131 @@ constexpr int64_t kHole = kSoundRate_Hz / 50;
 // Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time.
 class SoundDecoder {
   public:
-    static Result<SoundDecoder> open(const Path& file);
+    static Result<SoundDecoder> open(const Path& file) {
+        setUpDecoders();
+        const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
+        std::error_code code;
+        if (!std::filesystem::is_regular_file(file, code)) return failed("there is no such file");
+        SoundDecoder d;
+        d.input_ = openInput(file);
+        AVFormatContext* input = d.input_.get();
+        if (!input || avformat_find_stream_info(input, nullptr) < 0)
+            return failed("is not a file with sound that can be read");
+        const AVCodec* kind = nullptr;
+        d.stream_ = av_find_best_stream(input, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
+        if (d.stream_ < 0 || !kind) return failed("has no sound");
+        keepOnly(*input, d.stream_);
+        const int picture = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, d.stream_, nullptr, 0);
+        const AVStream& first = *input->streams[picture >= 0 ? picture : d.stream_];
+        if (first.start_time != AV_NOPTS_VALUE)
+            d.begins_s_ = static_cast<double>(first.start_time) * av_q2d(first.time_base);
+        const AVStream& sound = *input->streams[d.stream_];
+        d.codec_.reset(avcodec_alloc_context3(kind));
+        if (!d.codec_ || avcodec_parameters_to_context(d.codec_.get(), sound.codecpar) < 0)
+            return failed("has a sound that cannot be decoded");
+        d.codec_->pkt_timebase = sound.time_base;
+        d.codec_->thread_count = 1; // there is little work
+        if (avcodec_open2(d.codec_.get(), kind, nullptr) < 0)
+            return failed("has a sound that cannot be decoded");
+        return d;
+    }
 
-    double length_s() const; // as the file says; 0 if it does not
+    // Returns the length that the file states; 0 if it does not.
+    double length_s() const {
+        return input_->duration > 0 ? static_cast<double>(input_->duration) / AV_TIME_BASE : 0;
+    }
 
     // Seeks to this frame or somewhat before it; returns false if the file cannot be read there.
-    bool seek(int64_t frame);
+    bool seek(int64_t frame) {
+        const double seconds = static_cast<double>(frame) / kSoundRate_Hz + begins_s_;
+        const auto stamp =
+            static_cast<int64_t>(std::floor(seconds / av_q2d(input_->streams[stream_]->time_base)));
+        if (av_seek_frame(input_.get(), stream_, stamp, AVSEEK_FLAG_BACKWARD) < 0 &&
+            (frame > 0 ||
+             av_seek_frame(input_.get(), stream_, 0, AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY) < 0))
+            return false;
+        avcodec_flush_buffers(codec_.get());
+        swr_close(converter_.get());
+        follows_ = -1;
+        draining_ = false;
+        return true;
+    }
 
     // Replaces stereo by the next samples and returns the frame of the first; -1 at the end, or if nothing
     // more can be decoded. At most some tenths of a second at a time.
-    int64_t next(std::vector<int16_t>& stereo);
+    int64_t next(std::vector<int16_t>& stereo) {
+        stereo.clear();
+        for (int bad = 0; bad < kMaxBadPackets;) {
+            const int got = avcodec_receive_frame(codec_.get(), block_.get());
+            if (got == 0) {
+                const int64_t begins = convert(stereo);
+                // Sound before the first picture is dropped: mostly the priming of a codec.
+                const auto count = static_cast<int64_t>(stereo.size() / 2);
+                if (begins + count > 0 && count > 0) {
+                    if (begins >= 0) return begins;
+                    stereo.erase(stereo.begin(), stereo.begin() + static_cast<ptrdiff_t>(-begins) * 2);
+                    return 0;
+                }
+                stereo.clear();
+                ++bad;
+                continue;
+            }
+            if (got == AVERROR_EOF || draining_) return -1;
+            if (got != AVERROR(EAGAIN)) ++bad;
+            if (av_read_frame(input_.get(), packet_.get()) < 0) {
+                draining_ = true;
+                avcodec_send_packet(codec_.get(), nullptr);
+                continue;
+            }
+            if (packet_->stream_index == stream_ && avcodec_send_packet(codec_.get(), packet_.get()) < 0)
+                ++bad;
+            av_packet_unref(packet_.get());
+        }
+        return -1;
+    }
 
   private:
     SoundDecoder() = default;
-    int64_t convert(std::vector<int16_t>& stereo);
+
+    // Converts the decoded block to samples; returns their first frame, or -1 if the block is invalid.
+    int64_t convert(std::vector<int16_t>& stereo) {
+        AVFrame& block = *block_;
+        if (block.sample_rate < kMinRate_Hz || block.sample_rate > kMaxRate_Hz || block.nb_samples < 1 ||
+            block.nb_samples > kMaxBlock || block.ch_layout.nb_channels < 1 ||
+            block.ch_layout.nb_channels > kMaxChannels)
+            return -1;
+        // Some decoders know only the number of channels.
+        if (block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
+            av_channel_layout_default(&block.ch_layout, block.ch_layout.nb_channels);
+        int64_t begins = follows_;
+        const bool stamped = block.best_effort_timestamp != AV_NOPTS_VALUE;
+        if (stamped) {
+            const double seconds =
+                static_cast<double>(block.best_effort_timestamp) * av_q2d(codec_->pkt_timebase) - begins_s_;
+            if (!(std::abs(seconds) < 1e7)) return -1;
+            // Samples that wait in the converter come out first.
+            const int64_t waiting =
+                swr_is_initialized(converter_.get()) ? swr_get_delay(converter_.get(), kSoundRate_Hz) : 0;
+            const int64_t stated = std::llround(seconds * kSoundRate_Hz) - waiting;
+            if (follows_ < 0 || std::llabs(stated - follows_) > kHole) begins = stated;
+        }
+        AVFrame& out = *converted_;
+        av_frame_unref(&out);
+        out.format = AV_SAMPLE_FMT_S16;
+        out.sample_rate = kSoundRate_Hz;
+        av_channel_layout_default(&out.ch_layout, 2);
+        int error = swr_convert_frame(converter_.get(), &out, &block);
+        if (error == AVERROR_INPUT_CHANGED) { // a stream may change its format on the way
+            swr_close(converter_.get());
+            error = swr_convert_frame(converter_.get(), &out, &block);
+        }
+        if (error < 0) return -1;
+        const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
+        stereo.assign(samples, samples + ptrdiff_t{2} * out.nb_samples);
+        if (begins < 0 && follows_ < 0 && !stamped) begins = 0;
+        follows_ = begins + out.nb_samples;
+        return begins;
+    }
 
     Input input_;
     Codec codec_;
@@ -58,122 +169,6 @@ class SoundDecoder {
     int64_t follows_ = -1; // frame that the next samples should begin with; -1: unknown
     bool draining_ = false;
 };
-
-Result<SoundDecoder> SoundDecoder::open(const Path& file) {
-    setUpDecoders();
-    const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code)) return failed("there is no such file");
-    SoundDecoder d;
-    d.input_ = openInput(file);
-    AVFormatContext* input = d.input_.get();
-    if (!input || avformat_find_stream_info(input, nullptr) < 0)
-        return failed("is not a file with sound that can be read");
-    const AVCodec* kind = nullptr;
-    d.stream_ = av_find_best_stream(input, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
-    if (d.stream_ < 0 || !kind) return failed("has no sound");
-    keepOnly(*input, d.stream_);
-    const int picture = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, d.stream_, nullptr, 0);
-    const AVStream& first = *input->streams[picture >= 0 ? picture : d.stream_];
-    if (first.start_time != AV_NOPTS_VALUE)
-        d.begins_s_ = static_cast<double>(first.start_time) * av_q2d(first.time_base);
-    const AVStream& sound = *input->streams[d.stream_];
-    d.codec_.reset(avcodec_alloc_context3(kind));
-    if (!d.codec_ || avcodec_parameters_to_context(d.codec_.get(), sound.codecpar) < 0)
-        return failed("has a sound that cannot be decoded");
-    d.codec_->pkt_timebase = sound.time_base;
-    d.codec_->thread_count = 1; // there is little work
-    if (avcodec_open2(d.codec_.get(), kind, nullptr) < 0) return failed("has a sound that cannot be decoded");
-    return d;
-}
-
-double SoundDecoder::length_s() const {
-    return input_->duration > 0 ? static_cast<double>(input_->duration) / AV_TIME_BASE : 0;
-}
-
-bool SoundDecoder::seek(int64_t frame) {
-    const double seconds = static_cast<double>(frame) / kSoundRate_Hz + begins_s_;
-    const auto stamp =
-        static_cast<int64_t>(std::floor(seconds / av_q2d(input_->streams[stream_]->time_base)));
-    if (av_seek_frame(input_.get(), stream_, stamp, AVSEEK_FLAG_BACKWARD) < 0 &&
-        (frame > 0 || av_seek_frame(input_.get(), stream_, 0, AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY) < 0))
-        return false;
-    avcodec_flush_buffers(codec_.get());
-    swr_close(converter_.get());
-    follows_ = -1;
-    draining_ = false;
-    return true;
-}
-
-// Converts the decoded block to samples; returns their first frame, or -1 if the block is invalid.
-int64_t SoundDecoder::convert(std::vector<int16_t>& stereo) {
-    AVFrame& block = *block_;
-    if (block.sample_rate < kMinRate_Hz || block.sample_rate > kMaxRate_Hz || block.nb_samples < 1 ||
-        block.nb_samples > kMaxBlock || block.ch_layout.nb_channels < 1 ||
-        block.ch_layout.nb_channels > kMaxChannels)
-        return -1;
-    // Some decoders know only the number of channels.
-    if (block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
-        av_channel_layout_default(&block.ch_layout, block.ch_layout.nb_channels);
-    int64_t begins = follows_;
-    const bool stamped = block.best_effort_timestamp != AV_NOPTS_VALUE;
-    if (stamped) {
-        const double seconds =
-            static_cast<double>(block.best_effort_timestamp) * av_q2d(codec_->pkt_timebase) - begins_s_;
-        if (!(std::abs(seconds) < 1e7)) return -1;
-        // Samples that wait in the converter come out first.
-        const int64_t waiting =
-            swr_is_initialized(converter_.get()) ? swr_get_delay(converter_.get(), kSoundRate_Hz) : 0;
-        const int64_t stated = std::llround(seconds * kSoundRate_Hz) - waiting;
-        if (follows_ < 0 || std::llabs(stated - follows_) > kHole) begins = stated;
-    }
-    AVFrame& out = *converted_;
-    av_frame_unref(&out);
-    out.format = AV_SAMPLE_FMT_S16;
-    out.sample_rate = kSoundRate_Hz;
-    av_channel_layout_default(&out.ch_layout, 2);
-    int error = swr_convert_frame(converter_.get(), &out, &block);
-    if (error == AVERROR_INPUT_CHANGED) { // a stream may change its format on the way
-        swr_close(converter_.get());
-        error = swr_convert_frame(converter_.get(), &out, &block);
-    }
-    if (error < 0) return -1;
-    const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
-    stereo.assign(samples, samples + ptrdiff_t{2} * out.nb_samples);
-    if (begins < 0 && follows_ < 0 && !stamped) begins = 0;
-    follows_ = begins + out.nb_samples;
-    return begins;
-}
-
-int64_t SoundDecoder::next(std::vector<int16_t>& stereo) {
-    stereo.clear();
-    for (int bad = 0; bad < kMaxBadPackets;) {
-        const int got = avcodec_receive_frame(codec_.get(), block_.get());
-        if (got == 0) {
-            const int64_t begins = convert(stereo);
-            // Sound before the first picture is dropped: mostly the priming of a codec.
-            const auto count = static_cast<int64_t>(stereo.size() / 2);
-            if (begins + count > 0 && count > 0) {
-                if (begins >= 0) return begins;
-                stereo.erase(stereo.begin(), stereo.begin() + static_cast<ptrdiff_t>(-begins) * 2);
-                return 0;
-            }
-            stereo.clear();
-            ++bad;
-            continue;
-        }
-        if (got == AVERROR_EOF || draining_) return -1;
-        if (got != AVERROR(EAGAIN)) ++bad;
-        if (av_read_frame(input_.get(), packet_.get()) < 0) {
-            draining_ = true;
-            avcodec_send_packet(codec_.get(), nullptr);
-            continue;
-        }
-        if (packet_->stream_index == stream_ && avcodec_send_packet(codec_.get(), packet_.get()) < 0) ++bad;
-        av_packet_unref(packet_.get());
-    }
-    return -1;
-}
 
 } // namespace
 

@@ -14,17 +14,15 @@ extern "C" {
 
 namespace shoal::media {
 
-namespace {
-
 // Returns the text of <name>value</name> or name="value" in XMP; empty if absent. Single values need no XML
 // parser, which hostile entities could attack.
-std::string_view xmpValue(std::string_view xmp, const std::string& name) {
+static std::string_view xmpValue(std::string_view xmp, const std::string& name) {
     const size_t at = xmp.find(name);
     const size_t begin = at == xmp.npos ? at : xmp.find_first_not_of(" \t\r\n=>\"'", at + name.size());
     return begin == xmp.npos ? "" : xmp.substr(begin, xmp.find_first_of(" \t\r\n<\"'", begin) - begin);
 }
 
-std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
+static std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
     constexpr int kMaxPixels = 1 << 20;
     const auto pixels = [&](const char* name) {
         return parseNumber(xmpValue(xmp, std::string("GPano:") + name), 0, kMaxPixels).value_or(-1);
@@ -41,7 +39,7 @@ std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
 }
 
 // Returns the beginning of an MP4 file's movie box, or of a Matroska file; empty if there is none.
-std::string headerText(const Path& file, bool matroska) {
+static std::string headerText(const Path& file, bool matroska) {
     std::ifstream stream(file, std::ios::binary);
     std::array<uint8_t, 16> head{}; // size, name, and the large size if size is 1
     for (uint64_t at = 0; !matroska && !hasText(head, 4, "moov");) {
@@ -58,7 +56,7 @@ std::string headerText(const Path& file, bool matroska) {
 
 // Reads what libavformat drops: meshes, version 2 without its header box, version 1 without the name of the
 // stitching software.
-SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
+static SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
     constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03"; // ProjectionType, of one byte: 3
     const std::string header = headerText(file, matroska);
     SphericalMetadata m;
@@ -80,8 +78,6 @@ SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
     }
     return m;
 }
-
-} // namespace
 
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file) {
     const bool matroska = std::string_view(input.iformat->name).starts_with("matroska");

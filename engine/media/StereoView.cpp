@@ -111,11 +111,6 @@ Layout layoutFromContent(const ImageRgb8& frame) {
     return nothing ? Layout::Auto : Layout::Mono;
 }
 
-Layout bothFrames(Layout a, Layout b) {
-    if (a == Layout::Auto) return b;
-    return b == Layout::Auto || a == b ? a : Layout::Mono;
-}
-
 Layout layoutOf(const ImageRgb8& picture) {
     const Layout shape = layoutFromShape(picture.width, picture.height);
     if (shape == Layout::TopBottom || shape == Layout::LeftRight) return shape;

@@ -28,9 +28,6 @@ Layout layoutFromShape(int width, int height);
 // alike, or both are; Auto if nothing can be told: blank, a fade, plain water. frame: either channel order.
 Layout layoutFromContent(const ImageRgb8& frame);
 
-// Combines the results of two frames of a video: Mono if they disagree.
-Layout bothFrames(Layout a, Layout b);
-
 // Detects a still picture's layout: by shape, but 2:1 may be two eyes' pictures squeezed, so 2:1 and
 // ambiguous shapes are decided by content. Never Auto; Mono when in doubt.
 Layout layoutOf(const ImageRgb8& picture);

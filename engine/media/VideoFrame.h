@@ -4,13 +4,13 @@
 #include "engine/core/Image.h"
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
-#include "engine/media/YuvToBgr.h"
 
 #include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -19,6 +19,13 @@ namespace shoal::media {
 
 constexpr int kMaxVideoSide = 8192;
 constexpr double kMinFps = 1, kMaxFps = 240, kFallbackFps = 30;
+
+// Matrix coefficients of a video's luma and colour differences. High-definition video is BT.709; decoded as
+// BT.601, its saturated colours would shift by up to 25 of 255 levels. The values are codes of ISO/IEC
+// 23091-2 (ITU-T H.273), which FFmpeg has too.
+enum class ColourMatrix { Bt709 = 1, Bt601 = 5, Bt2020 = 9 };
+
+const char* nameOf(ColourMatrix matrix);
 
 // Properties of a video file, read without playing it.
 struct VideoInfo {

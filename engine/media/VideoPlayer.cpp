@@ -13,8 +13,6 @@
 
 namespace shoal::media {
 
-namespace {
-
 using Clock = std::chrono::steady_clock;
 using Slot = FrameSlots::Slot;
 using State = FrameSlots::State;
@@ -28,8 +26,6 @@ constexpr double kBackwardSlack_s = 0.5;
 // frames that their edit list or a missing key frame hides.
 constexpr int64_t kMissingFrames = 4;
 constexpr double kMissingShare = 0.02;
-
-} // namespace
 
 struct VideoPlayer::Impl {
     Path file;

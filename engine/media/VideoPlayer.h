@@ -18,8 +18,7 @@ namespace shoal::media {
 class VideoPlayer {
   public:
     // Returns when the first frame is ready. Fails if the file is not a regular one, not a video, larger than
-    // kMaxVideoSide, or if its first frame cannot be decoded. Layout::Auto is detected from the metadata,
-    // else from the frame's shape, else from the first frame.
+    // kMaxVideoSide, or if its first frame cannot be decoded. Layout::Auto: see VideoSource::open().
     static Result<VideoPlayer> open(const Path& file, PlayerOptions options = {});
 
     const VideoInfo& info() const;

@@ -14,8 +14,6 @@ extern "C" {
 
 namespace shoal::media {
 
-namespace {
-
 // Pixels that one thread decodes at least per second, H.264 of a few Mbit/s; each thread needs memory for
 // some pictures.
 constexpr double kPixelsPerThread = 64e6;
@@ -26,16 +24,14 @@ constexpr int kMaxBadPackets = 4096; // in a row, without a picture
 // Containers of video. FFmpeg's other formats include playlists and scripts that name further files.
 constexpr const char* kContainers = "mov,matroska,avi,ogg,flv,mpeg,mpegts";
 
-double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
+static double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
 
 // Returns the clockwise quarter turns that make the stream's pictures upright; phones store them.
-int quarterTurnsOf(const AVStream& stream) {
+static int quarterTurnsOf(const AVStream& stream) {
     const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9);
     const double turn_deg = matrix ? av_display_rotation_get(matrix) : 0;
     return std::isfinite(turn_deg) ? static_cast<int>(std::lround(-turn_deg / 90)) & 3 : 0;
 }
-
-} // namespace
 
 Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     setUpDecoders();
@@ -211,8 +207,8 @@ bool VideoSource::findLayout(Layout request) {
         if (!read && i == 0 && shape == Layout::Auto) return false;
         if (!read) break; // if the file ends earlier than stated, the frames before decide
         const Layout one = layoutFromContent(frame);
-        told += one != Layout::Auto;
-        content = bothFrames(content, one);
+        if (one == Layout::Auto) continue;
+        content = ++told == 1 || one == content ? one : Layout::Mono;
     }
     if (content == Layout::Auto) content = Layout::Mono;
     return seek(0) && found(content, content == shape ? "shape" : "content");

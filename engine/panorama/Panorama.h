@@ -1,9 +1,8 @@
 // Extrapolation of an ordinary photo to a full 360-degree panorama: Iorns 2016, section 5.3.
 //
-// Find the main light (FindLight.h); project the photo to latitude and longitude (Lens.h); widen it by seam
-// insertion to 360 degrees and heighten it to a band around the horizon, protecting the light and vertical
-// edges (RingMap.h); blend the ends (WrapBlend.h); extrapolate sky and ground to the poles (PolarCaps.h);
-// rotate the light to the middle column.
+// Find the main light; project the photo to latitude and longitude; widen it by seam insertion to 360 degrees
+// and heighten it to a band around the horizon, protecting the light and vertical edges; blend the ends;
+// extrapolate sky and ground to the poles; rotate the light to the middle column.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -49,7 +48,7 @@ struct PanoramaPart {
     double left = 0, top = 0, right = 1, bottom = 1;
 };
 
-// Copies the part to its place; extrapolates sky and ground (PolarCaps.h); fills a gap at the sides by
+// Copies the part to its place; extrapolates sky and ground; fills a gap at the sides by
 // cross-fading mirror images of the columns between either end and the light. Fails if the part would be
 // less than two pixels wide or high; the error has no path.
 template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part);

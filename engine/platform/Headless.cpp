@@ -1,35 +1,28 @@
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
 namespace shoal::platform {
 
-namespace {
-
 // Returns the first display that starts: a graphics card's (device platform), else Mesa's software one.
-EGLDisplay firstDisplay() {
+static EGLDisplay firstDisplay() {
     const auto getDisplay =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     const auto queryDevices =
         reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    if (getDisplay && queryDevices) {
-        EGLDeviceEXT devices[16];
-        EGLint count = 0;
-        queryDevices(16, devices, &count);
-        for (EGLint i = 0; i < count; ++i) {
-            EGLDisplay display = getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
-            if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
-        }
-    }
-    if (getDisplay) {
-        EGLDisplay display = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (!getDisplay) return EGL_NO_DISPLAY;
+    EGLDeviceEXT devices[16];
+    EGLint count = 0;
+    if (queryDevices) queryDevices(16, devices, &count);
+    for (EGLint i = 0; i <= count; ++i) {
+        EGLDisplay display = i < count
+                                 ? getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)
+                                 : getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
         if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
     }
     return EGL_NO_DISPLAY;
 }
-
-} // namespace
 
 Headless::Headless(void* display)
     : display_(display, [](void* opened) {

@@ -1,7 +1,5 @@
 #include "engine/platform/Window.h"
 
-#include "engine/platform/Headless.h"
-
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
 #include <glm/geometric.hpp>
@@ -10,16 +8,14 @@
 
 namespace shoal::platform {
 
-namespace {
-
-glm::vec2 withDeadZone(float x, float y) {
+static glm::vec2 withDeadZone(float x, float y) {
     constexpr float kDead = 0.18f; // share of the stick's range: sticks do not return to their exact middle
     const glm::vec2 stick(x, -y);
     const float length = glm::length(stick);
     return length <= kDead ? glm::vec2(0) : stick / length * std::min((length - kDead) / (1 - kDead), 1.0f);
 }
 
-void pollGamepad(Gamepad& pad) {
+static void pollGamepad(Gamepad& pad) {
     pad.pressed.clear();
     GLFWgamepadstate state;
     for (int i = GLFW_JOYSTICK_1; i <= GLFW_JOYSTICK_LAST; ++i) {
@@ -41,7 +37,9 @@ void pollGamepad(Gamepad& pad) {
     pad = {};
 }
 
-} // namespace
+static WindowInput& inputOf(GLFWwindow* window) {
+    return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
 
 struct Window::State {
     GLFWwindow* window = nullptr;
@@ -49,7 +47,7 @@ struct Window::State {
     glm::dvec2 lastCursor{0};
     bool cursorKnown = false;
     bool waited = false; // wait() has collected events for the next poll
-    int restoreX = 80, restoreY = 80, restoreWidth = 1280, restoreHeight = 720;
+    glm::ivec2 restorePlace{80}, restoreSize{0};
 
     void forgetEvents() {
         input.keysPressed.clear();
@@ -57,10 +55,7 @@ struct Window::State {
         input.wheel = 0;
         input.leftPressed = input.middlePressed = false;
     }
-    ~State() {
-        if (window) glfwDestroyWindow(window);
-        glfwTerminate();
-    }
+    ~State() { glfwTerminate(); } // destroys the window too
 };
 
 Result<Window> Window::open(const WindowOptions& options) {
@@ -78,8 +73,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     GLFWmonitor* monitor = options.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     const int width = mode ? mode->width : options.width, height = mode ? mode->height : options.height;
-    state->restoreWidth = options.width;
-    state->restoreHeight = options.height;
+    state->restoreSize = {options.width, options.height};
     for (const GlVersion version : kGlVersions) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
@@ -90,22 +84,19 @@ Result<Window> Window::open(const WindowOptions& options) {
         return Error{"", "no window with OpenGL 3.3 could be opened; is the graphics driver installed?"};
     glfwMakeContextCurrent(state->window);
     glfwSwapInterval(options.vsync ? 1 : 0);
-    glfwSetWindowUserPointer(state->window, state.get());
+    glfwSetWindowUserPointer(state->window, &state->input);
     glfwSetKeyCallback(state->window, [](GLFWwindow* window, int key, int, int action, int) {
-        if (action == GLFW_PRESS)
-            static_cast<State*>(glfwGetWindowUserPointer(window))->input.keysPressed.push_back(key);
+        if (action == GLFW_PRESS) inputOf(window).keysPressed.push_back(key);
     });
-    glfwSetScrollCallback(state->window, [](GLFWwindow* window, double, double y) {
-        static_cast<State*>(glfwGetWindowUserPointer(window))->input.wheel += y;
-    });
+    glfwSetScrollCallback(state->window,
+                          [](GLFWwindow* window, double, double y) { inputOf(window).wheel += y; });
     glfwSetMouseButtonCallback(state->window, [](GLFWwindow* window, int button, int action, int) {
-        WindowInput& input = static_cast<State*>(glfwGetWindowUserPointer(window))->input;
         if (action != GLFW_PRESS) return;
-        if (button == GLFW_MOUSE_BUTTON_LEFT) input.leftPressed = true;
-        if (button == GLFW_MOUSE_BUTTON_MIDDLE) input.middlePressed = true;
+        if (button == GLFW_MOUSE_BUTTON_LEFT) inputOf(window).leftPressed = true;
+        if (button == GLFW_MOUSE_BUTTON_MIDDLE) inputOf(window).middlePressed = true;
     });
     glfwSetDropCallback(state->window, [](GLFWwindow* window, int count, const char** files) {
-        auto& dropped = static_cast<State*>(glfwGetWindowUserPointer(window))->input.droppedFiles;
+        auto& dropped = inputOf(window).droppedFiles;
         dropped.insert(dropped.end(), files, files + count);
     });
     return Window(std::move(state));
@@ -165,14 +156,14 @@ void Window::setVsync(bool on) { glfwSwapInterval(on ? 1 : 0); }
 void Window::toggleFullscreen() {
     GLFWwindow* window = state_->window;
     if (glfwGetWindowMonitor(window)) {
-        glfwSetWindowMonitor(window, nullptr, state_->restoreX, state_->restoreY, state_->restoreWidth,
-                             state_->restoreHeight, GLFW_DONT_CARE);
+        glfwSetWindowMonitor(window, nullptr, state_->restorePlace.x, state_->restorePlace.y,
+                             state_->restoreSize.x, state_->restoreSize.y, GLFW_DONT_CARE);
         return;
     }
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     if (!monitor) return;
-    glfwGetWindowPos(window, &state_->restoreX, &state_->restoreY);
-    glfwGetWindowSize(window, &state_->restoreWidth, &state_->restoreHeight);
+    glfwGetWindowPos(window, &state_->restorePlace.x, &state_->restorePlace.y);
+    glfwGetWindowSize(window, &state_->restoreSize.x, &state_->restoreSize.y);
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }

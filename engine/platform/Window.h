@@ -1,5 +1,5 @@
-// A window with a context of OpenGL 3.3 or newer (core profile), and the player's input in it since the last
-// poll.
+// A window, or an off-screen context, of OpenGL 3.3 or newer (core profile), and the player's input in the
+// window since the last poll.
 #pragma once
 
 #include "engine/core/Hidden.h"
@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,24 @@ class Window {
     struct State;
     explicit Window(Hidden<State> state) : state_(std::move(state)) {}
     Hidden<State> state_;
+};
+
+// Versions of OpenGL that are requested, best first. Some drivers (NVIDIA's) give exactly the requested
+// version: if only 3.3 were requested, layers, which need 4.3, would never be available.
+struct GlVersion {
+    int major, minor;
+};
+inline constexpr GlVersion kGlVersions[] = {{4, 3}, {3, 3}};
+
+// An OpenGL context without display, window or display server: EGL's surfaceless platform.
+class Headless {
+  public:
+    // Makes the context current on the calling thread. OpenGL 3.3 core or newer.
+    static Result<Headless> open();
+
+  private:
+    explicit Headless(void* display);
+    std::unique_ptr<void, void (*)(void*)> display_; // EGL's display; destroying it destroys the context
 };
 
 } // namespace shoal::platform

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/Image.h"
-#include "engine/depth/DepthRange.h"
+#include "engine/depth/DepthMap.h"
 #include "engine/gl/Program.h"
 #include "engine/light/PackedLight.h"
 #include "engine/occlusion/SmoothLight.h"

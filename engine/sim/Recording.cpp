@@ -1,5 +1,6 @@
 #include "engine/sim/Recording.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
@@ -52,11 +53,9 @@ Result<RecordingHeader> parseHeader(std::span<const uint8_t> text) {
         const auto json = nlohmann::json::parse(text.begin(), text.end());
         const auto whole = [&](const char* key) { return json.at(key).get_ref<const uint64_t&>(); };
         if (const uint64_t written = whole("version"); written != kVersion)
-            return fail("has version " + std::to_string(written) + ", this game reads version " +
-                        std::to_string(kVersion));
+            return fail(fmt::format("has version {}, this game reads version {}", written, kVersion));
         if (const uint64_t rate_Hz = whole("tick_rate_Hz"); rate_Hz != kTickRate_Hz)
-            return fail("ticks at " + std::to_string(rate_Hz) + " Hz, this game at " +
-                        std::to_string(kTickRate_Hz));
+            return fail(fmt::format("ticks at {} Hz, this game at {}", rate_Hz, kTickRate_Hz));
         header.seed = whole("seed");
         json.at("dive").get_to(header.dive);
         header.inputBytes = static_cast<uint32_t>(std::min<uint64_t>(whole("input_bytes"), UINT32_MAX));
@@ -74,7 +73,7 @@ Result<RecordingHeader> parseHeader(std::span<const uint8_t> text) {
 
 Result<RecordingWriter> RecordingWriter::create(const Path& file, const RecordingHeader& header) {
     assert(header.inputBytes > 0 && header.inputBytes <= kMaxInputBytes);
-    auto opened = GrowingFile::create(file);
+    auto opened = GrowingFile::open(file);
     if (!opened) return opened.error();
     const nlohmann::json json = {{"version", kVersion},          {"seed", header.seed},
                                  {"dive", header.dive},          {"settings", header.settings},
@@ -155,8 +154,8 @@ Result<RecordedTick> RecordingReader::next() {
         uLongf size = body_.size();
         uLong consumed = block.packed.size();
         if (uncompress2(body_.data(), &size, block.packed.data(), &consumed) != Z_OK || size != body_.size())
-            return Error{file_->path.string(), "is damaged: its ticks cannot be unpacked from tick " +
-                                                   std::to_string(position_) + " on"};
+            return Error{file_->path.string(),
+                         fmt::format("is damaged: its ticks cannot be unpacked from tick {} on", position_)};
         std::ranges::fill(input_, uint8_t{0});
         at_ = 0;
     }
@@ -169,7 +168,7 @@ Result<RecordedTick> RecordingReader::next() {
 
 Status sameState(uint64_t tick, uint64_t recorded, uint64_t now) {
     if (recorded == now) return Done{};
-    return Error{"", "tick " + std::to_string(tick) + ": the state differs from the recorded one"};
+    return Error{"", fmt::format("tick {}: the state differs from the recorded one", tick)};
 }
 
 } // namespace shoal::sim

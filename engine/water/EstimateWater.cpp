@@ -1,8 +1,8 @@
 #include "engine/water/EstimateWater.h"
 
 #include "engine/math/Colour.h"
-#include "engine/math/Follow.h"
 #include "engine/math/LatLong.h"
+#include "engine/math/Trigonometry.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>

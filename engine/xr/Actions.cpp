@@ -6,56 +6,47 @@
 
 namespace shoal::xr {
 
-namespace {
-
 // Bindings of a controller: squeeze closes the hand, trigger bends the index finger, menu pauses. A
 // controller with one button uses it for the first two. Names are those of OpenXR's registry.
 struct InteractionProfile {
     const char* extension; // the extension that defines it; null: OpenXR 1.0
     const char* name;
-    const char* squeeze;
-    const char* trigger;
-    const char* menu; // null: none
-    bool menuOnRight; // both hands have a menu button; false: only the left
+    bool menuOnRight = false; // both hands have a menu button; false: only the left
+    const char* squeeze = "squeeze/value";
+    const char* trigger = "trigger/value";
+    const char* menu = "menu/click"; // null: none
     bool vibrates = true;
 };
 constexpr const char* kPico = "XR_BD_controller_interaction";
 constexpr InteractionProfile kProfiles[] = {
-    {nullptr, "khr/simple_controller", "select/click", "select/click", "menu/click", true},
-    {nullptr, "oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
-    {nullptr, "valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
-    {nullptr, "htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
-    {nullptr, "microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
+    {nullptr, "khr/simple_controller", true, "select/click", "select/click"},
+    {nullptr, "oculus/touch_controller"},
+    {nullptr, "valve/index_controller", true, "squeeze/value", "trigger/value", "b/click"},
+    {nullptr, "htc/vive_controller", true, "squeeze/click"},
+    {nullptr, "microsoft/motion_controller", true, "squeeze/click"},
     // Bare hands as the runtime interprets them, for runtimes that do not give their joints.
-    {"XR_EXT_hand_interaction", "ext/hand_interaction_ext", "grasp_ext/value", "pinch_ext/value", nullptr,
-     false, false},
-    {"XR_FB_touch_controller_pro", "facebook/touch_controller_pro", "squeeze/value", "trigger/value",
-     "menu/click", false},
-    {"XR_META_touch_controller_plus", "meta/touch_controller_plus", "squeeze/value", "trigger/value",
-     "menu/click", false},
-    {kPico, "bytedance/pico_neo3_controller", "squeeze/value", "trigger/value", "menu/click", true},
-    {kPico, "bytedance/pico4_controller", "squeeze/value", "trigger/value", "menu/click", false},
-    {"XR_BD_ultra_controller_interaction", "bytedance/pico_ultra_controller_bd", "squeeze/value",
-     "trigger/value", "menu/click", false},
-    {"XR_HTC_vive_focus3_controller_interaction", "htc/vive_focus3_controller", "squeeze/value",
-     "trigger/value", "menu/click", false},
-    {"XR_EXT_hp_mixed_reality_controller", "hp/mixed_reality_controller", "squeeze/value", "trigger/value",
-     "menu/click", true},
+    {"XR_EXT_hand_interaction", "ext/hand_interaction_ext", false, "grasp_ext/value", "pinch_ext/value",
+     nullptr, false},
+    {"XR_FB_touch_controller_pro", "facebook/touch_controller_pro"},
+    {"XR_META_touch_controller_plus", "meta/touch_controller_plus"},
+    {kPico, "bytedance/pico_neo3_controller", true},
+    {kPico, "bytedance/pico4_controller"},
+    {"XR_BD_ultra_controller_interaction", "bytedance/pico_ultra_controller_bd"},
+    {"XR_HTC_vive_focus3_controller_interaction", "htc/vive_focus3_controller"},
+    {"XR_EXT_hp_mixed_reality_controller", "hp/mixed_reality_controller", true},
 };
 
 constexpr std::array<const char*, 2> kHands = {"/user/hand/left", "/user/hand/right"};
 
-XrPath pathOf(XrInstance instance, const std::string& text) {
+static XrPath pathOf(XrInstance instance, const std::string& text) {
     XrPath path = XR_NULL_PATH;
     SHOAL_XR(xrStringToPath(instance, text.c_str(), &path));
     return path;
 }
 
-XrActionStateGetInfo infoOf(XrAction action, XrPath hand) {
+static XrActionStateGetInfo infoOf(XrAction action, XrPath hand) {
     return {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, hand};
 }
-
-} // namespace
 
 std::vector<const char*> Actions::extensions() {
     std::vector<const char*> names;

@@ -28,10 +28,8 @@ Space makeSpace(XrSession session, const Pose& referenceFromSpace,
 // Returns a space with its origin on the floor: below LOCAL's origin, else in the play area that the player
 // has set up. Empty if the runtime has neither.
 Space makeFloor(XrSession session) {
-    const auto offered = enumerate(XR_REFERENCE_SPACE_TYPE_LOCAL,
-                                   [&](uint32_t capacity, uint32_t* count, XrReferenceSpaceType* items) {
-                                       SHOAL_XR(xrEnumerateReferenceSpaces(session, capacity, count, items));
-                                   });
+    const auto offered = enumerate(XR_REFERENCE_SPACE_TYPE_LOCAL, "xrEnumerateReferenceSpaces",
+                                   xrEnumerateReferenceSpaces, session);
     for (const XrReferenceSpaceType type :
          {XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, XR_REFERENCE_SPACE_TYPE_STAGE})
         if (std::find(offered.begin(), offered.end(), type) != offered.end())
@@ -43,9 +41,8 @@ static_assert(XR_HAND_JOINT_COUNT_EXT == hands::kJointCount);
 
 // Returns the first wanted format that the runtime offers; 0: none.
 int64_t formatOf(XrSession session, std::initializer_list<int64_t> wanted) {
-    const auto offered = enumerate(int64_t{0}, [&](uint32_t capacity, uint32_t* count, int64_t* items) {
-        SHOAL_XR(xrEnumerateSwapchainFormats(session, capacity, count, items));
-    });
+    const auto offered =
+        enumerate(int64_t{0}, "xrEnumerateSwapchainFormats", xrEnumerateSwapchainFormats, session);
     for (const int64_t format : wanted)
         if (std::find(offered.begin(), offered.end(), format) != offered.end()) return format;
     return 0;
@@ -104,12 +101,12 @@ class Swapchain {
         Swapchain chain;
         chain.size_ = size;
         SHOAL_XR(xrCreateSwapchain(session, &info, chain.handle_.fresh()));
-        const auto images = enumerate(
-            XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
-            [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
-                SHOAL_XR(xrEnumerateSwapchainImages(chain.name(), capacity, count,
-                                                    reinterpret_cast<XrSwapchainImageBaseHeader*>(items)));
-            });
+        const auto list = [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
+            return xrEnumerateSwapchainImages(chain.name(), capacity, count,
+                                              reinterpret_cast<XrSwapchainImageBaseHeader*>(items));
+        };
+        const auto images = enumerate(XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
+                                      "xrEnumerateSwapchainImages", list);
         for (const XrSwapchainImageOpenGLKHR& image : images) {
             chain.framebuffers_.push_back(gl::Framebuffer::make());
             glBindFramebuffer(GL_FRAMEBUFFER, chain.framebuffers_.back().name());
@@ -213,10 +210,7 @@ void askForRefreshRate(const Instance& instance, XrSession session) {
     const auto request = functionOf<PFN_xrRequestDisplayRefreshRateFB>(name, "xrRequestDisplayRefreshRateFB");
     if (!list || !get || !request) return;
     const Status asked = statusOf([&] {
-        const auto offered = enumerate(0.0f, [&](uint32_t capacity, uint32_t* count, float* items) {
-            check(list(session, capacity, count, items), "xrEnumerateDisplayRefreshRatesFB");
-        });
-        for (const float rate_Hz : offered)
+        for (const float rate_Hz : enumerate(0.0f, "xrEnumerateDisplayRefreshRatesFB", list, session))
             if (std::abs(rate_Hz - kWanted_Hz) < kSame_Hz)
                 check(request(session, rate_Hz), "xrRequestDisplayRefreshRateFB");
         float now_Hz = 0;

@@ -22,17 +22,17 @@ template <size_t kSize> std::string textOf(const char (&from)[kSize]) {
 }
 
 std::vector<XrExtensionProperties> extensions() {
+    const auto list = [](uint32_t capacity, uint32_t* count, XrExtensionProperties* items) {
+        const XrResult result = xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
+        if (result == XR_ERROR_RUNTIME_UNAVAILABLE || result == XR_ERROR_FILE_ACCESS_ERROR ||
+            result == XR_ERROR_FILE_CONTENTS_INVALID)
+            throw Failure("no headset runtime is active; start one (Monado, SteamVR ...) or let "
+                          "XR_RUNTIME_JSON name its file (" +
+                          std::string(nameOf(result)) + ")");
+        return result;
+    };
     return enumerate(XrExtensionProperties{XR_TYPE_EXTENSION_PROPERTIES},
-                     [](uint32_t capacity, uint32_t* count, XrExtensionProperties* items) {
-                         const XrResult result =
-                             xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
-                         if (result == XR_ERROR_RUNTIME_UNAVAILABLE || result == XR_ERROR_FILE_ACCESS_ERROR ||
-                             result == XR_ERROR_FILE_CONTENTS_INVALID)
-                             throw Failure("no headset runtime is active; start one (Monado, SteamVR ...) or "
-                                           "let XR_RUNTIME_JSON name its file (" +
-                                           std::string(nameOf(result)) + ")");
-                         check(result, "xrEnumerateInstanceExtensionProperties");
-                     });
+                     "xrEnumerateInstanceExtensionProperties", list);
 }
 
 void findHeadset(Instance& instance) {
@@ -53,12 +53,9 @@ void findHeadset(Instance& instance) {
     instance.bareHands &= hands.supportsHandTracking == XR_TRUE;
     instance.sensesWearer &= presence.supportsUserPresence == XR_TRUE;
 
-    const auto views =
-        enumerate(XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
-                  [&](uint32_t capacity, uint32_t* count, XrViewConfigurationView* items) {
-                      SHOAL_XR(xrEnumerateViewConfigurationViews(instance.handle.name(), instance.system,
-                                                                 kStereo, capacity, count, items));
-                  });
+    const auto views = enumerate(XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
+                                 "xrEnumerateViewConfigurationViews", xrEnumerateViewConfigurationViews,
+                                 instance.handle.name(), instance.system, kStereo);
     if (views.size() != 2) throw Failure(instance.runtimeName + " shows no two eyes");
     constexpr uint32_t kMax = 8192;
     for (const XrViewConfigurationView& view : views) { // both eyes get the larger size
@@ -70,11 +67,9 @@ void findHeadset(Instance& instance) {
                                          side(view.recommendedImageRectHeight, view.maxImageRectHeight)));
     }
 
-    const auto blends = enumerate(XR_ENVIRONMENT_BLEND_MODE_OPAQUE, [&](uint32_t capacity, uint32_t* count,
-                                                                        XrEnvironmentBlendMode* items) {
-        SHOAL_XR(xrEnumerateEnvironmentBlendModes(instance.handle.name(), instance.system, kStereo, capacity,
-                                                  count, items));
-    });
+    const auto blends =
+        enumerate(XR_ENVIRONMENT_BLEND_MODE_OPAQUE, "xrEnumerateEnvironmentBlendModes",
+                  xrEnumerateEnvironmentBlendModes, instance.handle.name(), instance.system, kStereo);
     const auto offers = [&](XrEnvironmentBlendMode mode) {
         return std::find(blends.begin(), blends.end(), mode) != blends.end();
     };

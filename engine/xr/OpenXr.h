@@ -56,14 +56,15 @@ template <class Function> Function functionOf(XrInstance instance, const char* n
     return reinterpret_cast<Function>(function);
 }
 
-// Returns an OpenXR enumeration's items, kMax at most. call(capacity, count, items) is called twice.
-template <class Item, class Call> std::vector<Item> enumerate(const Item& blank, Call&& call) {
+// Returns the items that an OpenXR function lists, kMax at most. of: its first arguments.
+template <class Item, class List, class... Of>
+std::vector<Item> enumerate(const Item& blank, const char* name, List list, Of... of) {
     constexpr uint32_t kMax = 4096;
     uint32_t count = 0;
-    call(0u, &count, static_cast<Item*>(nullptr));
+    check(list(of..., 0, &count, nullptr), name);
     std::vector<Item> items(std::min(count, kMax), blank);
     if (items.empty()) return items;
-    call(static_cast<uint32_t>(items.size()), &count, items.data());
+    check(list(of..., static_cast<uint32_t>(items.size()), &count, items.data()), name);
     items.resize(std::min<size_t>(count, items.size()), blank);
     return items;
 }

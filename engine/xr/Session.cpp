@@ -17,14 +17,12 @@
 
 namespace shoal::xr {
 
-namespace {
-
-std::string versionText(XrVersion version) {
+static std::string versionText(XrVersion version) {
     return std::to_string(XR_VERSION_MAJOR(version)) + "." + std::to_string(XR_VERSION_MINOR(version));
 }
 
 // The extension demands that the requirements are queried before a session is made.
-void checkRequirements(const Instance& instance) {
+static void checkRequirements(const Instance& instance) {
     const auto get = functionOf<PFN_xrGetOpenGLGraphicsRequirementsKHR>(instance.handle.name(),
                                                                         "xrGetOpenGLGraphicsRequirementsKHR");
     if (!get) throw Failure("the runtime lacks xrGetOpenGLGraphicsRequirementsKHR");
@@ -38,8 +36,6 @@ void checkRequirements(const Instance& instance) {
         throw Failure(instance.runtimeName + " wants OpenGL " + versionText(wanted.minApiVersionSupported) +
                       ", the graphics driver gives " + versionText(ours));
 }
-
-} // namespace
 
 SessionHandle createSession(const Instance& instance) {
     checkRequirements(instance);

@@ -2,7 +2,6 @@
 // screen and of dives. Main thread, which has the OpenGL context.
 #pragma once
 
-#include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
 #include "game/app/ContentLoader.h"
 #include "game/app/Display.h"

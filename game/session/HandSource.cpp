@@ -2,7 +2,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"
-#include "engine/math/Follow.h"
+#include "engine/math/Trigonometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include "engine/gl/Target.h"
 #include "engine/media/Pictures.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
-#include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
 #include "engine/render/ObjectPass.h"

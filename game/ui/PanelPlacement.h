@@ -2,7 +2,7 @@
 // and only once the head looks well aside.
 #pragma once
 
-#include "engine/math/Follow.h"
+#include "engine/math/Trigonometry.h"
 #include "engine/xr/Tracked.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "game/views/AnimalLight.h"
 
-#include "engine/math/Follow.h"
+#include "engine/math/Trigonometry.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #include "input/hands/HandFilter.h"
 
-#include "engine/math/Follow.h"
+#include "engine/math/Trigonometry.h"
 #include "input/hands/HandRig.h"
 
 #include <glm/geometric.hpp>

@@ -1,6 +1,5 @@
 #include "input/hands/MouseHands.h"
 
-#include "engine/math/Follow.h"
 #include "engine/math/Trigonometry.h"
 
 #include <glm/geometric.hpp>

@@ -6,7 +6,7 @@
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "engine/light/PackedLight.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/Pictures.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "engine/render/ObjectPass.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Drawn water, and the particles that drift in it.
 #include "Spheres.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "engine/render/ParticlePass.h"
 #include "tests/unit/water/SeenThrough.h"
 

@@ -1,6 +1,6 @@
 // Whole dives, drawn with the background and its texels by OpenGL and by the processor.
 #include "engine/core/WriteFile.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "engine/render/software/FrameSampler.h"
 #include "game/session/GameSession.h"
 #include "game/views/SceneRenderer.h"

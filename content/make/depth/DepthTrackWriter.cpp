@@ -1,7 +1,7 @@
 #include "content/make/depth/DepthTrackWriter.h"
 
+#include "content/make/Output.h"
 #include "engine/core/WriteFile.h"
-#include "engine/media/DepthTrackFormat.h"
 
 #include <fmt/core.h>
 
@@ -9,6 +9,7 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
+#include <algorithm>
 #include <utility>
 
 namespace shoal::media {

@@ -3,6 +3,9 @@
 
 #include "engine/media/DepthTrack.h"
 
+#include <span>
+#include <string>
+
 namespace shoal::media {
 
 // Number of a track's codes for each octave of inverse distance. More codes make the track larger, and nobody

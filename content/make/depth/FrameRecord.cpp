@@ -55,9 +55,7 @@ RecordFile::RecordFile(Path file, uint64_t identity, int count)
 
 Status RecordFile::begin() {
     const uint64_t kept = sizeof head_ + static_cast<uint64_t>(done_) * sizeof(FrameRecord);
-    if (Status s = (done_ > 0 ? GrowingFile::extend(file_, kept) : GrowingFile::create(file_)).moveTo(out_);
-        !s)
-        return s;
+    if (Status s = GrowingFile::open(file_, done_ > 0 ? kept : 0).moveTo(out_); !s) return s;
     return done_ > 0 ? Status(Done{}) : out_->write({reinterpret_cast<const char*>(head_), sizeof head_});
 }
 

@@ -1,7 +1,7 @@
 #include "content/make/video/Kept.h"
 
+#include "content/make/Output.h"
 #include "engine/core/WriteFile.h"
-#include "engine/media/Ffmpeg.h"
 
 #include <algorithm>
 #include <array>

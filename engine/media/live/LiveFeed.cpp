@@ -2,12 +2,9 @@
 
 #include "engine/core/Number.h"
 
-#include <algorithm>
 #include <string_view>
 
 namespace shoal::media {
-
-namespace {
 
 // Schemes of URLs that are played, with StreamAddress::protocols; all others are refused. RTSP has to send
 // pictures over its own connection: by UDP its server could make us send to other hosts.
@@ -17,18 +14,11 @@ constexpr std::pair<const char*, const char*> kStreams[] = {
 constexpr size_t kMaxLength = 2048;
 
 // Returns the text before "://", if that can be a scheme.
-std::string_view schemeOf(const std::string& text) {
-    const size_t end = text.find("://");
-    if (end == std::string::npos || end == 0) return {};
-    const std::string_view scheme = std::string_view(text).substr(0, end);
-    const bool plausible = std::all_of(scheme.begin(), scheme.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' ||
-               c == '-' || c == '.';
-    });
-    return plausible ? scheme : std::string_view();
+static std::string_view schemeOf(std::string_view text) {
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-.";
+    const size_t end = text.find_first_not_of(kLetters);
+    return end != text.npos && text.substr(end).starts_with("://") ? text.substr(0, end) : std::string_view();
 }
-
-} // namespace
 
 Result<std::optional<LiveAddress>> liveAddress(const std::string& text) {
     if (text.starts_with("camera:")) {
@@ -46,8 +36,8 @@ Result<std::optional<LiveAddress>> liveAddress(const std::string& text) {
         return Error{withoutPassword(text), "is a URL of a kind that is not played; these are: " + known};
     }
     std::error_code code;
-    if (std::filesystem::is_fifo(text, code)) return std::optional<LiveAddress>(PipeAddress{text});
-    return std::optional<LiveAddress>();
+    if (!std::filesystem::is_fifo(text, code)) return std::optional<LiveAddress>();
+    return std::optional<LiveAddress>(StreamAddress{.place = text, .protocols = "pipe", .isPipe = true});
 }
 
 std::string withoutPassword(const std::string& url) {
@@ -59,7 +49,7 @@ std::string withoutPassword(const std::string& url) {
 
 std::shared_ptr<LiveFeed> feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts) {
     if (const auto* camera = std::get_if<CameraAddress>(&address)) return cameraFeed(*camera);
-    return streamFeed(address, timeouts);
+    return streamFeed(std::get<StreamAddress>(address), timeouts);
 }
 
 } // namespace shoal::media

@@ -19,18 +19,16 @@ namespace shoal::media {
 struct CameraAddress {
     int index = 0; // of /dev/videoN
 };
-struct PipeAddress {
-    Path file;
-};
 // Greatest size of a live picture: some 250 MB for the pictures that are decoded and shown at once.
 constexpr int64_t kMaxLivePixels = int64_t{4096} * 4096;
 
 struct StreamAddress {
-    std::string url;
+    std::string place; // a URL, or the file of a named pipe
     // Protocols that FFmpeg may use for it, comma separated: a server cannot redirect it to files.
     const char* protocols = "";
+    bool isPipe = false;
 };
-using LiveAddress = std::variant<CameraAddress, PipeAddress, StreamAddress>;
+using LiveAddress = std::variant<CameraAddress, StreamAddress>;
 
 // Parses "camera:N", the name of a named pipe, or a URL of a scheme that is played; empty for other text,
 // such as a file's name. Fails for a malformed camera or URL, or a scheme that is not allowed.
@@ -80,7 +78,7 @@ struct FeedTimeouts {
 std::shared_ptr<LiveFeed> feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts = {});
 
 // Make the feed of a pipe or a stream, and of a Video4Linux camera.
-std::shared_ptr<LiveFeed> streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts);
+std::shared_ptr<LiveFeed> streamFeed(const StreamAddress& address, const FeedTimeouts& timeouts);
 std::shared_ptr<LiveFeed> cameraFeed(const CameraAddress& address);
 
 struct CameraListed {

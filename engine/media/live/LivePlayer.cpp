@@ -1,14 +1,13 @@
 #include "engine/media/live/LivePlayer.h"
 
+#include <fmt/core.h>
+
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 
 namespace shoal::media {
 
-namespace {
-
-using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 using Slot = FrameSlots::Slot;
 using State = FrameSlots::State;
@@ -16,9 +15,7 @@ using State = FrameSlots::State;
 constexpr Seconds kPollInterval{0.05};
 constexpr Seconds kJoinTimeout{2}; // time limit for a feed that cannot be interrupted
 
-} // namespace
-
-double liveNow_s() { return Seconds(Clock::now().time_since_epoch()).count(); }
+double liveNow_s() { return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 struct LivePlayer::Impl {
     std::shared_ptr<LiveFeed> feed;
@@ -144,15 +141,6 @@ struct LivePlayer::Impl {
         return true;
     }
 
-    void countCall() { calls_s[callCount++ % calls_s.size()] = options.now_s(); }
-
-    void countDisplayFrames() {
-        const double arrived_s = slots.shown().arrived_s;
-        const auto after = [&](double call_s) { return call_s >= arrived_s; };
-        const auto known = static_cast<ptrdiff_t>(std::min(callCount, calls_s.size()));
-        displayFrames = static_cast<int>(std::count_if(calls_s.begin(), calls_s.begin() + known, after));
-    }
-
     void updateState() {
         const LiveState now = lost                                      ? LiveState::Lost
                               : options.now_s() - lastMade_s > kStill_s ? LiveState::Stopped
@@ -163,10 +151,9 @@ struct LivePlayer::Impl {
         noticedReason = reason;
         notice.clear();
         if (now == LiveState::Stopped)
-            notice = std::string("The ") + feed->kind + " has stopped; showing its last picture";
+            notice = fmt::format("The {} has stopped; showing its last picture", feed->kind);
         if (now == LiveState::Lost)
-            notice = std::string("The ") + feed->kind + " " + reason +
-                     "; showing its last picture, and trying again";
+            notice = fmt::format("The {} {}; showing its last picture, and trying again", feed->kind, reason);
     }
 };
 
@@ -179,8 +166,7 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     impl->thread = std::thread([impl] { impl->run(); });
     LivePlayer player(impl);
 
-    const Clock::time_point last =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(impl->options.firstPicture_s));
+    const double last_s = liveNow_s() + impl->options.firstPicture_s;
     std::unique_lock lock(impl->mutex);
     const auto failed = [&](std::string why) {
         lock.unlock(); // the player's destructor locks it
@@ -189,7 +175,7 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     for (;;) {
         if (impl->takeReady()) break;
         if (impl->lost) return failed(impl->reason);
-        if (Clock::now() >= last) return failed("no picture has come");
+        if (liveNow_s() >= last_s) return failed("no picture has come");
         impl->changed.wait_for(lock, kPollInterval);
         lock.unlock();
         const bool go = !wait || wait();
@@ -200,8 +186,6 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     return player;
 }
 
-LivePlayer::LivePlayer(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
-LivePlayer::LivePlayer(LivePlayer&&) noexcept = default;
 LivePlayer& LivePlayer::operator=(LivePlayer&& other) noexcept {
     std::swap(impl_, other.impl_);
     return *this;
@@ -225,8 +209,13 @@ LivePlayer::~LivePlayer() {
 const VideoFrame* LivePlayer::newest() {
     Impl& p = *impl_;
     const std::lock_guard lock(p.mutex);
-    p.countCall();
-    if (p.takeReady()) p.countDisplayFrames();
+    p.calls_s[p.callCount++ % p.calls_s.size()] = p.options.now_s();
+    if (p.takeReady()) {
+        const double arrived_s = p.slots.shown().arrived_s;
+        const auto known = static_cast<ptrdiff_t>(std::min(p.callCount, p.calls_s.size()));
+        p.displayFrames = static_cast<int>(std::count_if(p.calls_s.begin(), p.calls_s.begin() + known,
+                                                         [&](double call_s) { return call_s >= arrived_s; }));
+    }
     p.updateState();
     return &p.slots.shown();
 }
@@ -248,8 +237,8 @@ Result<std::string> checkLive(const LiveAddress& address) {
     auto player = LivePlayer::open(feed);
     if (!player) return player.error();
     const VideoFrame& frame = *player->newest();
-    return std::string("a live ") + feed->kind + " of " + std::to_string(frame.pixelsBgr.width) + "x" +
-           std::to_string(frame.pixelsBgr.height) + ", lat-long " + enumName(frame.layout);
+    return fmt::format("a live {} of {}x{}, lat-long {}", feed->kind, frame.pixelsBgr.width,
+                       frame.pixelsBgr.height, enumName(frame.layout));
 }
 
 } // namespace shoal::media

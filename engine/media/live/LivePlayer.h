@@ -36,7 +36,7 @@ class LivePlayer {
     static Result<LivePlayer> open(std::shared_ptr<LiveFeed> feed, LiveOptions options = {},
                                    const std::function<bool()>& wait = {});
 
-    LivePlayer(LivePlayer&&) noexcept;
+    LivePlayer(LivePlayer&&) noexcept = default;
     LivePlayer& operator=(LivePlayer&&) noexcept;
     ~LivePlayer(); // a feed that cannot be interrupted leaves its thread behind, detached
 
@@ -60,7 +60,7 @@ class LivePlayer {
 
   private:
     struct Impl;
-    explicit LivePlayer(std::shared_ptr<Impl> impl);
+    explicit LivePlayer(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
     std::shared_ptr<Impl> impl_;
 };
 

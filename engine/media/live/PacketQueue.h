@@ -5,28 +5,68 @@
 #include "engine/media/Ffmpeg.h"
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace shoal::media {
 
 class PacketQueue {
   public:
     // Empties and opens the queue. wait: push() waits for room and drops nothing.
-    void reset(bool wait);
+    void reset(bool wait) {
+        const std::lock_guard lock(mutex_);
+        drop(packets_.size());
+        wait_ = wait;
+        closed_ = stopped_ = needsKey_ = false;
+        dropped_ = 0;
+    }
 
     // --- The reader's thread
 
     // Takes over the packet's data. Returns false once stopped or interrupted.
-    bool push(AVPacket& packet, double arrived_s);
+    bool push(AVPacket& packet, double arrived_s) {
+        std::unique_lock lock(mutex_);
+        if (wait_)
+            changed_.wait(lock,
+                          [&] { return interrupted_ || stopped_ || packets_.size() < kWaitingPackets; });
+        if (interrupted_ || stopped_) return false;
+        const bool key = packet.flags & AV_PKT_FLAG_KEY;
+        const auto size = static_cast<size_t>(packet.size);
+        if (!wait_ && (packets_.size() == kMaxPackets || bytes_ + size > kMaxBytes)) {
+            drop(packets_.size());
+            needsKey_ = true;
+        }
+        if (needsKey_ && !key) {
+            ++dropped_;
+            av_packet_unref(&packet);
+            return true;
+        }
+        needsKey_ = false;
+        packets_.push_back({makePacket(), arrived_s});
+        av_packet_move_ref(packets_.back().packet.get(), &packet);
+        bytes_ += size;
+        changed_.notify_all();
+        return true;
+    }
 
     // Ends the queue for this reason. Packets in it can still be popped.
-    void close(std::string reason);
+    void close(std::string reason) {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+        reason_ = std::move(reason);
+        changed_.notify_all();
+    }
 
     // Returns false if stopped or interrupted meanwhile.
-    bool sleep(double seconds);
+    bool sleep(double seconds) {
+        std::unique_lock lock(mutex_);
+        return !changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                                  [&] { return interrupted_ || stopped_; });
+    }
 
     // --- The decoder's thread
 
@@ -36,21 +76,58 @@ class PacketQueue {
         int dropped = 0; // packets left out before this one
     };
     // Blocks until there is a packet.
-    Popped pop();
+    Popped pop() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return !packets_.empty() || closed_ || interrupted_; });
+        if (packets_.empty() || interrupted_) return {};
+        // Nothing before the newest key frame is needed to decode it.
+        size_t first = wait_ ? 0 : packets_.size() - 1;
+        while (first > 0 && !(packets_[first].packet->flags & AV_PKT_FLAG_KEY)) --first;
+        drop(first);
+        Popped popped = std::move(packets_.front());
+        packets_.pop_front();
+        popped.dropped = std::exchange(dropped_, 0);
+        bytes_ -= static_cast<size_t>(popped.packet->size);
+        changed_.notify_all();
+        return popped;
+    }
 
-    void stop(); // the reader's calls return false until reset()
+    // Makes the reader's calls return false until reset().
+    void stop() {
+        const std::lock_guard lock(mutex_);
+        stopped_ = true;
+        changed_.notify_all();
+    }
 
-    size_t count() const;
-    std::string reason() const; // of close()
+    size_t count() const {
+        const std::lock_guard lock(mutex_);
+        return packets_.size();
+    }
+    // Returns the reason of close().
+    std::string reason() const {
+        const std::lock_guard lock(mutex_);
+        return reason_;
+    }
 
     // --- Any thread
 
-    void interrupt(); // permanent
+    // Ends all calls, permanently.
+    void interrupt() {
+        const std::lock_guard lock(mutex_);
+        interrupted_ = true;
+        changed_.notify_all();
+    }
 
     static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{32} << 20, kWaitingPackets = 4;
 
   private:
-    void drop(size_t count);
+    void drop(size_t count) {
+        for (; count > 0; --count) {
+            bytes_ -= static_cast<size_t>(packets_.front().packet->size);
+            packets_.pop_front();
+            ++dropped_;
+        }
+    }
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/gl/Target.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "game/views/CreatureModels.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"

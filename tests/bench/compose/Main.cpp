@@ -4,7 +4,7 @@
 // draws the same objects over the same film without them, coded alike, and is compared with that.
 #include "engine/gl/Renderer.h"
 #include "engine/media/VideoPlayer.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "tests/bench/compose/Distance.h"
 #include "tests/bench/compose/Encode.h"
 #include "tests/bench/compose/Filmed.h"

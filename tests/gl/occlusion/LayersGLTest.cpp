@@ -1,6 +1,6 @@
 // The graphics card answers as the processor does.
 #include "engine/occlusion/gpu/LayersGpu.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
 #include "tests/gl/occlusion/TracePass.h"

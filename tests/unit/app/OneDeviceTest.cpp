@@ -1,6 +1,6 @@
 // Every page of the menus is reached, used and left with one device alone, as the window reports it.
 #include "engine/gl/Target.h"
-#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
 #include "game/ui/Hud.h"
 #include "game/ui/MenuControls.h"
 #include "tests/unit/app/ScreensFixture.h"

@@ -1,5 +1,5 @@
 // Tests that a known camera is found again in frames made with it.
-#include "engine/camera/EstimateCameraResponse.h"
+#include "engine/camera/CameraResponse.h"
 #include "MadeFilm.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // Tests that a known share of scattered light is found again.
-#include "engine/camera/Glare.h"
+#include "engine/camera/CameraResponse.h"
 #include "MadeFilm.h"
-#include "engine/camera/EstimateCameraResponse.h"
 
 #include <gtest/gtest.h>
 

@@ -155,7 +155,7 @@ TEST_F(WriteFile, AFolderAppearsWholeOrNotAtAll) {
 // Bytes behind those that are known to be good, which a killed program may have left, are dropped.
 TEST_F(WriteFile, AGrowingFileGoesOnBehindWhatIsGood) {
     ASSERT_TRUE(writeFileWhole(folder_ / "a", "good, and half of a rec"));
-    auto file = GrowingFile::extend(folder_ / "a", 4);
+    auto file = GrowingFile::open(folder_ / "a", 4);
     ASSERT_TRUE(file) << file.error().message();
     ASSERT_TRUE(file->write(" and more"));
     EXPECT_EQ(text("a"), "good and more");
@@ -165,7 +165,7 @@ TEST_F(WriteFile, AGrowingFileGoesOnBehindWhatIsGood) {
 }
 
 TEST_F(WriteFile, OnlyAFileThatIsThereCanBeExtended) {
-    const auto file = GrowingFile::extend(folder_ / "a", 0);
+    const auto file = GrowingFile::open(folder_ / "a", 1);
     ASSERT_FALSE(file);
     EXPECT_THAT(file.error().message(), HasSubstr("cannot be written"));
     EXPECT_TRUE(names().empty());

@@ -1,5 +1,5 @@
 // The view of a film with distances from beside its camera, against geometry.
-#include "engine/depth/DepthRange.h"
+#include "engine/depth/DepthMap.h"
 #include "tests/unit/depth/MadeMap.h"
 
 #include <gtest/gtest.h>

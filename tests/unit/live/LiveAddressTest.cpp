@@ -44,7 +44,8 @@ TEST(LiveAddress, FilesAreFilesAndPipesArePipes) {
     const TempFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     writeBytes(folder / "file", "x");
-    EXPECT_TRUE(as<PipeAddress>(liveAddress((folder / "pipe").string())));
+    const auto pipe = liveAddress((folder / "pipe").string());
+    EXPECT_TRUE(as<StreamAddress>(pipe) && as<StreamAddress>(pipe)->isPipe);
     for (const Path& file :
          {folder / "file", folder / "missing", Path("a.mp4"), Path("camera.mp4"), Path("")}) {
         const auto address = liveAddress(file.string());

@@ -1,4 +1,4 @@
-#include "engine/media/YuvToBgr.h"
+#include "engine/media/PictureDecoder.h"
 
 #include "engine/media/VideoPlayer.h"
 #include "tests/unit/media/TestFiles.h"
@@ -11,11 +11,11 @@ namespace shoal::media {
 namespace {
 
 TEST(ColourMatrix, StatedWinsElseSizeTells) {
-    EXPECT_EQ(colourMatrixOf(1, 640, 320), ColourMatrix::Bt709);
-    EXPECT_EQ(colourMatrixOf(6, 4096, 2048), ColourMatrix::Bt601);
-    EXPECT_EQ(colourMatrixOf(9, 4096, 2048), ColourMatrix::Bt2020);
-    EXPECT_EQ(colourMatrixOf(2, 2048, 1024), ColourMatrix::Bt709);
-    EXPECT_EQ(colourMatrixOf(0, 426, 214), ColourMatrix::Bt601);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_BT709, 640, 320), ColourMatrix::Bt709);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_SMPTE170M, 4096, 2048), ColourMatrix::Bt601);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_BT2020_NCL, 4096, 2048), ColourMatrix::Bt2020);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_UNSPECIFIED, 2048, 1024), ColourMatrix::Bt709);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_RGB, 426, 214), ColourMatrix::Bt601);
 }
 
 constexpr Luma k601{0.299, 0.114}, k709{0.2126, 0.0722};

@@ -1,4 +1,4 @@
-#include "engine/media/YuvToBgr.h"
+#include "engine/media/PictureDecoder.h"
 
 #include "engine/core/Random.h"
 

@@ -2,10 +2,7 @@
 #include "engine/panorama/Panorama.h"
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
-#include "engine/panorama/FindLight.h"
-#include "engine/panorama/Lens.h"
-#include "engine/panorama/PolarCaps.h"
-#include "engine/panorama/WrapBlend.h"
+#include "engine/panorama/Steps.h"
 #include "tests/TestPaths.h"
 #include "tests/bench/panorama/Scenes.h"
 

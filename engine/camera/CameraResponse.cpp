@@ -1,7 +1,7 @@
-#include "engine/camera/EstimateCameraResponse.h"
+#include "engine/camera/CameraResponse.h"
 
-#include "engine/math/Follow.h"
 #include "engine/math/Quantile.h"
+#include "engine/math/Trigonometry.h"
 
 #include <glm/common.hpp>
 
@@ -11,19 +11,16 @@
 
 namespace shoal::camera {
 
-namespace {
-
 constexpr int kStripes = 5, kStripeRows = 16; // the rows of a block
 constexpr int kBlock = 16;
 
 // --- Edges: steps between two flat sides along a row, with a gradient along the row.
-constexpr float kMinPeak = 3.0f;  // gradient, of 255 a texel
-constexpr float kMinStep = 20.0f; // height, of 255
-constexpr int kMaxReach = 12;     // texels to either side
-constexpr float kTail = 0.06f;    // share of the peak gradient at which the edge ends
-constexpr float kInsideTails =
-    0.89f;                     // share of a Gaussian's variance left if its tails are cut at 6 % of the peak
-constexpr float kSlant = 0.5f; // tangent of the maximum angle between gradient and row
+constexpr float kMinPeak = 3.0f;      // gradient, of 255 a texel
+constexpr float kMinStep = 20.0f;     // height, of 255
+constexpr int kMaxReach = 12;         // texels to either side
+constexpr float kTail = 0.06f;        // share of the peak gradient at which the edge ends
+constexpr float kInsideTails = 0.89f; // share of a Gaussian's variance that such a cut leaves
+constexpr float kSlant = 0.5f;        // tangent of the maximum angle between gradient and row
 // Variance of the box filters of a texel and of the difference of two: a twelfth each.
 constexpr float kTexelVariance = 1.0f / 6;
 // Quantile of the edges' blur that counts as the camera's: objects and the codec make most edges softer. In a
@@ -50,7 +47,7 @@ constexpr float kUsualGlare = 0.03f, kMaxGlare = 0.1f;
 // Mean square response of the kernel (1 -2 1; -2 4 -2; 1 -2 1), which is 0 for gradients and for curvature
 // along one axis, over size x size values; for white noise it is 36 times the variance. Immerkaer 1996, "Fast
 // Noise Variance Estimation", with squares for absolutes.
-template <class At> float laplacianSquare(int size, At at) {
+template <class At> static float laplacianSquare(int size, At at) {
     float sum = 0;
     for (int y = 1; y + 1 < size; ++y)
         for (int x = 1; x + 1 < size; ++x) {
@@ -61,8 +58,6 @@ template <class At> float laplacianSquare(int size, At at) {
         }
     return sum / static_cast<float>((size - 2) * (size - 2));
 }
-
-} // namespace
 
 void CameraResponseEstimator::readStripe(const light::FrameView& frame, int top) {
     const int red = frame.bgr ? 2 : 0, blue = 2 - red;
@@ -220,6 +215,77 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
     measureBlur(out);
     return out;
 }
+
+// --- Glare
+
+constexpr int kSamples = 4;        // samples of a cell in each direction
+constexpr int kPasses = 4;         // of means over 3 cells; variance 8/3 + 1/12 cells^2, (4.7 degrees)^2
+constexpr float kBright = 0.05f;   // least light around a cell: a few percent of it exceed noise and black
+constexpr double kDarkest = 0.002; // quantile; texels below it are undershoots of sharpening
+constexpr size_t kFewCells = 100;
+
+static void readCells(const light::FrameView& frame, ImageRgbF& out) {
+    constexpr int kDown = kGlowHeight * kSamples, kAcross = kGlowWidth * kSamples;
+    constexpr float kShare = 1.0f / (kSamples * kSamples);
+    std::ranges::fill(out.pixels, 0.0f);
+    for (int j = 0; j < kDown; ++j) {
+        const uint8_t* row =
+            frame.pixels + static_cast<ptrdiff_t>((2 * j + 1) * frame.height / (2 * kDown)) * frame.rowStride;
+        for (int i = 0; i < kAcross; ++i) {
+            const uint8_t* texel = row + ptrdiff_t{3} * ((2 * i + 1) * frame.width / (2 * kAcross));
+            float* to = out.at(i / kSamples, j / kSamples);
+            for (int c = 0; c < 3; ++c) {
+                const int value = texel[frame.bgr ? 2 - c : c];
+                to[c] += kShare * (static_cast<float>(value * value) / (255.0f * 255.0f));
+            }
+        }
+    }
+}
+
+// Averages over three cells down and as many across as are equally wide on the sphere.
+static void spread(ImageRgbF& map, ImageRgbF& across) {
+    for (int y = 0; y < kGlowHeight; ++y) {
+        const float ring = std::sin((static_cast<float>(y) + 0.5f) / kGlowHeight * std::numbers::pi_v<float>);
+        const int reach = std::min(static_cast<int>(1 / ring + 0.5f), kGlowWidth / 2 - 1);
+        const float share = 1 / static_cast<float>(2 * reach + 1);
+        const auto at = [&](int x) { return map.at((x + kGlowWidth) % kGlowWidth, y); };
+        std::array<float, 3> sum{};
+        for (int i = -reach; i <= reach; ++i)
+            for (size_t c = 0; c < 3; ++c) sum[c] += at(i)[c];
+        for (int x = 0; x < kGlowWidth; ++x)
+            for (size_t c = 0; c < 3; ++c) {
+                across.at(x, y)[c] = std::max(sum[c], 0.0f) * share;
+                sum[c] += at(x + reach + 1)[c] - at(x - reach)[c];
+            }
+    }
+    for (int y = 0; y < kGlowHeight; ++y) {
+        const int up = std::max(y - 1, 0), down = std::min(y + 1, kGlowHeight - 1);
+        for (int x = 0; x < kGlowWidth; ++x)
+            for (int c = 0; c < 3; ++c)
+                map.at(x, y)[c] = (across.at(x, up)[c] + across.at(x, y)[c] + across.at(x, down)[c]) / 3;
+    }
+}
+
+static float luma(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
+
+void GlareFilter::make(const light::FrameView& frame, Glare& out) {
+    out.maxShare = 1;
+    std::ranges::fill(out.spread.pixels, 0.0f);
+    if (frame.width < 1 || frame.height < 1) return;
+    readCells(frame, cells_);
+    out.spread.pixels = cells_.pixels;
+    for (int pass = 0; pass < kPasses; ++pass) spread(out.spread, across_);
+
+    shares_.clear();
+    for (int y = kGlowHeight / 8; y < kGlowHeight * 7 / 8; ++y)
+        for (int x = 0; x < kGlowWidth; ++x)
+            if (const float around = luma(out.spread.at(x, y)); around > kBright)
+                shares_.push_back(luma(cells_.at(x, y)) / around);
+    if (shares_.size() < kFewCells) return;
+    out.maxShare = std::min(math::quantile(shares_, kDarkest), 1.0f);
+}
+
+// --- Over time
 
 void CameraResponseOverTime::follow(const CameraResponseEstimate& estimate, float dt_s) {
     const auto shareIf = [&](bool known) { return known ? math::followShare(dt_s, kFollow_s) : 1.0f; };

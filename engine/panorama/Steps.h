@@ -1,0 +1,86 @@
+// The steps of Panorama.h that stand alone: the lens, the light, the wrap-around, the poles. Pictures have 3
+// perceptually coded floats a pixel.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace shoal::panorama {
+
+// A photo taken with a level pinhole camera: the horizon is its middle row.
+//
+// A column of the photo is a meridian. A point `up` focal lengths above the horizon has the latitude
+// atan(up * cos(longitude)): at its sides the photo reaches less high than in its middle. To make a rectangle
+// without cropping, the factor cos(longitude) is blended to 1 towards the top and bottom edges: the
+// projection is exact at the horizon, and each edge becomes one parallel.
+struct Lens {
+    double width = 0, height = 0; // pixels
+    double focal_px = 1;
+    double longitude = 0, latitude = 0; // of the right edge; of the top edge's middle, radians
+
+    // horizontalFov: radians, below pi.
+    static Lens make(double width, double height, double horizontalFov) {
+        Lens lens{width, height, width / 2 / std::tan(horizontalFov / 2)};
+        lens.longitude = horizontalFov / 2;
+        lens.latitude = std::atan(height / 2 / lens.focal_px);
+        return lens;
+    }
+
+    // Longitudes grow to the right, latitudes upwards, in radians. The middle of the first pixel is at 0.5.
+    double columnOf(double lon) const { return width / 2 + focal_px * std::tan(lon); }
+    double rowOf(double lon, double lat) const {
+        const double share = std::tan(lat) / std::tan(latitude); // -1 to 1
+        const double narrow = std::cos(lon);
+        return height / 2 * (1 - share / (narrow + (1 - narrow) * std::abs(share)));
+    }
+    double longitudeOf(double column) const { return std::atan((column - width / 2) / focal_px); }
+    double latitudeOf(double lon, double row) const {
+        const double up = 1 - row / (height / 2);
+        const double narrow = std::cos(lon);
+        // Solves rowOf() for share, which has the sign of up.
+        const double share = up * narrow / (1 - (1 - narrow) * std::abs(up));
+        return std::atan(share * std::tan(latitude));
+    }
+};
+
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+
+// Position and size of a photo's brightest light source.
+struct MainLight {
+    cv::Point2d place; // pixels of the photo; the middle of the first one is (0.5, 0.5)
+    double radius_px;  // of the disc of equal area
+};
+
+// Finds the light: blurs the radiance (after the thesis' inverse tone mapping) over about a hundredth of the
+// picture's width, and takes the connected region around its maximum that is brighter than four fifths of it;
+// the position is the region's centroid, weighted by radiance. Wide photos are reduced first.
+MainLight findMainLight(const cv::Mat& photo);
+
+// Matches and blends the left and right end of a ring of 360 degrees. First geometry: the minimum-cost
+// alignment of the two end columns, found as a seam through all row offsets of at most 8 degrees, warps each
+// end half way to the other. Then colours: half of the remaining difference is subtracted at each end; the
+// lower a band of the difference's spatial frequencies, the wider it fades out (multiband blending).
+void blendWrapAround(cv::Mat& ring);
+
+// Absolute differences of luminance between horizontal neighbours.
+struct WrapDiscontinuity {
+    double wrapStep = 0;  // maximum between the last column and the first
+    double usualStep = 0; // 90th percentile of all others
+};
+WrapDiscontinuity wrapDiscontinuity(const cv::Mat& ring);
+
+enum class PolarCap { Sky, Ground };
+
+// Fills rows 0 to edge of a lat-long picture from the rows below, and fades into these over some degrees. For
+// the nadir, flip the picture. edge: above 0 and below half the height.
+//
+// Colours: the solution of Laplace's equation on the cap with the edge row as boundary, in which the mth
+// harmonic around the pole falls as (tan(c / 2) / tan(c0 / 2))^m with the colatitude c, so that nothing
+// converges on the pole; times the picture's mean vertical gradient, damped within some 20 degrees.
+// Texture, of the ground only (a sky is smooth): by-example synthesis on the tangent plane from a square just
+// outside the cap, as the ratio to its blurred self, so that grain and contrast continue without repetition.
+void fillPolarCap(cv::Mat& latLong, int edge, PolarCap kind);
+
+} // namespace shoal::panorama
