@@ -4,8 +4,6 @@
 
 #include "engine/core/EnumNames.h"
 
-#include <array>
-
 namespace shoal::game {
 
 // Help for a hand that reaches for a fish (game/rules/Intent.h). None: it takes hold only of a fish that its
@@ -23,8 +21,4 @@ struct DiveRules {
 
 } // namespace shoal::game
 
-namespace shoal {
-template <> struct EnumNames<game::Assist> {
-    static constexpr std::array kNames = {"none", "normal", "strong"};
-};
-} // namespace shoal
+template <> inline constexpr std::array shoal::kEnumNames<shoal::game::Assist> = {"none", "normal", "strong"};

@@ -8,8 +8,6 @@
 #include "game/rules/DiveRules.h"
 #include "input/hands/HandTracker.h"
 
-#include <array>
-
 namespace shoal::app {
 
 enum class Tone { Auto, Aces, Linear };
@@ -43,62 +41,43 @@ enum class LightFormat { Pfm, Exr, Hdr };
 
 namespace shoal {
 
-template <> struct EnumNames<app::Tone> { static constexpr std::array kNames = {"auto", "aces", "linear"}; };
-template <> struct EnumNames<render::Glossy> { static constexpr std::array kNames = {"ggx", "phong36"}; };
-template <> struct EnumNames<light::DiffuseMethod> {
-    static constexpr std::array kNames = {"default", "thesis"};
-};
-template <> struct EnumNames<light::FrameRadiance> {
-    static constexpr std::array kNames = {"auto", "thesis", "linear"};
-};
-template <> struct EnumNames<app::Occlusion> {
-    static constexpr std::array kNames = {"off", "ellipsoids", "ollfb", "ollfb-thesis"};
-};
-template <> struct EnumNames<render::Composition> {
-    static constexpr std::array kNames = {"background", "plain", "resolution", "texels", "camera"};
-};
-template <> struct EnumNames<render::SkippedPass> {
-    static constexpr std::array kNames = {"none",    "background", "objects", "particles",
-                                          "shadows", "depth",      "bounce",  "overlay"};
-};
-template <> struct EnumNames<render::ShownQuantity> {
-    static constexpr std::array kNames = {"light", "normals", "roughness", "occlusion", "diffuse", "depth"};
-};
-template <> struct EnumNames<render::Backend> {
-    static constexpr std::array kNames = {"auto", "opengl", "software"};
-};
-template <> struct EnumNames<app::StereoOutput> { static constexpr std::array kNames = {"none", "sbs"}; };
-template <> struct EnumNames<app::QualityControl> { static constexpr std::array kNames = {"auto", "fixed"}; };
-template <> struct EnumNames<app::WaterChoice> {
-    static constexpr std::array kNames = {"auto", "on", "off"};
-};
-template <> struct EnumNames<app::ShadowChoice> { static constexpr std::array kNames = {"on", "off"}; };
-template <> struct EnumNames<app::FilmChoice> {
-    static constexpr std::array kNames = {"auto", "best", "small"};
-};
-template <> struct EnumNames<app::Skin> { // variants of the hands' models
-    static constexpr std::array kNames = {"light", "medium", "dark", "glove"};
-};
-template <> struct EnumNames<app::HandSourceKind> {
-    static constexpr std::array kNames = {"auto", "mouse", "leap", "webcam", "openxr", "script", "replay"};
-};
-template <> struct EnumNames<app::Handedness> { static constexpr std::array kNames = {"right", "left"}; };
-template <> struct EnumNames<app::Closing> { static constexpr std::array kNames = {"hold", "toggle"}; };
-template <> struct EnumNames<app::Turning> { static constexpr std::array kNames = {"smooth", "snap"}; };
-template <> struct EnumNames<app::Posture> {
-    static constexpr std::array kNames = {"auto", "seated", "standing"};
-};
-template <> struct EnumNames<app::CaptionSize> {
-    static constexpr std::array kNames = {"small", "medium", "large"};
-};
-template <> struct EnumNames<app::LanguageChoice> {
-    static constexpr std::array kNames = {"auto", "english", "german", "french"};
-};
-template <> struct EnumNames<app::Start> { static constexpr std::array kNames = {"auto", "title", "dive"}; };
-template <> struct EnumNames<hands::LeapMount> { static constexpr std::array kNames = {"desk", "head"}; };
-template <> struct EnumNames<app::Background> { static constexpr std::array kNames = {"env", "none"}; };
-template <> struct EnumNames<app::LightFormat> { // also the files' extensions
-    static constexpr std::array kNames = {"pfm", "exr", "hdr"};
-};
+template <> inline constexpr std::array kEnumNames<app::Tone> = {"auto", "aces", "linear"};
+template <> inline constexpr std::array kEnumNames<render::Glossy> = {"ggx", "phong36"};
+template <> inline constexpr std::array kEnumNames<light::DiffuseMethod> = {"default", "thesis"};
+template <> inline constexpr std::array kEnumNames<light::FrameRadiance> = {"auto", "thesis", "linear"};
+template <>
+inline constexpr std::array kEnumNames<app::Occlusion> = {"off", "ellipsoids", "ollfb", "ollfb-thesis"};
+template <>
+inline constexpr std::array kEnumNames<render::Composition> = {"background", "plain", "resolution", "texels",
+                                                               "camera"};
+template <>
+inline constexpr std::array kEnumNames<render::SkippedPass> = {
+    "none", "background", "objects", "particles", "shadows", "depth", "bounce", "overlay"};
+template <>
+inline constexpr std::array kEnumNames<render::ShownQuantity> = {"light",     "normals", "roughness",
+                                                                 "occlusion", "diffuse", "depth"};
+template <> inline constexpr std::array kEnumNames<render::Backend> = {"auto", "opengl", "software"};
+template <> inline constexpr std::array kEnumNames<app::StereoOutput> = {"none", "sbs"};
+template <> inline constexpr std::array kEnumNames<app::QualityControl> = {"auto", "fixed"};
+template <> inline constexpr std::array kEnumNames<app::WaterChoice> = {"auto", "on", "off"};
+template <> inline constexpr std::array kEnumNames<app::ShadowChoice> = {"on", "off"};
+template <> inline constexpr std::array kEnumNames<app::FilmChoice> = {"auto", "best", "small"};
+// Variants of the hands' models
+template <> inline constexpr std::array kEnumNames<app::Skin> = {"light", "medium", "dark", "glove"};
+template <>
+inline constexpr std::array kEnumNames<app::HandSourceKind> = {"auto",   "mouse",  "leap",  "webcam",
+                                                               "openxr", "script", "replay"};
+template <> inline constexpr std::array kEnumNames<app::Handedness> = {"right", "left"};
+template <> inline constexpr std::array kEnumNames<app::Closing> = {"hold", "toggle"};
+template <> inline constexpr std::array kEnumNames<app::Turning> = {"smooth", "snap"};
+template <> inline constexpr std::array kEnumNames<app::Posture> = {"auto", "seated", "standing"};
+template <> inline constexpr std::array kEnumNames<app::CaptionSize> = {"small", "medium", "large"};
+template <>
+inline constexpr std::array kEnumNames<app::LanguageChoice> = {"auto", "english", "german", "french"};
+template <> inline constexpr std::array kEnumNames<app::Start> = {"auto", "title", "dive"};
+template <> inline constexpr std::array kEnumNames<hands::LeapMount> = {"desk", "head"};
+template <> inline constexpr std::array kEnumNames<app::Background> = {"env", "none"};
+// Also the files' extensions
+template <> inline constexpr std::array kEnumNames<app::LightFormat> = {"pfm", "exr", "hdr"};
 
 } // namespace shoal

@@ -37,7 +37,7 @@ struct TextSetting {
 
 // Makes the setting of an enumeration. values: those allowed, empty: all.
 template <class E> TextSetting choice(E& value, const std::vector<E>& values = {}) {
-    const auto& all = EnumNames<E>::kNames;
+    const auto& all = kEnumNames<E>;
     std::vector<std::string> names;
     for (const E allowed : values) names.emplace_back(enumName(allowed));
     if (names.empty()) names.assign(all.begin(), all.end());
@@ -141,7 +141,6 @@ template <class Options> SettingsTable settingsOf(Options& options) {
 
 } // namespace shoal::app
 
-template <> struct shoal::EnumNames<shoal::app::Category> {
-    static constexpr std::array kNames = {"Options",           "The dive", "The environment",  "Picture",
-                                          "Hands and haptics", "Sound",    "Tests and figures"};
-};
+template <>
+inline constexpr std::array shoal::kEnumNames<shoal::app::Category> = {
+    "Options", "The dive", "The environment", "Picture", "Hands and haptics", "Sound", "Tests and figures"};
