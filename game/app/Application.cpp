@@ -466,18 +466,18 @@ Result<bool> Application::draw() {
 
 void Application::measure() {
     const bool first = play_->clock.frame() == 0;
-    if (!first) statistics_.frame_ms.add(play_->clock.sinceBegin_ms());
+    if (!first) statistics_.frame_ms.push_back(static_cast<float>(play_->clock.sinceBegin_ms()));
     if (play_->freshVideo) {
-        statistics_.light_ms.add(static_cast<double>(content_.environment().player().light_ms()));
-        statistics_.decode_ms.add(static_cast<double>(content_.environment().player().decode_ms()));
-        statistics_.upload_ms.add(static_cast<double>(content_.environment().upload_ms()));
+        statistics_.light_ms.push_back(content_.environment().player().light_ms());
+        statistics_.decode_ms.push_back(content_.environment().player().decode_ms());
+        statistics_.upload_ms.push_back(content_.environment().upload_ms());
     }
     const media::LivePlayer* live = content_.environment().player().live();
     if (!live) return;
     statistics_.live = live->counts();
     if (!play_->freshVideo || first) return;
-    statistics_.liveLatency_ms.add(1e3 * live->age_s());
-    statistics_.liveDisplayFrames.add(live->displayFrames());
+    statistics_.liveLatency_ms.push_back(static_cast<float>(1e3 * live->age_s()));
+    statistics_.liveDisplayFrames.push_back(static_cast<float>(live->displayFrames()));
 }
 
 void Application::drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {

@@ -128,8 +128,9 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 0));
     ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Frame", nullptr, kPanelFlags);
-    const std::span<const float> recent = statistics.frame_ms.last(120);
-    std::vector<float> times(recent.begin(), recent.end());
+    const Series& all = statistics.frame_ms;
+    const Series recent(all.end() - std::min<ptrdiff_t>(120, std::ssize(all)), all.end());
+    Series times = recent;
     ImGui::TextUnformatted(statistics.renderer.c_str());
     const auto write = [&](game::Text text, const auto&... values) {
         ImGui::TextUnformatted(fmt::format(fmt::runtime(pen.in(text)), values...).c_str());
