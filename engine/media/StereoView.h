@@ -34,6 +34,6 @@ Layout layoutOf(const ImageRgb8& picture);
 
 } // namespace shoal::media
 
-template <> struct shoal::EnumNames<shoal::media::Layout> {
-    static constexpr std::array kNames = {"auto", "mono", "top-bottom", "left-right"};
-};
+template <>
+inline constexpr std::array shoal::kEnumNames<shoal::media::Layout> = {"auto", "mono", "top-bottom",
+                                                                       "left-right"};

@@ -20,12 +20,10 @@ static void pollGamepad(Gamepad& pad) {
     GLFWgamepadstate state;
     for (int i = GLFW_JOYSTICK_1; i <= GLFW_JOYSTICK_LAST; ++i) {
         if (!glfwJoystickIsGamepad(i) || !glfwGetGamepadState(i, &state)) continue;
-        pad.present = true;
         pad.leftStick =
             withDeadZone(state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]);
         pad.rightStick =
             withDeadZone(state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]);
-        pad.leftTrigger = 0.5f + 0.5f * state.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER];
         pad.rightTrigger = 0.5f + 0.5f * state.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER];
         for (size_t button = 0; button < pad.down.size(); ++button) {
             const bool down = state.buttons[button] == GLFW_PRESS;

@@ -26,11 +26,10 @@ struct WindowOptions {
 
 // The first gamepad that GLFW's database of mappings knows, in the layout of an Xbox controller.
 struct Gamepad {
-    bool present = false;
-    glm::vec2 leftStick{0}, rightStick{0};   // -1 to 1, +x right, +y up; 0 within the dead zone
-    float leftTrigger = 0, rightTrigger = 0; // 0 to 1
-    std::array<bool, 15> down{};             // by GLFW_GAMEPAD_BUTTON_*
-    std::vector<int> pressed;                // buttons that went down since the last poll
+    glm::vec2 leftStick{0}, rightStick{0}; // -1 to 1, +x right, +y up; 0 within the dead zone
+    float rightTrigger = 0;                // 0 to 1
+    std::array<bool, 15> down{};           // by GLFW_GAMEPAD_BUTTON_*
+    std::vector<int> pressed;              // buttons that went down since the last poll
 };
 
 // Keys by GLFW's numbers (GLFW_KEY_*), which are ASCII capitals for letters.

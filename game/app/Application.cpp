@@ -4,17 +4,12 @@
 #include "engine/core/Log.h"
 #include "engine/gl/Renderer.h"
 #include "engine/media/Pictures.h"
-#include "engine/xr/Headset.h"
-#include "game/app/FlatDisplay.h"
-#include "game/app/HeadsetDisplay.h"
-#include "game/app/StopSignals.h"
 #include "game/settings/KeptFiles.h"
-#include "game/ui/Animals.h"
+#include "game/tools/Commands.h"
 
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -134,17 +129,16 @@ bool Application::drawLoading(float progress) {
         const game::Snapshot nothing;
         content_.renderer().set(nothing, content_.environment(), look());
         const auto hud = [&](HudPart, Audience, const render::View&, glm::ivec2 eye) {
-            hud_->drawLoading(progress, textOptions(), eye);
+            hud_->drawLoading(progress, options_.text, eye);
         };
         if (display_->draw(Painter::of(content_.renderer(), hud), nothing, 1)) display_->present();
     } else {
-        hud_->drawLoading(progress, textOptions(), size);
+        hud_->drawLoading(progress, options_.text, size);
         window_->present();
     }
     return !leaving_;
 }
 
-// Opens the film, the models and the renderer again, each only if its options have changed.
 Status Application::openScene() {
     const bool filmFirst = window_ && !options_.xr && options_.environment.isOwnVideo();
     if (Status s = content_.open(options_, config_, display_->seesRoom(), filmFirst); !s) return s;
@@ -152,7 +146,6 @@ Status Application::openScene() {
     return Done{};
 }
 
-// Returns the settings that are read in every frame.
 Look Application::look() const {
     return {.exposure = content_.environment().exposure(options_.look.tone,
                                                         config_.dive.exposure_ev + options_.look.exposure_ev),
@@ -238,7 +231,6 @@ Path Application::recordingFile() {
     return file;
 }
 
-// Ends the session: writes its recording and returns its verdict.
 Status Application::endPlay() {
     if (!play_) return Done{};
     const Status verdict = play_->end(statistics_);
@@ -264,10 +256,13 @@ Status Application::frame(bool measured) {
         content_.environment().update(play_->clock.video_s(session.shown.time_s), play_->clock.exactVideo());
     const Result<bool> drawn = draw();
     if (!drawn) return drawn.error();
-    if (*drawn) {
-        adjustQuality();
-        display_->present();
+    if (*drawn && quality_) { // adapts it before waiting for the display
+        glFinish();
+        quality_->frame(play_->clock.sinceBegin_ms());
+        content_.environment().setLightEvery(quality_->quality().lightEvery);
+        statistics_.minScale = std::min(statistics_.minScale, quality_->quality().scale);
     }
+    if (*drawn) display_->present();
     glFinish();
     measure();
     if (measured && content_.environment().player().live()) play_->clock.waitForLiveVideo();
@@ -280,23 +275,23 @@ void Application::readInput() {
     leaving_ |= display_->leaving() || stopSignal != 0;
     if (window_) {
         const bool still = states.state() != ProgramStates::State::Diving;
-        if (play_->input && play_->input->minimised && still) window_->wait(kMinimisedWait_s);
-        play_->input = &window_->poll();
-        leaving_ |= play_->input->closing;
-        play_->controls = readControls(*window_, *play_->input, bindings_);
+        const platform::WindowInput& input = play_->controls.input;
+        if (input.minimised && still) window_->wait(kMinimisedWait_s);
+        play_->controls = readControls(*window_, bindings_);
+        leaving_ |= input.closing;
         noteDevice();
         const bool menus = screens_.isOpen();
         globalActions(play_->controls);
         if (photo_) {
-            window_->holdCursor(play_->controls.turns);
+            window_->holdCursor(input.rightButton);
             return photograph();
         }
         // In a headset the window's focus does not matter: the headset reports whether it is worn.
         const bool windowPlayer = display_->audience() == Audience::WindowPlayer;
         if (!menus || !states.byPerson())
-            states.input(play_->controls, windowPlayer && !play_->input->focused, leaving_);
+            states.input(play_->controls, windowPlayer && !input.focused, leaving_);
         if (menus && states.byPerson()) readMenuInput();
-        for (const std::string& file : play_->input->droppedFiles)
+        for (const std::string& file : input.droppedFiles)
             if (states.byPerson()) screens_.dropped(file);
     }
     display_->feed(session);
@@ -306,8 +301,9 @@ void Application::readInput() {
     auto* mouse = std::get_if<MouseSource>(&session.source);
     if (!mouse) return;
     const auto dt_s = static_cast<float>(play_->elapsed_s);
-    if (states.idle()) return mouse->idle(dt_s, options_.reducedMotion ? 0.0f : kTitleTurn_radps);
-    if (window_) window_->holdCursor(!screens_.isOpen() && play_->controls.turns);
+    if (states.state() == ProgramStates::State::Title)
+        return mouse->idle(dt_s, options_.reducedMotion ? 0.0f : kTitleTurn_radps);
+    if (window_) window_->holdCursor(!screens_.isOpen() && play_->controls.input.rightButton);
     if (screens_.isOpen()) return mouse->release();
     play_->moveMouse(window_ ? &play_->controls : nullptr,
                      window_ ? window_->framebufferSize() : options_.look.size);
@@ -315,7 +311,7 @@ void Application::readInput() {
 
 // Notes whether the player uses the gamepad; the texts on the screen suit that device.
 void Application::noteDevice() {
-    const platform::WindowInput& input = *play_->input;
+    const platform::WindowInput& input = play_->controls.input;
     const platform::Gamepad& pad = input.gamepad;
     if (!input.keysPressed.empty() || input.leftPressed || input.cursorMoved != glm::dvec2(0))
         byGamepad_ = false;
@@ -324,22 +320,12 @@ void Application::noteDevice() {
 }
 
 void Application::readMenuInput() {
-    const platform::WindowInput& input = *play_->input;
-    if (screens_.capturesKey()) {
-        if (!input.keysPressed.empty() && input.keysPressed.front() == GLFW_KEY_ESCAPE)
-            screens_.cancelCapture();
-        else if (!input.keysPressed.empty())
-            screens_.keyPressed(input.keysPressed.front());
-        else if (!input.gamepad.pressed.empty())
-            screens_.buttonPressed(input.gamepad.pressed.front());
-        else if (input.leftPressed)
-            screens_.cancelCapture();
-        return;
-    }
+    const platform::WindowInput& input = play_->controls.input;
+    if (screens_.capturesKey()) return screens_.capture(input);
     // A hand held up to be measured does not poke the menu.
     const auto fingers =
         screens_.top() == Screen::HandSize ? std::array<Pointing, 2>() : display_->pointing(play_->session);
-    MenuInput menu = menuControls_.step(&input, &*window_, fingers, display_->menuSurface(),
+    MenuInput menu = menuControls_.step(input, &*window_, fingers, display_->menuSurface(),
                                         static_cast<float>(play_->elapsed_s));
     // A press meant for a fish as the dive ends must choose nothing in the results.
     if (play_->states.state() == ProgramStates::State::Results) {
@@ -370,8 +356,8 @@ void Application::noteMet(size_t before) {
     if (met.size() == before) return;
     const game::SpeciesTable& all = *screens_.facts.species;
     play_->met = game::Notice{"New in your field guide: {}",
-                              game::animalName(all[static_cast<size_t>(game::findSpecies(all, met.back()))],
-                                               1, languageIn(options_.text))};
+                              animalName(all[static_cast<size_t>(game::findSpecies(all, met.back()))], 1,
+                                         options_.text.shownLanguage())};
     play_->metLeft_s = kMet_s;
 }
 
@@ -404,7 +390,7 @@ void Application::globalActions(const Controls& controls) {
     toggle(Action::Performance, options_.frameTimes, "frame-times");
     toggle(Action::Fullscreen, options_.fullscreen, "fullscreen");
 #ifndef NDEBUG
-    for (const int key : play_->input->keysPressed)
+    for (const int key : play_->controls.input.keysPressed)
         if (key == GLFW_KEY_F5)
             if (Status reloaded = content_.renderer().reloadShaders(); !reloaded)
                 log::warn("{}", reloaded.error().message());
@@ -421,8 +407,8 @@ void Application::globalActions(const Controls& controls) {
 }
 
 void Application::photograph() {
-    switch (photo_->step(play_->controls, *play_->input, options_.controls.sensitivity,
-                         static_cast<float>(play_->elapsed_s), options_.fov_deg)) {
+    switch (photo_->step(play_->controls, options_.controls.sensitivity, static_cast<float>(play_->elapsed_s),
+                         options_.fov_deg)) {
     case PhotoMode::Command::None:
         return;
     case PhotoMode::Command::Picture: {
@@ -441,17 +427,19 @@ void Application::photograph() {
 void Application::simulate() {
     GameSession& session = play_->session;
     statistics_.sim_ms = play_->advance_ms();
-    const bool attended =
-        display_->audience() == Audience::HeadsetPlayer || !play_->input || play_->input->focused;
+    const bool attended = display_->audience() == Audience::HeadsetPlayer || play_->controls.input.focused;
     soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(play_->elapsed_s), attended,
                             content_.environment().player().videoPosition_s());
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {
-        if (event.kind == game::EventKind::Catch) play_->popups.add(event, config_.species);
+        if (event.kind == game::EventKind::Catch && event.species >= 0 && event.position)
+            play_->popups.push_back({event.points, event.combo,
+                                     &config_.species[static_cast<size_t>(event.species)], *event.position});
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
-    play_->popups.advance(static_cast<float>(play_->elapsed_s));
+    for (Popup& popup : play_->popups) popup.age_s += static_cast<float>(play_->elapsed_s);
+    std::erase_if(play_->popups, [](const Popup& popup) { return popup.age_s > Popup::kStay_s; });
     play_->tutorial.follow(session.shown, session.events, dt_s);
 }
 
@@ -478,37 +466,27 @@ Result<bool> Application::draw() {
 
 void Application::measure() {
     const bool first = play_->clock.frame() == 0;
-    if (!first) statistics_.frame_ms.add(play_->clock.sinceBegin_ms());
+    if (!first) statistics_.frame_ms.push_back(static_cast<float>(play_->clock.sinceBegin_ms()));
     if (play_->freshVideo) {
-        statistics_.light_ms.add(static_cast<double>(content_.environment().player().light_ms()));
-        statistics_.decode_ms.add(static_cast<double>(content_.environment().player().decode_ms()));
-        statistics_.upload_ms.add(static_cast<double>(content_.environment().upload_ms()));
+        statistics_.light_ms.push_back(content_.environment().player().light_ms());
+        statistics_.decode_ms.push_back(content_.environment().player().decode_ms());
+        statistics_.upload_ms.push_back(content_.environment().upload_ms());
     }
     const media::LivePlayer* live = content_.environment().player().live();
     if (!live) return;
     statistics_.live = live->counts();
     if (!play_->freshVideo || first) return;
-    statistics_.liveLatency_ms.add(1e3 * live->age_s());
-    statistics_.liveDisplayFrames.add(live->displayFrames());
-}
-
-TextOptions Application::textOptions() const {
-    const TextSettings& text = options_.text;
-    constexpr std::array kCaptionScales = {0.8f, 1.0f, 1.5f}; // by CaptionSize
-    return {.language = languageIn(text),
-            .scale = text.scale,
-            .captionScale = kCaptionScales[static_cast<size_t>(text.captionSize)],
-            .highContrast = text.highContrast};
+    statistics_.liveLatency_ms.push_back(static_cast<float>(1e3 * live->age_s()));
+    statistics_.liveDisplayFrames.push_back(static_cast<float>(live->displayFrames()));
 }
 
 void Application::drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
     GameSession& session = play_->session;
     const ProgramStates& states = play_->states;
-    const bool onHeadsetsEye = audience == Audience::HeadsetPlayer && part != HudPart::Panel;
-    const bool showTimes = options_.frameTimes && !onHeadsetsEye;
+    const bool showTimes = options_.frameTimes && part != HudPart::Marks;
     const bool showCamera = session.tracked && (showTimes || screens_.showsCamera());
     if (showCamera && session.tracked->look(cameraImage_)) cameraPicture_.show(cameraImage_);
-    if (photo_) return hud_->drawNotice(*photo_->notice(), textOptions(), size);
+    if (photo_) return hud_->drawNotice(*photo_->notice(), options_.text, size);
     const game::Notice* notice = display_->notice();
     if (!notice) notice = content_.environment().notice();
     if (!notice && session.tracked) notice = session.tracked->notice();
@@ -524,7 +502,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .snapshot = &session.shown,
          .view = &view,
          .captions = options_.text.captions ? soundAndHaptics_->captions() : std::span<const game::Caption>(),
-         .popups = play_->popups.shown(),
+         .popups = play_->popups,
          .goals = goals,
          .inDive = states.mode() != Mode::Title,
          .overlay =
@@ -532,7 +510,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
                  if (!screens_.isOpen()) play_->tutorial.draw(pen, view);
                  screens_.draw(pen);
              },
-         .text = textOptions(),
+         .text = options_.text,
          .vignette = options_.vignette && mouse ? mouse->turning_radps() : 0.0f,
          .finger = menuControls_.finger(),
          .showTimes = showTimes,
@@ -545,15 +523,6 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .volume = options_.volume,
          .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},
         size);
-}
-
-// Adapts the quality once a frame has been drawn, before waiting for the display.
-void Application::adjustQuality() {
-    if (!quality_) return;
-    glFinish();
-    quality_->frame(play_->clock.sinceBegin_ms());
-    content_.environment().setLightEvery(quality_->quality().lightEvery);
-    statistics_.minScale = std::min(statistics_.minScale, quality_->quality().scale);
 }
 
 Status Application::saveScreenshot() const {

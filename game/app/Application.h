@@ -4,18 +4,16 @@
 
 #include "engine/platform/Window.h"
 #include "game/app/ContentLoader.h"
-#include "game/app/Display.h"
-#include "game/app/DiveRunner.h"
-#include "game/app/FirstSteps.h"
-#include "game/app/HeadsetReturn.h"
+#include "game/app/HeadsetDisplay.h"
 #include "game/app/PhotoMode.h"
-#include "game/app/ProgramStates.h"
+#include "game/app/Screens.h"
 #include "game/session/SoundAndHaptics.h"
 #include "game/ui/MenuControls.h"
 #include "game/views/DynamicQuality.h"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace shoal::app {
 
@@ -44,8 +42,7 @@ class Application {
             : DiveRunner(config, options, clockMode), states(session, screens, mode, !options.headless),
               tutorial(mode, config.rig, session.dive.species()) {}
         ProgramStates states;
-        const platform::WindowInput* input = nullptr; // of this frame; null without a window
-        Controls controls;
+        Controls controls;       // of this frame
         bool freshVideo = false; // a new frame of the video is shown
         Tutorial tutorial;
         float results_s = 0;             // seconds since the results appeared
@@ -53,7 +50,7 @@ class Application {
         float goalsLeft_s = 0;           // seconds for which the goals are still shown
         std::optional<game::Notice> met; // the animal that is new in the field guide
         float metLeft_s = 0;             // seconds for which that is still shown
-        Popups popups;
+        std::vector<Popup> popups;
     };
 
     Status openContext();
@@ -81,7 +78,6 @@ class Application {
     void globalActions(const Controls& controls);
     Status answer(const Request& request);
     Status startDive(const std::string& name, Mode mode);
-    Status openFilm(const std::string& file);
     Status startHeadset();
     Status enterHeadset();
     void showRoom();
@@ -97,8 +93,6 @@ class Application {
     Look look() const;
     Result<bool> draw();
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
-    TextOptions textOptions() const;
-    void adjustQuality();
     void measure();
 
     PlayOptions options_;

@@ -45,6 +45,12 @@ class ContentLoader {
     std::shared_ptr<const game::FilmSpace> space_;
 };
 
+// Returns the rules' grid of distances, from the depth track beside a film; null without a track, or with one
+// that cannot be read (a warning says why). yaw: turn of the environment about the player, radians to the
+// right. Opens the track a second time, because the film's player reads other frames of it on another thread.
+// Decodes a few hundred frames, in half a second.
+std::shared_ptr<const game::FilmSpace> filmSpaceOf(const Path& film, float yaw);
+
 // Sets the FilmSpace of the config's dive from the film's depth track; null without a track, or for a replay
 // that was recorded without one.
 Status findFilmSpace(const Path& film, const EnvironmentOptions& options, SessionConfig& config);

@@ -17,21 +17,13 @@ constexpr std::array<game::Text, 3> kHints = {"A fast hand frightens fish",
                                               "Wait in a fish’s way with an open hand",
                                               "Keep what you hold away from the shark"};
 
-// Returns how the player does a step, with the device in use.
-game::Text howTo(FirstSteps::Step step, Audience audience) {
-    const bool headset = audience == Audience::HeadsetPlayer, pad = audience == Audience::GamepadPlayer;
-    if (step == FirstSteps::Step::Look)
-        return headset ? "Turn your head"
-               : pad   ? game::Text("Left stick")
-                       : "Arrow keys, or hold the right mouse button and move";
-    if (step == FirstSteps::Step::Reach)
-        return headset ? "Move slowly: a fast hand frightens fish"
-               : pad   ? game::Text("Right stick, slowly: a fast hand frightens fish")
-                       : "Move the mouse slowly: a fast hand frightens fish";
-    return headset ? "For one second"
-           : pad   ? game::Text("Hold the right trigger for one second")
-                   : "Hold the left mouse button for one second";
-}
+// How the player does a step with mouse, gamepad or headset, by Step and Audience.
+constexpr std::array<std::array<game::Text, 3>, 3> kHowTo = {{
+    {"Arrow keys, or hold the right mouse button and move", "Left stick", "Turn your head"},
+    {"Move the mouse slowly: a fast hand frightens fish", "Right stick, slowly: a fast hand frightens fish",
+     "Move slowly: a fast hand frightens fish"},
+    {"Hold the left mouse button for one second", "Hold the right trigger for one second", "For one second"},
+}};
 
 // Returns the catchable fish within reach that is nearest to the middle of the view.
 std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::SpeciesTable& species) {
@@ -151,15 +143,14 @@ void FirstSteps::draw(const Pen& pen, const render::View& view) const {
         drawTurning(pen, std::fmod(inStep_s_, kShown_s) / kShown_s);
     else
         drawGhost(pen, view, ghost(view));
-    const std::array<const char*, 3> titles = {pen.in("Look around"),
-                                               pen.in("Reach for a fish until it glows"),
-                                               pen.in("Close your hand and hold the fish")};
+    constexpr std::array<game::Text, 3> kTitles = {"Look around", "Reach for a fish until it glows",
+                                                   "Close your hand and hold the fish"};
     const auto index = static_cast<size_t>(step_);
     const float x = pen.size.x / 2;
     const Rectangle title = pen.label(x, pen.size.y * 0.1f, 0.5f, TextSize::Heading, colour::kWhite,
-                                      std::to_string(index + 1) + " / 3   " + titles[index]);
+                                      std::to_string(index + 1) + " / 3   " + pen.in(kTitles[index]));
     pen.label(x, title.high.y + 0.4f * pen.line, 0.5f, TextSize::Body, colour::kGold,
-              pen.in(howTo(step_, pen.audience)));
+              pen.in(kHowTo[index][static_cast<size_t>(pen.audience)]));
 }
 
 void Hints::say(Kind kind) {

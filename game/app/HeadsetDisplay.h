@@ -2,20 +2,133 @@
 // middle of the left eye's picture in a window for onlookers. The headset's clock is the game's.
 #pragma once
 
-#include "engine/platform/Window.h"
+#include "engine/math/Trigonometry.h"
 #include "engine/render/FadePass.h"
 #include "engine/render/PremultiplyPass.h"
 #include "engine/xr/Headset.h"
 #include "game/app/Display.h"
-#include "game/session/HeadsetPause.h"
-#include "game/ui/PanelPlacement.h"
 #include "input/hands/HandRig.h"
-#include "input/haptics/HapticFrame.h"
 
 #include <array>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <numbers>
 #include <vector>
 
 namespace shoal::app {
+
+// Polls the OpenXR runtime for a headset that was lost in mid-dive. The runtime may take seconds to answer,
+// so a thread of its own asks it. Main thread.
+class HeadsetReturn {
+  public:
+    // Begins polling: the headset was just lost.
+    void await() {
+        awaited_ = true;
+        pause_s_ = kEvery_s; // a runtime that shuts down still answers for a while
+    }
+    void forget() { awaited_ = false; } // ends polling: the dive goes on without the headset, or with it
+    // Polls, once a frame. Returns true when the headset is there and can be opened.
+    bool step(float dt_s) {
+        if (!awaited_) return false;
+        if (answer_.valid()) {
+            if (answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+            pause_s_ = kEvery_s;
+            return answer_.get();
+        }
+        pause_s_ -= dt_s;
+        if (pause_s_ <= 0) answer_ = std::async(std::launch::async, &xr::Headset::isThere);
+        return false;
+    }
+    // Waits for the answer under way; to be called before a headset is opened.
+    void settle() {
+        if (answer_.valid()) answer_.get();
+    }
+
+  private:
+    static constexpr float kEvery_s = 2;
+    bool awaited_ = false;
+    float pause_s_ = 0; // seconds before the next question
+    std::future<bool> answer_;
+};
+
+// Placement of the text panel in a headset: in front of the player, upright. It follows the head smoothly,
+// and only once the head looks well aside.
+class PanelPlacement {
+  public:
+    static constexpr float kDistance_m = 1.5f;
+    static constexpr float kBelow_m = 0.1f;      // below the eyes, which is more comfortable
+    static constexpr float kLag_rad = 0.6f;      // turn of the head at which the panel starts to follow
+    static constexpr float kSettled_rad = 0.05f; // remaining angle at which it stops
+    static constexpr float kTurn_s = 0.35f, kMove_s = 0.5f; // time constants
+
+    // Returns the panel's pose, at first ahead of the head; once a frame. Worlds as in xr::Tracking.
+    xr::Pose follow(const xr::Pose& worldFromHead, float dt_s) {
+        const xr::Pose upright = xr::originAt(worldFromHead);
+        const float headYaw = 2 * std::atan2(upright.orientation.y, upright.orientation.w);
+        if (!placed_) {
+            placed_ = true;
+            yaw_ = headYaw;
+            centre_ = upright.position;
+        }
+        const float aside = std::remainder(headYaw - yaw_, 2 * std::numbers::pi_v<float>);
+        if (std::abs(aside) > kLag_rad) turning_ = true;
+        if (std::abs(aside) < kSettled_rad) turning_ = false;
+        if (turning_) yaw_ += aside * math::followShare(dt_s, kTurn_s);
+        centre_ += (upright.position - centre_) * math::followShare(dt_s, kMove_s);
+        const glm::quat turn = glm::angleAxis(yaw_, glm::vec3(0, 1, 0));
+        return {centre_ + turn * glm::vec3(0, -kBelow_m, -kDistance_m), turn};
+    }
+
+  private:
+    bool placed_ = false, turning_ = false;
+    float yaw_ = 0; // about +Y
+    glm::vec3 centre_{0};
+};
+
+struct HeadsetMoment {
+    bool plays = false;                // the headset is worn and shows no menus of its own
+    bool headTracked = false;          // the head's orientation is known
+    bool menu = false;                 // a controller's menu button is down
+    bool results = false;              // the dive is over
+    std::array<float, 2> grip{-1, -1}; // 0 open to 1 fist; negative: that hand is not seen
+};
+
+// Pauses and resumes a dive in a headset, whose player may have bare hands only. The dive pauses when the
+// headset is taken off or loses the head's orientation; closed hands are the player's answers. Has no clock.
+class HeadsetPause {
+  public:
+    // Updates `paused`, which a key may have changed too, once a frame. Sets `restart` when both hands have
+    // been closed while the results are shown.
+    //
+    // Taking the headset off pauses until a hand is closed; losing the head pauses until it is tracked again.
+    void step(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart);
+
+    // Darkness of the picture, 0 to 1 (black): rises smoothly while the head is not tracked.
+    float fade() const { return fade_; }
+
+    static constexpr float kFist = 0.7f, kOpen = 0.4f; // grip above and below which a hand is closed and open
+    static constexpr float kGoOn_s = 0.4f;             // time with one fist that ends a pause
+    static constexpr float kAgain_s = 1.0f;            // time with both fists that starts another dive
+    static constexpr float kSteady_s = 0.3f;           // time with a tracked head that ends its pause
+    static constexpr float kFadeOut_s = 0.25f, kFadeIn_s = 0.5f;
+
+  private:
+    // Pauses while the headset is off or its head is not tracked.
+    void followHeadset(const HeadsetMoment& now, float dt_s, bool& paused);
+    // Reads closed hands as answers to a pause or the results.
+    void readFists(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart);
+
+    bool begun_ = false;    // the headset has been worn and tracked once
+    bool byItself_ = false; // the present pause ends without an answer
+    bool waiting_ = false;  // paused or over in the frame before
+    bool menuWas_ = false;
+    float steady_s_ = 0;
+    std::array<bool, 2>
+        opened_{}; // hands opened since the pause began: a hand that holds a fish does not end it
+    std::array<float, 2> fist_s_{};
+    float fade_ = 1;
+};
 
 class HeadsetDisplay : public Display {
   public:
@@ -51,7 +164,6 @@ class HeadsetDisplay : public Display {
         : window_(&window), rig_(&rig), headset_(std::move(headset)), fade_(std::move(fade)),
           premultiply_(std::move(premultiply)), samples_(samples) {}
     Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
-    Status drawDepth(const Painter& painter, const SceneRenderer::Eye& eye);
     Pointing pointingOf(size_t side, const hands::HandPose& hand) const;
     Status drawPanel(const Painter& painter);
     void mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,

@@ -3,7 +3,6 @@
 // expectation was not met, 2 the command line was wrong.
 #include "engine/core/Log.h"
 #include "engine/core/RunProgram.h"
-#include "game/app/StopSignals.h"
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 #include "game/tools/NearestWord.h"
@@ -73,27 +72,19 @@ struct Command {
     std::function<int()> run;
 };
 
-// Returns the first option among the words that neither the program nor its command knows, without its value;
-// empty if there is none.
-std::string unknownOption(const CLI::App& app, const CLI::App& command,
-                          const std::vector<std::string>& words) {
-    for (const std::string& word : words) {
-        const std::string name = word.substr(0, word.find('='));
-        if (!name.starts_with("--")) continue;
-        if (!app.get_option_no_throw(name) && !command.get_option_no_throw(name)) return name;
-    }
-    return {};
-}
-
 // Returns why the words could not be parsed, in one sentence.
 std::string explained(const CLI::ParseError& error, const CLI::App& app, const CLI::App& command,
                       const std::vector<std::string>& words) {
-    const std::string option = unknownOption(app, command, words);
-    if (option.empty()) return error.what();
-    std::vector<std::string> known;
-    for (const CLI::Option* each : command.get_options())
-        for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
-    return "there is no option " + option + didYouMean(option, known);
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('=')); // without its value
+        if (!name.starts_with("--") || app.get_option_no_throw(name) || command.get_option_no_throw(name))
+            continue;
+        std::vector<std::string> known;
+        for (const CLI::Option* each : command.get_options())
+            for (const std::string& option : each->get_lnames()) known.push_back("--" + option);
+        return "there is no option " + name + didYouMean(name, known);
+    }
+    return error.what();
 }
 
 // Doubles backslashes, because zenity and kdialog read a backslash as the start of an escape sequence.

@@ -71,8 +71,8 @@ PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad,
     for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // no highlight either
 }
 
-PhotoMode::Command PhotoMode::step(const Controls& controls, const platform::WindowInput& input,
-                                   float sensitivity, float dt_s, float& fov_deg) {
+PhotoMode::Command PhotoMode::step(const Controls& controls, float sensitivity, float dt_s, float& fov_deg) {
+    const platform::WindowInput& input = controls.input;
     move(controls, sensitivity, dt_s, fov_deg);
     if (controls.was(Action::Pause) || isAmong(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B))
         return Command::Leave;
@@ -95,16 +95,16 @@ void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
 }
 
 void PhotoMode::move(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
-    const glm::vec2 drag = glm::vec2(c.dragged.x, -c.dragged.y) * (kDragTurn_rad * sensitivity);
-    look_.turnBy(c.look * (kTurn_radps * dt_s) + drag);
+    const glm::vec2 drag = glm::vec2(c.dragged().x, -c.dragged().y) * (kDragTurn_rad * sensitivity);
+    look_.turnBy(c.input.gamepad.leftStick * (kTurn_radps * dt_s) + drag);
     shown_.worldFromView = look_.worldFromView();
-    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.reach.x,
+    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
                         c.between(Action::Farther, Action::Nearer),
-                        c.between(Action::LookDown, Action::LookUp) - c.reach.y);
+                        c.between(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
     glm::vec3 from = shown_.headWorld + shown_.worldFromView * way * (kMove_mps * dt_s) - origin_;
     if (const float length = glm::length(from); length > kReach_m) from *= kReach_m / length;
     shown_.headWorld = origin_ + from;
-    fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.wheel), 20.0f, 130.0f);
+    fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
 }
 
 Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int width) {
@@ -113,12 +113,11 @@ Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int wi
     std::array<ImageRgba8, 6> faces;
     for (size_t face = 0; face < faces.size(); ++face) {
         const gl::Target target(edge, edge, 1);
-        render::View view;
-        view.eyeWorld = eyeWorld;
-        view.worldFromEye = turns[face];
-        view.verticalFov = std::numbers::pi_v<float> / 2;
-        view.aspect = 1;
-        view.heightPixels = edge;
+        const render::View view{.eyeWorld = eyeWorld,
+                                .worldFromEye = turns[face],
+                                .verticalFov = std::numbers::pi_v<float> / 2,
+                                .aspect = 1,
+                                .heightPixels = edge};
         const SceneRenderer::Eye eye{0, view, target};
         if (Status drawn = renderer.draw({&eye, 1}); !drawn) return drawn.error();
         faces[face] = target.read();

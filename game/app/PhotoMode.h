@@ -5,7 +5,6 @@
 #include "engine/core/Files.h"
 #include "game/rules/Snapshot.h"
 #include "game/session/Controls.h"
-#include "game/session/LookAngles.h"
 #include "game/texts/Texts.h"
 #include "game/views/SceneRenderer.h"
 
@@ -19,8 +18,7 @@ class PhotoMode {
     enum class Command { None, Picture, Leave };
     // Moves the camera and returns the player's command; once a frame. fov_deg: the picture's, which the
     // wheel changes.
-    Command step(const Controls& controls, const platform::WindowInput& input, float sensitivity, float dt_s,
-                 float& fov_deg);
+    Command step(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
     // The dive's snapshot, with the free camera as the viewer.
     const game::Snapshot& shown() const { return shown_; }
     float fovBefore_deg() const { return fovBefore_deg_; }

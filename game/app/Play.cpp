@@ -3,7 +3,6 @@
 #include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
 #include "game/app/Application.h"
-#include "game/app/StopSignals.h"
 #include "game/tools/Commands.h"
 
 #include <array>
@@ -11,6 +10,18 @@
 namespace shoal::app {
 
 namespace {
+
+// Makes these signals set stopSignal from now on; a second one of a kind ends the program at once.
+void noteStopSignals() {
+    struct sigaction action {};
+    action.sa_handler = [](int signal) { stopSignal = signal; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup has them ignored
+    }
+}
 
 // Checks, before anything is played, that all output files can be written.
 Status checkOutputsOf(const PlayOptions& options) {

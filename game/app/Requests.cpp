@@ -31,10 +31,11 @@ Status Application::answer(const Request& request) {
         return startDive(request.name, Mode::FreeSwim);
     case Request::Kind::Title:
         return begin(Mode::Title);
-    case Request::Kind::OpenFilm:
-        return openFilm(request.name);
-    case Request::Kind::OwnFilm:
-        return openFilm({});
+    case Request::Kind::OpenFilm: {
+        PlayOptions wanted = options_;
+        environment::setFile(wanted.environment, request.name);
+        return reopen(wanted, Mode::Title, Screen::Films);
+    }
     case Request::Kind::Headset:
         return startHeadset();
     case Request::Kind::Photo:
@@ -60,13 +61,6 @@ Status Application::startDive(const std::string& name, Mode mode) {
     return begin(mode);
 }
 
-// file: empty for the dive's own film.
-Status Application::openFilm(const std::string& file) {
-    PlayOptions wanted = options_;
-    environment::setFile(wanted.environment, file);
-    return reopen(wanted, Mode::Title, Screen::Films);
-}
-
 // Opens the headset, from the title screen or, after its loss, in mid-dive; the dive then goes on in it.
 Status Application::startHeadset() {
     if (play_->states.mode() != Mode::Title) {
@@ -78,7 +72,6 @@ Status Application::startHeadset() {
     return reopen(wanted, Mode::Title, Screen::Title);
 }
 
-// Moves the dive from the window to the headset.
 Status Application::enterHeadset() {
     options_.xr = true;
     if (Status opened = openDisplay(); !opened) {
@@ -142,7 +135,6 @@ Status Application::endFirstSteps() {
     return begin(Mode::Dive);
 }
 
-// Ends the session, opens the content for these options, and begins in that mode.
 Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
     if (Status ended = endPlay(); !ended) return ended;
     const PlayOptions before = std::exchange(options_, wanted);
@@ -150,7 +142,6 @@ Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
     return opened ? begin(mode) : goBack(before, opened.error(), asker);
 }
 
-// Opens dive, display, scene and sound for the present options.
 Status Application::openContent() {
     if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
     if (options_.xr != (display_->audience() == Audience::HeadsetPlayer))

@@ -1,29 +1,21 @@
 #include "game/app/Screens.h"
 
 #include "engine/core/Log.h"
-#include "game/ui/Animals.h"
+#include "game/ui/Hud.h"
 
+#include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 
 namespace shoal::app {
 
 namespace {
 
-struct Group {
-    SettingsPage page;
-    game::Text label;
-};
-constexpr std::array kGroups = std::to_array<Group>({
-    {SettingsPage::Hands, "Hands"},
-    {SettingsPage::Comfort, "Comfort"},
-    {SettingsPage::Picture, "Picture"},
-    {SettingsPage::Sound, "Sound"},
-    {SettingsPage::Text, "Text and captions"},
-});
+// The pages of settings, by SettingsPage without None.
+constexpr auto kGroups =
+    std::to_array<game::Text>({"Hands", "Comfort", "Picture", "Sound", "Text and captions"});
 
 template <class... Values> std::string filled(const char* text, const Values&... values) {
     return fmt::format(fmt::runtime(text), values...);
@@ -54,38 +46,19 @@ std::string keysText(const Bindings::Keys& keys, game::Language language) {
 
 // Returns a goal's text.
 std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
-    const auto text = [&](game::Text words) { return words.in(language); };
-    switch (goal.kind) {
-    case game::GoalKind::Catch:
-        if (goal.species < 0) return filled(text("Catch {} fish"), goal.count);
-        return filled(text("Catch {} {}"), goal.count,
-                      game::animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
-    case game::GoalKind::Different:
-        return filled(text("Catch {} different species"), goal.count);
-    case game::GoalKind::Score:
-        return filled(text("Score {} points"), goal.count);
-    case game::GoalKind::NoLoss:
-        return text("Catch fish and lose none to the shark");
-    case game::GoalKind::Combo:
-        return filled(text("Catch {} different species in a row"), goal.count);
-    }
-    return "";
+    static constexpr std::array<game::Text, 5> kGoals = {
+        "Catch {} fish", "Catch {} different species", "Score {} points",
+        "Catch fish and lose none to the shark", "Catch {} different species in a row"}; // by GoalKind
+    if (goal.kind == game::GoalKind::Catch && goal.species >= 0)
+        return filled(game::Text("Catch {} {}").in(language), goal.count,
+                      animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
+    return filled(kGoals[static_cast<size_t>(goal.kind)].in(language), goal.count);
 }
 
 } // namespace
 
-game::Language languageIn(const TextSettings& settings) {
-    if (settings.language != LanguageChoice::Auto) // which comes before the languages
-        return static_cast<game::Language>(static_cast<int>(settings.language) - 1);
-    for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"})
-        if (const char* locale = std::getenv(variable); locale && *locale) return game::languageOf(locale);
-    return game::Language::English;
-}
-
 Screens::Screens(PlayOptions& options, Bindings& bindings)
     : options_(options), bindings_(bindings), table_(settingsOf(options)) {}
-
-game::Language Screens::language() const { return languageIn(options_.text); }
 
 std::string Screens::named(std::string_view english) const {
     return std::string(game::translated(english, language()));
@@ -146,7 +119,6 @@ void Screens::back() {
 }
 
 MenuPage Screens::page() {
-    entries_.clear();
     using S = Screens;
     constexpr std::array kPages = {&S::titlePage,     &S::divesPage, &S::divesPage,    &S::filmsPage,
                                    &S::settingsPage,  &S::groupPage, &S::handSizePage, &S::bindingsPage,
@@ -154,7 +126,7 @@ MenuPage Screens::page() {
                                    &S::resultsPage}; // by Screen
     MenuPage page = (this->*kPages[static_cast<size_t>(stack_.back().screen)])();
     page.camera = showsCamera();
-    for (const Entry& entry : entries_) page.items.push_back(entry.item);
+    page.items = std::exchange(items_, {});
     page.error = error_;
     if (!message_.empty()) page.note = message_;
     return page;
@@ -172,7 +144,7 @@ void Screens::input(const MenuInput& input) {
     if (!event) return;
     if (event->kind == MenuEvent::Kind::Back) return back();
     const size_t depth = stack_.size();
-    const auto act = entries_[event->item].act; // the call may replace the page
+    const auto act = menu_.page().items[event->item].act; // the call may replace the page
     act(*event);
     if (stack_.size() == depth) refresh();
 }
@@ -183,11 +155,8 @@ void Screens::draw(const Pen& pen) {
     if (isOpen()) menu_.draw(pen);
 }
 
-// -- What pages are made of --------------------------------------------------------------------------------
-
 void Screens::itemButton(std::string label, std::function<void()> act) {
-    entries_.push_back({{.label = std::move(label), .value = {}, .fraction = {}},
-                        [act = std::move(act)](const MenuEvent&) { act(); }});
+    items_.push_back({.label = std::move(label), .act = [act = std::move(act)](const MenuEvent&) { act(); }});
 }
 
 void Screens::button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
@@ -207,19 +176,17 @@ void Screens::changed(size_t row) {
 
 void Screens::settingEntry(size_t row) {
     const Setting& setting = table_.rows[row];
-    entries_.push_back({{.label = in(*setting.label),
-                         .value = shownValue(setting, language()),
-                         .fraction = sliderOf(setting)},
-                        [this, row](const MenuEvent& event) {
-                            if (event.kind == MenuEvent::Kind::Slide)
-                                slide(table_.rows[row], event.fraction);
-                            else
-                                adjust(table_.rows[row], event.steps);
-                            changed(row);
-                        }});
+    items_.push_back({.label = in(*setting.label),
+                      .value = shownValue(setting, language()),
+                      .fraction = sliderOf(setting),
+                      .act = [this, row](const MenuEvent& event) {
+                          if (event.kind == MenuEvent::Kind::Slide)
+                              slide(table_.rows[row], event.fraction);
+                          else
+                              adjust(table_.rows[row], event.steps);
+                          changed(row);
+                      }});
 }
-
-// -- The pages ---------------------------------------------------------------------------------------------
 
 MenuPage Screens::titlePage() {
     button("Dive", [this] {
@@ -250,24 +217,20 @@ MenuPage Screens::divesPage() {
         itemButton(std::move(label), [this, swims, name = dive.name] {
             ask(swims ? Request::Kind::Swim : Request::Kind::Dive, name);
         });
-        if (facts.ownFilm) entries_.back().item.picture = dive.picture;
+        if (facts.ownFilm) items_.back().picture = dive.picture;
     }
     backButton();
     MenuPage page{.title = in(swims ? game::Text("Free swim") : "Choose a dive"), .layout = PageLayout::Side};
     if (swims) page.text = {in("No clock, no shark: meet the animals.")};
-    if (!facts.ownFilm) page.text.push_back(otherFilm());
+    const EnvironmentOptions& shown = options_.environment; // which has at most one of these
+    if (!facts.ownFilm)
+        page.text.push_back(filled(in("All dives are in {}"),
+                                   Path(shown.video + shown.photo + shown.env).filename().string()));
     return page;
 }
 
-// Returns the text that the player's own film or photo replaces every dive's.
-std::string Screens::otherFilm() const {
-    const EnvironmentOptions& shown = options_.environment;
-    // At most one of them is given.
-    return filled(in("All dives are in {}"), Path(shown.video + shown.photo + shown.env).filename().string());
-}
-
 MenuPage Screens::filmsPage() {
-    if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OwnFilm); });
+    if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OpenFilm); });
     const std::vector<Path> files = filmsAndPhotos();
     for (const Path& file : files)
         itemButton(file.filename().string(), [this, file] { ask(Request::Kind::OpenFilm, file.string()); });
@@ -278,8 +241,8 @@ MenuPage Screens::filmsPage() {
 }
 
 MenuPage Screens::settingsPage() {
-    for (const Group& group : kGroups)
-        button(group.label, [this, page = group.page] { push(Screen::SettingsGroup, page); });
+    for (size_t i = 0; i < kGroups.size(); ++i)
+        button(kGroups[i], [this, i] { push(Screen::SettingsGroup, static_cast<SettingsPage>(i + 1)); });
     button("Keys and buttons", [this] { push(Screen::Bindings); });
     backButton();
     return {.title = in("Settings"), .layout = PageLayout::Side};
@@ -293,8 +256,7 @@ MenuPage Screens::groupPage() {
     if (group == SettingsPage::Hands && facts.webcam)
         button("Measure my hand", [this] { push(Screen::HandSize); });
     backButton();
-    const auto shown = std::ranges::find(kGroups, group, &Group::page);
-    MenuPage page{.title = in(shown->label)};
+    MenuPage page{.title = in(kGroups[static_cast<size_t>(group) - 1])};
     if (group == SettingsPage::Hands && facts.handsNeed) page.text = {facts.handsNeed->in(language())};
     return page;
 }
@@ -321,15 +283,14 @@ MenuPage Screens::bindingsPage() {
     for (size_t i = 0; i < kActions; ++i) {
         const auto action = static_cast<Action>(i);
         const std::string keys = keysText(bindings_.of(action), language());
-        entries_.push_back({{.label = in(kActionRows[i].label),
-                             .value = keys.empty() ? named("none") : keys,
-                             .fraction = {},
-                             .isButton = true},
-                            [this, action](const MenuEvent&) {
-                                captured_ = action;
-                                message_ = filled(in("Press a key or a button for: {}. Esc: leave it"),
-                                                  in(kActionRows[static_cast<size_t>(action)].label));
-                            }});
+        items_.push_back({.label = in(kActionRows[i].label),
+                          .value = keys.empty() ? named("none") : keys,
+                          .isButton = true,
+                          .act = [this, action](const MenuEvent&) {
+                              captured_ = action;
+                              message_ = filled(in("Press a key or a button for: {}. Esc: leave it"),
+                                                in(kActionRows[static_cast<size_t>(action)].label));
+                          }});
     }
     button("Reset all keys", [this] {
         bindings_ = Bindings();
@@ -353,15 +314,17 @@ void Screens::captured(std::optional<Action> loser) {
     refresh();
 }
 
-void Screens::cancelCapture() {
+// Binds the key or the button; Escape and a press of the mouse cancel.
+void Screens::capture(const platform::WindowInput& input) {
+    const int key = input.keysPressed.empty() ? -1 : input.keysPressed.front();
+    const std::vector<int>& buttons = input.gamepad.pressed;
+    if (key >= 0 && key != GLFW_KEY_ESCAPE) return captured(bindings_.bind(*captured_, key, false));
+    if (key < 0 && !buttons.empty()) return captured(bindings_.bind(*captured_, buttons.front(), true));
+    if (key < 0 && !input.leftPressed) return;
     captured_.reset();
     message_.clear();
     refresh();
 }
-
-void Screens::keyPressed(int key) { captured(bindings_.bindKey(*captured_, key)); }
-
-void Screens::buttonPressed(int button) { captured(bindings_.bindButton(*captured_, button)); }
 
 MenuPage Screens::howToPlayPage() {
     backButton();
@@ -397,12 +360,12 @@ MenuPage Screens::guidePage() {
     for (size_t species = 0; species < all.size(); ++species) {
         const bool known = std::ranges::find(facts.met, all[species].name) != facts.met.end();
         met += known;
-        itemButton(known ? game::animalName(all[species], 1, language()) : "?", [this, species] {
+        itemButton(known ? animalName(all[species], 1, language()) : "?", [this, species] {
             push(Screen::Animal);
             stack_.back().species = species;
             show(0);
         });
-        entries_.back().item.enabled = known;
+        items_.back().enabled = known;
     }
     backButton();
     return {
@@ -415,9 +378,9 @@ MenuPage Screens::guidePage() {
 MenuPage Screens::animalPage() {
     const game::Species& animal = (*facts.species)[stack_.back().species];
     backButton();
-    return {.title = game::animalName(animal, 1, language()),
+    return {.title = animalName(animal, 1, language()),
             .picture = "guide/" + animal.name + ".png",
-            .text = {game::textIn(animal.fact, language())}};
+            .text = {textIn(animal.fact, language())}};
 }
 
 std::vector<std::string> Screens::goalLines(std::span<const game::GoalView> goals) const {
@@ -460,7 +423,7 @@ MenuPage Screens::resultsPage() {
     for (size_t i = 0; i < s.tally.size(); ++i)
         if (s.tally[i].caught > 0)
             tally += (tally.empty() ? "" : ", ") + std::to_string(s.tally[i].caught) + " " +
-                     game::animalName((*facts.species)[i], s.tally[i].caught, language());
+                     animalName((*facts.species)[i], s.tally[i].caught, language());
     if (!tally.empty()) page.text.push_back(tally);
     if (s.lost > 0) page.text.push_back(filled(in("{} taken by the shark"), s.lost));
     std::ranges::move(goalLines(s.goals), std::back_inserter(page.text));
@@ -481,6 +444,68 @@ MenuPage Screens::resultsPage() {
     page.note = filled(in("Seed {}"), facts.seed);
     if (options_.xr) page.note = in("Close both hands: dive again") + std::string("   ") + page.note;
     return page;
+}
+
+ProgramStates::ProgramStates(GameSession& session, Screens& screens, Mode mode, bool keepsScores)
+    : session_(session), screens_(screens), mode_(mode), keepsScores_(keepsScores), before_(state()) {
+    screens_.facts.freeSwim = mode_ != Mode::Dive;
+    screens_.facts.firstSteps = mode_ == Mode::FirstSteps;
+    screens_.close();
+    entered(before_);
+}
+
+ProgramStates::State ProgramStates::state() const {
+    if (mode_ == Mode::Title) return State::Title;
+    if (session_.after.phase == game::Phase::Results) return State::Results;
+    // A pause is the decision of the player, the headset, or the script or replay that plays.
+    return (byPerson() ? session_.paused : session_.after.paused) ? State::Paused : State::Diving;
+}
+
+void ProgramStates::input(const Controls& controls, bool lostFocus, bool& leaving) {
+    const bool pause = controls.was(Action::Pause);
+    if (!byPerson()) { // a script or replay pauses and ends by itself
+        leaving |= pause;
+        return;
+    }
+    if (state() == State::Diving && (pause || lostFocus)) session_.paused = true;
+}
+
+void ProgramStates::update() {
+    const State now = state();
+    if (now == before_) return;
+    before_ = now;
+    entered(now);
+}
+
+void ProgramStates::entered(State state) {
+    screens_.facts.results = session_.after;
+    screens_.facts.seed = session_.dive.seed();
+    keepGuide();
+    if (state == State::Diving) return screens_.close();
+    if (state == State::Results) keepScore();
+    screens_.open(state == State::Title    ? Screen::Title
+                  : state == State::Paused ? Screen::Paused
+                                           : Screen::Results);
+}
+
+void ProgramStates::keepScore() {
+    const std::string& dive = session_.dive.file().name;
+    screens_.facts.scores = readScores(dive);
+    // Only a person's dives count.
+    if (!keepsScores_ || !byPerson()) return;
+    if (Status saved = addScore(dive, session_.after.score); !saved) log::warn("{}", saved.error().message());
+}
+
+void ProgramStates::keepGuide() {
+    std::vector<std::string>& met = screens_.facts.met;
+    const size_t before = met.size();
+    const auto& tally = session_.after.tally;
+    for (size_t i = 0; i < tally.size(); ++i) {
+        const std::string& name = session_.dive.species()[i].name;
+        if (tally[i].touched && std::ranges::find(met, name) == met.end()) met.push_back(name);
+    }
+    if (met.size() == before || !keepsScores_ || !byPerson()) return;
+    if (Status saved = saveGuide(met); !saved) log::warn("{}", saved.error().message());
 }
 
 } // namespace shoal::app

@@ -2,11 +2,9 @@
 // themselves; all else that the player asks for is a request to the program. Main thread.
 #pragma once
 
-#include "game/rules/DiveFile.h"
-#include "game/rules/Snapshot.h"
-#include "game/session/Controls.h"
+#include "game/app/FirstSteps.h"
+#include "game/session/GameSession.h"
 #include "game/settings/KeptFiles.h"
-#include "game/settings/PlayOptions.h"
 #include "game/ui/Menu.h"
 #include "input/hands/HandSize.h"
 
@@ -41,7 +39,6 @@ struct Request {
         SkipFirstSteps,
         Swim,
         OpenFilm,
-        OwnFilm,
         Headset,
         Resume,
         Recentre,
@@ -52,7 +49,7 @@ struct Request {
         SettingsChanged
     };
     Kind kind;
-    std::string name; // of a dive or a free swim, or a file
+    std::string name; // of a dive or a free swim, or a file; no file: the dive's own film
 };
 
 struct DiveName {
@@ -92,13 +89,11 @@ class Screens {
     bool isOpen() const { return !stack_.empty(); }
     std::optional<Screen> top() const;
     bool showsCamera() const; // the page shows the webcam's image
-    // Returns whether a binding waits for the next key or button, which the menus must then not read.
+    // Returns whether a binding waits for the next key or button, which only capture() must then read.
     bool capturesKey() const { return captured_.has_value(); }
+    void capture(const platform::WindowInput& input);
 
     void input(const MenuInput& input);
-    void keyPressed(int key);       // only while capturesKey()
-    void buttonPressed(int button); // only while capturesKey()
-    void cancelCapture();           // a press of the mouse cannot be bound
     std::optional<Request> takeRequest();
     void draw(const Pen& pen);
     // Updates the page that is open, after its words or numbers have changed.
@@ -114,10 +109,6 @@ class Screens {
     std::vector<std::string> goalLines(std::span<const game::GoalView> goals) const;
 
   private:
-    struct Entry {
-        MenuItem item;
-        std::function<void(const MenuEvent&)> act;
-    };
     struct Level { // one page of the stack
         Screen screen;
         SettingsPage group = SettingsPage::None;
@@ -130,7 +121,7 @@ class Screens {
     void show(size_t focus);
     MenuPage page();
 
-    // Each fills entries_ and returns the page without its items.
+    // Each fills items_ and returns the page without its items.
     MenuPage titlePage();
     MenuPage divesPage(); // for free swims too
     MenuPage filmsPage();
@@ -151,22 +142,47 @@ class Screens {
     void changed(size_t row);
     void captured(std::optional<Action> loser);
     const char* in(game::Text text) const { return text.in(language()); }
-    game::Language language() const;
+    game::Language language() const { return options_.text.shownLanguage(); }
     std::string named(std::string_view english) const;
-    std::string otherFilm() const;
 
     PlayOptions& options_;
     Bindings& bindings_;
     SettingsTable table_;
     std::vector<Level> stack_;
-    std::vector<Entry> entries_; // items of the open page
+    std::vector<MenuItem> items_; // of the page that is being made
     Menu menu_;
     std::optional<Request> request_;
     std::optional<Action> captured_; // the action that waits for a key
     std::string message_, error_;    // texts below the items
 };
 
-// Returns the language of the screen: the chosen one, or the system's.
-game::Language languageIn(const TextSettings& settings);
+// The states of the program, and the menu pages that each shows over the picture.
+class ProgramStates {
+  public:
+    enum class State { Title, Diving, Paused, Results };
+
+    // Session and screens must outlive this. keepsScores: writes scores to the player's file.
+    ProgramStates(GameSession& session, Screens& screens, Mode mode, bool keepsScores);
+
+    State state() const;
+    Mode mode() const { return mode_; }
+    bool byPerson() const { return playedByAPerson(session_.source); }
+
+    // Handles input of the game; menus read their own.
+    void input(const Controls& controls, bool lostFocus, bool& leaving);
+    // Opens and closes pages, and keeps score and guide; once a frame, after the simulation.
+    void update();
+
+  private:
+    void entered(State state);
+    void keepScore();
+    void keepGuide();
+
+    GameSession& session_;
+    Screens& screens_;
+    Mode mode_;
+    bool keepsScores_;
+    State before_;
+};
 
 } // namespace shoal::app

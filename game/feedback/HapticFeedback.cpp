@@ -45,7 +45,7 @@ void HapticFeedback::startPulse(const Event& event) {
     const auto strike = [&](Pulse& own) {
         if (pulse.amplitude >= own.amplitude) own = pulse;
     };
-    if (row.where == Where::Body || row.where == Where::HandAndBody) strike(body_);
+    if (row.where == Where::Body || row.where == Where::HandAndBody) strike(pulses_.back());
     if (row.where == Where::Nowhere || row.where == Where::Body || event.hand < 0) return;
     for (int part = 0; part < haptics::kActuatorsPerHand; ++part)
         if (row.where != Where::Part || part == event.part)
@@ -56,11 +56,9 @@ haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<cons
                                            float strength) {
     if (shown.paused || shown.phase == Phase::Results) {
         pulses_ = {};
-        body_ = {};
         return {};
     }
     for (Pulse& pulse : pulses_) pulse.amplitude *= std::exp(-dt_s / pulse.decay_s);
-    body_.amplitude *= std::exp(-dt_s / body_.decay_s);
     for (const Event& event : events) startPulse(event);
     haptics::HapticFrame frame;
     for (int i = 0; i < haptics::kActuatorCount; ++i) {
@@ -72,7 +70,8 @@ haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<cons
         out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
         frame.actuators[static_cast<size_t>(i)] = out;
     }
-    frame.body = {std::clamp(body_.amplitude * strength, 0.0f, 1.0f), body_.frequency_Hz};
+    const Pulse& body = pulses_.back();
+    frame.body = {std::clamp(body.amplitude * strength, 0.0f, 1.0f), body.frequency_Hz};
     return frame;
 }
 

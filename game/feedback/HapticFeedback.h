@@ -24,8 +24,7 @@ class HapticFeedback {
     };
     void startPulse(const Event&);
 
-    std::array<Pulse, haptics::kActuatorCount> pulses_{};
-    Pulse body_;
+    std::array<Pulse, haptics::kActuatorCount + 1> pulses_{}; // the last is the body's
 };
 
 } // namespace shoal::game

@@ -93,7 +93,7 @@ Result<Script> loadScript(const Path& path) {
             root.complain("dive",
                           "must be the name of a dive, or \"./\" and the path of a dive file from here");
         root.text("film", script.film);
-        root.choice("assist", EnumNames<Assist>::kNames, script.rules.assist);
+        root.choice("assist", kEnumNames<Assist>, script.rules.assist);
         root.flag("seated", script.rules.seated);
         root.flag("free", script.rules.freeSwim);
         root.whole("seed", script.seed, 0, INT64_MAX);

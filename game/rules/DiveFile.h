@@ -163,8 +163,4 @@ struct DiveRules {
 
 } // namespace shoal::game
 
-namespace shoal {
-template <> struct EnumNames<game::Assist> {
-    static constexpr std::array kNames = {"none", "normal", "strong"};
-};
-} // namespace shoal
+template <> inline constexpr std::array shoal::kEnumNames<shoal::game::Assist> = {"none", "normal", "strong"};

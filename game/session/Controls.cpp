@@ -112,26 +112,18 @@ Bindings::Bindings() {
     for (size_t i = 0; i < kActions; ++i) bound_[i] = {kActionRows[i].keys, kActionRows[i].button};
 }
 
-std::optional<Action> Bindings::bindKey(Action action, int key) {
+std::optional<Action> Bindings::bind(Action action, int number, bool isButton) {
     std::optional<Action> loser;
-    for (size_t i = 0; i < kActions; ++i)
-        for (int& bound : bound_[i].keys)
-            if (bound == key) {
-                bound = -1;
-                if (i != static_cast<size_t>(action)) loser = static_cast<Action>(i);
-            }
-    bound_[static_cast<size_t>(action)].keys[0] = key;
-    return loser;
-}
-
-std::optional<Action> Bindings::bindButton(Action action, int button) {
-    std::optional<Action> loser;
-    for (size_t i = 0; i < kActions; ++i)
-        if (bound_[i].button == button && i != static_cast<size_t>(action)) {
-            bound_[i].button = -1;
-            loser = static_cast<Action>(i);
+    for (size_t i = 0; i < kActions; ++i) {
+        auto& [keys, button] = bound_[i];
+        for (int* bound : {&keys[0], &keys[1], &button}) {
+            if ((bound == &button) != isButton || *bound != number) continue;
+            *bound = -1;
+            if (i != static_cast<size_t>(action)) loser = static_cast<Action>(i);
         }
-    bound_[static_cast<size_t>(action)].button = button;
+    }
+    Keys& own = bound_[static_cast<size_t>(action)];
+    (isButton ? own.button : own.keys[0]) = number;
     return loser;
 }
 
@@ -166,10 +158,10 @@ std::string Bindings::toText() const {
     return text;
 }
 
-Controls readControls(const platform::Window& window, const platform::WindowInput& input,
-                      const Bindings& bindings) {
+Controls readControls(platform::Window& window, const Bindings& bindings) {
+    Controls controls{.input = window.poll(), .down = {}, .pressed = {}};
+    const platform::WindowInput& input = controls.input;
     const platform::Gamepad& pad = input.gamepad;
-    Controls controls;
     for (size_t i = 0; i < kActions; ++i) {
         const auto& [keys, button] = bindings.of(static_cast<Action>(i));
         // The middle button pauses too, for players without a keyboard at hand.
@@ -181,15 +173,6 @@ Controls readControls(const platform::Window& window, const platform::WindowInpu
         controls.pressed[i] = pressed || (button >= 0 && std::ranges::count(pad.pressed, button) > 0);
         controls.down[i] = down || (button >= 0 && pad.down[static_cast<size_t>(button)]);
     }
-    controls.cursor = input.cursor;
-    controls.mouseMoved = input.cursorMoved != glm::dvec2(0);
-    controls.turns = input.rightButton;
-    if (input.rightButton) controls.dragged = input.cursorMoved;
-    controls.wheel = input.wheel;
-    controls.mouseCloses = input.leftButton;
-    controls.look = pad.leftStick;
-    controls.reach = pad.rightStick;
-    controls.trigger = pad.present ? pad.rightTrigger : 0;
     return controls;
 }
 

@@ -4,8 +4,13 @@
 #include "engine/platform/Window.h"
 #include "game/texts/Texts.h"
 
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,9 +55,8 @@ class Bindings {
     };
     const Keys& of(Action action) const { return bound_[static_cast<size_t>(action)]; }
 
-    // Binds a key, or a button, in place of the action's first. Returns the action that loses it.
-    std::optional<Action> bindKey(Action action, int key);
-    std::optional<Action> bindButton(Action action, int button);
+    // Binds a key in place of the action's first, or a button. Returns the action that loses it.
+    std::optional<Action> bind(Action action, int number, bool isButton);
 
     // Reads bindings as in the settings file: "close=Space,- A; pause=Escape,P Start". Other actions keep
     // theirs. Returns false, and changes nothing, if the text is malformed.
@@ -68,15 +72,8 @@ std::string_view buttonName(int button); // "-": none
 
 // The input of one frame.
 struct Controls {
+    platform::WindowInput input;
     std::bitset<kActions> down, pressed;
-    glm::dvec2 cursor{0.5};      // 0 to 1 from the window's upper left
-    glm::dvec2 dragged{0};       // mouse movement with its right button down, pixels
-    double wheel = 0;            // notches, away from the player positive
-    bool mouseCloses = false;    // the left button
-    bool turns = false;          // the right button
-    glm::vec2 look{0}, reach{0}; // gamepad's sticks: -1 to 1, +x right, +y up
-    float trigger = 0;           // gamepad's trigger, 0 to 1: how far the hand closes
-    bool mouseMoved = false;
 
     bool is(Action action) const { return down[static_cast<size_t>(action)]; }
     bool was(Action action) const { return pressed[static_cast<size_t>(action)]; }
@@ -84,9 +81,34 @@ struct Controls {
     float between(Action plus, Action minus) const {
         return static_cast<float>(is(plus)) - static_cast<float>(is(minus));
     }
+    // Returns the mouse's movement with its right button down, pixels.
+    glm::dvec2 dragged() const { return input.rightButton ? input.cursorMoved : glm::dvec2(0); }
 };
 
-Controls readControls(const platform::Window& window, const platform::WindowInput& input,
-                      const Bindings& bindings);
+// Direction of a view that the player turns by hand: yaw about the world's up, then pitch.
+struct LookAngles {
+    static constexpr float kPitchMax_rad = 1.45f;
+
+    float yaw_rad = 0, pitch_rad = 0; // to the right, up
+
+    static LookAngles of(const glm::quat& worldFromView) {
+        const glm::vec3 ahead = worldFromView * glm::vec3(0, 0, -1);
+        LookAngles angles;
+        angles.turnBy({std::atan2(ahead.x, -ahead.z), std::asin(std::clamp(ahead.y, -1.0f, 1.0f))});
+        return angles;
+    }
+    void turnBy(glm::vec2 rad) { // +x right, +y up
+        yaw_rad = std::remainder(yaw_rad + rad.x, 2 * std::numbers::pi_v<float>);
+        pitch_rad = std::clamp(pitch_rad + rad.y, -kPitchMax_rad, kPitchMax_rad);
+    }
+    glm::quat worldFromView() const {
+        return glm::angleAxis(-yaw_rad, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch_rad, glm::vec3(1, 0, 0));
+    }
+};
+
+constexpr float kDragTurn_rad = 0.0032f; // turn of the view for a pixel that the mouse is dragged
+
+// Polls the window.
+Controls readControls(platform::Window& window, const Bindings& bindings);
 
 } // namespace shoal::app

@@ -6,11 +6,16 @@
 #include "engine/xr/Tracked.h"
 #include "game/rules/Dive.h"
 #include "game/session/HandSource.h"
+#include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace shoal::app {
 
@@ -74,6 +79,83 @@ struct GameSession {
     Status recorded_ = Done{};           // error at which the recording ended while the game goes on
     std::optional<xr::Pose> headBefore_; // of the last frame
     game::Events tickEvents_;
+};
+
+// The game time that each frame of a dive takes, and the time of its drawing.
+class FrameClock {
+  public:
+    enum class Mode {
+        RealTime,  // game time follows the system's clock
+        FixedStep, // every frame takes 1 / fps, and shows just its frame of the video
+        TimeDemo   // FixedStep for the dive, as fast as possible, while the video runs in real time
+    };
+    FrameClock(Mode mode, double fps) : mode_(mode), fps_(fps) {}
+
+    void beginFrame() {
+        const Clock::time_point now = Clock::now();
+        if (++frame_ == 0) start_ = frameStart_ = now;
+        wall_s_ = Seconds(now - frameStart_).count();
+        frameStart_ = now;
+    }
+    Mode mode() const { return mode_; }
+    uint64_t frame() const { return frame_; } // 0: the first frame
+    double sinceBegin_ms() const { return 1e3 * Seconds(Clock::now() - frameStart_).count(); }
+
+    // Returns the dive's time since the last frame. display: that time by the display; empty: unknown.
+    double elapsed_s(std::optional<double> display) const {
+        constexpr double kMaximum_s = 0.5; // a longer pause is not made up for
+        if (display) return std::min(*display, kMaximum_s);
+        if (mode_ == Mode::RealTime) return std::min(wall_s_, kMaximum_s);
+        return frame_ == 0 ? 0 : 1 / fps_;
+    }
+    double video_s(double dive_s) const {
+        return mode_ == Mode::TimeDemo ? Seconds(Clock::now() - start_).count() : dive_s;
+    }
+    bool exactVideo() const { return mode_ == Mode::FixedStep; }
+
+    // Waits at the end of a frame with a live video, which runs in real time, so that fixed steps are not
+    // faster than it.
+    void waitForLiveVideo() const {
+        if (mode_ != Mode::FixedStep) return;
+        const Seconds due(static_cast<double>(frame_ + 1) / fps_);
+        std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(due));
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    Mode mode_;
+    double fps_;
+    uint64_t frame_ = ~uint64_t{0}; // before the first frame
+    Clock::time_point start_, frameStart_;
+    double wall_s_ = 0; // from the last frame to this one
+};
+
+// Runs one session, with a picture or without: its clock, the mouse's hand, ticks, recording, end and
+// figures.
+class DiveRunner {
+  public:
+    // The options must outlive this.
+    DiveRunner(const SessionConfig& config, const PlayOptions& options, FrameClock::Mode clockMode)
+        : session(config), clock(clockMode, static_cast<double>(options.fps)), options_(options) {}
+
+    // Begins a frame. display_s: time between two pictures by the display; empty: it does not know.
+    void beginFrame(std::optional<double> display_s);
+    // Moves the mouse's hand, if the session has it. controls: null where nobody plays. size: of the picture.
+    void moveMouse(const Controls* controls, glm::ivec2 size);
+    // Runs the ticks of this frame; returns the time that they took.
+    float advance_ms();
+    // Returns whether the session is complete; one that nobody watches ends with its results.
+    bool isOver() const;
+    // Ends the session: completes its recording and its figures. Returns its verdict.
+    Status end(Statistics& statistics);
+
+    GameSession session;
+    FrameClock clock;
+    double elapsed_s = 0; // game time of this frame
+
+  private:
+    const PlayOptions& options_;
 };
 
 } // namespace shoal::app

@@ -32,17 +32,19 @@ glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, b
     const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
                          c.between(Action::LookUp, Action::LookDown));
     const float up = options.invertLook ? -1.0f : 1.0f;
-    glm::vec2 turn = (keys + c.look * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
+    glm::vec2 turn = (keys + c.input.gamepad.leftStick * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
     if (options.turning == Turning::Snap) {
         constexpr float kOn = 0.6f, kOff = 0.3f; // shares of the stick's range
         const float step =
             static_cast<float>(c.was(Action::LookRight)) - static_cast<float>(c.was(Action::LookLeft));
-        const bool pushed = std::abs(c.look.x) > kOn && !snapped;
+        const float stick = c.input.gamepad.leftStick.x;
+        const bool pushed = std::abs(stick) > kOn && !snapped;
         if (pushed) snapped = true;
-        if (std::abs(c.look.x) < kOff) snapped = false;
-        turn.x = kSnapTurn_rad * (step + (pushed ? std::copysign(1.0f, c.look.x) : 0.0f));
+        if (std::abs(stick) < kOff) snapped = false;
+        turn.x = kSnapTurn_rad * (step + (pushed ? std::copysign(1.0f, stick) : 0.0f));
     }
-    turn += glm::vec2(c.dragged.x, -up * static_cast<float>(c.dragged.y)) * kDragTurn_rad;
+    const glm::dvec2 dragged = c.dragged();
+    turn += glm::vec2(dragged.x, -up * static_cast<float>(dragged.y)) * kDragTurn_rad;
     return turn * (options.turning == Turning::Snap ? 1.0f : options.sensitivity);
 }
 
@@ -55,24 +57,28 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
     mouse.fovY = verticalFov;
     if (controls) {
         const Controls& c = *controls;
+        const platform::WindowInput& input = c.input;
         const glm::vec2 turn = turnBy(c, options, dt_s, snapped_);
         look_.turnBy(turn);
         const float rate = dt_s > 0 ? glm::length(turn) / dt_s : 0;
         turning_radps_ += (rate - turning_radps_) * std::min(1.0f, 8 * dt_s);
         if (c.was(Action::Recentre)) recentre();
         // The mouse points at a place; a stick moves the hand from its place.
-        if (c.mouseMoved && !c.turns)
-            pointer_ = {static_cast<float>(c.cursor.x) * 2 - 1, 1 - static_cast<float>(c.cursor.y) * 2};
-        pointer_ = glm::clamp(pointer_ + c.reach * (kStickReach_ps * dt_s), -1.0f, 1.0f);
+        if (input.cursorMoved != glm::dvec2(0) && !input.rightButton)
+            pointer_ = {static_cast<float>(input.cursor.x) * 2 - 1,
+                        1 - static_cast<float>(input.cursor.y) * 2};
+        pointer_ = glm::clamp(pointer_ + input.gamepad.rightStick * (kStickReach_ps * dt_s), -1.0f, 1.0f);
         mouse.cursor = pointer_;
-        mouse.wheel =
-            static_cast<float>(c.wheel) + kKeyNotches_ps * dt_s * c.between(Action::Farther, Action::Nearer);
+        mouse.wheel = static_cast<float>(input.wheel) +
+                      kKeyNotches_ps * dt_s * c.between(Action::Farther, Action::Nearer);
         if (hand_ != options.hand) {
             hand_ = options.hand;
             hands_.setActive(options.hand == Handedness::Left ? hands::Side::Left : hands::Side::Right);
         }
         mouse.swapHands = c.was(Action::SwapHands);
-        const bool pressed = c.mouseCloses || c.is(Action::CloseHand) || c.trigger > kTriggerStarts;
+        const float trigger = input.gamepad.rightTrigger;
+        const bool holds = input.leftButton || c.is(Action::CloseHand);
+        const bool pressed = holds || trigger > kTriggerStarts;
         awaitsOpen_ = awaitsOpen_ && pressed;
         const bool down = pressed && !awaitsOpen_;
         if (options.closing == Closing::Toggle) {
@@ -80,7 +86,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
             mouse.close = toggled_;
         } else {
             mouse.close = down;
-            if (!c.mouseCloses && !c.is(Action::CloseHand)) mouse.closeTo = c.trigger;
+            if (!holds) mouse.closeTo = trigger;
         }
         wasDown_ = down;
         mouse.reach_m = reach_.update(shown, species_, rayThroughCursor(mouse), hands_.distance_m());

@@ -9,7 +9,6 @@
 #include "game/rules/Dive.h"
 #include "game/rules/ReachHelp.h"
 #include "game/session/Controls.h"
-#include "game/session/LookAngles.h"
 #include "game/settings/PlayOptions.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/MouseHands.h"

@@ -1,48 +1,45 @@
 #include "game/session/Statistics.h"
 
 #include "engine/core/WriteFile.h"
+#include "engine/math/Quantile.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <sys/resource.h>
 
 namespace shoal::app {
 
-double Series::quantile(double q) const {
-    if (values_.empty()) return 0;
-    std::vector<float> sorted = values_;
-    const auto rank = static_cast<size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)));
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<ptrdiff_t>(rank), sorted.end());
-    return static_cast<double>(sorted[rank]);
-}
+namespace {
+
+double quantile(Series series, double share) { return static_cast<double>(math::quantile(series, share)); }
+
+} // namespace
 
 void printTimes(const Statistics& s, bool live) {
     std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",
-                s.renderer.c_str(), s.frame_ms.count(), s.frame_ms.quantile(0.5), s.frame_ms.quantile(0.99),
-                s.frame_ms.quantile(1));
+                s.renderer.c_str(), s.frame_ms.size(), quantile(s.frame_ms, 0.5), quantile(s.frame_ms, 0.99),
+                quantile(s.frame_ms, 1));
     if (!live) return;
     std::printf("live: %lld frames shown, %lld passed over; from arrival to picture median %.1f ms, 99th "
                 "percentile %.1f ms; in pictures of the display %.0f and %.0f, at most %.0f\n",
                 static_cast<long long>(s.live.shown), static_cast<long long>(s.live.passedOver),
-                s.liveLatency_ms.quantile(0.5), s.liveLatency_ms.quantile(0.99),
-                s.liveDisplayFrames.quantile(0.5), s.liveDisplayFrames.quantile(0.99),
-                s.liveDisplayFrames.quantile(1));
+                quantile(s.liveLatency_ms, 0.5), quantile(s.liveLatency_ms, 0.99),
+                quantile(s.liveDisplayFrames, 0.5), quantile(s.liveDisplayFrames, 0.99),
+                quantile(s.liveDisplayFrames, 1));
 }
 
 Status writeStatistics(const Path& file, const Statistics& s) {
     const auto summary = [](const Series& series) {
         return nlohmann::ordered_json{
-            {"median", series.quantile(0.5)}, {"p99", series.quantile(0.99)}, {"max", series.quantile(1)}};
+            {"median", quantile(series, 0.5)}, {"p99", quantile(series, 0.99)}, {"max", quantile(series, 1)}};
     };
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     nlohmann::ordered_json json = {
         {"renderer", s.renderer},
-        {"frames", s.frame_ms.count()},
+        {"frames", s.frame_ms.size()},
         {"frame_ms", summary(s.frame_ms)},
         {"light_ms", summary(s.light_ms)},
         {"decode_ms", summary(s.decode_ms)},

@@ -6,24 +6,12 @@
 #include "engine/media/live/LivePlayer.h"
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace shoal::app {
 
-// Values in the order of their arrival.
-class Series {
-  public:
-    Series() { values_.reserve(16384); }
-    void add(double value) { values_.push_back(static_cast<float>(value)); }
-    size_t count() const { return values_.size(); }
-    std::span<const float> last(size_t n) const { return std::span(values_).last(std::min(n, count())); }
-    double quantile(double q) const; // q: 0 to 1; nearest rank; 0 when empty
-
-  private:
-    std::vector<float> values_;
-};
+using Series = std::vector<float>; // in the order of arrival
 
 struct Statistics {
     std::string renderer;

@@ -33,6 +33,14 @@ Result<Json> readObject(const Path& file) {
     return json;
 }
 
+// The same; for a file that cannot be used, warns and returns an empty object.
+Json readOrWarn(const Path& file) {
+    auto json = readObject(file);
+    if (json) return std::move(*json);
+    log::warn("{}", json.error().message());
+    return Json::object();
+}
+
 // Returns the entry's score; empty if no dive can have that score.
 std::optional<int> scoreIn(const Json& entry) {
     constexpr int kMaxScore = 1'000'000;
@@ -85,10 +93,9 @@ struct MakeEntry {
 } // namespace
 
 void loadSettings(const SettingsTable& table) {
-    const auto json = readObject(settingsFile());
-    if (!json) return log::warn("{}", json.error().message());
+    const Json json = readOrWarn(settingsFile());
     std::string unfit;
-    for (const auto& [name, entry] : json->items()) {
+    for (const auto& [name, entry] : json.items()) {
         const auto isThis = [&name = name](const Setting& row) { return row.kept && row.key() == name; };
         const auto row = std::ranges::find_if(table.rows, isThis);
         if (row == table.rows.end() || !std::visit(ReadEntry{entry, *row}, row->value))
@@ -109,11 +116,8 @@ Status saveSetting(const Setting& setting) {
 
 std::map<std::string, DiveScores> readAllScores() {
     std::map<std::string, DiveScores> scores;
-    const auto all = readObject(scoreFile());
-    if (!all)
-        log::warn("{}", all.error().message());
-    else
-        for (const auto& [dive, entry] : all->items()) scores.emplace(dive, scoresIn(entry));
+    const Json all = readOrWarn(scoreFile());
+    for (const auto& [dive, entry] : all.items()) scores.emplace(dive, scoresIn(entry));
     return scores;
 }
 
@@ -131,12 +135,8 @@ Status addScore(const std::string& dive, int score) {
 
 std::vector<std::string> readGuide() {
     std::vector<std::string> met;
-    const auto guide = readObject(guideFile());
-    if (!guide) {
-        log::warn("{}", guide.error().message());
-        return met;
-    }
-    for (const Json& name : guide->value("met", Json::array()))
+    const Json guide = readOrWarn(guideFile());
+    for (const Json& name : guide.value("met", Json::array()))
         if (name.is_string()) met.push_back(name.get<std::string>());
     return met;
 }
@@ -146,10 +146,7 @@ Status saveGuide(const std::vector<std::string>& species) {
 }
 
 std::vector<Path> filmsAndPhotos() {
-    struct Found {
-        Path file;
-        std::filesystem::file_time_type changed;
-    };
+    using Found = std::pair<std::filesystem::file_time_type, Path>; // when it was changed last
     std::vector<Found> found;
     std::error_code code;
     for (const Path& folder : {userFolder(UserFolder::Videos), userFolder(UserFolder::Pictures),
@@ -158,11 +155,12 @@ std::vector<Path> filmsAndPhotos() {
         for (std::filesystem::directory_iterator entry(folder, code), end;
              !code && entry != end && looked < kMaxLooked; entry.increment(code), ++looked)
             if (endsAsFilm(entry->path()) && entry->is_regular_file(code))
-                found.push_back({entry->path(), entry->last_write_time(code)});
+                found.emplace_back(entry->last_write_time(code), entry->path());
     }
-    std::ranges::sort(found, std::ranges::greater(), &Found::changed);
+    std::ranges::sort(found, std::ranges::greater(), &Found::first);
     std::vector<Path> files;
-    for (size_t i = 0; i < std::min(found.size(), kMaxFilms); ++i) files.push_back(std::move(found[i].file));
+    for (size_t i = 0; i < std::min(found.size(), kMaxFilms); ++i)
+        files.push_back(std::move(found[i].second));
     return files;
 }
 

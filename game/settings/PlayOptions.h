@@ -3,6 +3,7 @@
 
 #include "game/settings/SharedOptions.h"
 
+#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -23,17 +24,15 @@ struct ControlOptions {
         table.category = Category::Hands;
         table.addShown(Hands, "Dominant hand", "--dominant-hand", choice(hand),
                        "The hand that mouse and gamepad move");
-        table
-            .addShown(Hands, "Mouse sensitivity", "--sensitivity", &sensitivity,
-                      "How far mouse and gamepad turn the view, in times of the default")
-            .between(0.2, 3);
+        table.addShown(Hands, "Mouse sensitivity", "--sensitivity", &sensitivity,
+                       "How far mouse and gamepad turn the view, in times of the default", {0.2, 3});
         table.addShown(Hands, "Invert looking up and down", "--invert-look", &invertLook,
                        "Mouse and stick forward look down");
         table
             .addShown(
                 Hands, "Help with depth", "--reach-help", &reachHelp,
-                "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1")
-            .between(0, 1)
+                "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1",
+                {0, 1})
             .ofAPerson();
         table.addShown(
             Hands, "Close the hand by", "--closing", choice(closing),
@@ -55,13 +54,23 @@ struct TextSettings {
     bool captions = true;
     CaptionSize captionSize = CaptionSize::Medium;
 
+    // Returns the language of the screen: the chosen one, or the system's.
+    game::Language shownLanguage() const {
+        if (language != LanguageChoice::Auto) // which comes before the languages
+            return static_cast<game::Language>(static_cast<int>(language) - 1);
+        for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"})
+            if (const char* locale = std::getenv(variable); locale && *locale)
+                return game::languageOf(locale);
+        return game::Language::English;
+    }
+
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
         table.category = Category::Picture;
         table.addShown(Text, "Language", "--language", choice(language),
                        "Language of the screen; auto: the system's (LC_MESSAGES)");
-        table.addShown(Text, "Text size", "--text-size", &scale, "Size of all text; 1 is the default")
-            .between(0.8, 1.6);
+        table.addShown(Text, "Text size", "--text-size", &scale, "Size of all text; 1 is the default",
+                       {0.8, 1.6});
         table.addShown(Text, "High contrast", "--high-contrast", &highContrast, "White text on black");
         table.addShown(Text, "Captions", "!--no-captions", &captions, "Do not name sounds on the screen");
         table.addShown(Text, "Size of captions", "--caption-size", choice(captionSize), "Size of captions");
@@ -126,8 +135,8 @@ struct PlayOptions {
             "has named no dive; in a headset the dive begins at once");
         table.addShown(Comfort, "Show the first steps", "!--no-first-steps", &firstSteps,
                        "A player's first dive begins at once, without the steps that teach how to catch");
-        table.addShown(Comfort, "Game speed", "--speed", &speed, "Speed of the game; 1 is that of a clock")
-            .between(0.5, 1);
+        table.addShown(Comfort, "Game speed", "--speed", &speed, "Speed of the game; 1 is that of a clock",
+                       {0.5, 1});
         table
             .addShown(Comfort, "Posture", "--posture", choice(posture),
                       "Seated in a headset brings fish to where you reach them without a step; auto: as you "
@@ -146,30 +155,6 @@ struct PlayOptions {
                  "A 360-degree video, photo or HDR picture to dive in; its content tells which")
             .without({"--video", "--photo", "--env"});
         look.addTo(table, false);
-        addPictureTo(table);
-        hands.addTo(table);
-        table
-            .addShown(
-                Hands, "Help with catching", "--assist", choice(assist),
-                "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
-                "really close around is held")
-            .ofAPerson();
-        table.addShown(Hands, "Skin", "--skin", choice(skin), "How your hands look");
-        controls.addTo(table);
-        table.category = Category::Hands;
-        table
-            .addShown(Hands, "Strength of vibration", "--haptics", &hapticStrength,
-                      "Strength of haptics, 0 (off) to 1")
-            .between(0, 1);
-        text.addTo(table);
-        addSoundTo(table);
-        addTestsTo(table);
-    }
-
-  private:
-    void addPictureTo(SettingsTable& table) {
-        using enum render::Composition;
-        using enum SettingsPage;
         table.category = Category::Picture;
         table.addShown(
             Comfort, "Reduced motion", "--reduced-motion", &reducedMotion,
@@ -187,10 +172,9 @@ struct PlayOptions {
             "Shows your own room in a headset, around the animals in place of the film, which goes "
             "on lighting "
             "them (F2 in the game)");
-        table.addShown(Picture, "Field of view", "--fov", &fov_deg, "Vertical field of view, degrees")
-            .between(20, 130);
-        table.addKept("--eye-distance", &eyeDistance_mm, "Between the eyes in stereo, millimetres")
-            .between(0, 100);
+        table.addShown(Picture, "Field of view", "--fov", &fov_deg, "Vertical field of view, degrees",
+                       {20, 130});
+        table.addKept("--eye-distance", &eyeDistance_mm, "Between the eyes in stereo, millimetres", {0, 100});
         table.addShown(Picture, "Fullscreen", "--fullscreen", &fullscreen,
                        "Fill the screen (F11 in the game)");
         table.addKept("!--no-vsync", &vsync, "Do not wait for the display");
@@ -199,7 +183,9 @@ struct PlayOptions {
             "auto draws fewer pixels, then makes light less often, while frames take longer than the "
             "display allows; fixed never does (nor does --headless)");
         table.addShown(
-            Picture, "Compositing", "--compose", choice(compose, {Plain, MatchedResolution, CameraResponse}),
+            Picture, "Compositing", "--compose",
+            choice(compose, {render::Composition::Plain, render::Composition::MatchedResolution,
+                             render::Composition::CameraResponse}),
             "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
             "finely as the video is, and scaled up with it; camera, into the video's own frame, "
             "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated)");
@@ -219,33 +205,35 @@ struct PlayOptions {
             "of what swims, on the floor of your own room, where the headset knows it");
         table.addShown(Picture, "Performance", "--frame-times", &frameTimes,
                        "Shows frame times, and which light is used (F1 in the game)");
-    }
-
-    void addSoundTo(SettingsTable& table) {
-        using SettingsPage::Sound;
+        hands.addTo(table);
+        table
+            .addShown(
+                Hands, "Help with catching", "--assist", choice(assist),
+                "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
+                "really close around is held")
+            .ofAPerson();
+        table.addShown(Hands, "Skin", "--skin", choice(skin), "How your hands look");
+        controls.addTo(table);
+        table.category = Category::Hands;
+        table.addShown(Hands, "Strength of vibration", "--haptics", &hapticStrength,
+                       "Strength of haptics, 0 (off) to 1", {0, 1});
+        text.addTo(table);
         table.category = Category::Sound;
         table.addKept("--mute", &mute, "No sound");
-        table.addShown(Sound, "Volume", "--volume", &volume, "Sound volume (+ and - in the game), 0 to 1")
-            .between(0, 1);
-        table
-            .addShown(Sound, "Volume of effects", "--effects-volume", &effects,
-                      "Volume of all sounds but the video's own, 0 to 1")
-            .between(0, 1);
-        table
-            .addShown(Sound, "Volume of the film", "--video-sound", &videoSound,
-                      "Volume of the video's own sound, 0 to 1")
-            .between(0, 1);
+        table.addShown(Sound, "Volume", "--volume", &volume, "Sound volume (+ and - in the game), 0 to 1",
+                       {0, 1});
+        table.addShown(Sound, "Volume of effects", "--effects-volume", &effects,
+                       "Volume of all sounds but the video's own, 0 to 1", {0, 1});
+        table.addShown(Sound, "Volume of the film", "--video-sound", &videoSound,
+                       "Volume of the video's own sound, 0 to 1", {0, 1});
         table.addShown(Sound, "Headphones", "--headphones", &headphones, "Sound for headphones (HRTF)");
-    }
-
-    void addTestsTo(SettingsTable& table) {
         table.category = Category::Measuring;
         table.add(
             "--headless", &headless,
             "No window, no sound device, no display server; the same pictures, drawn for --screenshot and "
             "--timedemo alone");
-        table.add("--fps", &fps, "Headless: pictures drawn for each second of the dive").between(1, 1000);
-        table.add("--at", &at_s, "Headless: ends after that many seconds of the dive").between(0, 3600);
+        table.add("--fps", &fps, "Headless: pictures drawn for each second of the dive", {1, 1000});
+        table.add("--at", &at_s, "Headless: ends after that many seconds of the dive", {0, 3600});
         table.add("--screenshot", &screenshot, "Writes a picture at --at, or at the end").takes("FILE.png");
         table
             .add("--stats", &stats,

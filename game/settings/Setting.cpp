@@ -76,24 +76,23 @@ std::string Setting::key() const {
 std::string shownValue(const Setting& setting, game::Language language) {
     const auto* number = std::get_if<float*>(&setting.value);
     if (!number) return std::string(game::translated(choicesOf(setting).first, language));
-    if (setting.range && setting.range->high <= kPercentRange)
+    if (setting.range.given() && setting.range.high <= kPercentRange)
         return fmt::format("{} %", std::lround(100 * **number));
     return fmt::format("{}", std::lround(**number));
 }
 
 std::optional<float> sliderOf(const Setting& setting) {
-    if (!setting.range) return std::nullopt;
     const auto* number = std::get_if<float*>(&setting.value);
-    if (!number) return std::nullopt;
-    const auto [low, high] = *setting.range;
+    if (!number || !setting.range.given()) return std::nullopt;
+    const auto [low, high] = setting.range;
     return static_cast<float>((static_cast<double>(**number) - low) / (high - low));
 }
 
 void adjust(const Setting& setting, int steps) {
     const auto* number = std::get_if<float*>(&setting.value);
-    if (number && setting.range)
+    if (number && setting.range.given())
         **number = static_cast<float>(
-            rounded(static_cast<double>(**number) + steps * stepOf(*setting.range), *setting.range));
+            rounded(static_cast<double>(**number) + steps * stepOf(setting.range), setting.range));
     const auto [now, names] = choicesOf(setting);
     if (names.empty()) return;
     const auto count = static_cast<int>(names.size());
@@ -106,7 +105,7 @@ void adjust(const Setting& setting, int steps) {
 
 void slide(const Setting& setting, float fraction) {
     if (!sliderOf(setting) || !isWithin(fraction, 0.0f, 1.0f)) return;
-    const Setting::Range& range = *setting.range;
+    const Setting::Range& range = setting.range;
     *std::get<float*>(setting.value) = static_cast<float>(
         rounded(range.low + static_cast<double>(fraction) * (range.high - range.low), range));
 }

@@ -37,7 +37,7 @@ struct TextSetting {
 
 // Makes the setting of an enumeration. values: those allowed, empty: all.
 template <class E> TextSetting choice(E& value, const std::vector<E>& values = {}) {
-    const auto& all = EnumNames<E>::kNames;
+    const auto& all = kEnumNames<E>;
     std::vector<std::string> names;
     for (const E allowed : values) names.emplace_back(enumName(allowed));
     if (names.empty()) names.assign(all.begin(), all.end());
@@ -57,16 +57,17 @@ struct Setting {
     using Value = std::variant<bool*, int*, float*, std::string*, std::vector<std::string>*,
                                std::optional<float>*, std::optional<uint64_t>*, TextSetting>;
     struct Range {
-        double low, high; // both included
+        double low = 0, high = 0; // both included; equal: no limits
+        bool given() const { return low < high; }
     };
 
     std::string option; // "--name"; "!--no-name": a flag that turns `name` off; "NAME": a positional argument
     Value value;
     std::string help; // with the unit, if there is one
     Category category = Category::General;
-    std::optional<Range> range{}; // range of a number
-    std::string placeholder{};    // name of the option's value in --help
-    bool kept = false;            // kept in the settings file
+    Range range{};             // of a number
+    std::string placeholder{}; // name of the option's value in --help
+    bool kept = false;         // kept in the settings file
     bool required = false;
     bool personal = false;                        // applies to a person's dive, not to a script or replay
     std::vector<std::string> excludes{}, needs{}; // other options
@@ -75,7 +76,6 @@ struct Setting {
     std::optional<game::Text> label{};
     std::vector<std::string> suggestions{}; // values that the page offers for a free text
 
-    Setting& between(double low, double high) { return range = {low, high}, *this; }
     Setting& takes(std::string what) { return placeholder = std::move(what), *this; }
     Setting& ofAPerson() { return personal = true, *this; }
     Setting& mustBeGiven() { return required = true, *this; }
@@ -90,8 +90,8 @@ struct Setting {
 // Makes the setting of a number, or of an optional one, within the row's range or that of its type.
 template <class Value> TextSetting numberSetting(Value& value, const Setting& row) {
     using T = typename decltype(std::optional(value))::value_type;
-    const T low = row.range ? static_cast<T>(row.range->low) : std::numeric_limits<T>::lowest();
-    const T high = row.range ? static_cast<T>(row.range->high) : std::numeric_limits<T>::max();
+    const T low = row.range.given() ? static_cast<T>(row.range.low) : std::numeric_limits<T>::lowest();
+    const T high = row.range.given() ? static_cast<T>(row.range.high) : std::numeric_limits<T>::max();
     const auto set = [&value, low, high](const std::string& text) {
         const auto number = parseNumber(text, low, high);
         return number && (value = *number, true);
@@ -114,19 +114,20 @@ struct SettingsTable {
     std::vector<Setting> rows;
     Category category = Category::General; // category of the rows added next
 
-    Setting& add(std::string option, Setting::Value value, std::string help) {
-        return rows.emplace_back(Setting{std::move(option), std::move(value), std::move(help), category});
+    Setting& add(std::string option, Setting::Value value, std::string help, Setting::Range range = {}) {
+        return rows.emplace_back(
+            Setting{std::move(option), std::move(value), std::move(help), category, range});
     }
     // Adds a setting that belongs in the settings file.
-    Setting& addKept(std::string option, Setting::Value value, std::string help) {
-        Setting& row = add(std::move(option), std::move(value), std::move(help));
+    Setting& addKept(std::string option, Setting::Value value, std::string help, Setting::Range range = {}) {
+        Setting& row = add(std::move(option), std::move(value), std::move(help), range);
         row.kept = true;
         return row;
     }
     // The same, and on a menu page.
     Setting& addShown(SettingsPage page, game::Text label, std::string option, Setting::Value value,
-                      std::string help) {
-        Setting& row = addKept(std::move(option), std::move(value), std::move(help));
+                      std::string help, Setting::Range range = {}) {
+        Setting& row = addKept(std::move(option), std::move(value), std::move(help), range);
         row.page = page, row.label = label;
         return row;
     }
@@ -141,7 +142,6 @@ template <class Options> SettingsTable settingsOf(Options& options) {
 
 } // namespace shoal::app
 
-template <> struct shoal::EnumNames<shoal::app::Category> {
-    static constexpr std::array kNames = {"Options",           "The dive", "The environment",  "Picture",
-                                          "Hands and haptics", "Sound",    "Tests and figures"};
-};
+template <>
+inline constexpr std::array shoal::kEnumNames<shoal::app::Category> = {
+    "Options", "The dive", "The environment", "Picture", "Hands and haptics", "Sound", "Tests and figures"};

@@ -11,9 +11,7 @@ namespace shoal::game {
 
 enum class Language { English, German, French };
 
-struct TextRow {
-    const char *english, *german, *french;
-};
+using TextRow = std::array<const char*, 3>; // by Language
 
 // "{}" stands for a number or a name.
 inline constexpr auto kTexts = std::to_array<TextRow>({
@@ -403,21 +401,15 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
 // Returns the index of a text's row; kTexts.size() if it has none.
 constexpr size_t findText(std::string_view english) {
     size_t row = 0;
-    while (row < kTexts.size() && english != kTexts[row].english) ++row;
+    while (row < kTexts.size() && english != kTexts[row][0]) ++row;
     return row;
-}
-
-constexpr const char* textIn(const TextRow& row, Language language) {
-    return language == Language::German   ? row.german
-           : language == Language::French ? row.french
-                                          : row.english;
 }
 
 // A text that has a row in kTexts, made from its English words.
 class Text {
   public:
     consteval Text(const char* english) : row_(findText(english)) { (void)kTexts.at(row_); }
-    constexpr const char* in(Language language) const { return textIn(kTexts[row_], language); }
+    constexpr const char* in(Language language) const { return kTexts[row_][static_cast<size_t>(language)]; }
     constexpr bool operator==(const Text&) const = default;
 
   private:
@@ -440,7 +432,7 @@ struct Notice {
 // Translates a name from a file or table; one without a row stays as it is.
 inline std::string_view translated(std::string_view english, Language language) {
     const size_t row = findText(english);
-    return row < kTexts.size() ? textIn(kTexts[row], language) : english;
+    return row < kTexts.size() ? kTexts[row][static_cast<size_t>(language)] : english;
 }
 
 // Returns the language of a locale such as "de_AT.UTF-8" in LC_ALL; English if the game does not have it.

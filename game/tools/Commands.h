@@ -1,13 +1,125 @@
-// The commands of the program.
+// The commands of the program, each tool with its options and their table of settings.
 #pragma once
 
-#include "engine/core/Result.h"
+#include "engine/panorama/Panorama.h"
 #include "game/settings/PlayOptions.h"
-#include "game/settings/ToolOptions.h"
+
+#include <csignal>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace shoal::app {
 
-// Plays a dive until the player leaves or it ends by itself.
+struct ViewOptions {
+    std::string model;
+    EnvironmentOptions environment;
+    LookOptions look{.size = {768, 768}};
+    light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    std::optional<glm::vec3> orbit;  // theta and phi in degrees, radius in metres; empty: fits the model
+    std::optional<glm::vec3> target; // metres; empty: the model's middle
+    float fov_deg = 45;              // vertical
+    int samples = 4;                 // for anti-aliasing
+    Background background = Background::Environment;
+    std::string animation; // NAME@SECONDS
+    std::string variant;   // material variant of the model; empty: the default
+    float at_s = 0;        // time of the video
+    std::string out;
+    bool headless = false;
+
+    void addTo(SettingsTable& table) {
+        table.add("MODEL", &model, "A glTF 2.0 model: .glb or .gltf").mustBeGiven();
+        environment.addTo(table);
+        look.addTo(table, true);
+        table.category = Category::General;
+        table.add("--diffuse", choice(diffuse),
+                  "Diffuse light: default, exact; thesis: a map of 64x32 texels, each the sum over all");
+        table
+            .add("--orbit", vectorSetting(orbit),
+                 "Camera around the target: degrees around, degrees from straight up, metres away; 0,90 "
+                 "looks along -Z")
+            .takes("THETA,PHI,RADIUS");
+        table
+            .add("--target", vectorSetting(target),
+                 "Point that the camera looks at, metres; the model's middle if not given")
+            .takes("X,Y,Z");
+        table.add("--fov", &fov_deg, "Vertical field of view, degrees", {1, 150});
+        table.add("--samples", &samples, "Anti-aliasing samples a pixel", {1, 16});
+        table.add("--background", choice(background), "env, or none: transparent");
+        table.add("--animation", &animation, "Poses the model at that second of an animation")
+            .takes("NAME@SECONDS");
+        table.add("--variant", &variant, "Shows the model with one of its material variants");
+        table.add("--at", &at_s, "Second of the video to stand in", {0, 36000});
+        table.add("--out", &out, "Writes a picture instead of opening a window").takes("FILE.png");
+        table.add("--headless", &headless, "Opens no window, which --out never does").with({"--out"});
+    }
+};
+
+struct LightOptions {
+    std::string file, out;
+    LightFormat format = LightFormat::Pfm;
+    light::DiffuseMethod method = light::DiffuseMethod::Default; // Thesis: the thesis' glossy maps too
+    light::FrameRadiance frames = light::FrameRadiance::Auto;
+    float at_s = 0;
+
+    void addTo(SettingsTable& table) {
+        table.add("FILE", &file, "A lat-long HDR picture, photo or video").mustBeGiven();
+        table.add("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json")
+            .takes("FOLDER")
+            .mustBeGiven();
+        table.add(
+            "--method", choice(method),
+            "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy light "
+            "by 36 samples of a Phong lobe");
+        table.add("--format", choice(format), "Format of the pictures: 32-bit pfm, exr, or Radiance hdr");
+        table.add("--light", choice(frames),
+                  "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
+                  "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
+                  "sRGB; thesis: its inverse tone mapping");
+        table.add("--at", &at_s, "Second of the video", {0, 36000});
+    }
+};
+
+struct PanoramaOptions {
+    std::string photo, out;
+    std::optional<float> fov_deg; // horizontal, of the photo
+
+    void addTo(SettingsTable& table) {
+        table.add("PHOTO", &photo, "JPEG, PNG, WebP, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
+        table
+            .add("-o,--out", &out,
+                 "The environment, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or .pfm for a "
+                 "high dynamic range photo")
+            .takes("FILE")
+            .mustBeGiven();
+        table.add("--fov", &fov_deg,
+                  "Horizontal field of view of the photo, degrees; 65 along its longer side if not given. "
+                  "Given, a photo that is twice as wide as high is taken for an ordinary one too",
+                  {panorama::kMinFov_deg, panorama::kMaxFov_deg});
+    }
+};
+
+struct CheckOptions {
+    std::vector<std::string> files;
+
+    void addTo(SettingsTable& table) { table.add("FILE", &files, "Files to look at").mustBeGiven(); }
+};
+
+struct DevicesOptions {
+    HandOptions hands;
+    bool test = false;
+
+    void addTo(SettingsTable& table) {
+        hands.addLeapTo(table);
+        table.add("--test", &test, "Pulse each haptic device and play a sound");
+    }
+};
+
+// The signal that asked play() to stop and to write its files first; 0: none. The program's exit status is
+// then 128 more, as shells have it. The signal handler may touch only this.
+inline volatile std::sig_atomic_t stopSignal = 0;
+
+// Plays a dive until the player leaves, it ends by itself, or SIGINT, SIGTERM or SIGHUP comes.
 Status play(const PlayOptions& options);
 Status view(const ViewOptions& options);
 Status light(const LightOptions& options);

@@ -12,8 +12,8 @@
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
+#include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
-#include "game/views/ModelOcclusion.h"
 
 #include <GLFW/glfw3.h>
 

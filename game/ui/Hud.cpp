@@ -1,6 +1,6 @@
 #include "game/ui/Hud.h"
 
-#include "game/ui/Animals.h"
+#include "engine/math/Quantile.h"
 
 #include <epoxy/gl.h>
 #include <fmt/core.h>
@@ -78,10 +78,9 @@ void drawPopups(const Pen& pen, const HudInfo& info) {
     for (const Popup& popup : info.popups) {
         ImVec2 at;
         if (!project(pen, *info.view, popup.position, at)) continue;
-        std::string text =
-            fmt::format("+{} {}", popup.points, game::animalName(*popup.species, 1, pen.language));
+        std::string text = fmt::format("+{} {}", popup.points, animalName(*popup.species, 1, pen.language));
         if (popup.combo > 1) text += fmt::format("  \u00d7{}", popup.combo);
-        const float rise = 3 * pen.line * popup.age_s / Popups::kStay_s;
+        const float rise = 3 * pen.line * popup.age_s / Popup::kStay_s;
         const float lowest = pen.size.y - (2 + 1.6f * static_cast<float>(info.captions.size())) * pen.line;
         pen.label(at.x, std::clamp(at.y - 3 * pen.line - rise, pen.line, std::max(lowest, pen.line)), 0.5f,
                   TextSize::Body, kGold, text);
@@ -90,10 +89,8 @@ void drawPopups(const Pen& pen, const HudInfo& info) {
 
 // Draws captions of sounds; an arrow points to a sound that is out of view.
 void drawCaptions(const Pen& pen, const HudInfo& info) {
-    // Captions use the size nearest to theirs among those rasterised.
-    const TextSize size = info.text.captionScale > 1.2f   ? TextSize::Heading
-                          : info.text.captionScale < 0.9f ? TextSize::Small
-                                                          : TextSize::Body;
+    constexpr std::array kSizes = {TextSize::Small, TextSize::Body, TextSize::Heading}; // by CaptionSize
+    const TextSize size = kSizes[static_cast<size_t>(info.text.captionSize)];
     const float step = pen.fonts->pixels(size) * 1.55f;
     float y = pen.size.y - step - pen.line * 0.5f;
     for (const game::Caption& caption : info.captions) {
@@ -131,16 +128,16 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 0));
     ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Frame", nullptr, kPanelFlags);
-    const std::span<const float> recent = statistics.frame_ms.last(120);
-    std::vector<float> sorted(recent.begin(), recent.end());
-    std::sort(sorted.begin(), sorted.end());
+    const Series& all = statistics.frame_ms;
+    const Series recent(all.end() - std::min<ptrdiff_t>(120, std::ssize(all)), all.end());
+    Series times = recent;
     ImGui::TextUnformatted(statistics.renderer.c_str());
     const auto write = [&](game::Text text, const auto&... values) {
         ImGui::TextUnformatted(fmt::format(fmt::runtime(pen.in(text)), values...).c_str());
     };
     const auto ms = [](double time_ms, int places = 1) { return fmt::format("{:.{}f}", time_ms, places); };
-    if (!sorted.empty())
-        write("frame {} ms median, {} worst of 120", ms(sorted[sorted.size() / 2]), ms(sorted.back()));
+    if (!times.empty())
+        write("frame {} ms median, {} worst of 120", ms(math::median(times)), ms(math::quantile(times, 1)));
     ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr, 0, 50,
                      ImVec2(260, 50));
     write("light {} ms, decode {} ms (own thread)", ms(environment.player().light_ms()),
@@ -191,7 +188,7 @@ Result<Hud> Hud::make() {
     return hud;
 }
 
-Pen Hud::beginFrame(Audience audience, bool hasText, const TextOptions& text, glm::ivec2 size) {
+Pen Hud::beginFrame(Audience audience, bool hasText, const TextSettings& text, glm::ivec2 size) {
     ImGui::SetCurrentContext(context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(size.x), static_cast<float>(size.y));
@@ -207,14 +204,8 @@ Pen Hud::beginFrame(Audience audience, bool hasText, const TextOptions& text, gl
         fonts_.fit(line);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    return {ImGui::GetBackgroundDrawList(),
-            &fonts_,
-            size,
-            line,
-            audience,
-            text.language,
-            text.highContrast,
-            &pictures_};
+    return {ImGui::GetBackgroundDrawList(), &fonts_,           size,      line, audience,
+            text.shownLanguage(),           text.highContrast, &pictures_};
 }
 
 void Hud::endFrame() {
@@ -234,14 +225,14 @@ void Hud::draw(const HudInfo& info, glm::ivec2 size) {
     endFrame();
 }
 
-void Hud::drawNotice(const game::Notice& notice, const TextOptions& text, glm::ivec2 size) {
+void Hud::drawNotice(const game::Notice& notice, const TextSettings& text, glm::ivec2 size) {
     const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
     pen.label(pen.size.x / 2, pen.size.y - 2 * pen.line, 0.5f, TextSize::Small, kWhite,
               notice.in(pen.language));
     endFrame();
 }
 
-void Hud::drawLoading(float progress, const TextOptions& text, glm::ivec2 size) {
+void Hud::drawLoading(float progress, const TextSettings& text, glm::ivec2 size) {
     const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
     const float y = pen.size.y * 0.72f;
     const Rectangle said = pen.label(pen.size.x / 2, y, 0.5f, TextSize::Body, kWhite, pen.in("Loading"));

@@ -6,10 +6,10 @@
 #include "engine/gl/PassTimers.h"
 #include "engine/render/View.h"
 #include "game/feedback/SoundCues.h"
+#include "game/rules/DiveFile.h"
 #include "game/session/Statistics.h"
+#include "game/settings/PlayOptions.h"
 #include "game/ui/Pen.h"
-#include "game/ui/Pictures.h"
-#include "game/ui/Popups.h"
 #include "game/views/DynamicQuality.h"
 #include "game/views/Environment.h"
 
@@ -24,16 +24,29 @@ struct ImGuiContext;
 
 namespace shoal::app {
 
-// The player's settings of text.
-struct TextOptions {
-    game::Language language = game::Language::English;
-    float scale = 1;        // factor on all text
-    float captionScale = 1; // further factor on captions
-    bool highContrast = false;
-};
+// Returns the text in the language, in English where it is missing there.
+inline const std::string& textIn(const game::InLanguages& text, game::Language language) {
+    const std::string& words = text[static_cast<size_t>(language)];
+    return words.empty() ? text[0] : words;
+}
+
+// Returns an animal's name on the screen.
+inline const std::string& animalName(const game::Species& animal, int count, game::Language language) {
+    const std::string& name = textIn(count == 1 ? animal.one : animal.several, language);
+    return name.empty() ? animal.name : name;
+}
 
 // Part to draw. In a headset the text is on a panel, and marks are at their places in the world.
 enum class HudPart { All, Panel, Marks };
+
+// Points that rise where a fish was caught: "+25 snapper".
+struct Popup {
+    static constexpr float kStay_s = 1.6f;
+    int points = 0, combo = 0;
+    const game::Species* species = nullptr;
+    glm::vec3 position{0}; // world
+    float age_s = 0;
+};
 
 struct HudInfo {
     HudPart part = HudPart::All;
@@ -45,7 +58,7 @@ struct HudInfo {
     std::span<const std::string> goals;      // lines on the dive's goals; empty while they are not shown
     bool inDive = true;                      // shows score, time and captions
     std::function<void(const Pen&)> overlay; // draws the menu pages or the tutorial; may be empty
-    TextOptions text;
+    TextSettings text;
     float vignette = 0; // turning speed of the view for the dark edges, radians a second; 0: none
     std::optional<glm::vec2> finger; // place where a finger points at a menu, pixels
     bool showTimes = false;
@@ -67,12 +80,12 @@ class Hud {
     // Draws over the bound framebuffer of `size` pixels.
     void draw(const HudInfo& info, glm::ivec2 size);
     // Draws one line and nothing else.
-    void drawNotice(const game::Notice& notice, const TextOptions& text, glm::ivec2 size);
+    void drawNotice(const game::Notice& notice, const TextSettings& text, glm::ivec2 size);
     // Draws the loading screen; progress: 0 to 1.
-    void drawLoading(float progress, const TextOptions& text, glm::ivec2 size);
+    void drawLoading(float progress, const TextSettings& text, glm::ivec2 size);
 
   private:
-    Pen beginFrame(Audience audience, bool hasText, const TextOptions& text, glm::ivec2 size);
+    Pen beginFrame(Audience audience, bool hasText, const TextSettings& text, glm::ivec2 size);
     static void endFrame();
     struct DestroyContext {
         void operator()(ImGuiContext* context) const;

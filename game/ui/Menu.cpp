@@ -94,7 +94,7 @@ std::optional<MenuEvent> Menu::point(const MenuInput& input) {
         if (!item.enabled || !area || !area->contains(pointer_)) continue;
         focus_ = i;
         if (!input.pressed) return std::nullopt;
-        if (!item.adjustable()) return MenuEvent{MenuEvent::Kind::Activate, i};
+        if (!item.adjustable()) return MenuEvent{MenuEvent::Kind::Adjust, i, 1};
         const Rectangle track = trackOf(i);
         if (item.fraction && pointer_.x >= track.low.x - line_ && pointer_.x <= track.high.x + line_) {
             sliding_ = i;
@@ -115,9 +115,7 @@ std::optional<MenuEvent> Menu::input(const MenuInput& input) {
         scrollText(static_cast<float>(input.down) * line_ * kTextStep);
     const MenuItem& item = page_.items[focus_];
     if (input.right != 0 && item.adjustable()) return MenuEvent{MenuEvent::Kind::Adjust, focus_, input.right};
-    if (input.accept && item.enabled)
-        return item.adjustable() ? MenuEvent{MenuEvent::Kind::Adjust, focus_, 1}
-                                 : MenuEvent{MenuEvent::Kind::Activate, focus_};
+    if (input.accept && item.enabled) return MenuEvent{MenuEvent::Kind::Adjust, focus_, 1};
     if (input.down != 0) return std::nullopt;
     return point(input);
 }

@@ -4,19 +4,29 @@
 
 #include "game/ui/Pen.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace shoal::app {
 
+struct MenuEvent {
+    enum class Kind { Adjust, Slide, Back }; // Adjust: a button is pressed too
+    Kind kind;
+    size_t item = 0;
+    int steps = 0;      // Adjust: positive to the right
+    float fraction = 0; // Slide: 0 to 1
+};
+
 struct MenuItem {
     std::string label;
-    std::string value;             // a setting's value, as shown; empty: a button
-    std::optional<float> fraction; // a slider's place between its ends, 0 to 1; empty: no slider
+    std::string value{};             // a setting's value, as shown; empty: a button
+    std::optional<float> fraction{}; // a slider's place between its ends, 0 to 1; empty: no slider
     bool enabled = true;
-    bool isButton = false; // a button although it has a value
-    std::string picture{}; // the page's picture while the item has the focus
+    bool isButton = false;                       // a button although it has a value
+    std::string picture{};                       // the page's picture while the item has the focus
+    std::function<void(const MenuEvent&)> act{}; // for the page's owner
 
     bool adjustable() const { return !value.empty() && !isButton; }
 };
@@ -43,14 +53,6 @@ struct MenuInput {
     std::optional<glm::vec2> pointer;   // pixels of the menu's picture; empty: it has not moved
     bool pressed = false, held = false; // the pointer's button
     float wheel = 0;                    // notches, away from the player positive
-};
-
-struct MenuEvent {
-    enum class Kind { Activate, Adjust, Slide, Back };
-    Kind kind;
-    size_t item = 0;
-    int steps = 0;      // Adjust: positive to the right
-    float fraction = 0; // Slide: 0 to 1
 };
 
 class Menu {

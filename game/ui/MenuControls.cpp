@@ -59,44 +59,42 @@ void FingerPoke::step(const Pointing& finger, float dt_s) {
     mean_m_ += forward_m * std::min(1.0f, dt_s / kMean_s);
 }
 
-MenuInput MenuControls::step(const platform::WindowInput* input, const platform::Window* window,
+MenuInput MenuControls::step(const platform::WindowInput& input, const platform::Window* window,
                              const std::array<Pointing, 2>& fingers, const MenuSurface& surface, float dt_s) {
     MenuInput menu;
-    if (input) {
-        const platform::Gamepad& pad = input->gamepad;
-        glm::ivec2 held(stepOf(pad.leftStick.x), -stepOf(pad.leftStick.y)), steps(0);
-        for (const DirectionKey& key : kDirectionKeys) {
-            for (const int pressed : input->keysPressed)
-                if (pressed == key.key) steps += key.direction;
-            if (has(pad.pressed, key.button)) steps += key.direction;
-            if ((window && window->down(key.key)) || pad.down[static_cast<size_t>(key.button)])
-                held += key.direction;
-        }
-        held = glm::clamp(held, -1, 1);
-        if (held != held_) {
-            repeat_s_ = kRepeatFirst_s;
-            if (steps == glm::ivec2(0) && held_ == glm::ivec2(0)) steps = held; // the stick's first step
-        } else if (held != glm::ivec2(0) && (repeat_s_ -= dt_s) <= 0) {
-            repeat_s_ = kRepeat_s;
-            steps += held;
-        }
-        held_ = held;
-        menu.down = steps.y;
-        menu.right = steps.x;
-        menu.accept = has(input->keysPressed, GLFW_KEY_ENTER) || has(input->keysPressed, GLFW_KEY_KP_ENTER) ||
-                      has(input->keysPressed, GLFW_KEY_SPACE) || has(pad.pressed, GLFW_GAMEPAD_BUTTON_A);
-        menu.back = has(input->keysPressed, GLFW_KEY_ESCAPE) || input->middlePressed ||
-                    has(pad.pressed, GLFW_GAMEPAD_BUTTON_B);
-        if (surface.mouse) {
-            if (input->cursorMoved != glm::dvec2(0) || input->leftPressed || input->leftButton) {
-                const float across = static_cast<float>(input->cursor.x) * static_cast<float>(surface.eyes);
-                menu.pointer = glm::vec2(std::fmod(across, 1.0f), input->cursor.y) * surface.size;
-            }
-            menu.pressed = input->leftPressed;
-            menu.held = input->leftButton;
-        }
-        menu.wheel = static_cast<float>(input->wheel);
+    const platform::Gamepad& pad = input.gamepad;
+    glm::ivec2 held(stepOf(pad.leftStick.x), -stepOf(pad.leftStick.y)), steps(0);
+    for (const DirectionKey& key : kDirectionKeys) {
+        for (const int pressed : input.keysPressed)
+            if (pressed == key.key) steps += key.direction;
+        if (has(pad.pressed, key.button)) steps += key.direction;
+        if ((window && window->down(key.key)) || pad.down[static_cast<size_t>(key.button)])
+            held += key.direction;
     }
+    held = glm::clamp(held, -1, 1);
+    if (held != held_) {
+        repeat_s_ = kRepeatFirst_s;
+        if (steps == glm::ivec2(0) && held_ == glm::ivec2(0)) steps = held; // the stick's first step
+    } else if (held != glm::ivec2(0) && (repeat_s_ -= dt_s) <= 0) {
+        repeat_s_ = kRepeat_s;
+        steps += held;
+    }
+    held_ = held;
+    menu.down = steps.y;
+    menu.right = steps.x;
+    menu.accept = has(input.keysPressed, GLFW_KEY_ENTER) || has(input.keysPressed, GLFW_KEY_KP_ENTER) ||
+                  has(input.keysPressed, GLFW_KEY_SPACE) || has(pad.pressed, GLFW_GAMEPAD_BUTTON_A);
+    menu.back = has(input.keysPressed, GLFW_KEY_ESCAPE) || input.middlePressed ||
+                has(pad.pressed, GLFW_GAMEPAD_BUTTON_B);
+    if (surface.mouse) {
+        if (input.cursorMoved != glm::dvec2(0) || input.leftPressed || input.leftButton) {
+            const float across = static_cast<float>(input.cursor.x) * static_cast<float>(surface.eyes);
+            menu.pointer = glm::vec2(std::fmod(across, 1.0f), input.cursor.y) * surface.size;
+        }
+        menu.pressed = input.leftPressed;
+        menu.held = input.leftButton;
+    }
+    menu.wheel = static_cast<float>(input.wheel);
     const bool other = menu.down != 0 || menu.right != 0 || menu.accept || menu.back || menu.pointer;
     fingersRest_s_ = other ? kFingersRest_s : std::max(fingersRest_s_ - dt_s, 0.0f);
     finger_.reset();

@@ -48,8 +48,8 @@ class FingerPoke {
 
 class MenuControls {
   public:
-    // Returns a frame's menu input. input: null without a window. fingers: of the left and the right hand.
-    MenuInput step(const platform::WindowInput* input, const platform::Window* window,
+    // Returns a frame's menu input. window: null in tests. fingers: of the left and the right hand.
+    MenuInput step(const platform::WindowInput& input, const platform::Window* window,
                    const std::array<Pointing, 2>& fingers, const MenuSurface& surface, float dt_s);
 
     // Returns the place of the finger's mark; empty: no hand points.

@@ -1,18 +1,105 @@
 #include "game/ui/Pen.h"
 
+#include "engine/core/Log.h"
+
+#include <fontconfig/fontconfig.h>
 #include <imgui/imgui.h>
+#include <stb_image.h>
+// After imgui.h, which they need.
+#include <imgui/backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <memory>
 
 namespace shoal::app {
 
 namespace {
 
+// Western European letters, punctuation, and the arrows of captions and menus.
+constexpr ImWchar kRanges[] = {0x20,   0x17F,  0x2010, 0x203A, 0x20AC, 0x20AC, 0x2190, 0x2193,
+                               0x25A0, 0x25CF, 0x2605, 0x2606, 0x2713, 0x2713, 0};
+constexpr float kMinPixels = 11; // letters smaller than this run into one another
+
+// Returns the file of DejaVu Sans, or of fontconfig's substitute; empty: none.
+std::string findFont() {
+    std::string file;
+    FcPattern* wanted = FcNameParse(reinterpret_cast<const FcChar8*>("DejaVu Sans:style=Book:scalable=true"));
+    FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
+    FcDefaultSubstitute(wanted);
+    FcResult result = FcResultNoMatch;
+    if (FcPattern* found = FcFontMatch(nullptr, wanted, &result)) {
+        FcChar8* name = nullptr;
+        if (FcPatternGetString(found, FC_FILE, 0, &name) == FcResultMatch)
+            file = reinterpret_cast<const char*>(name);
+        FcPatternDestroy(found);
+    }
+    FcPatternDestroy(wanted);
+    return file;
+}
+
 ImVec2 imVec(glm::vec2 v) { return {v.x, v.y}; }
 
 } // namespace
+
+void Fonts::fit(float line_px) {
+    std::array<float, kTextScale.size()> pixels;
+    for (size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = std::max(std::round(line_px * kTextScale[i]), kMinPixels);
+    if (pixels == pixels_ && fonts_[0]) return;
+    pixels_ = pixels;
+    static const std::string kFile = findFont(); // the machine's; does not change
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        ImFontConfig config;
+        config.SizePixels = pixels[i];
+        config.OversampleH = config.OversampleV = 1; // texels lie on pixels
+        config.PixelSnapH = true;
+        fonts_[i] =
+            kFile.empty() ? nullptr : atlas.AddFontFromFileTTF(kFile.c_str(), pixels[i], &config, kRanges);
+        if (!fonts_[i]) fonts_[i] = atlas.AddFontDefault(&config);
+    }
+    if (kFile.empty()) log::warn("no font is installed; text is drawn with a small built-in one");
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    atlas.ClearTexData(); // the GPU has a copy
+}
+
+Result<ImageRgba8> readSmallPicture(const Path& file) {
+    const auto bytes = readFile(file, 1u << 20);
+    if (!bytes) return bytes.error();
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(bytes->data(), static_cast<int>(bytes->size()), &width, &height, &channels, 4),
+        stbi_image_free);
+    if (!pixels) return Error{file, "is not a picture that can be read"};
+    ImageRgba8 image(width, height);
+    std::copy_n(pixels.get(), image.pixels.size(), image.pixels.begin());
+    return image;
+}
+
+void Pictures::Picture::show(const ImageRgba8& image) {
+    if (!texture) texture = gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    size = {image.width, image.height};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.pixels.data());
+}
+
+const Pictures::Picture& Pictures::get(const std::string& file) {
+    const auto [entry, isNew] = read_.try_emplace(file);
+    Picture& picture = entry->second;
+    if (!isNew) return picture;
+    const auto image = readSmallPicture(dataRoot() / "content" / file);
+    if (!image) {
+        log::warn("{}", image.error().message());
+        return picture;
+    }
+    picture.show(*image);
+    return picture;
+}
 
 glm::vec2 Pen::extent(std::string_view text, TextSize textSize, float width) const {
     const ImVec2 extent = fonts->at(textSize)->CalcTextSizeA(fonts->pixels(textSize), FLT_MAX, width,
@@ -40,17 +127,12 @@ Rectangle Pen::label(float x, float y, float anchor, TextSize textSize, uint32_t
     const glm::vec2 margin(line * 0.5f, line * 0.18f);
     // The label stays within the picture.
     const float widest = size.x - 2 * margin.x;
-    glm::vec2 extents = extent(content, textSize);
-    const bool isWide = extents.x > widest;
-    if (isWide) extents = extent(content, textSize, widest);
+    const glm::vec2 extents = extent(content, textSize, widest);
     const float left =
         std::clamp(x - extents.x * anchor, margin.x, std::max(margin.x, size.x - margin.x - extents.x));
     const Rectangle area{glm::vec2(left, y) - margin, glm::vec2(left, y) + extents + margin};
     panel(area);
-    if (isWide)
-        paragraph(left, y, widest, textSize, colour, content);
-    else
-        text(left, y, 0, textSize, colour, content);
+    paragraph(left, y, widest, textSize, colour, content);
     return area;
 }
 

@@ -1,18 +1,64 @@
-// Draws text and panels over a picture, measured in lines of text. Valid while Hud::draw() runs.
+// Draws text, pictures and panels over a picture, measured in lines of text, with the fonts for it.
 #pragma once
 
+#include "engine/core/Files.h"
+#include "engine/core/Image.h"
+#include "engine/gl/Objects.h"
 #include "game/texts/Texts.h"
-#include "game/ui/Fonts.h"
-#include "game/ui/Pictures.h"
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <string_view>
 
 struct ImDrawList;
+struct ImFont;
 
 namespace shoal::app {
+
+enum class TextSize { Small, Body, Heading, Display };
+
+// Text heights, in multiples of Body.
+inline constexpr std::array kTextScale = {0.82f, 1.0f, 1.5f, 2.6f};
+
+// Each text size is rasterised at exactly the pixels it is shown with.
+class Fonts {
+  public:
+    // Rasterises the fonts for a line height, if it has changed in whole pixels. Needs the owning ImGui
+    // context with its OpenGL backend.
+    void fit(float line_px);
+
+    bool ready() const { return fonts_[0] != nullptr; }
+    ImFont* at(TextSize size) const { return fonts_[static_cast<size_t>(size)]; }
+    float pixels(TextSize size) const { return pixels_[static_cast<size_t>(size)]; }
+
+  private:
+    std::array<ImFont*, kTextScale.size()> fonts_{};
+    std::array<float, kTextScale.size()> pixels_{};
+};
+
+// Reads one of the program's own PNG (alpha not premultiplied) or JPEG files by stb_image. readPicture()
+// would load OpenCV's codecs (engine/media/Codecs.h), and it drops alpha.
+Result<ImageRgba8> readSmallPicture(const Path& file);
+
+// Pictures of menu pages as textures: animals of the field guide, dives.
+class Pictures {
+  public:
+    struct Picture {
+        gl::Texture texture; // empty: there is no such picture
+        glm::vec2 size{0};   // pixels
+
+        void show(const ImageRgba8& image); // replaces the texture's image
+    };
+    // Returns a picture, read when it is first asked for. file: below content/. Needs the OpenGL context.
+    const Picture& get(const std::string& file);
+
+  private:
+    std::map<std::string, Picture> read_;
+};
 
 // Person who reads the text.
 enum class Audience {
@@ -36,6 +82,7 @@ struct Rectangle { // pixels from the upper left
     }
 };
 
+// Valid while Hud::draw() runs.
 struct Pen {
     ImDrawList* list;
     const Fonts* fonts;

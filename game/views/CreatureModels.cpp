@@ -1,7 +1,8 @@
 #include "game/views/CreatureModels.h"
 
-#include "engine/scene/Surface.h"
-#include "game/views/ModelOcclusion.h"
+#include "engine/core/Log.h"
+#include "engine/core/RunProgram.h"
+#include "engine/math/Trigonometry.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -42,7 +43,58 @@ std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const sc
              static_cast<uint16_t>(model.order[0])}};
 }
 
+// Returns nothing if the file is missing or is another model's.
+std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& model) {
+    const auto baked = render::readBakedOcclusion(file);
+    return baked && render::applyBakedOcclusion(*baked, model) ? std::optional(*baked) : std::nullopt;
+}
+
+constexpr size_t kEachTime = 4;    // animals whose light is looked up for each picture: 35 take nine pictures
+constexpr float kFollow_s = 0.25f; // time constant of that light
+constexpr float kJump_m = 0.5f;    // movement between two pictures from which it counts as another animal
+
 } // namespace
+
+void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
+                         const glm::mat3& envFromWorld) {
+    if (!light) {
+        animals_.clear();
+        return;
+    }
+    const auto passed_s = static_cast<float>(snapshot.time_s - time_s_);
+    time_s_ = snapshot.time_s;
+    const float share = passed_s < 0 || passed_s > 1 ? 1 : math::followShare(passed_s, kFollow_s);
+    const size_t known = animals_.size(), count = snapshot.creatures.size();
+    animals_.resize(count);
+    const size_t turns = std::min(kEachTime, count);
+    for (size_t i = 0; i < count; ++i) {
+        Animal& animal = animals_[i];
+        const glm::vec3 position = snapshot.creatures[i].position;
+        const bool jumped = i >= known || share == 1 || glm::distance(position, animal.position) > kJump_m;
+        animal.position = position;
+        if (jumped || (i + count - next_ % count) % count < turns)
+            animal.found = light->at(envFromWorld * position);
+        for (size_t k = 0; k < animal.now.size(); ++k)
+            animal.now[k] += (jumped ? 1 : share) * (animal.found[k] - animal.now[k]);
+    }
+    next_ = count > 0 ? (next_ + turns) % count : 0;
+}
+
+std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model) {
+    if (auto beside = stored(render::bakedOcclusionBeside(file), model)) return beside;
+    const Path kept = cacheFolder() / "occlusion" / fmt::format("{:016x}.json", render::skinHash(model));
+    if (auto before = stored(kept, model)) return before;
+    const Path maker = programFolder() / "shoal-occlusion";
+    const auto status = [&] {
+        const log::QuietStandardError quiet; // the warning below says it in one sentence
+        return runProgram({maker.string(), file.string(), kept.string()});
+    }();
+    if (status == 0)
+        if (auto made = stored(kept, model)) return made;
+    log::warn("{}: is shown without shadows of its own parts: {} could not make them", file.string(),
+              maker.string());
+    return std::nullopt;
+}
 
 Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRequest& request,
                                                                    render::Reflectance reflectance) {
@@ -71,12 +123,12 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     instance.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
     instance.boundingSpheres = scene::boundingSpheresOf(instance.model, instance.pose);
     instance.spine = scene::findSpine(instance.model, instance.length_m, bounds.low.z);
-    for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
-        instance.animations[motion] = instance.model.findAnimation(game::kMotionNames[motion]);
-    for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
-        if (instance.animations[motion] >= 0)
-            instance.beats[motion] = scene::measureBeat(instance.model, instance.spine,
-                                                        instance.animations[motion], instance.wave);
+    for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion) {
+        const int clip = instance.model.findAnimation(game::kMotionNames[motion]);
+        instance.animations[motion] = clip;
+        if (clip >= 0)
+            instance.beats[motion] = scene::measureBeat(instance.model, instance.spine, clip, instance.wave);
+    }
     for (size_t side = 0; side < 2; ++side)
         instance.pectorals[side] = instance.model.findNode(kPectorals[side]);
     return instance;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/depth/LightDifference.h"
+#include "engine/render/BakedOcclusion.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/Model.h"
@@ -10,17 +12,47 @@
 #include "engine/scene/Surface.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
-#include "game/views/AnimalLight.h"
 #include "game/views/ArmPose.h"
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace shoal::app {
+
+// Occlusion of a model: stored beside it or, for a model without, made once by shoal-occlusion and kept in
+// the player's cache folder. Gives the model its self-occlusion and returns its ellipsoids. If none is stored
+// and none can be made, logs why and returns nothing. Making takes seconds. Any thread.
+std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model);
+
+// Difference between the light at each animal and the light at the camera, caused by rock near the animal,
+// smoothed over time. Only on the rendering thread.
+class AnimalLight {
+  public:
+    // Updates the light of all animals, once for each picture. Each call looks up the light of a few animals
+    // in turn; the light of all eases towards their last look-up with a time constant of 0.25 s. light: null
+    // for a film without distances. Allocates nothing once it has grown.
+    void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
+                const glm::mat3& envFromWorld);
+
+    // Returns the light by index in Snapshot::creatures; null: only the camera's light.
+    const depth::LightHarmonics* of(size_t creature) const {
+        return creature < animals_.size() ? &animals_[creature].now : nullptr;
+    }
+
+  private:
+    struct Animal {
+        glm::vec3 position{0};
+        depth::LightHarmonics found{}, now{};
+    };
+    std::vector<Animal> animals_;
+    size_t next_ = 0; // index of the next animal to look up
+    double time_s_ = 0;
+};
 
 class CreatureModels {
   public:

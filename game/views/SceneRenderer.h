@@ -7,7 +7,6 @@
 #include "engine/render/FloorShadowPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
-#include "game/views/AnimalLight.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 

@@ -48,7 +48,7 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--preview", options.film.preview,
                    "Writes a picture: the video's middle and its depth, side by side")
         ->type_name("FILE.png");
-    constexpr auto& kLayouts = EnumNames<media::Layout>::kNames;
+    constexpr auto& kLayouts = kEnumNames<media::Layout>;
     const auto setLayout = [&layout = options.film.layout](const std::string& name) {
         layout = enumNamed<media::Layout>(name).value_or(layout);
     };

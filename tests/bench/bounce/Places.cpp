@@ -1,7 +1,7 @@
 #include "tests/bench/bounce/Places.h"
 
+#include "game/app/ContentLoader.h"
 #include "game/rules/Dive.h"
-#include "game/views/FilmSpaceOf.h"
 
 #include "engine/media/VideoSource.h"
 

@@ -1,4 +1,4 @@
-#include "game/views/AnimalLight.h"
+#include "game/views/CreatureModels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // Tests when a paused dive in a headset goes on, for players who have only their hands.
-#include "game/session/HeadsetPause.h"
-#include "game/ui/PanelPlacement.h"
+#include "game/app/HeadsetDisplay.h"
 
 #include <gtest/gtest.h>
 

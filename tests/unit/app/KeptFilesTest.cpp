@@ -1,7 +1,6 @@
 // Settings and scores survive between games, and a damaged file is neither believed nor overwritten.
 #include "game/settings/KeptFiles.h"
 #include "engine/core/WriteFile.h"
-#include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
 #include "tests/TestPaths.h"
 
@@ -124,16 +123,6 @@ TEST_F(KeptFiles, TheFieldGuideRemembers) {
     EXPECT_TRUE(readGuide().empty());
     ASSERT_TRUE(saveGuide({"snapper", "ray"}));
     EXPECT_EQ(readGuide(), (std::vector<std::string>{"snapper", "ray"}));
-}
-
-TEST(Series, QuantilesAreValuesOfTheSeries) {
-    Series series;
-    EXPECT_EQ(series.quantile(0.5), 0);
-    for (int i = 100; i >= 0; --i) series.add(i);
-    EXPECT_EQ(series.quantile(0), 0);
-    EXPECT_EQ(series.quantile(0.5), 50);
-    EXPECT_EQ(series.quantile(0.99), 99);
-    EXPECT_EQ(series.quantile(1), 100);
 }
 
 } // namespace

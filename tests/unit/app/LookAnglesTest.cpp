@@ -1,5 +1,5 @@
 // Turning the view by hand: right and up, around without end, and never over the top.
-#include "game/session/LookAngles.h"
+#include "game/session/Controls.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The menus: settings hold at once; every word has its translations; text can be read over white and black.
-#include "game/ui/Animals.h"
+#include "game/ui/Hud.h"
 #include "game/ui/MenuControls.h"
 #include "tests/unit/app/ScreensFixture.h"
 
@@ -156,7 +156,7 @@ TEST_F(MenuTest, AKeyThatIsTakenIsSaid) {
     ASSERT_TRUE(screens_.capturesKey());
     screens_.input({.back = true}); // is no input for the menus now
     ASSERT_TRUE(screens_.capturesKey());
-    screens_.keyPressed(GLFW_KEY_P);
+    screens_.capture({.keysPressed = {GLFW_KEY_P}});
     EXPECT_FALSE(screens_.capturesKey());
     EXPECT_EQ(bindings_.of(Action::SwapHands).keys[0], GLFW_KEY_P);
     EXPECT_EQ(bindings_.of(Action::Pause).keys[1], -1);
@@ -166,7 +166,7 @@ TEST_F(MenuTest, AKeyThatIsTakenIsSaid) {
     EXPECT_EQ(read.of(Action::SwapHands).keys, bindings_.of(Action::SwapHands).keys);
     EXPECT_EQ(read.of(Action::Pause).keys, bindings_.of(Action::Pause).keys);
     choose("Fullscreen");
-    screens_.keyPressed(GLFW_KEY_F1);
+    screens_.capture({.keysPressed = {GLFW_KEY_F1}});
     EXPECT_EQ(page().note, "It was taken from: Performance, which has no key or button now");
     EXPECT_EQ(page().items[find("Performance")].value, "none");
 }
@@ -179,7 +179,7 @@ TEST_F(MenuTest, OnlyAcceptingAsksForAKey) {
     EXPECT_FALSE(screens_.capturesKey());
     choose("Look up");
     EXPECT_TRUE(screens_.capturesKey());
-    screens_.cancelCapture();
+    screens_.capture({.leftPressed = true});
     EXPECT_EQ(bindings_.toText(), "");
     EXPECT_EQ(page().items[find("Reach farther")].value, "E, Page up  (Pad up)");
 }
@@ -260,10 +260,10 @@ size_t placeholders(std::string_view text) {
 TEST(Texts, EachIsThereOnceInEachLanguageWithTheSamePlaceholders) {
     std::set<std::string_view> seen;
     for (const game::TextRow& row : game::kTexts) {
-        EXPECT_TRUE(seen.insert(row.english).second) << row.english << " is there twice";
-        for (const char* text : {row.german, row.french}) {
-            ASSERT_TRUE(text && *text) << row.english;
-            EXPECT_EQ(placeholders(text), placeholders(row.english)) << text;
+        EXPECT_TRUE(seen.insert(row[0]).second) << row[0] << " is there twice";
+        for (const char* text : row) {
+            ASSERT_TRUE(text && *text) << row[0];
+            EXPECT_EQ(placeholders(text), placeholders(row[0])) << text;
         }
     }
 }
@@ -284,9 +284,9 @@ TEST(Texts, DivesAndTheirAnimalsHaveTranslations) {
 
 TEST(Texts, AnimalsWithoutATranslationHaveTheirEnglishName) {
     const game::Species perch{.one = {"perch", "Barsch"}, .several = {"perches"}};
-    EXPECT_EQ(game::animalName(perch, 1, game::Language::German), "Barsch");
-    EXPECT_EQ(game::animalName(perch, 1, game::Language::French), "perch");
-    EXPECT_EQ(game::animalName(perch, 2, game::Language::German), "perches");
+    EXPECT_EQ(animalName(perch, 1, game::Language::German), "Barsch");
+    EXPECT_EQ(animalName(perch, 1, game::Language::French), "perch");
+    EXPECT_EQ(animalName(perch, 2, game::Language::German), "perches");
 }
 
 TEST(Texts, TheSystemsLocaleChooses) {
@@ -347,7 +347,7 @@ TEST(MenuControls, FingersRestWhileKeysOrMouseAreUsed) {
     std::array<Pointing, 2> fingers;
     fingers[1] = {.points = true, .at = {0.5f, 0.5f}, .forward_m = 0.4f};
     const auto step = [&](const platform::WindowInput& input, float dt_s) {
-        return controls.step(&input, nullptr, fingers, {}, dt_s);
+        return controls.step(input, nullptr, fingers, {}, dt_s);
     };
     EXPECT_TRUE(step({}, 0.01f).pointer);
     platform::WindowInput key, mouse;

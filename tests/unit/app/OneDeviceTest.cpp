@@ -25,7 +25,7 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
     std::optional<platform::Headless> context_;
     std::optional<Hud> hud_;
     std::optional<gl::Target> target_;
-    TextOptions text_;
+    TextSettings text_;
 
     void SetUp() override {
         WithScreens::SetUp();
@@ -42,7 +42,7 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
     }
     // Passes on the device's input since the last frame, and draws.
     void frame(const platform::WindowInput& input) {
-        screens_.input(controls_.step(&input, nullptr, {}, {kSize}, 1.0f / 60));
+        screens_.input(controls_.step(input, nullptr, {}, {kSize}, 1.0f / 60));
         target_->bind();
         hud_->draw({.part = HudPart::Panel,
                     .inDive = false,

@@ -1,6 +1,5 @@
 // Effects of keys and of the dive in each state of the program, and the pages shown over the picture then.
-#include "game/app/DiveRunner.h"
-#include "game/app/ProgramStates.h"
+#include "game/app/Screens.h"
 #include "tests/Recorded.h"
 #include "tests/TestPaths.h"
 
@@ -113,7 +112,6 @@ TEST_F(ProgramStatesTest, TouchedSpeciesComeIntoTheGuide) {
 TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {
     states_.emplace(session_, screens_, Mode::Title, true);
     EXPECT_EQ(states_->state(), ProgramStates::State::Title);
-    EXPECT_TRUE(states_->idle());
     EXPECT_EQ(screens_.top(), Screen::Title);
     EXPECT_FALSE(back()); // Escape does not leave by mistake
     EXPECT_EQ(screens_.top(), Screen::Title);

@@ -1,7 +1,7 @@
 // The room files, for playthroughs on machines that decode no film, equal the rooms that the program makes of
 // the films' depth tracks. With SHOAL_UPDATE=1 the files are written anew.
 #include "tests/playthrough/Rooms.h"
-#include "game/views/FilmSpaceOf.h"
+#include "game/app/ContentLoader.h"
 
 #include <gtest/gtest.h>
 

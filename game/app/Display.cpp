@@ -1,4 +1,4 @@
-#include "game/app/FlatDisplay.h"
+#include "game/app/Display.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +29,12 @@ double FlatDisplay::period_s() const { return 1 / (window_ ? window_->refreshRat
 
 render::View FlatDisplay::viewOf(int eye, const game::Snapshot& shown, glm::ivec2 drawnSize,
                                  float aspect) const {
-    render::View view;
-    view.worldFromEye = shown.worldFromView;
     const float side = sideBySide() ? (eye == 0 ? -0.5f : 0.5f) * options_.eyeDistance_mm * 1e-3f : 0.0f;
-    view.eyeWorld = shown.headWorld + view.worldFromEye * glm::vec3(side, 0, 0);
-    view.verticalFov = glm::radians(options_.fov_deg);
-    view.aspect = aspect;
-    view.heightPixels = drawnSize.y;
-    return view;
+    return {.eyeWorld = shown.headWorld + shown.worldFromView * glm::vec3(side, 0, 0),
+            .worldFromEye = shown.worldFromView,
+            .verticalFov = glm::radians(options_.fov_deg),
+            .aspect = aspect,
+            .heightPixels = drawnSize.y};
 }
 
 Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& shown, float scale) {
