@@ -1,6 +1,6 @@
 #include "engine/render/ObjectPass.h"
 
-#include "engine/light/PhongRings.h"
+#include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/render/ToneFeatures.h"
