@@ -1,7 +1,6 @@
 #include "engine/render/ModelGpu.h"
 
 #include "engine/scene/Lod.h"
-#include "engine/scene/Surface.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <glm/geometric.hpp>
