@@ -6,7 +6,7 @@
 #include "engine/depth/DepthMap.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/environment/FrameAnalysis.h"
-#include "engine/light/LightOverTime.h"
+#include "engine/light/FindLights.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
 

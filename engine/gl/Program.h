@@ -4,12 +4,7 @@
 #include "engine/core/Result.h"
 #include "engine/gl/Objects.h"
 
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x3.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include <glm/glm.hpp>
 
 #include <map>
 #include <span>

@@ -7,7 +7,7 @@
 //      come from the part of the sky that the frame shows.
 //   2. The part of it that unclipped pixels do not supply must come from clipped pixels above the horizon: it
 //      sets their gain, how many times white they are. The gain is lower where few pixels are clipped, so
-//      that light does not flicker with the last of them. ClippedDensity.h weights the clipped pixels.
+//      that light does not flicker with the last of them. ClippedDensity weights the clipped pixels.
 //   3. Albedos of grounds differ by a factor of more than ten, so the final gain is the weighted geometric
 //      mean of that gain and a usual gain, which serves alone where no ground is visible (covered, black,
 //      clipped). The higher clipped light stands, the more the ground's gain counts: light from the side, as
@@ -26,7 +26,9 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace shoal::light {
 
@@ -55,6 +57,34 @@ float clippedShare(int row, int height);
 
 // Returns the irradiance of a level plane, facing up or down towards the row, by a texel of radiance 1 in it.
 double levelIrradiance(int row, int width, int height);
+
+// The density of a clipped pixel is the share of its surroundings that is clipped too: nearly 1 inside a sun,
+// a lamp or a window, a few hundredths at glints on waves or gaps between leaves, hardly brighter than white.
+//
+// The upper half of a lat-long frame is divided into cells of 1.4 degrees; a cell's density is the mean over
+// 3 x 3 cells, wider along rows near the pole. A light that moves across cells keeps its density.
+class ClippedDensity {
+  public:
+    // Begins a frame. Allocates nothing while the size stays.
+    void begin(int width, int height);
+    // Adds a row at the horizon or above it. clipped: `width` values, 0 to 1.
+    void addRow(int y, const float* clipped);
+    void finish(); // after the last row
+
+    // Multiplies a row's values by their densities.
+    void weigh(int y, float* clipped) const;
+
+  private:
+    size_t cellRow(int y) const { return static_cast<size_t>(y) * rows_ / static_cast<size_t>(height_); }
+
+    int width_ = 0, height_ = 0;        // of the frame
+    size_t columns_ = 0, rows_ = 0;     // of cells, on the whole sphere
+    std::vector<int> starts_;           // first pixel of each cell in a row, and the last one's end
+    std::vector<int> counts_;           // by row of cells: rows of the frame in it
+    std::vector<char> anything_;        // by row of cells: whether anything is clipped in it
+    std::vector<float> sums_, density_; // columns_ x rows_
+    std::vector<float> across_;         // scratch: columns_ x rows_
+};
 
 // Gain of clipped pixels: their radiance, as a multiple of white.
 struct ClippedGain {

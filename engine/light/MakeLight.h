@@ -5,13 +5,36 @@
 #include "engine/light/CentroidChain.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/FrameView.h"
-#include "engine/light/GlossyLevels.h"
 #include "engine/light/Pyramid.h"
 #include "engine/light/ZonalFilter.h"
 
 #include <optional>
 
 namespace shoal::light {
+
+// Roughness of the filtered levels: 10^(-i / kGlossySteps), i = 0 .. kGlossySteps. Neighbours differ by a
+// factor of 1.15: a mix of two differs from the lobe between them by a hundredth.
+constexpr int kGlossySteps = 16;
+
+constexpr float kMinFilteredRoughness = 0.1f;
+
+enum class LightQuality {
+    Video, // a fraction of a millisecond a frame, as accurate as 8 bits a channel need
+    Still, // for stills, whose sun may be 10^5 times as bright as the shade: texels a quarter as wide
+};
+
+struct GlossyPlan {
+    float roughness = 0;
+    int width = 0;         // texels around
+    bool filtered = false; // if false, the radiance pyramid's level k is used for plan k
+};
+
+// Returns the plans of all levels by ascending roughness; the last has roughness 1.
+//   The first plans are levels of the radiance pyramid, for mirrors: from baseWidth (a power of two >= 256)
+// down to a width of 512, with the roughness of a lobe as wide as their texels.
+//   The others are filtered levels, from the greatest roughness not above minRoughness (the least of all
+// surfaces; raised to 0.1) to 1, each as wide as its lobe needs, and no wider than baseWidth.
+std::vector<GlossyPlan> glossyPlans(int baseWidth, float minRoughness, LightQuality quality);
 
 struct LightOptions {
     // Greatest width of pyramid level 0, which mirrors show; rounded down to a power of two.

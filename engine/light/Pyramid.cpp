@@ -1,7 +1,6 @@
 #include "engine/light/Pyramid.h"
 
 #include "engine/light/BlockMeans.h"
-#include "engine/light/ClippedLight.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"

@@ -2,7 +2,6 @@
 // solid angles.
 #pragma once
 
-#include "engine/light/ClippedDensity.h"
 #include "engine/light/ClippedLight.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/FrameView.h"

@@ -2,8 +2,7 @@
 // and shadows are derived from it. shoal-occlusion fits them (content/make/models/occlusion).
 #pragma once
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
+#include <glm/glm.hpp>
 
 #include <cstdint>
 

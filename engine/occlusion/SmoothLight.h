@@ -3,8 +3,7 @@
 
 #include "engine/core/Image.h"
 
-#include <glm/mat4x3.hpp>
-#include <glm/vec3.hpp>
+#include <glm/glm.hpp>
 
 #include <array>
 

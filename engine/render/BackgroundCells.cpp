@@ -3,7 +3,6 @@
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 

@@ -6,9 +6,7 @@
 #include "engine/depth/DepthMap.h"
 #include "engine/render/View.h"
 
-#include <glm/common.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/vec2.hpp>
+#include <glm/glm.hpp>
 
 #include <array>
 #include <span>

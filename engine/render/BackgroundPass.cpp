@@ -1,7 +1,6 @@
 #include "engine/render/BackgroundPass.h"
 
 #include "engine/gl/Renderer.h"
-#include "engine/render/ToneFeatures.h"
 #include "engine/render/software/SoftwareBackground.h"
 #include "shaders/render/Attributes.glsl"
 

@@ -3,8 +3,7 @@
 #include "engine/scene/Surface.h"
 #include "shaders/render/Attributes.glsl"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,7 @@
 #include "engine/render/CastShadow.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

@@ -16,9 +16,7 @@
 #include "engine/occlusion/Ellipsoid.h"
 #include "engine/render/View.h"
 
-#include <glm/common.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <span>

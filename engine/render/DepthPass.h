@@ -4,7 +4,7 @@
 
 #include "engine/gl/Program.h"
 #include "engine/render/EyePicture.h"
-#include "engine/render/WholePicture.h"
+#include "engine/render/TriangleBatch.h"
 
 namespace shoal::render {
 

@@ -48,8 +48,6 @@ void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
     uploaded_ = false;
     coded_ = true;
     ++frameNumber_;
-    frameWidth_ = frame.width;
-    frameHeight_ = frame.height;
 }
 
 // Uploads a new frame first.
@@ -67,10 +65,9 @@ void EnvironmentGpu::setFrame(const ImageRgbF& radianceLin) {
     // 32 bits: a real sun lies above the largest half float.
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, radianceLin.width, radianceLin.height, 0, GL_RGB, GL_FLOAT,
                  radianceLin.pixels.data());
+    displayFrame_ = {nullptr, radianceLin.width, radianceLin.height, radianceLin.width};
     coded_ = false;
     ++frameNumber_;
-    frameWidth_ = radianceLin.width;
-    frameHeight_ = radianceLin.height;
 }
 
 void EnvironmentGpu::uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth) {

@@ -43,8 +43,8 @@ class EnvironmentGpu {
     void bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const;
 
     bool frameIsCoded() const { return coded_; }
-    int frameWidth() const { return frameWidth_; }
-    int frameHeight() const { return frameHeight_; }
+    int frameWidth() const { return displayFrame_.width; }
+    int frameHeight() const { return displayFrame_.height; }
     uint64_t frameNumber() const { return frameNumber_; } // number of frames set so far
     GLuint frameTexture() const;
     const DisplayFrame& displayFrame() const { return displayFrame_; } // in memory; for coded frames only
@@ -65,10 +65,9 @@ class EnvironmentGpu {
     const depth::DepthMap* depthMap_ = nullptr;
     const depth::DepthMap* widenedDepth_ = nullptr;
     const depth::DepthRange* depthRange_ = nullptr;
-    DisplayFrame displayFrame_;
+    DisplayFrame displayFrame_;       // without pixels for HDR environments
     mutable bool uploaded_ = true;    // whether frame_ holds the newest frame
     mutable glm::ivec2 codedSize_{0}; // size of frame_ while it holds coded texels
-    int frameWidth_ = 0, frameHeight_ = 0;
     uint64_t frameNumber_ = 0;
     bool coded_ = true;
     ImageRgbF scatteredLight_;

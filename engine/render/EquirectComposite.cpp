@@ -2,8 +2,7 @@
 
 #include "engine/core/Random.h"
 
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -15,6 +14,7 @@ namespace shoal::render {
 namespace {
 
 enum Feature : unsigned { kFilmed = 1, kShaded = 2 };
+constexpr std::array kCompositeDefines = {"FILMED", "SHADED"};
 constexpr float kFinest = 0.6f;            // texels a pixel
 constexpr float kUnseenNoise = 0.3f / 255; // standard deviation
 // A video of range 16 to 235 that is read as 0 to 255 lacks both ends in all channels. If only one end is
@@ -73,15 +73,9 @@ CameraUniforms cameraUniforms(const FilmedFrame& filmed) {
 
 Result<EquirectComposite> EquirectComposite::make() {
     EquirectComposite pass;
-    for (unsigned features = 0; features < pass.programs_.size(); ++features) {
-        std::vector<std::string> defines;
-        if (features & kFilmed) defines.push_back("FILMED");
-        if (features & kShaded) defines.push_back("SHADED");
-        if (Status s =
-                gl::Program::load("render/EquirectComposite", defines).moveTo(pass.programs_[features]);
-            !s)
-            return s.error();
-    }
+    pass.programs_ = gl::Variants("render/EquirectComposite", kCompositeDefines);
+    for (unsigned features = 0; features <= (kFilmed | kShaded); ++features)
+        if (auto program = pass.programs_.get(features); !program) return program.error();
     pass.grain_ = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_REPEAT, GL_REPEAT);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kGrainSize, kGrainSize, 0, GL_RG, GL_UNSIGNED_BYTE,
@@ -114,7 +108,8 @@ void EquirectComposite::paint(const EnvironmentGpu& environment, const FrameTile
     });
     if (corners_.empty()) return;
 
-    const gl::Program& program = programs_[(filmed ? kFilmed : 0u) | (shadows ? kShaded : 0u)];
+    const gl::Program& program =
+        **programs_.get((filmed ? kFilmed : 0u) | (shadows ? kShaded : 0u)); // made before
     const GLuint frame = environment.frameTexture(); // before other textures are bound: it may upload
     program.use();
     if (filmed) {

@@ -14,8 +14,7 @@
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
@@ -70,7 +69,7 @@ class EquirectComposite {
     GLuint texture() const { return frame_.name(); } // undefined outside the tiles painted last
 
   private:
-    std::array<gl::Program, 4> programs_; // indexed by features
+    gl::Variants programs_;
     gl::Texture grain_;
     TriangleBatch drawn_;
     gl::Texture frame_;

@@ -8,9 +8,8 @@
 #include "engine/render/FilmShadows.h"
 #include "engine/render/View.h"
 
+#include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
 
 namespace shoal::render {
 

@@ -3,8 +3,7 @@
 #include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 
-#include <glm/exponential.hpp>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace shoal::render {
@@ -43,11 +44,7 @@ class FilmShadows {
     // Returns the factors for the film's texels, 255 for 1: lat-long, as fine as the distances, blue first.
     const Image<uint8_t, 4>& left() const { return left_; }
     // Identifies the shadows of one begin(); the owner of a copy compares it to see whether the copy is new.
-    struct Version {
-        const FilmShadows* of = nullptr;
-        uint64_t number = 0; // counts begin(), from 1
-        bool operator==(const Version&) const = default;
-    };
+    using Version = std::pair<const FilmShadows*, uint64_t>; // the number counts begin(), from 1
     Version version() const { return {this, number_}; }
 
     // A body's piece in the light's frame: metres along, aside and up towards the light, from the film's

@@ -2,11 +2,9 @@
 
 #include "shaders/render/Attributes.glsl"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shoal::render {
@@ -16,13 +14,6 @@ namespace {
 constexpr int kMaxCells = 28; // most cells along a shadow
 constexpr float kFinest_m = 0.03f;
 constexpr glm::vec3 kLuminance(0.2126f, 0.7152f, 0.0722f);
-
-// Returns the taken share of the light's luminance. Radiance of frames coded as in the thesis is proportional
-// to display values, the square roots of light (see leftOf()).
-float takenOf(const glm::vec3& share, FrameCoding frames) {
-    const glm::vec3 left = 1.0f - share;
-    return 1 - glm::dot(kLuminance, frames == FrameCoding::Srgb ? left : left * left);
-}
 
 } // namespace
 
@@ -67,23 +58,21 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
             const glm::vec2 at = low + size * glm::vec2(x, y) / glm::vec2(cells);
             const glm::vec3 place(at.x, floor_m, at.y);
             const float hidden = light.presence * covered(body_, light, place);
-            nodes_.push_back({place, hidden > 0 ? takenOf(hidden * light.share, frames) : 0});
+            // Radiance of frames coded as in the thesis is proportional to the square root of light:
+            // leftOf().
+            glm::vec3 left = 1.0f - hidden * light.share;
+            if (frames == FrameCoding::Thesis) left *= left;
+            nodes_.push_back({place, hidden > 0 ? 1 - glm::dot(kLuminance, left) : 0});
             most = std::max(most, nodes_.back().taken);
         }
     if (most <= kMinShadow) return;
     const float strength = glm::smoothstep(kMinShadow, 2 * kMinShadow, most); // so that it appears gradually
     for (Node& node : nodes_) node.taken *= strength;
     const size_t stride = static_cast<size_t>(cells.x) + 1;
-    for (size_t node = 0; node + stride + 1 < nodes_.size(); ++node) {
-        if (node % stride == stride - 1) continue; // a row's last node begins no cell
-        for (const std::array<size_t, 3>& offsets :
-             {std::array<size_t, 3>{0, 1, stride}, {stride, 1, stride + 1}}) {
-            float taken = 0;
-            for (const size_t offset : offsets) taken += nodes_[node + offset].taken;
-            for (const size_t offset : offsets)
-                if (taken > 0) triangles_.push_back(nodes_[node + offset]);
-        }
-    }
+    for (size_t node = 0; node + stride + 1 < nodes_.size(); ++node)
+        if (node % stride != stride - 1) // a row's last node begins no cell
+            for (const size_t offset : {size_t{0}, size_t{1}, stride, stride, size_t{1}, stride + 1})
+                triangles_.push_back(nodes_[node + offset]);
     const glm::vec2 middle = low + size / 2.0f;
     spheres_.push_back({{middle.x, floor_m, middle.y}, glm::length(size) / 2});
 }

@@ -4,12 +4,12 @@
 #include "engine/math/LatLong.h"
 #include "engine/scene/Model.h"
 
-#include <glm/common.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/vec2.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -28,12 +28,22 @@ class FrameTiles {
     }
 
     // Chooses no tiles.
-    void clear(const glm::ivec2& frameSize);
+    void clear(const glm::ivec2& frameSize) {
+        frameSize_ = frameSize;
+        chosen_.assign(kAll, false);
+    }
     void choose(const glm::ivec2& tile) { chosen_[indexOf(tile.x, tile.y)] = true; }
     // Calls visit(tile) for each tile of the cap that a sphere covers, seen from the frame's camera, and of a
     // margin about it.
     template <class Visit> void eachOfSphere(const glm::vec3& centreEnv, float radius, Visit&& visit) const {
-        const CellRange range = cellsOf(centreEnv, radius);
+        constexpr float kPi = std::numbers::pi_v<float>;
+        const float distance = glm::length(centreEnv);
+        // A sphere around the camera covers every tile.
+        const float halfAngle = distance > radius ? std::asin(radius / distance) : kPi;
+        constexpr float kMargin = 2; // texels by which a layer's filter spreads an object
+        const float margin = kMargin * kPi / static_cast<float>(frameSize_.y);
+        const CellRange range =
+            cellsOfCap(kCount, distance > 0 ? centreEnv / distance : glm::vec3(0, 0, -1), halfAngle + margin);
         for (int y = range.first.y; y <= range.last.y; ++y)
             for (int x = range.first.x; x <= range.last.x; ++x)
                 visit(glm::ivec2((x + 2 * kCount.x) % kCount.x, y));
@@ -41,7 +51,12 @@ class FrameTiles {
 
     // Chooses the tiles of the caps that these spheres cover, and of a margin about them.
     void choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
-                std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld);
+                std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld) {
+        clear(frameSize);
+        for (const scene::Sphere& sphere : spheres)
+            eachOfSphere(envFromWorld * (sphere.centre - eyeWorld), sphere.radius,
+                         [&](const glm::ivec2& tile) { choose(tile); });
+    }
 
     const glm::ivec2& frameSize() const { return frameSize_; }
     const std::vector<bool>& chosen() const { return chosen_; } // row by row; empty before choose()
@@ -79,8 +94,6 @@ class FrameTiles {
     }
 
   private:
-    CellRange cellsOf(const glm::vec3& centreEnv, float radius) const;
-
     glm::ivec2 frameSize_{0};
     std::vector<bool> chosen_;
 };

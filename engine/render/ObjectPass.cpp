@@ -1,13 +1,11 @@
 #include "engine/render/ObjectPass.h"
 
-#include "engine/light/PhongRings.h"
+#include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/SphericalHarmonics.h"
-#include "engine/render/ToneFeatures.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <optional>
 
@@ -118,12 +116,13 @@ void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& li
     program.set("dominantShare", light.dominantShare);
 }
 
-void bindMap(const gl::Program& program, const scene::TextureUse& use,
-             const std::vector<gl::Texture>& textures, GLenum unit, const char* map, const char* uvSet) {
-    if (use.texture < 0) return;
-    program.setTexture(map, unit, textures[static_cast<size_t>(use.texture)].name());
-    program.set(uvSet, use.texCoord);
-}
+struct MaterialMap {
+    const scene::TextureUse& use;
+    const std::vector<gl::Texture>& textures;
+    GLuint unit;
+    const char *sampler, *uvSet;
+    bool isSampled = false; // whether the shader samples it even if the material has none
+};
 
 } // namespace
 
@@ -371,26 +370,25 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
     const auto& colour = item.gpu->textures->colour;
     const auto& data = item.gpu->textures->data;
     const bool linear = reflectanceFor(material, item.gpu->reflectance) == Reflectance::Linear;
-    bindMap(program, material.baseColour, linear ? colour : data, UNIT_BASE_COLOUR, "baseColourMap",
-            "baseColourUv");
-    bindMap(program, material.metallicRoughness, data, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",
-            "metallicRoughnessUv");
-    bindMap(program, material.normal, data, UNIT_NORMAL, "normalMap", "normalUv");
-    bindMap(program, material.occlusion, data, UNIT_OCCLUSION, "occlusionMap", "occlusionUv");
-    bindMap(program, material.emissive, colour, UNIT_EMISSIVE, "emissiveMap", "emissiveUv");
-    const auto bindOrWhite = [&](const scene::TextureUse& use, const auto& textures, GLenum unit,
-                                 const char* map, const char* uvSet) {
-        if (use.texture < 0) program.setTexture(map, unit, white_.name());
-        bindMap(program, use, textures, unit, map, uvSet);
-    };
-    if (features & DIELECTRIC) {
-        bindOrWhite(material.specular, data, UNIT_SPECULAR, "specularMap", "specularUv");
-        bindOrWhite(material.specularColour, colour, UNIT_SPECULAR_COLOUR, "specularColourMap",
-                    "specularColourUv");
-    }
-    if (features & CLEARCOAT) {
-        bindOrWhite(material.coat, data, UNIT_COAT, "coatMap", "coatUv");
-        bindOrWhite(material.coatRoughness, data, UNIT_COAT_ROUGHNESS, "coatRoughnessMap", "coatRoughnessUv");
+    const bool dielectric = (features & DIELECTRIC) != 0, coated = (features & CLEARCOAT) != 0;
+    for (const MaterialMap& map : std::initializer_list<MaterialMap>{
+             {material.baseColour, linear ? colour : data, UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv"},
+             {material.metallicRoughness, data, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",
+              "metallicRoughnessUv"},
+             {material.normal, data, UNIT_NORMAL, "normalMap", "normalUv"},
+             {material.occlusion, data, UNIT_OCCLUSION, "occlusionMap", "occlusionUv"},
+             {material.emissive, colour, UNIT_EMISSIVE, "emissiveMap", "emissiveUv"},
+             {material.specular, data, UNIT_SPECULAR, "specularMap", "specularUv", dielectric},
+             {material.specularColour, colour, UNIT_SPECULAR_COLOUR, "specularColourMap", "specularColourUv",
+              dielectric},
+             {material.coat, data, UNIT_COAT, "coatMap", "coatUv", coated},
+             {material.coatRoughness, data, UNIT_COAT_ROUGHNESS, "coatRoughnessMap", "coatRoughnessUv",
+              coated}}) {
+        const int texture = map.use.texture;
+        if (texture < 0 && !map.isSampled) continue;
+        program.setTexture(map.sampler, map.unit,
+                           (texture < 0 ? white_ : map.textures[static_cast<size_t>(texture)]).name());
+        program.set(map.uvSet, map.use.texCoord);
     }
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     if (material.doubleSided) {

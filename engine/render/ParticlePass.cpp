@@ -1,7 +1,5 @@
 #include "engine/render/ParticlePass.h"
 
-#include "engine/render/ToneFeatures.h"
-
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-// Draws triangles that are new in every frame.
+// Draws triangles that are new in every frame, and one over the whole picture.
 #pragma once
 
 #include "engine/gl/Objects.h"
@@ -46,5 +46,21 @@ template <class Run> void eachRun(const std::vector<bool>& marked, const glm::iv
             if (x > first) run(first, x, y);
         }
 }
+
+// One triangle that covers the viewport. Pairs with shaders/render/WholePicture.glsl.
+class WholePicture {
+  public:
+    // Draws with the program in use; depth is 0.5 everywhere, tested and blended as the caller has set.
+    void draw() const {
+        glDisable(GL_CULL_FACE);
+        glBindVertexArray(noAttributes_.name());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glBindVertexArray(0);
+    }
+
+  private:
+    // The shader makes the corners, but OpenGL requires that a vertex array is bound.
+    gl::VertexArray noAttributes_ = gl::VertexArray::make();
+};
 
 } // namespace shoal::render

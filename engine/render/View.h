@@ -40,7 +40,17 @@ struct View {
 };
 
 // Returns whether the sphere reaches into the view's pyramid; may say yes beside the pyramid's edges.
-bool sees(const View& view, const Sphere& sphere);
+inline bool sees(const View& view, const Sphere& sphere) {
+    const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (sphere.centre - view.eyeWorld);
+    if (-inEye.z < view.near_m - sphere.radius || -inEye.z > view.far_m + sphere.radius) return false;
+    const glm::vec2 half = view.halfExtent();
+    const auto beyond = [&](float across,
+                            float slope) { // distance outside of the plane across = slope * ahead
+        return (across + slope * inEye.z) / std::sqrt(1 + slope * slope) > sphere.radius;
+    };
+    return !(beyond(inEye.x, half.x + view.shift.x) || beyond(-inEye.x, half.x - view.shift.x) ||
+             beyond(inEye.y, half.y + view.shift.y) || beyond(-inEye.y, half.y - view.shift.y));
+}
 
 // Decoding of a video's coded values to radiance.
 enum class FrameCoding {
@@ -77,6 +87,15 @@ struct Exposure {
                exposure_ev == 0;
     }
 };
+
+// The defines of the first bits of variants of shaders that include render/Output.glsl, in this order.
+#define SHOAL_TONE_DEFINES "TONE_ACES", "TONE_LINEAR", "FRAME_SRGB"
+constexpr int kToneFeatures = 3;
+
+inline unsigned toneFeatures(const Exposure& exposure) {
+    return (exposure.curve == ToneCurve::Aces ? 1u << 0 : 0u) | (exposure.isLinear() ? 1u << 1 : 0u) |
+           (exposure.frames == FrameCoding::Srgb ? 1u << 2 : 0u);
+}
 
 // Method of combining virtual objects with the filmed background.
 enum class Composition {

@@ -4,12 +4,9 @@
 #include "engine/math/LatLong.h"
 #include "engine/math/Trigonometry.h"
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
-#include <glm/trigonometric.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace shoal::water {

@@ -89,16 +89,13 @@ void HeadsetPause::readFists(const HeadsetMoment& now, float dt_s, bool& paused,
 
 Result<HeadsetDisplay> HeadsetDisplay::open(platform::Window& window, const hands::HandRig& rig,
                                             int samples) {
-    auto fade = render::FadePass::make();
-    if (!fade) return fade.error();
-    auto premultiply = render::PremultiplyPass::make();
-    if (!premultiply) return premultiply.error();
+    auto passes = render::HeadsetPasses::make();
+    if (!passes) return passes.error();
     auto headset = xr::Headset::open(kPanelPixels);
     if (!headset) return headset.error();
     log::debug("playing in {}, {}", headset->name(),
                headset->bareHands() ? "with bare hands or controllers" : "with controllers");
-    return HeadsetDisplay(window, rig, std::move(*headset), std::move(*fade), std::move(*premultiply),
-                          samples);
+    return HeadsetDisplay(window, rig, std::move(*headset), std::move(*passes), samples);
 }
 
 Status HeadsetDisplay::begin() {
@@ -200,13 +197,13 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     if (Status drawn = painter.scene({&toDraw, 1}, {}); !drawn) return drawn;
     target.bind();
     painter.hud(HudPart::Marks, Audience::HeadsetPlayer, view, size);
-    fade_.draw(surroundings_ == render::Surroundings::Room ? kClear : kDark, pause_.fade());
+    passes_.fade(surroundings_ == render::Surroundings::Room ? kClear : kDark, pause_.fade());
 
     const xr::Picture picture = eye == 0 ? xr::Picture::LeftEye : xr::Picture::RightEye;
     const auto framebuffer = headset_.acquire(picture);
     if (!framebuffer) return framebuffer.error();
     if (surroundings_ == render::Surroundings::Room)
-        premultiply_.draw(target, *framebuffer);
+        passes_.premultiply(target, *framebuffer);
     else
         target.blitTo(*framebuffer, 0, size.x, size.y);
     if (eye == 0 && windowSize.x > 0 && windowSize.y > 0) mirror(target, *framebuffer, windowSize, view);

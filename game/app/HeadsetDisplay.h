@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/math/Trigonometry.h"
-#include "engine/render/FadePass.h"
-#include "engine/render/PremultiplyPass.h"
+#include "engine/platform/Window.h"
+#include "engine/render/HeadsetPasses.h"
 #include "engine/xr/Headset.h"
 #include "game/app/Display.h"
 #include "input/hands/HandRig.h"
@@ -160,9 +160,9 @@ class HeadsetDisplay : public Display {
 
   private:
     HeadsetDisplay(platform::Window& window, const hands::HandRig& rig, xr::Headset headset,
-                   render::FadePass fade, render::PremultiplyPass premultiply, int samples)
-        : window_(&window), rig_(&rig), headset_(std::move(headset)), fade_(std::move(fade)),
-          premultiply_(std::move(premultiply)), samples_(samples) {}
+                   render::HeadsetPasses passes, int samples)
+        : window_(&window), rig_(&rig), headset_(std::move(headset)), passes_(std::move(passes)),
+          samples_(samples) {}
     Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
     Pointing pointingOf(size_t side, const hands::HandPose& hand) const;
     Status drawPanel(const Painter& painter);
@@ -172,8 +172,7 @@ class HeadsetDisplay : public Display {
     platform::Window* window_;
     const hands::HandRig* rig_;
     xr::Headset headset_;
-    render::FadePass fade_;
-    render::PremultiplyPass premultiply_; // for pictures over the room
+    render::HeadsetPasses passes_;
     int samples_;
     render::Surroundings surroundings_ = render::Surroundings::Film;
     double noRoom_s_ = 0; // seconds for which the notice "cannot show the room" is still shown

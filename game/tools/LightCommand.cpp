@@ -4,10 +4,8 @@
 
 #include "engine/core/Log.h"
 #include "engine/light/BruteForceDiffuse.h"
-#include "engine/light/GlossyLevels.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
-#include "engine/light/PhongRings.h"
 #include "engine/math/LatLong.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/media/Pictures.h"

@@ -26,7 +26,7 @@ uniform sampler2D radianceMap;
 uniform float mirrorRoughness[6];
 uniform int mirrorLevels;
 
-// Returns the level, linear in 1 / alpha, alpha = roughness^2. Twin of lodFromRoughness() in engine/light/GlossyLevels.h.
+// Returns the level, linear in 1 / alpha, alpha = roughness^2. Twin of lodFromRoughness() in engine/light/Lookup.h.
 float mirrorLod(float roughness) {
     float alpha = max(roughness * roughness, 1e-6);
     float lod = 0.0;

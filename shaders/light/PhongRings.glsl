@@ -1,6 +1,6 @@
 // The thesis' glossy lookup (its section 4.1): 36 samples of the radiance pyramid around the mirror direction, three rings
 // of six inside the cone where the Phong lobe falls to half its peak and three outside, each ring from the level whose
-// texels match the distance between its samples. Twin of engine/light/PhongRings.h. Needs light/Environment.glsl.
+// texels match the distance between its samples. Twin of engine/light/Lookup.h. Needs light/Environment.glsl.
 uniform sampler2D radianceMap; // the radiance pyramid, level 0 its widest
 uniform float radianceWidth;   // texels around level 0
 uniform vec2 phongRings_angleWeight[6]; // for the material's exponent: a ring's angle, radians, and its weight; weights sum to 1

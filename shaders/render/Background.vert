@@ -1,6 +1,5 @@
-// Draws the environment at the far plane, in cells of a grid over the picture. Away from the poles the map's
-// coordinates are nearly affine within a cell, so that no pixel needs trigonometry. A second program (POLAR)
-// draws the cells near a pole, and computes the coordinates for each pixel.
+// Draws cells of the environment at the far plane (engine/render/BackgroundCells.h). POLAR, near a pole: computes the map's
+// coordinates for each pixel.
 #include "render/Attributes.glsl"
 
 layout(location = ATTRIBUTE_POSITION) in vec2 place; // on the picture, -1 to 1

@@ -1,4 +1,4 @@
-// Draws one colour over the whole picture. Pairs with engine/render/FadePass.
+// Draws one colour over the whole picture. Pairs with engine/render/HeadsetPasses.
 uniform vec4 colour;
 
 out vec4 fragment;

@@ -1,2 +1,2 @@
-// Pairs with engine/render/FadePass.
+// Pairs with engine/render/HeadsetPasses.
 #include "render/WholePicture.glsl"

@@ -1,5 +1,5 @@
 // Converts display values times coverage to coded light times coverage: a compositor that decodes them adds
-// light, and would otherwise show dark outlines. Pairs with engine/render/PremultiplyPass.
+// light, and would otherwise show dark outlines. Pairs with engine/render/HeadsetPasses.
 #include "light/ToneCurve.glsl"
 
 uniform sampler2D picture;

@@ -1,2 +1,2 @@
-// Pairs with engine/render/PremultiplyPass.
+// Pairs with engine/render/HeadsetPasses.
 #include "render/WholePicture.glsl"

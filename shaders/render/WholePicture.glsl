@@ -1,4 +1,4 @@
-// One triangle that covers the viewport, without attributes. Pairs with engine/render/WholePicture.h.
+// One triangle that covers the viewport, without attributes. Pairs with engine/render/TriangleBatch.h.
 noperspective out vec2 uv;
 
 void main() {

@@ -1,7 +1,6 @@
 #include "engine/light/library/ShoalLight.h"
 
 #include "engine/light/FindLights.h"
-#include "engine/light/GlossyLevels.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"

@@ -4,8 +4,7 @@
 #include "engine/core/Image.h"
 #include "engine/render/EquirectComposite.h"
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec2.hpp>
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <optional>

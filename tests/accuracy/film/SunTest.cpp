@@ -1,5 +1,5 @@
 // Lights of the game's own film are found where its scene has them, and do not jump.
-#include "engine/light/LightOverTime.h"
+#include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
 #include "engine/media/VideoPlayer.h"
 #include "tests/accuracy/light/RadianceFile.h"

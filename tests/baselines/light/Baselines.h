@@ -35,7 +35,7 @@ DiffuseMethod sphericalGaussians(int lobes);
 // The game's method: LightMaker and lookUpGlossy().
 GlossyMethod shoalGlossy(bool videoOnly);
 
-// The thesis' 36 samples for each pixel: engine/light/PhongRings.h.
+// The thesis' 36 samples for each pixel: engine/light/Lookup.h.
 GlossyMethod thesisRings();
 
 // So many samples of the GGX lobe for each pixel, each read from the level whose texels are as large as its

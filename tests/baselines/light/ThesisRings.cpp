@@ -1,6 +1,6 @@
 #include "tests/baselines/light/Baselines.h"
 
-#include "engine/light/PhongRings.h"
+#include "engine/light/Lookup.h"
 
 #include <memory>
 

@@ -1,7 +1,5 @@
 #include "tests/baselines/occlusion/OllfbPixels.h"
 
-#include "engine/occlusion/MergeLayers.h"
-
 #include <cmath>
 
 namespace shoal::occlusion {

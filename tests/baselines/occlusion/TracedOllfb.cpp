@@ -1,6 +1,5 @@
 #include "tests/baselines/occlusion/TracedOllfb.h"
 
-#include "engine/occlusion/MergeLayers.h"
 #include "tests/baselines/occlusion/OllfbPixels.h"
 #include "tests/baselines/occlusion/PixelWalk.h"
 

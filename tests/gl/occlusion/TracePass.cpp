@@ -1,7 +1,7 @@
 #include "tests/gl/occlusion/TracePass.h"
 
 #include "engine/occlusion/gpu/LayersGpu.h"
-#include "engine/render/WholePicture.h"
+#include "engine/render/TriangleBatch.h"
 #include "shaders/occlusion/Bindings.glsl"
 
 #include <algorithm>

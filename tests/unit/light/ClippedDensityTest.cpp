@@ -1,4 +1,4 @@
-#include "engine/light/ClippedDensity.h"
+#include "engine/light/ClippedLight.h"
 
 #include <gtest/gtest.h>
 

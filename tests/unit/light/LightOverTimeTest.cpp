@@ -1,5 +1,5 @@
 // The light that throws shadows does not jump in a film, and follows a cut at once.
-#include "engine/light/LightOverTime.h"
+#include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
 #include "tests/unit/light/Angles.h"
 #include "tests/unit/light/Environments.h"

@@ -2,7 +2,6 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/PackedLight.h"
-#include "engine/light/PhongRings.h"
 #include "tests/unit/light/Environments.h"
 
 #include <glm/geometric.hpp>
