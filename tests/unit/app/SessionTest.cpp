@@ -1,14 +1,9 @@
 // Tests when a paused dive in a headset goes on, for players who have only their hands.
+#include "game/session/GameSession.h"
 #include "game/session/HeadsetPause.h"
+#include "game/session/LookAngles.h"
 #include "game/ui/PanelPlacement.h"
-
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/Test.h"
 
 namespace shoal::app {
 namespace {
@@ -77,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {kOver, 0.2f, false},
                     {with(0.9f, 0.1f, kOver), 3, false},
                     {with(0.9f, 0.9f, kOver), HeadsetPause::kAgain_s + 0.05f, false, true}}}),
-    [](const testing::TestParamInfo<PauseStory>& story) { return std::string(story.param.name); });
+    tests::byName);
 
 TEST(HeadsetPause, APlayersOwnDoesNotEndByItself) {
     HeadsetPause pause;
@@ -135,6 +130,63 @@ TEST(PanelPlacement, HangsAheadAndStaysWhileTheHeadLooksAround) {
         glm::angleAxis(1.5f, glm::vec3(0, 1, 0)) * glm::vec3(0, 0, -PanelPlacement::kDistance_m);
     EXPECT_LT(glm::distance(last + glm::vec3(0, PanelPlacement::kBelow_m, 0), ahead),
               (PanelPlacement::kSettled_rad + 0.01f) * PanelPlacement::kDistance_m);
+}
+
+// Turning the view by hand: right and up, around without end, and never over the top.
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kNear = 1e-5f; // of single precision
+
+glm::vec3 ahead(const LookAngles& look) { return look.worldFromView() * glm::vec3(0, 0, -1); }
+
+TEST(LookAngles, TurnRightAndUp) {
+    LookAngles look;
+    look.turnBy({kPi / 2, 0});
+    EXPECT_LT(glm::distance(ahead(look), {1, 0, 0}), kNear);
+    look.turnBy({0, kPi / 4});
+    EXPECT_LT(glm::distance(ahead(look), glm::normalize(glm::vec3(1, 1, 0))), kNear);
+    look.turnBy({10 * kPi, 10}); // five times around, and up as far as it goes
+    EXPECT_NEAR(ahead(look).y, std::sin(LookAngles::kPitchMax_rad), kNear);
+    EXPECT_GT(ahead(look).x, 0);
+}
+
+TEST(LookAngles, AreThoseOfTheViewThatTheyMake) {
+    for (const float yaw : {-3.0f, -1.0f, 0.0f, 0.5f, 2.5f})
+        for (const float pitch : {-1.4f, 0.0f, 0.7f}) {
+            const LookAngles look = LookAngles::of(LookAngles{yaw, pitch}.worldFromView());
+            EXPECT_NEAR(look.yaw_rad, yaw, 1e-4f); // near the pole the sine of the pitch tells less
+            EXPECT_NEAR(look.pitch_rad, pitch, 1e-4f);
+        }
+}
+
+// The seed of a dive: the same in dives that can be compared, and another each time in dives for pleasure.
+
+uint64_t seedOf(const PlayOptions& options) {
+    const auto config = makeSessionConfig(options);
+    EXPECT_TRUE(config) << config.error().message();
+    return config ? config->seed : 0;
+}
+
+TEST(Seed, IsDrawnForADiveInAWindow) {
+    PlayOptions options;
+    options.hands.source = "mouse";
+    std::set<uint64_t> seeds;
+    for (int i = 0; i < 4; ++i) seeds.insert(seedOf(options));
+    EXPECT_GT(seeds.size(), 1u); // all equal once in 10^18 runs
+    EXPECT_GE(*seeds.begin(), 100'000u);
+    EXPECT_LE(*seeds.rbegin(), 999'999u);
+}
+
+TEST(Seed, IsOneWhereRunsAreCompared) {
+    EXPECT_EQ(seedOf({.headless = true}), 1u);
+    EXPECT_EQ(seedOf({.hands = {.source = "mouse"}, .timedemo = true}), 1u);
+    const std::string script = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
+    EXPECT_EQ(seedOf({.hands = {.source = script}}), seedOf({.hands = {.source = script}}));
+}
+
+TEST(Seed, IsWhatIsAskedFor) {
+    EXPECT_EQ(seedOf({.seed = 7, .hands = {.source = "mouse"}}), 7u);
+    EXPECT_EQ(seedOf({.seed = 7, .headless = true}), 7u);
 }
 
 } // namespace

@@ -1,13 +1,7 @@
 // Conversion of a headset's poses and angles for the renderer.
+#include "engine/xr/Headset.h"
 #include "engine/xr/Tracked.h"
-
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "tests/Test.h"
 
 namespace shoal::xr {
 namespace {
@@ -92,6 +86,26 @@ TEST(OriginAt, IsUprightBelowEveryHead) {
             EXPECT_GT(glm::dot(ahead, glm::vec3(-std::sin(yaw), 0, -std::cos(yaw))), std::cos(0.21f))
                 << yaw << " " << pitch;
         }
+}
+
+// Tests of the search for a headset's runtime, which follows the OpenXR loader's.
+
+TEST(HeadsetRuntime, IsFoundInThePlayersFolderOrByItsVariable) {
+    const bool elsewhere = std::filesystem::exists("/etc/xdg/openxr/1/active_runtime.json") ||
+                           std::filesystem::exists("/etc/openxr/1/active_runtime.json");
+    const tests::ScratchFolder folder;
+    ::unsetenv("XR_RUNTIME_JSON");
+    ::setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
+    EXPECT_EQ(Headset::hasRuntime(), elsewhere);
+    std::filesystem::create_directories(folder.path() / "openxr/1");
+    std::ofstream(folder.path() / "openxr/1/active_runtime.json") << "{}";
+    EXPECT_TRUE(Headset::hasRuntime());
+    ::setenv("XDG_CONFIG_HOME", (folder.path() / "empty").c_str(), 1);
+    EXPECT_EQ(Headset::hasRuntime(), elsewhere);
+    ::setenv("XR_RUNTIME_JSON", "/a/runtime.json", 1);
+    EXPECT_TRUE(Headset::hasRuntime());
+    ::unsetenv("XR_RUNTIME_JSON");
+    ::unsetenv("XDG_CONFIG_HOME");
 }
 
 } // namespace
