@@ -2,16 +2,9 @@
 // expectations at every display rate, gives the states stored in tests/equal_hashes.txt, and its recording
 // replays tick for tick.
 #include "engine/sim/FixedStep.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <optional>
-#include <set>
-#include <sstream>
 
 namespace shoal::game {
 namespace {
@@ -65,8 +58,7 @@ class Playthrough : public testing::TestWithParam<std::tuple<Path, bool>> {
 };
 
 TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
-    const auto setup = loadScriptedDive(file(), inFilm());
-    ASSERT_TRUE(setup) << setup.error().message();
+    const auto setup = tests::valueOf(loadScriptedDive(file(), inFilm()));
 
     std::string story;
     double sharkNear_s = -1e9;
@@ -77,7 +69,7 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
             // The shark gives a second's notice in each visit.
             if (event.kind == EventKind::SharkSteal || event.kind == EventKind::SharkBump) {
                 EXPECT_GE(now.time_s - sharkNear_s, 1);
-                EXPECT_LE(now.time_s - sharkNear_s, setup->files.dive.shark.visitLength_s + 15);
+                EXPECT_LE(now.time_s - sharkNear_s, setup.files.dive.shark.visitLength_s + 15);
             }
         }
         for (const Event& event : events)
@@ -85,7 +77,7 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
                 story += std::to_string(now.time_s) + " " + rowOf(event.kind).name + " hand " +
                          std::to_string(event.hand) + "\n";
     };
-    const Played played = playScript(setup->script, tests::rig(), setup->files, watch);
+    const Played played = playScript(setup.script, tests::rig(), setup.files, watch);
     if (std::getenv("SHOAL_STORY")) std::puts(story.c_str());
     EXPECT_TRUE(played.verdict) << played.verdict.error().message() << "\nwhat happened:\n" << story;
     EXPECT_EQ(played.hash, storedHash(file().stem(), inFilm()))
@@ -97,19 +89,17 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     const Path recording = folder / "played.rec";
     const Status written = tests::write(recording, played.recording);
     ASSERT_TRUE(written) << written.error().message();
-    const auto read = tests::readRecorded(recording);
-    ASSERT_TRUE(read) << read.error().message();
-    EXPECT_EQ(read->ticks(), played.recording.ticks());
-    const Status same = replay(*read, setup->files);
+    const auto read = tests::valueOf(tests::readRecorded(recording));
+    EXPECT_EQ(read.ticks(), played.recording.ticks());
+    const Status same = replay(read, setup.files);
     EXPECT_TRUE(same) << same.error().message();
 }
 
 TEST_P(Playthrough, MeetsItsExpectationsAtEveryDisplayRate) {
-    const auto setup = loadScriptedDive(file(), inFilm());
-    ASSERT_TRUE(setup) << setup.error().message();
+    const auto setup = tests::valueOf(loadScriptedDive(file(), inFilm()));
     std::optional<uint64_t> reference;
     for (int fps : {24, 144}) {
-        const auto [hash, verdict] = playAt(fps, *setup);
+        const auto [hash, verdict] = playAt(fps, setup);
         EXPECT_EQ(hash, reference.value_or(hash)) << fps << " frames a second";
         EXPECT_TRUE(verdict) << verdict.error().message() << " at " << fps << " frames a second";
         reference = hash;
@@ -126,9 +116,8 @@ INSTANTIATE_TEST_SUITE_P(Scripts, Playthrough,
 TEST(Playthroughs, ExpectEveryEvent) {
     std::set<EventKind> expected;
     for (const Path& file : scripts()) {
-        const auto script = loadScript(file);
-        ASSERT_TRUE(script) << script.error().message();
-        for (const ScriptExpect& expect : script->expects) {
+        const auto script = tests::valueOf(loadScript(file));
+        for (const ScriptExpect& expect : script.expects) {
             if (expect.event) expected.insert(*expect.event);
             expected.insert(expect.order.begin(), expect.order.end());
         }
@@ -140,13 +129,31 @@ TEST(Playthroughs, ExpectEveryEvent) {
 TEST(Playthroughs, EachFilmSeesTheSharkSteal) {
     std::set<std::string> films;
     for (const Path& file : scripts()) {
-        const auto script = loadScript(file);
-        ASSERT_TRUE(script) << script.error().message();
-        for (const ScriptExpect& expect : script->expects)
-            if (expect.event == EventKind::SharkSteal)
-                films.insert(loadDiveFiles(*script).value().dive.video);
+        const auto script = tests::valueOf(loadScript(file));
+        for (const ScriptExpect& expect : script.expects)
+            if (expect.event == EventKind::SharkSteal) films.insert(loadDiveFiles(script).value().dive.video);
     }
     EXPECT_EQ(films.size(), 3u);
+}
+
+// A player with a mouse and nothing but the picture, in several dives, points at a fish and clicks when the
+// hand is there.
+
+TEST(MousePlay, CatchesFishWithPointingAndClicking) {
+    for (const bool inFilm : {false, true}) {
+        auto dive = tests::valueOf(loadScriptedDive(dataRoot() / "tests/playthrough/mouse.toml", inFilm));
+        int sum = 0;
+        for (uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+            dive.script.seed = seed;
+            const Played played = playScript(dive.script, tests::rig(), dive.files);
+            EXPECT_GE(played.end.caught, 5) << "seed " << seed;
+            EXPECT_LT(played.end.caught, 60) << "seed " << seed;
+            sum += played.end.caught;
+        }
+        // Bounds of a difficulty that suits a game: dives differ by a third, the mean of eight by an eighth.
+        EXPECT_GE(sum, 8 * 9);
+        EXPECT_LE(sum, 8 * 17);
+    }
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // Small files with grids of distances of the dives' films, so that playthroughs can be played in the rooms of
 // their films on machines that decode no film. The program makes each grid from the film's depth track;
-// tests/unit/app/RoomsTest.cpp compares the files with these grids, and writes them.
+// tests/unit/app/ViewsTest.cpp compares the files with these grids, and writes them.
 //
 // A file is zlib's gzip: a double, the film's length in seconds; an int32, the number of steps; for each step
 // the distances of its cells in millimetres as uint16, less those of the step before. Little-endian.

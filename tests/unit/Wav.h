@@ -2,12 +2,12 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "tests/TestPaths.h"
 
 #include <cstring>
 #include <fstream>
 #include <optional>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace shoal {
@@ -38,16 +38,13 @@ inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<
     return out;
 }
 
-// A file that is deleted at the end of its scope.
+// A file in a folder of its own, deleted at the end of its scope.
 struct TemporaryFile {
+    tests::ScratchFolder folder;
     Path path;
-    TemporaryFile(const std::string& name, const std::string& bytes)
-        : path(std::filesystem::temp_directory_path() / ("shoal_" + std::to_string(getpid()) + "_" + name)) {
+    TemporaryFile(const std::string& name, const std::string& bytes) : path(folder / name) {
         std::ofstream(path, std::ios::binary) << bytes;
     }
-    ~TemporaryFile() { std::filesystem::remove(path); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
 };
 
 } // namespace shoal

@@ -3,7 +3,7 @@
 #include "engine/light/Pyramid.h"
 #include "engine/media/VideoPlayer.h"
 #include "tests/accuracy/light/RadianceFile.h"
-#include "tests/unit/light/Angles.h"
+#include "tests/unit/light/Environments.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

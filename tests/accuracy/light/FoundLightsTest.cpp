@@ -1,6 +1,5 @@
 // Lights of pictures of high dynamic range are found where they are after a camera has clipped them.
 #include "tests/accuracy/light/RadianceFile.h"
-#include "tests/unit/light/Angles.h"
 #include "tests/unit/light/Environments.h"
 
 #include "engine/light/FindLights.h"

@@ -4,7 +4,6 @@
 #include "engine/math/Colour.h"
 #include "tests/bench/light/Environments.h"
 #include "tests/bench/light/Timing.h"
-#include "tests/unit/light/Angles.h"
 #include "tests/unit/light/Environments.h"
 
 #include <algorithm>

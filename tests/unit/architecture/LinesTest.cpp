@@ -1,14 +1,5 @@
 // Size of the code: lines of C, C++ and GLSL by folder, against a ceiling.
-#include "tests/TestPaths.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <set>
-#include <string>
+#include "tests/Test.h"
 
 namespace shoal {
 namespace {

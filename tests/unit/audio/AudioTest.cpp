@@ -1,12 +1,8 @@
 // Sound rendered to memory, so it can be measured.
+#include "engine/audio/Audio.h"
 #include "Heard.h"
-
 #include "engine/core/Files.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/unit/Wav.h"
 
 namespace shoal::audio {
 namespace {
@@ -162,15 +158,14 @@ TEST(Audio, ATunnelReverberatesAndOpenWaterHardly) {
 }
 
 TEST(Audio, EnteringATunnelDoesNotClick) {
-    auto audio = Audio::open({.loopback = true});
-    ASSERT_TRUE(audio);
-    audio->add(tone(200, 1));
+    auto audio = tests::valueOf(Audio::open({.loopback = true}));
+    audio.add(tone(200, 1));
     const Sound emitter{.id = 1, .position = {0, 0, -1}};
     std::vector<float> samples(2 * 800);
     float steepest = 0, before = 0, limit = 0;
     for (int frame = 0; frame < 120; ++frame) {
-        audio->update({.enclosure = frame < 60 ? 0.0f : 1.0f}, {&emitter, 1}, {});
-        audio->render(samples);
+        audio.update({.enclosure = frame < 60 ? 0.0f : 1.0f}, {&emitter, 1}, {});
+        audio.render(samples);
         steepest = 0;
         for (size_t i = 0; i < samples.size(); i += 2) {
             if (frame > 0 || i > 0) steepest = std::max(steepest, std::abs(samples[i] - before));
@@ -188,10 +183,9 @@ TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
     // A busy moment of the game: a bed, eight creatures within reach, a bite. Below full scale, tunnel or
     // not.
     for (const float enclosure : {0.0f, 1.0f}) {
-        auto audio = Audio::open({.loopback = true});
-        ASSERT_TRUE(audio);
+        auto audio = tests::valueOf(Audio::open({.loopback = true}));
         for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small"})
-            audio->add(*readClip(dataRoot() / "content/sounds" / (std::string(name) + ".flac")));
+            audio.add(*readClip(dataRoot() / "content/sounds" / (std::string(name) + ".flac")));
         std::vector<Sound> emitters{{.id = 100, .clip = 0, .gain = 0.45f, .everywhere = true}};
         for (uint32_t i = 0; i < 2; ++i)
             emitters.push_back(
@@ -201,8 +195,8 @@ TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
             shots.push_back(
                 {.clip = 3, .position = {0.5f * static_cast<float>(i - 1), 0, -0.8f}, .gain = 0.8f});
         std::vector<float> samples(2 * 48000);
-        audio->update({.enclosure = enclosure}, emitters, shots);
-        audio->render(samples);
+        audio.update({.enclosure = enclosure}, emitters, shots);
+        audio.render(samples);
         float maximum = 0;
         for (const float sample : samples) maximum = std::max(maximum, std::abs(sample));
         EXPECT_LT(maximum, 1) << enclosure;
@@ -250,18 +244,17 @@ TEST(Audio, ASourceThatComesNearerSoundsHigher) {
 }
 
 TEST(Audio, AMovingShotPassesFromEarToEar) {
-    auto audio = Audio::open({.loopback = true});
-    ASSERT_TRUE(audio);
-    audio->add(tone(400, 2));
+    auto audio = tests::valueOf(Audio::open({.loopback = true}));
+    audio.add(tone(400, 2));
     const Sound shot{.position = {-2, 0, -0.5f}, .velocity = {4, 0, 0}};
-    audio->update({}, {}, {&shot, 1});
+    audio.update({}, {}, {&shot, 1});
     std::vector<float> samples(2 * 800);
     Loudness first, last;
     for (int frame = 0; frame < 60; ++frame) { // a second at 60 Hz: from 2 m left to 2 m right
-        audio->render(samples);
+        audio.render(samples);
         if (frame == 1) first = loudness(samples);
         last = loudness(samples);
-        audio->update({}, {}, {});
+        audio.update({}, {}, {});
     }
     EXPECT_GT(first.left, 1.2 * first.right);
     EXPECT_GT(last.right, 1.2 * last.left);
@@ -278,36 +271,33 @@ TEST(Audio, TheSameCallsGiveTheSameSamples) {
 }
 
 TEST(Audio, TwoAtOnceDoNotMix) {
-    auto one = Audio::open({.loopback = true});
-    ASSERT_TRUE(one);
+    auto one = tests::valueOf(Audio::open({.loopback = true}));
     {
-        auto other = Audio::open({.loopback = true});
-        ASSERT_TRUE(other);
-        other->add(tone(700, 1));
-        one->add(tone(300, 1));
+        auto other = tests::valueOf(Audio::open({.loopback = true}));
+        other.add(tone(700, 1));
+        one.add(tone(300, 1));
         const Sound shot{.position = {0, 0, -1}};
-        one->update({}, {}, {&shot, 1});
-        EXPECT_EQ(other->sounding(), 0);
+        one.update({}, {}, {&shot, 1});
+        EXPECT_EQ(other.sounding(), 0);
     }
-    EXPECT_EQ(one->sounding(), 1);
+    EXPECT_EQ(one.sounding(), 1);
     std::vector<float> samples(9600);
-    one->render(samples);
+    one.render(samples);
     EXPECT_GT(loudness(samples).both(), 0.01);
 }
 
 TEST(Audio, OpensTheMachinesDevice) {
     // OpenAL's silent device (Heard.h sets it for these tests): the way of a real one.
-    auto audio = Audio::open({});
-    ASSERT_TRUE(audio) << audio.error().message();
-    audio->add(tone(300, 1));
+    auto audio = tests::valueOf(Audio::open({}));
+    audio.add(tone(300, 1));
     const Sound emitter{.id = 1, .position = {0, 0, -1}};
     const Sound shot{.position = {1, 0, 0}};
-    for (int i = 0; i < 3; ++i) audio->update({}, {&emitter, 1}, {&shot, 1});
-    EXPECT_EQ(audio->sounding(), 4);
-    ASSERT_TRUE(audio->reopen());
-    EXPECT_EQ(audio->sounding(), 0);
-    audio->update({}, {&emitter, 1}, {});
-    EXPECT_EQ(audio->sounding(), 1);
+    for (int i = 0; i < 3; ++i) audio.update({}, {&emitter, 1}, {&shot, 1});
+    EXPECT_EQ(audio.sounding(), 4);
+    ASSERT_TRUE(audio.reopen());
+    EXPECT_EQ(audio.sounding(), 0);
+    audio.update({}, {&emitter, 1}, {});
+    EXPECT_EQ(audio.sounding(), 1);
 }
 
 TEST(AudioDeathTest, WithoutADeviceThereIsAReason) {
@@ -322,6 +312,48 @@ TEST(AudioDeathTest, WithoutADeviceThereIsAReason) {
         },
         testing::ExitedWithCode(0), "no sound device");
     setenv("ALSOFT_DRIVERS", "null", 1);
+}
+
+// Sound files, good and bad.
+
+Result<Clip> read(const std::string& bytes) { return readClip(TemporaryFile("clip.bin", bytes).path); }
+
+TEST(Clip, ReadsWhatWasWritten) {
+    const std::vector<int16_t> samples = {0, 1000, -1000, 32767, -32768, 5};
+    auto clip = tests::valueOf(read(wavOf(2, 44100, samples)));
+    EXPECT_EQ(clip.rate_Hz, 44100);
+    EXPECT_EQ(clip.channels, 2);
+    EXPECT_EQ(clip.samples, samples);
+}
+
+TEST(Clip, SaysWhyItCannotBeRead) {
+    const auto reason = [](const auto& clip) { return clip ? std::string("read") : clip.error().reason; };
+    const std::vector<int16_t> some(64);
+    EXPECT_EQ(reason(readClip("/nowhere/a.flac")), "there is no such sound");
+    EXPECT_EQ(reason(readClip("/")), "there is no such sound");
+    EXPECT_EQ(reason(readClip(dataRoot() / "content" / "species.toml")), "is not a sound that can be read");
+    EXPECT_EQ(reason(read("")), "is not a sound that can be read");
+    EXPECT_EQ(reason(read(wavOf(3, 48000, some, 120))), "has neither one nor two channels");
+    EXPECT_EQ(reason(read(wavOf(1, 100, some))), "has an unusable sample rate");
+    EXPECT_EQ(reason(read(wavOf(1, 4000000, some))), "has an unusable sample rate");
+    EXPECT_EQ(reason(read(wavOf(1, 48000, {}))), "is empty or longer than a minute");
+    EXPECT_EQ(reason(read(wavOf(1, 8000, std::vector<int16_t>(8000 * 61)))),
+              "is empty or longer than a minute");
+}
+
+TEST(Clip, NoDamageCrashesIt) {
+    std::ifstream file(dataRoot() / "content" / "sounds" / "touch.flac", std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_GT(whole.size(), 1000u);
+    for (size_t i = 0; i < 200; ++i) { // a value or a reason, each time
+        std::string damaged = whole;
+        damaged[(i * 7919) % (i < 100 ? 200 : whole.size())] ^= static_cast<char>(1 + i % 255);
+        if (i % 3 == 0) damaged.resize(damaged.size() * (i + 1) / 201);
+        const auto clip = read(damaged);
+        if (!clip) {
+            EXPECT_FALSE(clip.error().reason.empty());
+        }
+    }
 }
 
 } // namespace

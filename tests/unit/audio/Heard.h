@@ -2,13 +2,7 @@
 #pragma once
 
 #include "engine/audio/Audio.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <numbers>
-#include <vector>
+#include "tests/Test.h"
 
 namespace shoal::audio {
 

@@ -1,12 +1,6 @@
 // A sound in step with a picture, on a device whose clock is not the picture's.
 #include "engine/audio/StreamedTrack.h"
-
 #include "Heard.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace shoal::audio {
 namespace {
@@ -62,9 +56,18 @@ struct Show {
         if (!paused) picture_s += frame_s;
         return ahead_s;
     }
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) frame();
+    }
+    // Shows so many pictures; expects that clicks were heard meanwhile, in step.
+    void expectInStep(int pictures, size_t clicks = 2, double tolerance_ms = 1.5) {
+        heard_s.clear();
+        frames(pictures);
+        ASSERT_GE(heard_s.size(), clicks);
+        for (const double each_s : heard_s) EXPECT_NEAR(offBeat_ms(each_s), 0, tolerance_ms) << each_s;
+    }
+    static double offBeat_ms(double seconds) { return 1000 * (seconds - std::round(seconds)); }
 };
-
-double offBeat_ms(double seconds) { return 1000 * (seconds - std::round(seconds)); }
 
 TEST(StreamedTrack, RatesAreBoundedAndSigned) {
     EXPECT_EQ(rateFor(0), 1);
@@ -78,9 +81,7 @@ TEST(StreamedTrack, StartsInStepToTheMillisecond) {
     for (const double start_s : {0.0, 0.3, 7.77}) {
         Show show(20);
         show.picture_s = start_s;
-        while (show.picture_s < start_s + 3) show.frame();
-        ASSERT_GE(show.heard_s.size(), 2u) << start_s;
-        for (const double heard_s : show.heard_s) EXPECT_NEAR(offBeat_ms(heard_s), 0, 1.5) << heard_s;
+        show.expectInStep(180);
         EXPECT_EQ(show.clicks.seeks, 1);
     }
 }
@@ -94,7 +95,7 @@ TEST(StreamedTrack, StaysInStepForTenMinutes) {
         EXPECT_NEAR(static_cast<double>(show.heard_s.size()), 599, 1);
         double worst_ms = 0;
         for (const double heard_s : show.heard_s)
-            worst_ms = std::max(worst_ms, std::abs(offBeat_ms(heard_s)));
+            worst_ms = std::max(worst_ms, std::abs(Show::offBeat_ms(heard_s)));
         EXPECT_LT(worst_ms, 5); // a hundred times closer than alone; the demand is 40
         std::printf("skew %+.0f ppm: worst drift in 10 minutes %.2f ms\n", skew * 1e6, worst_ms);
     }
@@ -116,64 +117,50 @@ TEST(StreamedTrack, LoopsWithThePicture) {
 
 TEST(StreamedTrack, AJumpOfThePictureIsFollowed) {
     Show show(60);
-    for (int i = 0; i < 90; ++i) show.frame(); // not to a click, which OpenAL Soft 1.24 would fade out
+    show.frames(90); // not to a click, which OpenAL Soft 1.24 would fade out
     show.picture_s = 40.5;
-    show.heard_s.clear();
-    for (int i = 0; i < 180; ++i) show.frame();
+    show.expectInStep(180);
     EXPECT_EQ(show.clicks.seeks, 2);
-    ASSERT_GE(show.heard_s.size(), 2u);
-    for (const double heard_s : show.heard_s) EXPECT_NEAR(offBeat_ms(heard_s), 0, 1.5) << heard_s;
 }
 
 TEST(StreamedTrack, PausedItIsSilentAndThenGoesOnInStep) {
     Show show(60);
-    for (int i = 0; i < 90; ++i) show.frame();
+    show.frames(90);
     for (int i = 0; i < 4; ++i) show.frame(1.0 / 60, 0, true);
     for (int i = 0; i < 240; ++i) {
         show.frame(1.0 / 60, 0, true);
         ASSERT_EQ(show.loudest, 0) << i;
     }
-    show.heard_s.clear();
-    for (int i = 0; i < 300; ++i) show.frame();
-    ASSERT_GE(show.heard_s.size(), 4u);
-    for (const double heard_s : show.heard_s) EXPECT_NEAR(offBeat_ms(heard_s), 0, 20) << heard_s;
-    EXPECT_NEAR(offBeat_ms(show.heard_s.back()), 0, 10); // the offset that the pause left is being corrected
+    show.expectInStep(300, 4, 20);
+    EXPECT_NEAR(Show::offBeat_ms(show.heard_s.back()), 0,
+                10); // the offset that the pause left is being corrected
 }
 
 TEST(StreamedTrack, AFrameThatTakesLongIsBridgedOrCaughtUpWith) {
     Show show(60);
-    for (int i = 0; i < 60; ++i) show.frame();
+    show.frames(60);
     show.frame(0.3); // within what is queued
     EXPECT_EQ(show.clicks.seeks, 1);
-    for (int i = 0; i < 60; ++i) show.frame();
+    show.frames(60);
     EXPECT_EQ(show.clicks.seeks, 1);
     show.frame(2); // far beyond
-    show.heard_s.clear();
-    for (int i = 0; i < 180; ++i) show.frame();
-    ASSERT_GE(show.heard_s.size(), 2u);
-    for (const double heard_s : show.heard_s) EXPECT_NEAR(offBeat_ms(heard_s), 0, 1.5) << heard_s;
+    show.expectInStep(180);
 }
 
 TEST(StreamedTrack, ADecoderThatIsNotReadyIsWaitedFor) {
     Show show(60);
     show.clicks.maximum = 0;
-    for (int i = 0; i < 60; ++i) show.frame();
+    show.frames(60);
     EXPECT_EQ(show.loudest, 0);
     show.clicks.maximum = SIZE_MAX;
-    show.heard_s.clear();
-    for (int i = 0; i < 180; ++i) show.frame();
-    ASSERT_GE(show.heard_s.size(), 2u);
-    for (const double heard_s : show.heard_s) EXPECT_NEAR(offBeat_ms(heard_s), 0, 1.5) << heard_s;
+    show.expectInStep(180);
 }
 
 TEST(StreamedTrack, AnotherDeviceGoesOnInStep) {
     Show show(60);
-    for (int i = 0; i < 90; ++i) show.frame();
+    show.frames(90);
     ASSERT_TRUE(show.audio.reopen());
-    show.heard_s.clear();
-    for (int i = 0; i < 180; ++i) show.frame();
-    ASSERT_GE(show.heard_s.size(), 2u);
-    for (const double heard_s : show.heard_s) EXPECT_NEAR(offBeat_ms(heard_s), 0, 1.5) << heard_s;
+    show.expectInStep(180);
     show.audio.setTrack({});
     for (int i = 0; i < 10; ++i) EXPECT_EQ(show.frame(), 0);
     EXPECT_EQ(show.loudest, 0);

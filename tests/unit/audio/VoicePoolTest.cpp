@@ -1,9 +1,6 @@
 // Tests which sounds play, how long they play, and which sounds give up their voices to others.
 #include "Heard.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/unit/Heap.h"
 
 namespace shoal::audio {
 namespace {
@@ -181,6 +178,25 @@ TEST(VoicePool, MoreThanFitAreLeftOut) {
     emitters.resize(3);
     for (int i = 0; i < 60; ++i) scene.frame(emitters);
     EXPECT_EQ(scene.audio.sounding(), 3);
+}
+
+// An update in steady state takes no memory from the heap.
+
+TEST(Allocation, AnUpdateTakesNoMemory) {
+    auto audio = tests::valueOf(Audio::open({.loopback = true}));
+    audio.add(tone(300, 0.2f));
+    std::vector<float> samples(2 * 800);
+    std::array<Sound, 6> emitters;
+    std::array<Sound, 8> shots;
+    heap::counting = true;
+    for (uint32_t i = 0; i < 300; ++i) {
+        for (uint32_t k = 0; k < emitters.size(); ++k)
+            emitters[k] = {.id = k, .position = {0.01f * static_cast<float>(i), 0, -1}};
+        audio.update({}, {emitters.data(), i % 7}, {shots.data(), i % 9}); // some start, some end
+        audio.render(samples);
+    }
+    heap::counting = false;
+    EXPECT_LE(heap::allocations, 2); // names that OpenAL Soft 1.24 makes itself by std::string
 }
 
 } // namespace

@@ -1,17 +1,65 @@
 // The estimators of one frame, in a room of known size.
+#include "content/make/depth/FilmDepth.h"
 #include "content/make/depth/FrameRecord.h"
+#include "content/make/depth/Ground.h"
 #include "content/make/depth/SphereSweep.h"
 #include "content/make/depth/TrackFilter.h"
-#include "tests/unit/content_depth/TestRoom.h"
+#include "engine/core/Image.h"
+#include "engine/math/LatLong.h"
+#include "engine/media/DepthTrack.h"
+#include "tests/Test.h"
+#include "tests/unit/media/TestFiles.h"
 
-#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 namespace shoal::depth {
 namespace {
 
-light::FrameView frameViewOf(const ImageRgb8& picture) {
-    return {picture.at(0, 0), picture.width, picture.height, ptrdiff_t{3} * picture.width, false};
-}
+namespace fs = std::filesystem;
+
+// A room of known size that can be drawn from any place in it: a box with noise on its walls.
+struct TestRoom {
+    glm::vec3 half{2, 1.5f, 2.5f}; // metres, from its middle to its walls
+
+    float distance(const glm::vec3& from, const glm::vec3& dir) const {
+        float least = 1e9f;
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(dir[axis]) > 1e-6f)
+                least = std::min(least, (std::copysign(half[axis], dir[axis]) - from[axis]) / dir[axis]);
+        return least;
+    }
+
+    // Returns a grey value, 0 to 255, smooth over 0.1 m and more.
+    static float greyAt(const glm::vec3& at) {
+        float sum = 0;
+        for (const float period : {0.12f, 0.31f, 0.7f}) {
+            const glm::vec3 cell = glm::floor(at / period), f = at / period - cell;
+            const glm::vec3 s = f * f * (3.0f - 2.0f * f);
+            for (int k = 0; k < 8; ++k) {
+                const glm::vec3 corner(k & 1, k >> 1 & 1, k >> 2);
+                const glm::vec3 w = glm::mix(1.0f - s, s, corner), c = cell + corner;
+                const float value = std::sin(c.x * 127.1f + c.y * 311.7f + c.z * 74.7f) * 43758.547f;
+                sum += w.x * w.y * w.z * (value - std::floor(value) - 0.5f);
+            }
+        }
+        return std::clamp(128 + 110 * sum, 0.0f, 255.0f);
+    }
+
+    // Returns the lat-long picture seen from there. between_m: distance between two eyes of omnidirectional
+    // stereo; below 0 the left eye's picture, above 0 the right eye's.
+    ImageRgb8 seen(const glm::vec3& from, int width, float between_m = 0) const {
+        ImageRgb8 picture(width, width / 2);
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const glm::vec3 dir = texelDirection(x, y, width, picture.height);
+                const glm::vec3 right = glm::normalize(glm::vec3(-dir.z, 0, dir.x));
+                const glm::vec3 eye = from + right * (between_m / 2);
+                const auto grey = static_cast<uint8_t>(greyAt(eye + dir * distance(eye, dir)));
+                std::fill_n(picture.at(x, y), 3, grey);
+            }
+        return picture;
+    }
+};
 
 struct Shares {
     double right = 0;     // of what is confident: within 10 %
@@ -40,16 +88,14 @@ struct Swept {
 
 Swept sweepOf(const TestRoom& room, const std::vector<glm::vec3>& places) {
     Swept result;
-    makeSweepImage(frameViewOf(room.seen({0, 0, 0}, 1024)), result.reference);
+    makeSweepImage(viewOf(room.seen({0, 0, 0}, 1024)), result.reference);
     result.images.resize(places.size());
     for (size_t i = 0; i < places.size(); ++i) {
-        makeSweepImage(frameViewOf(room.seen(places[i], 1024)), result.images[i]);
+        makeSweepImage(viewOf(room.seen(places[i], 1024)), result.images[i]);
         result.views.push_back({&result.images[i], glm::mat3(1), places[i], i % 2 == 1});
     }
     return result;
 }
-
-} // namespace
 
 // This is the goal of the whole tool: it is confident of half at least, and of that four fifths are within 10
 // %.
@@ -80,8 +126,8 @@ TEST(StereoDepth, APairOfARoomGivesItsWalls) {
     const ImageRgb8 left = room.seen({0, 0, 0}, 2048, -kBaseline_m),
                     right = room.seen({0, 0, 0}, 2048, kBaseline_m);
     DepthEstimate depth;
-    StereoDepth().estimate(frameViewOf(left), frameViewOf(right), static_cast<double>(kBaseline_m),
-                           kEstimateWidth, depth);
+    StereoDepth().estimate(viewOf(left), viewOf(right), static_cast<double>(kBaseline_m), kEstimateWidth,
+                           depth);
     const Shares shares = sharesOf(depth, room, {0, 0, 0});
     EXPECT_GT(shares.right, 0.8);
     EXPECT_GT(shares.confident, 0.5);
@@ -90,7 +136,7 @@ TEST(StereoDepth, APairOfARoomGivesItsWalls) {
 TEST(StereoDepth, OneEyeTwiceIsFarAway) {
     const ImageRgb8 left = TestRoom().seen({0, 0, 0}, 1024);
     DepthEstimate depth;
-    StereoDepth().estimate(frameViewOf(left), frameViewOf(left), 0.064, kEstimateWidth, depth);
+    StereoDepth().estimate(viewOf(left), viewOf(left), 0.064, kEstimateWidth, depth);
     EXPECT_LT(*std::max_element(depth.confidence.begin(), depth.confidence.end()), 0.25f) << "not believed";
 }
 
@@ -143,4 +189,200 @@ TEST(TrackFilter, BelievedShareIsCountedBySolidAngle) {
     EXPECT_NEAR(believedShare(frame), 0.1464, 0.001);
 }
 
+// The ground is continued from where it is seen to where it is not.
+
+// A plane 1.6 m below the camera that falls to one side by 6 degrees; the inverse distance in a direction is
+// its dot product with this.
+const glm::vec3 kPlane = glm::normalize(glm::vec3(0.1f, -1, 0.03f)) / 1.6f;
+
+bool isClearlyBelow(const glm::vec3& dir) {
+    return glm::dot(kPlane, dir) > std::sin(0.22f) * glm::length(kPlane);
+}
+bool isBoulder(const glm::vec3& dir) {
+    return glm::dot(dir, glm::normalize(glm::vec3(0, -0.6f, -1))) > 0.96f;
+}
+bool isLit(const glm::vec3& dir) { return dir.x > 0 && std::abs(dir.z) < dir.x; } // a quarter of all around
+
+// Returns a frame that knows the ground exactly in so many of ten texels, in others in each frame. A boulder
+// hides some of it, and caustics move over a quarter.
+DepthEstimate seenInPlaces(size_t inTen = 5, size_t frame = 0) {
+    DepthEstimate depth;
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
+        const glm::vec3 dir = estimateDirection(i);
+        const float inverse = glm::dot(kPlane, dir);
+        const bool isKnown = inverse > 0 && !isLit(dir) && (i * 7919 + frame * 3) % 10 < inTen;
+        depth.inverse.push_back(isBoulder(dir) ? 1.6f * inverse : isKnown ? inverse : 3.0f);
+        depth.confidence.push_back(isBoulder(dir) ? 0.9f : isKnown ? 0.8f : 0.1f);
+    }
+    return depth;
+}
+
+// Returns a frame with a ball below one side of the camera, on ground without any texture.
+DepthEstimate ballBelow() {
+    const glm::vec3 middle(0.7f, -1.7f, 0);
+    const float radius = 1;
+    DepthEstimate depth;
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
+        const glm::vec3 dir = estimateDirection(i);
+        const float along = glm::dot(dir, middle),
+                    square = along * along - glm::dot(middle, middle) + radius * radius;
+        const bool isSeen = along > 0 && square > 0;
+        depth.inverse.push_back(isSeen ? 1 / (along - std::sqrt(square)) : 0.2f);
+        depth.confidence.push_back(isSeen ? 0.9f : 0);
+    }
+    return depth;
+}
+
+// Returns the frame twice, since a texel has to be known in two frames.
+std::vector<DepthEstimate> twice(const DepthEstimate& depth) { return {depth, depth}; }
+
+TEST(Ground, IsThePlaneThatMostOfItLiesIn) {
+    const Ground ground = findGround(twice(seenInPlaces()));
+    EXPECT_EQ(ground.trust, 1);
+    EXPECT_NEAR(glm::distance(ground.inverse, kPlane), 0, 0.005f * glm::length(kPlane));
+}
+
+// Each frame knows a tenth of the ground, all frames together three quarters; one frame in five believes that
+// it is twice as far.
+TEST(Ground, FramesTellOfItTogether) {
+    std::vector<DepthEstimate> frames;
+    for (size_t frame = 0; frame < kGroundFrames; ++frame) {
+        frames.push_back(seenInPlaces(1, frame));
+        for (float& each : frames.back().inverse) each *= frame % 5 == 0 ? 0.5f : 1;
+    }
+    EXPECT_EQ(findGround(twice(frames[1])).trust, 0);
+    const Ground ground = findGround(frames);
+    EXPECT_EQ(ground.trust, 1);
+    EXPECT_NEAR(glm::distance(ground.inverse, kPlane), 0, 0.005f * glm::length(kPlane));
+}
+
+TEST(Ground, GoesOnWhereTooLittleIsKnown) {
+    const DepthEstimate before = seenInPlaces();
+    DepthEstimate depth = before;
+    continueGround(findGround(twice(depth)), depth);
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
+        const glm::vec3 dir = estimateDirection(i);
+        if (isBoulder(dir) || dir.y > 0) {
+            EXPECT_EQ(depth.inverse[i], before.inverse[i]);
+            EXPECT_EQ(depth.confidence[i], before.confidence[i]);
+        } else if (isClearlyBelow(dir)) {
+            EXPECT_NEAR(depth.inverse[i] / glm::dot(kPlane, dir), 1, 0.02f);
+            EXPECT_GE(depth.confidence[i], 0.6f);
+        }
+    }
+}
+
+// Less than a quarter of confidence says nothing (content/README.md).
+TEST(Ground, AThingBelowIsNoGround) {
+    const DepthEstimate before = ballBelow();
+    DepthEstimate depth = before;
+    continueGround(findGround(twice(depth)), depth);
+    for (size_t i = 0; i < kEstimateTexels; ++i)
+        if (before.confidence[i] > 0)
+            EXPECT_EQ(depth.inverse[i], before.inverse[i]);
+        else
+            EXPECT_LT(depth.confidence[i], 0.25f);
+}
+
+TEST(Ground, IsMissingWhereNothingIsKnown) {
+    const DepthEstimate nothing{std::vector<float>(kEstimateTexels, 1), std::vector<float>(kEstimateTexels)};
+    EXPECT_EQ(findGround(twice(nothing)).trust, 0);
+    EXPECT_EQ(findGround({}).trust, 0);
+}
+
+// Whole films of a room of known size.
+
+constexpr int kFrames = 8;
+
+class FilmDepths : public testing::Test {
+  protected:
+    // Writes a film 256 pixels around, whose camera moves by pace_m each frame. gain: factor of all light;
+    // noise: standard deviation of each pixel, grey values.
+    void film(const glm::vec3& pace_m, double gain = 1, double noise = 0) {
+        cv::RNG random(7);
+        cv::VideoWriter writer(film_.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                               24, {256, 128});
+        ASSERT_TRUE(writer.isOpened());
+        for (int i = 0; i < kFrames; ++i) {
+            ImageRgb8 picture = TestRoom().seen(pace_m * static_cast<float>(i - kFrames / 2), 1024);
+            const cv::Mat large(picture.height, picture.width, CV_8UC3, picture.pixels.data());
+            cv::Mat small;
+            cv::resize(large, small, {256, 128}, 0, 0, cv::INTER_AREA);
+            cv::Mat sensor(128, 256, CV_32F), filmed;
+            random.fill(sensor, cv::RNG::NORMAL, 0, noise);
+            cv::cvtColor(sensor, sensor, cv::COLOR_GRAY2BGR);
+            small.convertTo(filmed, CV_32F, gain);
+            cv::Mat(filmed + sensor).convertTo(small, CV_8U);
+            writer.write(small);
+        }
+    }
+
+    Result<FilmDepth> make(const FilmDepthOptions& options = {}) {
+        return makeFilmDepth(film_, out_, options);
+    }
+
+    media::TempFolder folder_;
+    Path film_ = folder_ / "film.avi", out_ = folder_ / "film.depth.mkv",
+         part_ = folder_ / "film.depth.mkv.part";
+};
+
+struct Interrupted {};
+
+// Ends the run by an exception after that many of its reports, as if the program had been killed.
+FilmDepthOptions interruptedAfter(int reports) {
+    FilmDepthOptions options;
+    options.progress = [reports, count = 0](double) mutable {
+        if (++count == reports) throw Interrupted{};
+    };
+    return options;
+}
+
+// The film's texture has a deviation of a grey value or two, like its noise: enough to find a movement, but
+// hardly any distance that several frames agree on.
+TEST_F(FilmDepths, AFilmDarkerThanItsNoiseIsNotKnownAndWritesNothing) {
+    film({0.04f, 0, 0}, 0.05, 1.5);
+    int reports = 0;
+    FilmDepthOptions options;
+    options.preview = folder_ / "film.png";
+    options.progress = [&](double) { ++reports; };
+    EXPECT_EQ(tests::valueOf(make(options)), FilmDepth::CannotBeKnown);
+    EXPECT_EQ(reports, 2 * kFrames / 2) << "a movement was found";
+    for (const Path& file : {out_, part_, options.preview}) EXPECT_FALSE(fs::exists(file)) << file;
+}
+
+// The run is interrupted in either pass, and in the middle of a record.
+TEST_F(FilmDepths, AnInterruptedRunGoesOnToTheSameTrack) {
+    film({0.04f, 0, 0});
+    ASSERT_EQ(tests::valueOf(make()), FilmDepth::Written);
+    EXPECT_FALSE(fs::exists(part_));
+    const std::string whole = media::readBytes(out_);
+    fs::remove(out_);
+    for (const int reports : {3, 6}) {
+        EXPECT_THROW((void)make(interruptedAfter(reports)), Interrupted);
+        EXPECT_FALSE(fs::exists(out_));
+        fs::resize_file(part_, fs::file_size(part_) - 1000); // half of the last record
+        int more = 0;
+        FilmDepthOptions counting;
+        counting.progress = [&](double) { ++more; };
+        ASSERT_TRUE(make(counting));
+        EXPECT_EQ(more, 2 * kFrames / 2 - (reports - 1)) << "what is there is not made again";
+        EXPECT_FALSE(fs::exists(part_));
+        EXPECT_TRUE(media::readBytes(out_) == whole);
+        fs::remove(out_);
+    }
+}
+
+// Records of other options would be mixed with the new ones.
+TEST_F(FilmDepths, RecordsOfOtherOptionsAreNotUsed) {
+    film({0.04f, 0, 0});
+    EXPECT_THROW((void)make(interruptedAfter(3)), Interrupted);
+    int reports = 0;
+    FilmDepthOptions other;
+    other.height_m = 2;
+    other.progress = [&](double) { ++reports; };
+    ASSERT_TRUE(make(other));
+    EXPECT_EQ(reports, 2 * kFrames / 2);
+}
+
+} // namespace
 } // namespace shoal::depth

@@ -3,15 +3,7 @@
 #include "engine/scene/Surface.h"
 #include "engine/scene/Vertices.h"
 #include "input/hands/HandRig.h"
-
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/Test.h"
 
 namespace shoal::scene {
 namespace {
@@ -172,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Content, Animals,
                                          // Its tail is all whip: the origin lies in the disc.
                                          AnimalCase{"ray", 1.176f, 0.357f, 1024, kFish},
                                          AnimalCase{"shark", 1.8f, 0.5f, 1024, {"cruise", "lunge", "bite"}}),
-                         [](const auto& spec) { return std::string(spec.param.name); });
+                         tests::byName);
 
 TEST(AnimalModels, AreSmallFilesTogether) {
     uintmax_t bytes = 0;
@@ -300,9 +292,8 @@ class HandPoses : public testing::TestWithParam<HandPoseCase> {};
 // went missing in hands that had a sleeve, which does not bend, and were 0.957 of their volume.
 TEST_P(HandPoses, KeepTheFleshOnTheBones) {
     const Model model = load("hand_right");
-    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    ASSERT_TRUE(rig) << rig.error().message();
-    const hands::HandPose hand = rig->pose(hands::Side::Right, GetParam().shape, {});
+    const auto rig = tests::valueOf(hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json"));
+    const hands::HandPose hand = rig.pose(hands::Side::Right, GetParam().shape, {});
     Pose pose = restOf(model);
     for (size_t i = 0; i < hands::kJointNames.size(); ++i)
         pose.modelFromNode[static_cast<size_t>(model.skins[0].joints[i])] =
@@ -344,7 +335,7 @@ INSTANTIATE_TEST_SUITE_P(Content, HandPoses,
                          testing::Values(HandPoseCase{"flat", {}}, HandPoseCase{"fist", {{1, 1, 1, 1, 1}, 0}},
                                          HandPoseCase{"pinch", {{0.55f, 0.6f, 0.15f, 0.1f, 0.1f}, 0}},
                                          HandPoseCase{"fanned", {{}, 1}}),
-                         [](const auto& spec) { return std::string(spec.param.name); });
+                         tests::byName);
 
 TEST(HandModels, AreMirrorImages) {
     const Model left = load("hand_left"), right = load("hand_right");

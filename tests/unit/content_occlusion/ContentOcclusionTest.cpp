@@ -1,12 +1,7 @@
 // Stored occlusion belongs to the model beside it; that of another model is refused.
 #include "content/make/models/occlusion/HandOcclusion.h"
 #include "engine/scene/Model.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
+#include "tests/Test.h"
 
 namespace shoal::render {
 namespace {

@@ -1,11 +1,6 @@
 // An ellipsoid that hides what a skin of just its shape hides is found from one that does not.
 #include "content/make/models/occlusion/FitToHidden.h"
-
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/Test.h"
 
 namespace shoal::make {
 namespace {

@@ -1,14 +1,6 @@
 // The sounds in content/sounds, measured.
 #include "game/feedback/SoundCues.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <numbers>
-#include <string>
-#include <utility>
+#include "tests/Test.h"
 
 namespace shoal::game {
 

@@ -5,17 +5,7 @@
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/VideoSource.h"
-
-#include "tests/TestPaths.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <string>
+#include "tests/Test.h"
 
 namespace shoal::media {
 namespace {
@@ -35,26 +25,24 @@ class ContentVideo : public testing::TestWithParam<Film> {
 };
 
 TEST_P(ContentVideo, IsMonoLatLongThatFits) {
-    const auto player = VideoPlayer::open(video_);
-    ASSERT_TRUE(player) << player.error().message();
-    const VideoInfo* info = &player->info();
-    EXPECT_EQ(info->width, GetParam().width);
-    EXPECT_EQ(info->height, GetParam().width / 2);
-    EXPECT_DOUBLE_EQ(info->fps, 24);
-    EXPECT_NEAR(info->duration_s, GetParam().duration_s, 1 / 24.0);
-    EXPECT_EQ(info->codec, "av1");
-    EXPECT_EQ(info->layout, Layout::Mono);
-    EXPECT_EQ(info->matrix, ColourMatrix::Bt709);
+    const auto player = tests::valueOf(VideoPlayer::open(video_));
+    const VideoInfo& info = player.info();
+    EXPECT_EQ(info.width, GetParam().width);
+    EXPECT_EQ(info.height, GetParam().width / 2);
+    EXPECT_DOUBLE_EQ(info.fps, 24);
+    EXPECT_NEAR(info.duration_s, GetParam().duration_s, 1 / 24.0);
+    EXPECT_EQ(info.codec, "av1");
+    EXPECT_EQ(info.layout, Layout::Mono);
+    EXPECT_EQ(info.matrix, ColourMatrix::Bt709);
     EXPECT_LE(std::filesystem::file_size(video_), 45'000'000u);
 }
 
 // One depth track serves all versions of a film, with a frame for every second one of the film.
 TEST_P(ContentVideo, HasItsDepth) {
-    const auto track = DepthTrack::open(depthTrackOf(video_), video_);
-    ASSERT_TRUE(track) << track.error().message();
-    EXPECT_EQ(track->info().width, 256);
-    EXPECT_DOUBLE_EQ(track->info().duration_s, GetParam().duration_s);
-    EXPECT_EQ(track->info().frameCount, 12 * GetParam().duration_s);
+    const auto track = tests::valueOf(DepthTrack::open(depthTrackOf(video_), video_));
+    EXPECT_EQ(track.info().width, 256);
+    EXPECT_DOUBLE_EQ(track.info().duration_s, GetParam().duration_s);
+    EXPECT_EQ(track.info().frameCount, 12 * GetParam().duration_s);
 }
 
 TEST(ContentVideos, TogetherAreNoLargerThanADownloadMayBe) {
@@ -80,9 +68,8 @@ SphericalMetadata metadataOf(const std::string& bytes) {
 // The reader believes the second version before the first; with the second's boxes renamed to free space, the
 // first must serve.
 TEST_P(ContentVideo, StatesItsProjectionInBothVersions) {
-    const auto file = readFile(video_, 45u << 20);
-    ASSERT_TRUE(file.ok()) << file.error().message();
-    std::string bytes(file->begin(), file->end());
+    const auto file = tests::valueOf(readFile(video_, 45u << 20));
+    std::string bytes(file.begin(), file.end());
     const SphericalMetadata second = metadataOf(bytes);
     EXPECT_EQ(second.projection, Projection::Equirect);
     EXPECT_EQ(second.layout, Layout::Mono);
@@ -105,17 +92,16 @@ double meanDifference(const ImageRgb8& a, const ImageRgb8& b) {
 // joint is one, and a key frame is coded anew. The last frame followed by the first differs by no more than
 // such a pair.
 TEST_P(ContentVideo, JoinsItsEndToItsBeginning) {
-    auto video = VideoSource::open(video_, Layout::Mono);
-    ASSERT_TRUE(video.ok()) << video.error().message();
+    auto video = tests::valueOf(VideoSource::open(video_, Layout::Mono));
     ImageRgb8 first, before, now(GetParam().width, GetParam().width / 2);
     double largest = 0;
     int pairs = 0;
-    for (int64_t frame = 0; frame < video->info().frameCount; ++frame) {
-        ASSERT_TRUE(video->grab()) << frame;
+    for (int64_t frame = 0; frame < video.info().frameCount; ++frame) {
+        ASSERT_TRUE(video.grab()) << frame;
         const bool early = frame % 8 == 7, late = frame % 8 == 0 && frame > 0,
-                   last = frame + 1 == video->info().frameCount;
+                   last = frame + 1 == video.info().frameCount;
         if (frame == 0 || early || late || last) {
-            ASSERT_TRUE(video->retrieve(now)) << frame;
+            ASSERT_TRUE(video.retrieve(now)) << frame;
         }
         if (frame == 0) first = now;
         if (early) before = now;
@@ -162,21 +148,19 @@ TEST(ContentVideos, TruthBelongsToItsFrames) {
         const std::string film = stem.substr(0, stem.find('_'));
         const int64_t frame = std::atoi(stem.substr(film.size() + 1).c_str());
         ++frames[film];
-        auto video = VideoSource::open(kVideos / (film + ".mp4"), Layout::Mono);
-        ASSERT_TRUE(video.ok()) << video.error().message();
-        ImageRgb8 shown(video->info().width, video->info().height);
+        auto video = tests::valueOf(VideoSource::open(kVideos / (film + ".mp4"), Layout::Mono));
+        ImageRgb8 shown(video.info().width, video.info().height);
         const auto showLater = [&](int64_t number) {
             bool sound = true;
-            while (sound && video->position() <= number) sound = video->grab();
-            return sound && video->retrieve(shown);
+            while (sound && video.position() <= number) sound = video.grab();
+            return sound && video.retrieve(shown);
         };
-        const auto truth = readHdr(entry.path());
-        ASSERT_TRUE(truth.ok()) << truth.error().message();
-        EXPECT_EQ(truth->repaired, 0);
-        const ImageRgbF& light = truth->radianceLin;
+        const auto truth = tests::valueOf(readHdr(entry.path()));
+        EXPECT_EQ(truth.repaired, 0);
+        const ImageRgbF& light = truth.radianceLin;
         ASSERT_EQ(shown.width % light.width, 0);
         ASSERT_EQ(light.width, 2 * light.height);
-        ASSERT_TRUE(video->seek(frame) && showLater(frame));
+        ASSERT_TRUE(video.seek(frame) && showLater(frame));
         const double own = correlation(light, shown);
         ASSERT_TRUE(showLater(frame + kLater));
         const double later = correlation(light, shown);

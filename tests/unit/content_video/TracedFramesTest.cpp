@@ -2,13 +2,7 @@
 // from their base.
 #include "content/make/video/Kept.h"
 #include "content/make/video/Scene.h"
-
-#include "tests/TestPaths.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
+#include "tests/Test.h"
 
 namespace shoal::reef {
 namespace {
@@ -43,14 +37,13 @@ TEST(TracedFrames, ComeBackAsTheyWere) {
     const Drawn drawn = gradient(96);
     ASSERT_TRUE(keep(drawn, folder / "frame.nut"));
     EXPECT_FALSE(std::filesystem::exists(folder / "frame.nut.part"));
-    const auto back = recall(folder / "frame.nut", 96);
-    ASSERT_TRUE(back) << back.error().message();
+    const auto back = tests::valueOf(recall(folder / "frame.nut", 96));
     for (size_t i = 0; i < drawn.radianceLin.pixels.size(); ++i) {
         const float x = drawn.radianceLin.pixels[i];
-        ASSERT_NEAR(back->radianceLin.pixels[i], x, kRadianceTol * (x + kKeptDark)) << i;
+        ASSERT_NEAR(back.radianceLin.pixels[i], x, kRadianceTol * (x + kKeptDark)) << i;
     }
     for (size_t i = 0; i < drawn.distance.size(); ++i)
-        ASSERT_NEAR(back->distance[i], drawn.distance[i], kDistanceTol * drawn.distance[i]) << i;
+        ASSERT_NEAR(back.distance[i], drawn.distance[i], kDistanceTol * drawn.distance[i]) << i;
 }
 
 TEST(TracedFrames, AnotherSizeAndHalfAFileAreErrors) {
@@ -64,16 +57,15 @@ TEST(TracedFrames, AnotherSizeAndHalfAFileAreErrors) {
 
 TEST(Scenes, StateWhatDiffersFromTheirBase) {
     const Path folder = dataRoot() / "content/make/video";
-    const auto reef = readScene(folder / "Reef.toml"), night = readScene(folder / "Night.toml");
-    ASSERT_TRUE(reef) << reef.error().message();
-    ASSERT_TRUE(night) << night.error().message();
-    EXPECT_EQ(night->rocks.size(), reef->rocks.size());
-    EXPECT_EQ(night->water.attenuation, reef->water.attenuation);
-    EXPECT_EQ(night->film.fps, reef->film.fps);
-    EXPECT_LT(night->sun.irradiance.y, 0.05f * reef->sun.irradiance.y);
-    EXPECT_TRUE(reef->lamps.empty());
-    EXPECT_FALSE(night->lamps.empty());
-    EXPECT_NE(night->key, reef->key);
+    const auto reef = tests::valueOf(readScene(folder / "Reef.toml")),
+               night = tests::valueOf(readScene(folder / "Night.toml"));
+    EXPECT_EQ(night.rocks.size(), reef.rocks.size());
+    EXPECT_EQ(night.water.attenuation, reef.water.attenuation);
+    EXPECT_EQ(night.film.fps, reef.film.fps);
+    EXPECT_LT(night.sun.irradiance.y, 0.05f * reef.sun.irradiance.y);
+    EXPECT_TRUE(reef.lamps.empty());
+    EXPECT_FALSE(night.lamps.empty());
+    EXPECT_NE(night.key, reef.key);
     EXPECT_TRUE(readScene(folder / "Kelp.toml"));
 }
 

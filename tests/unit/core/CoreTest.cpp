@@ -2,17 +2,232 @@
 #include "engine/core/Random.h"
 #include "engine/core/ThreadPool.h"
 #include "engine/core/WriteFile.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <atomic>
-#include <cstdlib>
-#include <fstream>
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
 namespace shoal {
 namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class WriteFile : public testing::Test {
+  protected:
+    std::vector<std::string> namesIn(const Path& folder) const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+    std::vector<std::string> names() const { return namesIn(folder_.path()); }
+    std::string text(const Path& name) const { return readText(folder_ / name).value(); }
+
+    tests::ScratchFolder folder_;
+};
+
+// Returns the result of a function that a child process runs; -1 if a signal ended it.
+int inAChild(const std::function<int()>& does) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(does());
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// Makes a disk with room for so many bytes of each file.
+void limitFiles(uint64_t bytes) {
+    const rlimit limit{bytes, bytes};
+    ::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+TEST_F(WriteFile, WritesWholeAndReadsBack) {
+    const Path file = folder_ / "below" / "a.txt";
+    ASSERT_TRUE(writeFileWhole(file, "one"));
+    ASSERT_TRUE(writeFileWhole(file, "two"));
+    EXPECT_EQ(readText(file).value(), "two");
+    EXPECT_EQ(namesIn(file.parent_path()), std::vector<std::string>{"a.txt"});
+}
+
+TEST_F(WriteFile, KeepsThePermissionsOfWhatItReplaces) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "a", "one"));
+    fs::permissions(folder_ / "a", fs::perms(0640));
+    ASSERT_TRUE(writeFileWhole(folder_ / "a", "two"));
+    EXPECT_EQ(fs::status(folder_ / "a").permissions(), fs::perms(0640));
+}
+
+TEST_F(WriteFile, AFolderOfThatNameStays) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "a.txt" / "b.txt", "old"));
+    const Status status = writeFileWhole(folder_ / "a.txt", "new");
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().message(), (folder_ / "a.txt").string() + ": cannot be written: it is a folder");
+    EXPECT_EQ(text("a.txt/b.txt"), "old");
+    EXPECT_EQ(names(), std::vector<std::string>{"a.txt"});
+}
+
+TEST_F(WriteFile, LinksStayLinks) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "below/target", "old"));
+    fs::create_symlink("below/target", folder_ / "link");
+    ASSERT_TRUE(writeFileWhole(folder_ / "link", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(text("below/target"), "new");
+    fs::create_symlink("below/absent", folder_ / "dangling");
+    ASSERT_TRUE(writeFileWhole(folder_ / "dangling", "made"));
+    EXPECT_EQ(text("below/absent"), "made");
+    fs::create_symlink("loop", folder_ / "loop");
+    EXPECT_FALSE(writeFileWhole(folder_ / "loop", "x"));
+}
+
+TEST_F(WriteFile, WritesIntoPipesAndDevices) {
+    const Path pipe = folder_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::string read;
+    std::thread reader([&] {
+        std::ifstream stream(pipe);
+        std::getline(stream, read, '\0');
+    });
+    EXPECT_TRUE(writeFileWhole(pipe, "through"));
+    reader.join();
+    EXPECT_EQ(read, "through");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_TRUE(writeFileWhole("/dev/null", "x"));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    const Status full = writeFileWhole("/dev/full", "x");
+    ASSERT_FALSE(full);
+    EXPECT_THAT(full.error().message(), HasSubstr("/dev/full: cannot be written: No space left"));
+    ASSERT_EQ(names(), std::vector<std::string>{"pipe"});
+}
+
+// The disk is full after each page, and within one.
+TEST_F(WriteFile, AFullDiskLeavesWhatIsThere) {
+    const std::string old(3 * 4096, 'o'), fresh(5 * 4096 + 17, 'n');
+    for (uint64_t room = 0; room < fresh.size(); room += 2048) {
+        ASSERT_TRUE(writeFileWhole(folder_ / "a", old));
+        const int result = inAChild([&] {
+            limitFiles(room);
+            return writeFileWhole(folder_ / "a", fresh) ? 1 : 0;
+        });
+        EXPECT_EQ(result, 0) << "said to be written into " << room << " bytes";
+        EXPECT_EQ(text("a"), old);
+        EXPECT_EQ(names(), std::vector<std::string>{"a"});
+    }
+}
+
+TEST_F(WriteFile, AFolderAppearsWholeOrNotAtAll) {
+    const std::vector<NamedBytes> files = {{"one", std::string(5000, '1')}, {"two", std::string(9000, '2')}};
+    for (uint64_t room : {0, 4096, 5000, 8192, 8999}) {
+        const int result = inAChild([&] {
+            limitFiles(room);
+            return writeFolderWhole(folder_ / "out", files) ? 1 : 0;
+        });
+        EXPECT_EQ(result, 0) << room;
+        EXPECT_TRUE(names().empty()) << room;
+    }
+    ASSERT_TRUE(writeFolderWhole((folder_ / "out").string() + "/", files));
+    EXPECT_EQ(namesIn(folder_ / "out"), (std::vector<std::string>{"one", "two"}));
+
+    // Nothing is replaced in a folder that is there, and nothing else is touched.
+    std::ofstream(folder_ / "out/mine") << "stays";
+    const std::vector<NamedBytes> later = {{"one", "new"}, {"two", std::string(9000, '3')}};
+    const int result = inAChild([&] {
+        limitFiles(4096);
+        return writeFolderWhole(folder_ / "out", later) ? 1 : 0;
+    });
+    EXPECT_EQ(result, 0);
+    EXPECT_EQ(text("out/one"), files[0].bytes);
+    ASSERT_TRUE(writeFolderWhole(folder_ / "out", later));
+    EXPECT_EQ(text("out/one"), "new");
+    EXPECT_EQ(text("out/mine"), "stays");
+    EXPECT_EQ(namesIn(folder_ / "out"), (std::vector<std::string>{"mine", "one", "two"}));
+    EXPECT_FALSE(writeFolderWhole(folder_ / "out/mine", later)) << "a file is no folder";
+}
+
+// Bytes behind those that are known to be good, which a killed program may have left, are dropped.
+TEST_F(WriteFile, AGrowingFileGoesOnBehindWhatIsGood) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "a", "good, and half of a rec"));
+    auto file = tests::valueOf(GrowingFile::open(folder_ / "a", 4));
+    ASSERT_TRUE(file.write(" and more"));
+    EXPECT_EQ(text("a"), "good and more");
+    ASSERT_TRUE(file.write(", whole"));
+    ASSERT_TRUE(file.finish());
+    EXPECT_EQ(text("a"), "good and more, whole");
+}
+
+TEST_F(WriteFile, OnlyAFileThatIsThereCanBeExtended) {
+    const auto file = GrowingFile::open(folder_ / "a", 1);
+    ASSERT_FALSE(file);
+    EXPECT_THAT(file.error().message(), HasSubstr("cannot be written"));
+    EXPECT_TRUE(names().empty());
+}
+
+// After each of 200 kills at arbitrary moments, the file is one of those that were written.
+TEST_F(WriteFile, AKilledWriterLeavesAWholeFile) {
+    const auto textOf = [](int i) {
+        return std::string(20'000 + 100 * static_cast<size_t>(i % 50), static_cast<char>('a' + i % 26));
+    };
+    ASSERT_TRUE(writeFileWhole(folder_ / "a", textOf(0)));
+    for (int round = 0; round < 200; ++round) {
+        int ready[2];
+        ASSERT_EQ(::pipe(ready), 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            for (int i = 0;; ++i) {
+                if (!writeFileWhole(folder_ / "a", textOf(i))) ::_exit(1);
+                if (i >= round % 3) (void)!::write(ready[1], "x", 1); // it writes on while it is killed
+            }
+        }
+        char byte = 0;
+        ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        ::close(ready[0]);
+        ::close(ready[1]);
+        const std::string found = text("a");
+        ASSERT_FALSE(found.empty());
+        EXPECT_EQ(found, std::string(found.size(), found[0])) << round;
+        EXPECT_GE(found.size(), 20'000u);
+    }
+}
+
+TEST_F(WriteFile, OutputsAreCheckedBeforeTheWork) {
+    const auto refused = [&](std::vector<NamedFile> outputs, std::vector<NamedFile> inputs = {}) {
+        const Status status = checkOutputs(outputs, inputs);
+        return status ? std::string() : status.error().message();
+    };
+    const std::string folder = folder_.path().string();
+    EXPECT_EQ(refused({{"--out", "a.txt"}, {"--stats", ""}, {"--record", ""}}), "");
+    EXPECT_EQ(refused({{"--out", folder_ / "none/a.txt"}}),
+              folder + "/none/a.txt: there is no folder " + folder + "/none");
+    EXPECT_EQ(refused({{"--out", folder_.path()}}), folder + ": cannot be written: it is a folder");
+    EXPECT_THAT(refused({{"--out", folder_ / "a"}, {"--stats", folder_ / "./a"}}),
+                HasSubstr("--out and --stats name the same file"));
+    ASSERT_TRUE(writeFileWhole(folder_ / "a", ""));
+    fs::create_symlink("a", folder_ / "link");
+    fs::create_hard_link(folder_ / "a", folder_ / "hard");
+    EXPECT_THAT(refused({{"--out", folder_ / "a"}, {"--stats", folder_ / "link"}}), HasSubstr("same file"));
+    EXPECT_THAT(refused({{"--out", folder_ / "hard"}, {"--stats", folder_ / "link"}}),
+                HasSubstr("same file"));
+    EXPECT_THAT(refused({{"--record", folder_ / "a"}}, {{"--hands", folder_ / "link"}}),
+                HasSubstr("--record would overwrite what --hands reads"));
+    EXPECT_EQ(refused({{"--out", "/dev/null"}, {"--stats", "/dev/null"}}), "");
+    EXPECT_FALSE(checkOutputs(std::vector<NamedFile>{{"--out", folder_ / "a/b"}}));
+}
+
+TEST_F(WriteFile, AFolderThatCannotBeWrittenToIsSaidBeforeTheWork) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+    fs::permissions(folder_.path(), fs::perms(0500));
+    EXPECT_FALSE(checkOutputs(std::vector<NamedFile>{{"--out", folder_ / "a"}}));
+    const Status status = writeFileWhole(folder_ / "a", "x");
+    EXPECT_FALSE(status);
+    fs::permissions(folder_.path(), fs::perms(0700));
+}
 
 TEST(ThreadPool, DoesEachPartOnceWhoeverDoesIt) {
     for (const int helpers : {0, 1, 3}) {
@@ -74,10 +289,7 @@ TEST(Hash, IsFnv1a) {
     EXPECT_EQ(hash.value(), 0x85944171f73967e8ull);
 }
 
-class Files : public testing::Test {
-  protected:
-    tests::ScratchFolder folder_;
-};
+using Files = WriteFile;
 
 TEST_F(Files, SaysWhyItCannotRead) {
     EXPECT_NE(readText(folder_ / "none").error().reason.find("no such file"), std::string::npos);

@@ -2,24 +2,13 @@
 // RulesTest.
 #include "Fixture.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
 namespace shoal::game {
 namespace {
-
-using test::count;
-using test::cove;
-using test::first;
-using test::handAt;
-using test::kPlace;
-using test::OneFish;
 
 bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Everything that must hold of every fish at every tick. Returns the fastest free one.
-float checkAll(const test::OpenDive& world, const char* where) {
+float checkAll(const OpenDive& world, const char* where) {
     float fastest = 0;
     for (const Fish& f : world.fish) {
         EXPECT_TRUE(finite(f.position) && finite(f.velocity) && finite(f.forward)) << where;
@@ -29,12 +18,6 @@ float checkAll(const test::OpenDive& world, const char* where) {
     }
     EXPECT_LE(fastest, kMaxSpeed_mps + 1e-3f) << where;
     return fastest;
-}
-
-DiveFile crowd(int fish) {
-    DiveFile file = OneFish::lonely(false);
-    file.schools[0].count = fish;
-    return file;
 }
 
 // A generator of its own, so that tests do not depend on the game's.
@@ -109,7 +92,7 @@ TEST(Contact, TwoPalmsHoldAFishBetweenThem) {
             wrist.orientation = glm::angleAxis(roll * 1.5707963f, glm::vec3(0, 0, 1));
             wrist.position = kPlace + glm::vec3((side == 1 ? 1 : -1) * apart, 0, 0.09f);
             one.input.hands[side] =
-                test::rig().pose(side == 0 ? hands::Side::Left : hands::Side::Right, flat, wrist);
+                rig().pose(side == 0 ? hands::Side::Left : hands::Side::Right, flat, wrist);
         }
     };
     palms(0.2f);
@@ -129,11 +112,10 @@ TEST(Contact, TwoPalmsHoldAFishBetweenThem) {
 }
 
 TEST(Contact, FortyFishInOneFistAreOneCatchAndNoExplosion) {
-    test::OpenDive world(cove().species, crowd(40), 5);
-    TickInput input;
-    Events events;
-    input.hands[1] = handAt(kPlace);
-    world.step(input, events);
+    OpenDive world(cove().species,
+                   OneFish::lonely({.change = [](DiveFile& file) { file.schools[0].count = 40; }}), 5);
+    world.input.hands[1] = handAt(kPlace);
+    world.step();
     Random random(11, 1);
     for (Fish& f : world.fish) {
         f.position = kPlace + somewhere(random, 0.03f);
@@ -141,14 +123,14 @@ TEST(Contact, FortyFishInOneFistAreOneCatchAndNoExplosion) {
         f.speed = 0;
     }
     for (int i = 1; i <= 240; ++i) {
-        input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
-        world.step(input, events);
+        world.input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
+        world.step();
         checkAll(world, "forty");
         int held = 0;
         for (const Fish& f : world.fish) held += f.heldBy >= 0;
         ASSERT_LE(held, 1);
     }
-    EXPECT_EQ(count<EventKind::Grab>(events), 1);
+    EXPECT_EQ(count<EventKind::Grab>(world.events), 1);
     EXPECT_EQ(world.score.caught, 1);
     // The others have left the fist.
     int inside = 0;
@@ -373,10 +355,9 @@ TEST(Contact, NoFingerJumpsWhenAFistLosesItsFish) {
 // Ten minutes of two hands thrashing about among all fish: every speed bounded, and what the last minute has
 // of kinetic energy is what the second had. Then the hands leave, and the fish calm down to their cruising.
 TEST(Contact, EnergyNeverGrowsFromNothingInTenMinutesOfThrashing) {
-    DiveFile file = cove().dive;
-    file.shark.species = -1;
+    DiveFile file = calmCove();
     file.duration_s = 1e6f;
-    test::OpenDive world(cove().species, file, 3);
+    OpenDive world(cove().species, file, 3);
     const auto energy = [&] {
         double sum = 0;
         for (const Fish& f : world.fish) {
@@ -390,24 +371,22 @@ TEST(Contact, EnergyNeverGrowsFromNothingInTenMinutesOfThrashing) {
     Random random(29, 1);
     std::array<glm::vec3, 2> at{kPlace, kPlace}, goal{kPlace, kPlace};
     std::array<float, 10> minutes{};
-    TickInput input;
-    Events events;
     for (int tick = 0; tick < 10 * 60 * 120; ++tick) {
         for (int h = 0; h < 2; ++h) {
             if (tick % 40 == 20 * h) goal[h] = somewhere(random, 1.1f) * glm::vec3(1, 0.5f, 1);
             at[h] += (goal[h] - at[h]) * 0.15f; // up to 20 m/s
             const float closed = (tick / (h ? 90 : 130)) % 2 ? 1.0f : 0.0f;
-            input.hands[h] = handAt(at[h], closed, h);
+            world.input.hands[h] = handAt(at[h], closed, h);
         }
-        events.clear();
-        world.step(input, events);
+        world.events.clear();
+        world.step();
         if (tick % 4 == 0) checkAll(world, "thrashing");
         minutes[tick / 7200] += static_cast<float>(energy() / 7200);
     }
     const float later = *std::max_element(minutes.begin() + 2, minutes.end());
     EXPECT_LT(later, 2 * minutes[1]);
-    input.hands[0].tracked = input.hands[1].tracked = false;
-    for (int i = 0; i < 8 * 120; ++i) world.step(input, events);
+    world.input.hands[0].tracked = world.input.hands[1].tracked = false;
+    world.run(8);
     EXPECT_LT(energy(), 2 * calm);
 }
 

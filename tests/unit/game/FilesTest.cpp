@@ -1,11 +1,6 @@
 // Species, dives and scripts as files: what is wrong is named with its line.
 #include "Fixture.h"
 #include "engine/core/WriteFile.h"
-#include "tests/TestPaths.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 namespace shoal::game {
 namespace {
 
@@ -52,7 +47,7 @@ TEST_F(GameFiles, SpeciesErrorsNameTheLine) {
 }
 
 TEST_F(GameFiles, DiveErrorsNameTheLine) {
-    const SpeciesTable& known = test::cove().species;
+    const SpeciesTable& known = cove().species;
     const std::string good = "duration = 30\n[[school]]\nspecies = \"snapper\"\ncount = 3\n";
     ASSERT_TRUE(loadDive(write(good), known));
     const auto reason = [&](const std::string& text) { return reasonOf(loadDive(write(text), known)); };
@@ -109,7 +104,7 @@ TEST_F(GameFiles, AScriptThatFailsSaysWhy) {
     const auto verdict = [&](const std::string& text) {
         const auto script = loadScript(write(text));
         EXPECT_TRUE(script) << script.error().message();
-        const Played played = playScript(*script, test::rig(), test::cove());
+        const Played played = playScript(*script, rig(), cove());
         return played.verdict ? std::string("met") : played.verdict.error().message();
     };
     const std::string wait = "name = \"idle\"\n[[step]]\ndo = \"wait\"\nseconds = 1\n";

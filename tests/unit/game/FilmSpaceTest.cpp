@@ -1,20 +1,10 @@
 // Animals in the space of a film: made walls, a tunnel, a wall that comes nearer, a pillar.
 #include "Fixture.h"
-
 #include "game/rules/ReachHelp.h"
 #include "tests/playthrough/MadeSpace.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-
-#include <cmath>
-
 namespace shoal::game {
 namespace {
-
-using test::cove;
 
 // Returns the distance to a wall ahead, 1.6 m from the eyes.
 float toWall_m(glm::vec3 dir, double = 0) { return dir.z < -0.05f ? 1.6f / -dir.z : FilmSpace::kFar_m; }
@@ -103,19 +93,17 @@ struct Kept {
 template <class Distance>
 Kept watch(std::shared_ptr<const FilmSpace> space, double length_s, const Distance& distance_m, uint64_t seed,
            bool withShark = true) {
-    DiveFile file = cove().dive;
+    DiveFile file = withShark ? cove().dive : calmCove();
     file.space = space;
-    if (!withShark) file.shark.species = -1;
-    test::OpenDive dive(cove().species, file, seed);
-    Events events;
+    OpenDive dive(cove().species, file, seed);
     Kept kept;
     std::vector<glm::vec3> before;
     for (int tick = 0; tick < 60 * sim::kTickRate_Hz; ++tick) {
         before.clear();
         for (const Fish& f : dive.fish) before.push_back(f.position);
         const glm::vec3 sharkBefore = dive.shark.position;
-        events.clear();
-        dive.step({}, events);
+        dive.events.clear();
+        dive.step();
         const double time_s = std::fmod((tick + 1) / 120.0, length_s);
         const auto look = [&](const Swimmer& s, int species, glm::vec3 was, float& deepest_m) {
             const physics::Capsule body = capsuleOf(s, cove().species[species]);
@@ -182,18 +170,16 @@ TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
     constexpr float kParted = 3.5f; // shoals in open water stay below 2.7
     int parted = 0;
     for (uint64_t seed = 5; seed < 11; ++seed) {
-        DiveFile file = cove().dive;
-        file.shark.species = -1;
+        DiveFile file = calmCove();
         file.space = madeSpace(1, 1, toPillar_m);
-        test::OpenDive dive(cove().species, file, seed);
-        Events events;
+        OpenDive dive(cove().species, file, seed);
         std::vector<float> apart_s(file.schools.size());
         for (int tick = 0; tick < 140 * sim::kTickRate_Hz; ++tick) {
-            dive.step({}, events);
+            dive.step();
             if (tick < 20 * sim::kTickRate_Hz) continue; // they gather first
             for (size_t i = 0; i < file.schools.size(); ++i) {
                 if (cove().species[file.schools[i].species].company != Company::Shoal) continue;
-                const bool apart = test::spreadOf(dive, static_cast<int>(i)) > kParted;
+                const bool apart = spreadOf(dive, static_cast<int>(i)) > kParted;
                 parted += apart && apart_s[i] == 0;
                 apart_s[i] = apart ? apart_s[i] + kDt : 0;
                 ASSERT_LT(apart_s[i], 8) << "seed " << seed << " school " << i;
@@ -208,12 +194,12 @@ TEST(FilmSpace, AHiddenFishIsNeitherShownNorHelpedToNorTaken) {
     const auto near = madeSpace(1, 1, [](glm::vec3, double) { return 0.65f; });
     const glm::vec3 behind(0, -0.1f, -0.8f);
     for (const bool hidden : {false, true}) {
-        test::OneFish one(false, {Assist::Strong},
-                          [&](DiveFile& file) { file.space = hidden ? near : nullptr; });
+        OneFish one({.rules = {Assist::Strong},
+                     .change = [&](DiveFile& file) { file.space = hidden ? near : nullptr; }});
         for (int i = 0; i < 60; ++i) {
             one.rest(behind);
             one.input.hands[1] =
-                test::handAt(behind, i < 30 ? 0.0f : std::min(1.0f, static_cast<float>(i - 30) / 15));
+                handAt(behind, i < 30 ? 0.0f : std::min(1.0f, static_cast<float>(i - 30) / 15));
             one.step();
         }
         Snapshot now = one.shown();

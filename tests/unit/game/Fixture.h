@@ -6,24 +6,15 @@
 #include "game/rules/Grasping.h"
 #include "game/rules/Swimmer.h"
 #include "input/hands/MouseHands.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <functional>
-
-namespace shoal::game::test {
+namespace shoal::game {
 
 inline const DiveFiles& cove() {
-    static const DiveFiles files = [] {
-        auto loaded = loadDiveFiles((dataRoot() / "tests/playthrough/dive/cove.toml").string());
-        if (!loaded) throw std::runtime_error(loaded.error().message());
-        return *loaded;
-    }();
+    static const DiveFiles files =
+        tests::valueOf(loadDiveFiles((dataRoot() / "tests/playthrough/dive/cove.toml").string()));
     return files;
 }
 
@@ -47,20 +38,27 @@ template <EventKind K> const Event* first(const Events& events) {
     return nullptr;
 }
 
-// A dive whose state is open to tests.
+// A dive whose state is open to tests, with the input of its next ticks and all events.
 struct OpenDive : Dive {
-    using Dive::Dive;
+    using Dive::Dive, Dive::step;
+    TickInput input;
+    Events events;
     std::vector<Fish>& fish = state().fish;
     Shark& shark = state().shark;
     Hands& hands = state().hands;
     const Score& score = state().score;
 
-    void startle(int id, glm::vec3 from, Events& events) {
+    void startle(int id, glm::vec3 from) {
         game::startle(fish[id], id, from, context(), state().random, events);
     }
-    void run(float seconds, const TickInput& input = {}) {
-        Events events;
-        for (int i = 0; i < static_cast<int>(seconds * 120); ++i) step(input, events);
+    void step(int ticks = 1) {
+        for (int i = 0; i < ticks; ++i) step(input, events);
+    }
+    void run(float seconds) { step(static_cast<int>(seconds * 120)); }
+    Snapshot shown() const {
+        Snapshot now;
+        snapshot(now);
+        return now;
     }
 };
 
@@ -71,27 +69,31 @@ inline DiveFile calmCove() {
     return file;
 }
 
-// A dive with one resting fish 0.6 m ahead and no shark, to test rules one at a time.
+// A dive with one resting fish 0.6 m ahead, to test rules one at a time.
 struct OneFish {
+    struct Setting {
+        bool shark = false;
+        DiveRules rules{};
+        std::function<void(DiveFile&)> change{};
+    };
     OpenDive world;
-    TickInput input;
-    Events events;
+    TickInput& input = world.input;
+    Events& events = world.events;
     std::vector<uint64_t> eventTicks; // when each occurred
 
-    explicit OneFish(bool withShark = false, DiveRules rules = {},
-                     const std::function<void(DiveFile&)>& change = {})
-        : world(cove().species, lonely(withShark, change), 5, rules) {
+    OneFish() : OneFish(Setting{}) {}
+    explicit OneFish(const Setting& setting) : world(cove().species, lonely(setting), 5, setting.rules) {
         rest();
     }
 
-    static DiveFile lonely(bool withShark, const std::function<void(DiveFile&)>& change = {}) {
+    static DiveFile lonely(const Setting& setting) {
         DiveFile file = cove().dive;
         const auto clownfish = std::ranges::find_if(
             file.schools, [](const School& s) { return cove().species[s.species].name == "clownfish"; });
         file.schools = {*clownfish};
         file.schools[0].count = 1;
-        if (!withShark) file.shark.species = -1;
-        if (change) change(file);
+        if (!setting.shark) file.shark.species = -1;
+        if (setting.change) setting.change(file);
         return file;
     }
 
@@ -108,7 +110,7 @@ struct OneFish {
     }
     void step(int ticks = 1) {
         for (int i = 0; i < ticks; ++i) {
-            world.step(input, events);
+            world.step();
             eventTicks.resize(events.size(), world.state().totalTicks);
         }
     }
@@ -122,6 +124,11 @@ struct OneFish {
     void hand(glm::vec3 at, float closed = 0) {
         input.hands[1] = handAt(at, closed);
         step();
+    }
+    // Closes the right hand at a place, and waits.
+    void close(glm::vec3 at, int ticks = 30) {
+        moveGrip(at, 0, 1);
+        step(ticks);
     }
     // Opens the right hand around the resting fish and closes it there.
     void closeOn(float closed = 1) {
@@ -144,11 +151,7 @@ struct OneFish {
     }
     int held() const { return world.hands[1].grasp.holds; }
     bool took() const { return count<EventKind::Grab>(events) > 0; }
-    Snapshot shown() const {
-        Snapshot now;
-        world.snapshot(now);
-        return now;
-    }
+    Snapshot shown() const { return world.shown(); }
     // Closes (or opens) the right hand over 0.12 s at a place.
     void moveGrip(glm::vec3 at, float from, float to) {
         for (int i = 1; i <= 15; ++i) hand(at, from + (to - from) * static_cast<float>(i) / 15);
@@ -169,4 +172,4 @@ inline float spreadOf(const OpenDive& dive, int school) {
     return farthest_m / length_m;
 }
 
-} // namespace shoal::game::test
+} // namespace shoal::game

@@ -3,26 +3,8 @@
 
 #include "game/rules/Intent.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
 namespace shoal::game {
 namespace {
-
-using test::count;
-using test::handAt;
-using test::kPlace;
-
-// A dive in which a right hand closes beside one fish, with that help.
-struct OneClosing : test::OneFish {
-    explicit OneClosing(Assist assist) : OneFish(false, {assist}) {}
-
-    void close(glm::vec3 at, int ticks = 30) {
-        moveGrip(at, 0, 1);
-        step(ticks);
-    }
-};
 
 // Fish at all places around the hand: those that show as catchable are caught, with every strength of help.
 TEST(Intent, AFishShownAsCatchableIsCaughtByAHandThatCloses) {
@@ -31,7 +13,7 @@ TEST(Intent, AFishShownAsCatchableIsCaughtByAHandThatCloses) {
         for (float x = -0.2f; x <= 0.2f; x += 0.05f)
             for (float y = -0.2f; y <= 0.2f; y += 0.1f)
                 for (float z = -0.3f; z <= 0.31f; z += 0.1f) {
-                    OneClosing one(assist);
+                    OneFish one({.rules = {assist}});
                     one.show(kPlace, kPlace + glm::vec3(x, y, z));
                     if (one.fish().catchable < 0.5f) continue;
                     EXPECT_EQ(one.fish().catchableBy, 1);
@@ -47,7 +29,7 @@ TEST(Intent, TheHelpReachesFartherWithEachStrengthAndNotAtAllWithNone) {
     const auto reachAlong = [](Assist assist) {
         float farthest = 0;
         for (float beyond = 0; beyond < 0.5f; beyond += 0.01f) {
-            OneClosing one(assist);
+            OneFish one({.rules = {assist}});
             one.show(kPlace, kPlace * (1 + beyond / glm::length(kPlace)));
             one.close(kPlace);
             if (one.took()) farthest = beyond;
@@ -65,7 +47,7 @@ TEST(Intent, TheHelpReachesFartherWithEachStrengthAndNotAtAllWithNone) {
 }
 
 TEST(Intent, TheHelpMovesNothingByMuchOrFast) {
-    OneClosing one(Assist::Normal);
+    OneFish one({.rules = {Assist::Normal}});
     const glm::vec3 fish = kPlace + glm::vec3(0.09f, 0, -0.09f);
     one.show(kPlace, fish);
     const glm::vec3 alone = hands::graspCentre(handAt(kPlace).joints);
@@ -92,13 +74,13 @@ TEST(Intent, TheHelpMovesNothingByMuchOrFast) {
 
 TEST(Intent, AFishOnceMeantIsStillMeantWhenItHasJustSlippedOutOfRange) {
     const glm::vec3 edge = kPlace + glm::vec3(0.11f, 0, 0), beyond = kPlace + glm::vec3(0.165f, 0, 0);
-    OneClosing meant(Assist::Normal);
+    OneFish meant({.rules = {Assist::Normal}});
     meant.show(kPlace, edge);
     ASSERT_GT(meant.fish().catchable, 0.5f);
     meant.show(kPlace, beyond, 20);
     meant.close(kPlace);
     EXPECT_TRUE(meant.took());
-    OneClosing stranger(Assist::Normal);
+    OneFish stranger({.rules = {Assist::Normal}});
     stranger.show(kPlace, beyond, 60);
     EXPECT_LT(stranger.fish().catchable, 0.5f);
     stranger.close(kPlace);
@@ -106,14 +88,14 @@ TEST(Intent, AFishOnceMeantIsStillMeantWhenItHasJustSlippedOutOfRange) {
 }
 
 TEST(Intent, NothingIsCatchableWithoutAHandOrInAFist) {
-    OneClosing one(Assist::Strong);
+    OneFish one({.rules = {Assist::Strong}});
     one.show(kPlace, kPlace);
     EXPECT_GT(one.fish().catchable, 0.9f);
     one.input.hands[1].tracked = false;
     one.step(60);
     EXPECT_EQ(one.fish().catchable, 0);
     EXPECT_EQ(one.fish().catchableBy, -1);
-    OneClosing fist(Assist::Strong);
+    OneFish fist({.rules = {Assist::Strong}});
     fist.close(kPlace + glm::vec3(0.6f, 0, 0), 60);
     fist.input.hands[1] = handAt(kPlace + glm::vec3(0.1f, 0, 0), 1);
     fist.rest();
@@ -139,7 +121,7 @@ TEST(Misses, SayWhy) {
         {"far to the side", {0.6f, 0, 0}, {0, 0, 0}, EventKind::Miss},
     };
     for (const Case& c : cases) {
-        OneClosing one(Assist::None);
+        OneFish one({.rules = {Assist::None}});
         one.show(kPlace, kPlace + c.fish, 10);
         for (int i = 1; i <= 30; ++i) {
             one.rest(kPlace + c.fish);
@@ -154,7 +136,7 @@ TEST(Misses, SayWhy) {
 }
 
 TEST(Misses, AFastHandIsTold) {
-    OneClosing one(Assist::None);
+    OneFish one({.rules = {Assist::None}});
     for (int i = 0; i < 60; ++i) { // 1.5 m/s past the fish, closing on the way
         one.rest(kPlace + glm::vec3(0, 0, -0.1f));
         const float way = 1.5f * static_cast<float>(i - 30) / 120;

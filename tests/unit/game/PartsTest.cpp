@@ -1,19 +1,13 @@
 // Parts of the simulation one by one, each given its inputs by hand.
 #include "Fixture.h"
 #include "engine/core/WriteFile.h"
-
 #include "game/rules/DiveState.h"
-#include "tests/TestPaths.h"
-
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
+#include "game/rules/ReachHelp.h"
+#include "tests/Recorded.h"
+#include "tests/unit/Heap.h"
 
 namespace shoal::game {
 namespace {
-
-using test::cove;
-using test::handAt;
 
 TEST(Swimmer, BlendsFromOneGaitToTheNextAndKeepsTheOneItHas) {
     Gait gait;
@@ -73,7 +67,7 @@ TEST(HandTracking, ALostHandStaysForATenthOfASecondAndAJumpGivesNoSpeed) {
     TickInput input;
     Viewpoint view;
     Hands hands;
-    input.hands[1] = handAt(test::kPlace);
+    input.hands[1] = handAt(kPlace);
     trackHands(input, view, hands);
     EXPECT_TRUE(hands[1].visible && hands[1].solid);
     EXPECT_FALSE(hands[0].visible);
@@ -96,10 +90,9 @@ TEST(FingerWrap, FingersPressOnWhatLiesInTheFistFromBothSides) {
     TickInput input;
     Viewpoint view;
     Hands hands;
-    input.hands[1] = handAt(test::kPlace, 1);
+    input.hands[1] = handAt(kPlace, 1);
     trackHands(input, view, hands);
-    const physics::Capsule fish{test::kPlace - glm::vec3(0.03f, 0, 0), test::kPlace + glm::vec3(0.03f, 0, 0),
-                                0.024f};
+    const physics::Capsule fish{kPlace - glm::vec3(0.03f, 0, 0), kPlace + glm::vec3(0.03f, 0, 0), 0.024f};
     wrapFingers(fish, hands[1]);
     EXPECT_GT(hands[1].fingers.pressCount, 2);
     hands[1].grasp.encloses = 4;
@@ -111,12 +104,154 @@ TEST(Script, NamesADiveFileBesideIt) {
     const tests::ScratchFolder folder;
     const std::string step = "[[step]]\ndo = \"wait\"\n";
     ASSERT_TRUE(writeFileWhole(folder / "s.toml", "dive = \"./own/cove.toml\"\n" + step));
-    const auto script = loadScript(folder / "s.toml");
-    ASSERT_TRUE(script) << script.error().message();
-    EXPECT_EQ(Path(script->dive), folder / "own/cove.toml");
-    EXPECT_FALSE(loadDiveFiles(script->dive)) << "there is no such file";
+    const auto script = tests::valueOf(loadScript(folder / "s.toml"));
+    EXPECT_EQ(Path(script.dive), folder / "own/cove.toml");
+    EXPECT_FALSE(loadDiveFiles(script.dive)) << "there is no such file";
     EXPECT_EQ(cove().dive.name, (dataRoot() / "tests/playthrough/dive/cove.toml").string())
         << "by which a recording finds it again";
+}
+
+// Equal inputs give equal states in all runs and recordings.
+
+TEST(Determinism, TwoDivesWithTheSameSeedAgreeAtEveryTickAndOthersDoNot) {
+    Dive a(cove().species, cove().dive, 11), b(cove().species, cove().dive, 11),
+        c(cove().species, cove().dive, 12);
+    Events events;
+    EXPECT_EQ(a.stateHash(), b.stateHash());
+    for (int i = 0; i < 2400; ++i) {
+        TickInput input;
+        input.hands[1] =
+            handAt({0.3f * static_cast<float>(i % 100) / 100, 0, -0.6f}, i % 60 < 30 ? 0.0f : 1.0f);
+        input.hands[0] = handAt({-0.2f, 0, -0.6f}, i % 80 < 40 ? 0.0f : 1.0f, 0);
+        input.hands[0].solid = i % 700 > 40;
+        a.step(input, events);
+        b.step(input, events);
+        c.step(input, events);
+        ASSERT_EQ(a.stateHash(), b.stateHash()) << "tick " << i;
+        ASSERT_NE(a.stateHash(), c.stateHash());
+    }
+}
+
+TEST(Determinism, AReplayedInputOfOtherBitsIsFoundAtItsTick) {
+    const Played played = playScript(
+        tests::valueOf(loadScript(dataRoot() / "tests/playthrough/two_hands.toml")), rig(), cove());
+    const tests::Recorded& good = played.recording;
+    ASSERT_TRUE(replay(good, cove()));
+    tests::Recorded bad(good.header());
+    for (size_t tick = 0; tick < good.ticks(); ++tick) {
+        std::vector<uint8_t> input(good.input(tick).begin(), good.input(tick).end());
+        if (tick == 321) {
+            TickInput changed = tests::inputAt(good, tick);
+            changed.hands[0].joints[7].position.x += 1e-6f;
+            toBytes(changed, std::span(input).first<kTickInputBytes>());
+        }
+        bad.add(input, good.hash(tick));
+    }
+    const Status status = replay(bad, cove());
+    ASSERT_FALSE(status);
+    EXPECT_NE(status.error().reason.find("tick 321"), std::string::npos) << status.error().reason;
+}
+
+// Every field of the state counts: changing any one changes the hash.
+TEST(Determinism, TheHashDependsOnSmallPartsOfTheState) {
+    OpenDive dive(cove().species, cove().dive, 3);
+    const auto changes = [&](auto& value, auto to) {
+        const auto was = value;
+        const uint64_t before = dive.stateHash();
+        value = to;
+        EXPECT_NE(dive.stateHash(), before);
+        value = was;
+        EXPECT_EQ(dive.stateHash(), before);
+    };
+    changes(dive.fish[5].touchedUntil[1][3], 77u);
+    changes(dive.fish[2].gait.blend, 0.5f);
+    changes(dive.shark.shape.finsDown, 0.25f);
+    changes(dive.hands[1].lastGood.joints[7].orientation.z, 0.125f);
+    changes(dive.hands[0].fingers.lifts[25].move.y, 0.5f);
+    changes(dive.hands[0].grasp.window, 3);
+    changes(dive.state().random, Random(99, 1));
+    changes(dive.state().score.lost, 1);
+}
+
+TEST(TickInput, ComesBackFromBytesExactly) {
+    TickInput in;
+    in.hands[0] = handAt({0.1f, 0.2f, -0.5f}, 0.3f, 0);
+    in.hands[1] = handAt({-0.1f, -0.2f, -0.9f}, 0.9f);
+    in.worldFromView = {0.5f, -0.5f, 0.5f, 0.5f};
+    in.headWorld = {0.1f, -0.2f, 0.3f};
+    in.restart = true;
+    std::array<uint8_t, kTickInputBytes> bytes{}, again{};
+    toBytes(in, bytes);
+    const TickInput out = fromBytes(bytes);
+    toBytes(out, again);
+    EXPECT_EQ(bytes, again);
+    EXPECT_EQ(out.hands[1].joints[13].position, in.hands[1].joints[13].position);
+    EXPECT_EQ(out.headWorld, in.headWorld);
+    EXPECT_TRUE(out.restart);
+    EXPECT_FALSE(out.pause);
+}
+
+TEST(Interpolate, LiesBetweenAndDoesNotSmearJumps) {
+    OpenDive dive(cove().species, cove().dive, 4);
+    dive.step(30);
+    const Snapshot a = dive.shown();
+    dive.step();
+    Snapshot b = dive.shown(), mid;
+    interpolate(a, b, 0.25f, mid);
+    for (size_t i = 0; i < a.creatures.size(); ++i) {
+        const glm::vec3 expected = 0.75f * a.creatures[i].position + 0.25f * b.creatures[i].position;
+        EXPECT_NEAR(glm::distance(mid.creatures[i].position, expected), 0, 1e-5f);
+        EXPECT_NEAR(glm::length(mid.creatures[i].worldFromBody), 1, 1e-5f);
+    }
+    b.creatures[3].position += glm::vec3(2, 0, 0);
+    interpolate(a, b, 0.25f, mid);
+    EXPECT_EQ(mid.creatures[3].position, b.creatures[3].position);
+    // At the ends: exactly the snapshots' places.
+    interpolate(a, b, 0, mid);
+    EXPECT_EQ(mid.creatures[5].position, a.creatures[5].position);
+}
+
+TEST(ReachHelp, FindsTheFishUnderTheCursor) {
+    Snapshot now = OpenDive(cove().species, cove().dive, 4).shown();
+    for (CreatureView& c : now.creatures) c.position = {0, 0, 2};
+    now.creatures[0].position = {0.2f, 0, -0.8f};
+    const glm::vec3 ray = glm::normalize(now.creatures[0].position);
+    now.creatures[0].velocity = glm::vec3(0);
+    ReachHelp help;
+    const auto reach_m = help.update(now, cove().species, ray, 0.5f);
+    ASSERT_TRUE(reach_m);
+    EXPECT_NEAR(*reach_m, glm::length(now.creatures[0].position), 1e-5f);
+    EXPECT_FALSE(help.update(now, cove().species, {-1, 0, 0}, 0.5f));
+}
+
+// A tick takes no memory from the heap once its scratch memory has its size.
+
+TEST(Allocation, ATickTakesNoMemory) {
+    Dive dive(cove().species, cove().dive, 2);
+    Snapshot a, b, shown;
+    Events events;
+    events.reserve(1000);
+    TickInput input;
+    dive.snapshot(a);
+    dive.snapshot(b);
+    interpolate(a, b, 0.5f, shown);
+    for (int i = 0; i < 6000; ++i) {
+        if (i == 120) heap::counting = true;
+        events.clear();
+        // Hands that swing and close, so that contacts and grabs happen; one of them gets lost at times.
+        const float x = static_cast<float>(i % 240) / 240 - 0.5f;
+        input.hands[1] = handAt({x, -0.1f, -0.8f}, i % 90 < 45 ? 0.0f : 1.0f);
+        input.hands[0] = handAt({-x, 0, -0.7f}, i % 70 < 45 ? 0.0f : 1.0f, 0);
+        input.hands[0].tracked = i % 400 > 60;
+        input.hands[0].solid = i % 400 > 90;
+        dive.step(input, events);
+        b = a;
+        dive.snapshot(a);
+        interpolate(b, a, 0.5f, shown);
+        (void)dive.stateHash();
+    }
+    heap::counting = false;
+    EXPECT_EQ(heap::allocations, 0);
 }
 
 } // namespace

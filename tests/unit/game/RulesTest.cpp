@@ -1,20 +1,8 @@
 // The rules of catching, one at a time.
 #include "Fixture.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <limits>
-
 namespace shoal::game {
 namespace {
-
-using test::count;
-using test::first;
-using test::handAt;
-using test::kPlace;
-using test::OneFish;
 
 TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     OneFish one;
@@ -191,7 +179,7 @@ TEST(Head, HandsGoWhereTheHeadGoes) {
 
 // Fish and shark keep from the player's eyes, not from the place of the film's camera.
 TEST(Head, AnimalsKeepFromTheEyesOfAPlayerWhoStepsAside) {
-    OneFish one(true);
+    OneFish one({.shark = true});
     one.input.headWorld = {0.5f, 0, -0.9f};
     one.step();
     one.rest(one.input.headWorld + glm::vec3(0.1f, 0, 0));
@@ -212,9 +200,10 @@ TEST(BadInput, IsNotBelieved) {
     one.step();
     const glm::vec3 good = one.world.hands[1].graspCentre;
     const auto bad = [&](auto spoil) {
-        TickInput input = one.input;
-        spoil(input);
-        one.world.step(input, one.events);
+        const TickInput sound = one.input;
+        spoil(one.input);
+        one.step();
+        one.input = sound;
         EXPECT_EQ(one.world.hands[1].graspCentre, good);
         EXPECT_TRUE(one.world.hands[1].visible);
         EXPECT_TRUE(std::isfinite(one.fish().position.x));
@@ -232,10 +221,11 @@ TEST(BadInput, IsNotBelieved) {
     bad([&](TickInput& i) { i.worldFromView = {nan, 0, 0, 0}; });
     bad([&](TickInput& i) { i.worldFromView = {0, 0, 0, 0}; });
     // For long: the hand is gone, nothing else happens; the first sound pose brings it back.
-    TickInput input = one.input;
-    input.hands[1].joints[4].position.x = nan;
-    for (int i = 0; i < 200; ++i) one.world.step(input, one.events);
+    const TickInput sound = one.input;
+    one.input.hands[1].joints[4].position.x = nan;
+    one.step(200);
     EXPECT_FALSE(one.world.hands[1].visible);
+    one.input = sound;
     one.step();
     EXPECT_TRUE(one.world.hands[1].visible);
     EXPECT_EQ(count<EventKind::Touch>(one.events), 0);
@@ -243,14 +233,13 @@ TEST(BadInput, IsNotBelieved) {
 
 // For a seated player, who cannot step or bend, fish circle above the lap, and nearer.
 TEST(Seated, FishCircleWhereTheyAreReached) {
-    const auto reef = loadDiveFiles("reef");
-    ASSERT_TRUE(reef) << reef.error().message();
+    const auto reef = tests::valueOf(loadDiveFiles("reef"));
     struct Found {
         double belowLap = 0, radius_m = 0; // share, mean
         float lowest_m = 0;
     };
     const auto find = [&](bool seated) {
-        Dive dive(reef->species, reef->dive, 3, {.freeSwim = true, .seated = seated}); // without the shark
+        Dive dive(reef.species, reef.dive, 3, {.freeSwim = true, .seated = seated}); // without the shark
         Events events;
         Found found;
         int count = 0;
@@ -295,7 +284,7 @@ TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {
 }
 
 TEST(Course, PauseFreezes) {
-    OneFish one(true);
+    OneFish one({.shark = true});
     one.step(10);
     one.input.pause = true;
     one.step();
@@ -312,7 +301,7 @@ TEST(Course, PauseFreezes) {
 struct SharkAt : OneFish {
     Shark& shark = world.shark;
 
-    explicit SharkAt(glm::vec3 at) : OneFish(true) {
+    explicit SharkAt(glm::vec3 at) : OneFish({.shark = true}) {
         shark.position = at;
         shark.forward = glm::normalize(kPlace - at);
         shark.set(Shark::State::Prowl);
@@ -392,7 +381,7 @@ TEST(SharkRules, GivesUpAStrikeAtACatch) {
 }
 
 TEST(SharkRules, ABumpDropsWhatTheHandHolds) {
-    OneFish one(true);
+    OneFish one({.shark = true});
     one.takeFish();
     // Its flank comes upon the hand while it is after nothing.
     one.world.shark.position = kPlace + glm::vec3(0.25f, 0, -0.1f);
@@ -407,7 +396,8 @@ TEST(SharkRules, ABumpDropsWhatTheHandHolds) {
 }
 
 TEST(SharkRules, VisitsAreAnnouncedAndNoneBeginsAfterTheDive) {
-    OneFish one(true, {}, [](DiveFile& file) { file.shark.visits_s.push_back(file.duration_s + 1); });
+    OneFish one({.shark = true,
+                 .change = [](DiveFile& file) { file.shark.visits_s.push_back(file.duration_s + 1); }});
     one.step(95 * 120);
     const std::vector<float>& visits_s = one.world.file().shark.visits_s;
     EXPECT_EQ(count<EventKind::SharkNear>(one.events), static_cast<int>(visits_s.size()) - 1);

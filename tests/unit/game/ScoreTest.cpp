@@ -1,17 +1,8 @@
 // Combos, goals, free swim, and what stings.
 #include "Fixture.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
 namespace shoal::game {
 namespace {
-
-using test::count;
-using test::cove;
-using test::first;
-using test::kPlace;
 
 TEST(Score, ComboCountsDifferentSpeciesInARow) {
     Score score = newScore(SpeciesTable(8), DiveFile{});
@@ -55,9 +46,9 @@ TEST(Score, GoalsAreReachedByWhatTheyCount) {
 }
 
 TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
-    test::OneFish one(false, {}, [](DiveFile& file) {
+    OneFish one({.change = [](DiveFile& file) {
         file.goals = {{GoalKind::Score, -1, 1000}, {GoalKind::Catch, -1, 1}, {GoalKind::NoLoss, -1, 1}};
-    });
+    }});
     one.closeOn();
     one.step(130);
     const Event* caught = first<EventKind::Catch>(one.events);
@@ -81,7 +72,7 @@ TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
 }
 
 TEST(FreeSwim, HasNoClockAndNoShark) {
-    test::OneFish one(true, {.freeSwim = true});
+    OneFish one({.shark = true, .rules = {.freeSwim = true}});
     one.step(static_cast<int>(2 * one.world.file().duration_s * 120));
     const Snapshot now = one.shown();
     EXPECT_EQ(now.phase, Phase::Diving);
@@ -94,20 +85,17 @@ TEST(FreeSwim, HasNoClockAndNoShark) {
 TEST(Sting, AHandThatClosesOnAJellyfishCannotHoldForASecond) {
     SpeciesTable species = cove().species;
     for (Species& kind : species) kind.stings = !kind.shark;
-    test::OpenDive world(species, test::OneFish::lonely(false), 5, {Assist::Strong});
-    TickInput input;
-    Events events;
+    OpenDive world(species, OneFish::lonely({}), 5, {Assist::Strong});
     for (int i = 0; i <= 40; ++i) {
         world.fish[0].position = kPlace;
         world.fish[0].velocity = glm::vec3(0);
-        input.hands[1] = test::handAt(kPlace, std::clamp(static_cast<float>(i - 10) / 15, 0.0f, 1.0f));
-        world.step(input, events);
+        world.input.hands[1] = handAt(kPlace, std::clamp(static_cast<float>(i - 10) / 15, 0.0f, 1.0f));
+        world.step();
     }
-    EXPECT_EQ(count<EventKind::Sting>(events), 1);
-    EXPECT_EQ(count<EventKind::Grab>(events), 0);
+    EXPECT_EQ(count<EventKind::Sting>(world.events), 1);
+    EXPECT_EQ(count<EventKind::Grab>(world.events), 0);
     EXPECT_EQ(world.fish[0].catchable, 0) << "what stings is not offered";
-    Snapshot now;
-    world.snapshot(now);
+    const Snapshot now = world.shown();
     EXPECT_GT(now.hands[1].stung_s, 0.5f);
     EXPECT_LE(now.hands[1].stung_s, kSting_s);
 }
@@ -120,6 +108,134 @@ TEST(Replays, CarryTheirRules) {
     EXPECT_EQ(*rulesOf(header), rules);
     header.settings["assist"] = "magic";
     EXPECT_FALSE(rulesOf(header));
+}
+
+// Enclosure of the video's places over the dive's time.
+
+const std::vector<VideoMark> kEnclosures = {{10, 14, 0.5f}, {14, 20, 1}};
+
+TEST(Enclosure, RisesBeforeAMarkStaysAndFades) {
+    const auto at = [](double time_s) { return enclosureAt(kEnclosures, 60, time_s); };
+    EXPECT_EQ(at(0), 0);
+    EXPECT_EQ(at(8), 0);
+    EXPECT_FLOAT_EQ(at(9), 0.25f);
+    EXPECT_FLOAT_EQ(at(11), 0.5f);
+    EXPECT_FLOAT_EQ(at(13.5), 0.75f); // the tunnel comes nearer
+    EXPECT_FLOAT_EQ(at(14), 1);
+    EXPECT_FLOAT_EQ(at(20), 1);
+    EXPECT_FLOAT_EQ(at(21), 0.5f);
+    EXPECT_EQ(at(22), 0);
+}
+
+TEST(Enclosure, FollowsTheVideoAroundItsEnd) {
+    EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 60, 60 + 15), 1);
+    EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 60, 120 + 9), 0.25f);
+    const std::vector<VideoMark> atTheEnd = {{58, 60, 1}};
+    EXPECT_FLOAT_EQ(enclosureAt(atTheEnd, 60, 61), 0.5f); // fades into the next pass
+    const std::vector<VideoMark> atTheStart = {{0, 3, 1}};
+    EXPECT_FLOAT_EQ(enclosureAt(atTheStart, 60, 59), 0.5f);
+}
+
+TEST(Enclosure, MarksOfALongerVideoAreNotHeard) {
+    EXPECT_EQ(enclosureAt(kEnclosures, 6, 5.9), 0);
+    EXPECT_EQ(enclosureAt(kEnclosures, 0, 15), 0); // no video
+    EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 12, 11), 0.5f);
+}
+
+TEST(Enclosure, NeverJumps) {
+    float before = enclosureAt(kEnclosures, 30, 0);
+    for (int tick = 1; tick < 90 * 120; ++tick) {
+        const float now = enclosureAt(kEnclosures, 30, tick / 120.0);
+        ASSERT_LE(std::abs(now - before), 1.01f / 240); // all of it in two seconds
+        before = now;
+    }
+}
+
+TEST(Enclosure, TheSnapshotCarriesItAndARestartBeginsAnew) {
+    DiveFile file = cove().dive;
+    file.enclosure = {{1, 2, 1}};
+    file.videoLength_s = 10;
+    OpenDive dive(cove().species, file, 3);
+    dive.step(180);
+    EXPECT_EQ(dive.shown().enclosure, 1);
+    dive.input.restart = true;
+    dive.step();
+    EXPECT_NEAR(dive.shown().enclosure, 0.5f, 0.01f); // a second before the mark
+    dive.input = {.pause = true};
+    dive.step(240);
+    EXPECT_NEAR(dive.shown().enclosure, 0.5f, 0.01f);
+}
+
+TEST(Enclosure, TheShippedDiveHasATunnel) {
+    const auto reef = tests::valueOf(loadDiveFiles("reef"));
+    float maximum = 0;
+    for (const VideoMark& mark : reef.dive.enclosure) maximum = std::max(maximum, mark.amount);
+    EXPECT_EQ(maximum, 1); // else its bed is never heard
+}
+
+// A giant passes once, whatever the player does.
+
+constexpr glm::vec3 kFrom{-20, 5, -6}, kTo{20, 5, -6};
+constexpr float kAt_s = 2, kSpeed_mps = 2;
+
+Dive diveWithWhale() {
+    DiveFiles files = cove();
+    Species whale{.name = "whale", .giant = true, .length_m = 12, .cruise_mps = kSpeed_mps, .stride = 1};
+    files.species.push_back(whale);
+    files.dive.encounter = {static_cast<int>(files.species.size()) - 1, kAt_s, kFrom, kTo};
+    return {files.species, files.dive, 1};
+}
+
+const CreatureView* whaleOf(const Dive& dive, const Snapshot& shown) {
+    for (const CreatureView& creature : shown.creatures)
+        if (dive.species()[static_cast<size_t>(creature.species)].giant) return &creature;
+    return nullptr;
+}
+
+TEST(Encounter, PassesOnceFromOnePlaceToTheOther) {
+    Dive dive = diveWithWhale();
+    const size_t whale = dive.species().size() - 1;
+    Snapshot shown;
+    int events = 0;
+    for (int tick = 1; tick <= 30 * 120; ++tick) {
+        Events happened;
+        dive.step({}, happened);
+        dive.snapshot(shown);
+        const float passed_s = static_cast<float>(tick) * kDt - kAt_s;
+        const float passed_m = passed_s * kSpeed_mps;
+        const CreatureView* seen = whaleOf(dive, shown);
+        if (passed_s < -kDt || passed_m > glm::distance(kFrom, kTo) + 0.1f) {
+            EXPECT_FALSE(seen) << passed_s;
+        } else if (passed_s > kDt && passed_m < glm::distance(kFrom, kTo) - 0.1f) {
+            ASSERT_TRUE(seen) << passed_s;
+            EXPECT_EQ(&shown.creatures[seen->id], seen) << "its id is its place";
+            // Two ticks' way: the one in which it sets out, and rounding over thousands.
+            EXPECT_LT(glm::distance(seen->position, kFrom + glm::vec3(passed_m, 0, 0)), 2 * kDt * kSpeed_mps);
+            EXPECT_LT(glm::distance(seen->worldFromBody * glm::vec3(0, 0, 1), glm::vec3(1, 0, 0)), 1e-4f);
+            EXPECT_NEAR(seen->shape.beats, passed_m / 12, 0.01f) << "a stride of its length";
+        }
+        for (const Event& event : happened) {
+            if (event.kind != EventKind::Encounter) continue;
+            ++events;
+            EXPECT_GT(glm::dot(glm::normalize(*event.position), glm::normalize(kFrom)), 0.999f)
+                << "heard from where it comes";
+        }
+    }
+    EXPECT_EQ(events, 1);
+    EXPECT_TRUE(shown.tally[whale].touched) << "met";
+    EXPECT_FALSE(whaleOf(dive, shown));
+}
+
+TEST(Encounter, ItsSpeciesIsShownAndNoOneElseMissed) {
+    const DiveFiles& cove = cove();
+    DiveFile empty;
+    EXPECT_THAT(speciesShown(cove.species, empty), testing::Each(false));
+    empty.encounter.species = 0;
+    empty.shark.species = 2;
+    empty.schools.push_back({.species = 1});
+    const auto shown = speciesShown(cove.species, empty);
+    EXPECT_EQ(std::vector(shown.begin(), shown.begin() + 3), std::vector({true, true, true}));
+    EXPECT_EQ(std::ranges::count(shown, true), 3);
 }
 
 } // namespace

@@ -2,15 +2,8 @@
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandSourceSelector.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
-
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace shoal::hands {
 namespace {

@@ -1,8 +1,5 @@
 #include "game/feedback/HapticFeedback.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/Test.h"
 
 namespace shoal::game {
 namespace {

@@ -1,14 +1,8 @@
 // Files stand for devices here; umockdev.dies_by_* does the same with hidapi's.
 #include "input/haptics/HidBus.h"
+#include "tests/Test.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>

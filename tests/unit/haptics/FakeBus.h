@@ -37,6 +37,10 @@ struct FakeBus {
     std::map<std::string, std::vector<std::vector<uint8_t>>> written, guarded; // by path
     size_t opened = 0;
 
+    FakeBus() = default;
+    FakeBus(uint16_t vendor, uint16_t product, Transport transport = Transport::Usb) {
+        plug("a", vendor, product, transport);
+    }
     void plug(std::string path, uint16_t vendor, uint16_t product, Transport transport = Transport::Usb) {
         plugged.push_back({{std::move(path), vendor, product, transport, ""}, {}});
     }

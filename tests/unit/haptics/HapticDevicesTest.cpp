@@ -1,10 +1,12 @@
 // Tests of the schedule: which report goes to which device, and when.
-#include "FakeBus.h"
-
 #include "input/haptics/HapticDevices.h"
+#include "FakeBus.h"
+#include "tests/Test.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 
 namespace shoal::haptics {
 namespace {
@@ -14,8 +16,7 @@ using testing::HasSubstr;
 constexpr uint16_t kSony = 0x054c, kDualSense = 0x0ce6, kNintendo = 0x057e, kPro = 0x2009;
 
 TEST(HapticDevices, WritesChangesAndRefreshes) {
-    FakeBus fake;
-    fake.plug("a", kSony, kDualSense);
+    FakeBus fake(kSony, kDualSense);
     fake.plug("keyboard", kNoVendor, 1);
     HapticDevices hapticDevices(fake.bus());
     const auto& written = fake.written["a"];
@@ -40,8 +41,7 @@ TEST(HapticDevices, WritesChangesAndRefreshes) {
 // Frames come at 1 kHz, each another: every device gets no more than it can take, and in the end the newest.
 TEST(HapticDevices, KeepsEachDevicesPaceAndTheNewestWins) {
     for (const DeviceRow& row : kDevices) {
-        FakeBus fake;
-        fake.plug("a", row.vendor, row.product, row.transport);
+        FakeBus fake(row.vendor, row.product, row.transport);
         HapticDevices hapticDevices(fake.bus());
         std::vector<double> times;
         size_t had = 0;
@@ -67,8 +67,7 @@ TEST(HapticDevices, KeepsEachDevicesPaceAndTheNewestWins) {
 }
 
 TEST(HapticDevices, TellsWhenToComeBack) {
-    FakeBus fake;
-    fake.plug("a", kNintendo, kPro);
+    FakeBus fake(kNintendo, kPro);
     HapticDevices hapticDevices(fake.bus());
     hapticDevices.step({}, 0); // greeted
     ASSERT_EQ(fake.written["a"].size(), 1u);
@@ -80,8 +79,7 @@ TEST(HapticDevices, TellsWhenToComeBack) {
 }
 
 TEST(HapticDevices, UnpluggedWhileWritingAndPluggedInElsewhere) {
-    FakeBus fake;
-    fake.plug("a", kSony, kDualSense);
+    FakeBus fake(kSony, kDualSense);
     HapticDevices hapticDevices(fake.bus());
     hapticDevices.step(frameOf(1, 40), 0);
     EXPECT_EQ(hapticDevices.ready(), 1u);
@@ -98,8 +96,7 @@ TEST(HapticDevices, UnpluggedWhileWritingAndPluggedInElsewhere) {
 }
 
 TEST(HapticDevices, TwoAtOnceAreBothFeltAndOneGoingDoesNotHarmTheOther) {
-    FakeBus fake;
-    fake.plug("a", kSony, kDualSense);
+    FakeBus fake(kSony, kDualSense);
     fake.plug("b", kSony, kDualSense);
     fake.plug("c", kNintendo, kPro, Transport::Bluetooth);
     HapticDevices hapticDevices(fake.bus());
@@ -135,8 +132,7 @@ TEST(HapticDevices, AUserWithoutPermissionIsToldTheRuleOnce) {
 }
 
 TEST(HapticDevices, StopsTheMotorsAtTheEnd) {
-    FakeBus fake;
-    fake.plug("a", kSony, kDualSense);
+    FakeBus fake(kSony, kDualSense);
     {
         HapticDevices hapticDevices(fake.bus());
         hapticDevices.step(frameOf(1, 40), 0);
@@ -148,8 +144,7 @@ TEST(HapticDevices, StopsTheMotorsAtTheEnd) {
 }
 
 TEST(HapticDevices, AStopIsReadyBeforeAnythingRuns) {
-    FakeBus fake;
-    fake.plug("a", kSony, kDualSense, Transport::Bluetooth);
+    FakeBus fake(kSony, kDualSense, Transport::Bluetooth);
     HapticDevices hapticDevices(fake.bus());
     hapticDevices.step({}, 0);
     ASSERT_EQ(fake.guarded["a"].size(), 1u);
@@ -164,8 +159,7 @@ TEST(HapticDevices, AStopIsReadyBeforeAnythingRuns) {
 }
 
 TEST(HapticDevices, SequenceNumbersRise) {
-    FakeBus fake;
-    fake.plug("a", kSony, kDualSense, Transport::Bluetooth);
+    FakeBus fake(kSony, kDualSense, Transport::Bluetooth);
     HapticDevices hapticDevices(fake.bus());
     for (int i = 0; i < 20; ++i) hapticDevices.step(frameOf(i % 2 ? 1.0f : 0.5f, 40), i * 0.02);
     ASSERT_EQ(fake.written["a"].size(), 20u);
@@ -192,6 +186,90 @@ TEST(HapticDevices, APadIsMovedThroughOneOfItsTwoPaths) {
     ASSERT_EQ(refused.opened, 1u);
     ASSERT_EQ(refused.written["event"].size(), 1u);
     EXPECT_EQ(refused.written["event"][0], (std::vector<uint8_t>{0xFF, 0xFF, 0, 0})); // all on the strong one
+}
+
+// Tests of the thread that writes to the devices.
+
+// A DualSense on USB that keeps the values of its strong motor, and that can be slow to write to.
+struct Watched {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::vector<int> strong;
+    std::atomic<bool> slow{false}, entered{false};
+
+    struct Device final : HidDevice {
+        explicit Device(Watched& owner) : watched(owner) {}
+        bool write(std::span<const uint8_t> report) override {
+            watched.entered = true;
+            watched.slow.wait(true); // a device that takes its time
+            const std::lock_guard lock(watched.mutex);
+            watched.strong.push_back(report[4]);
+            watched.changed.notify_all();
+            return true;
+        }
+        Watched& watched;
+    };
+    HidBus bus() {
+        return {[] {
+                    return std::vector<HidInfo>{{"x", 0x054c, 0x0ce6, Transport::Usb, ""}};
+                },
+                [this](const std::string&) { return std::make_unique<Device>(*this); }};
+    }
+    std::vector<int> told() {
+        const std::lock_guard lock(mutex);
+        return strong;
+    }
+};
+
+// Submits until a condition holds: on a busy machine a frame may be too old before it comes to the device.
+template <class Enough> void submitUntil(HapticOutput& output, float amplitude, Enough&& enough) {
+    while (!enough()) {
+        output.submit(frameOf(amplitude, 40));
+        std::this_thread::yield();
+    }
+}
+
+TEST(HapticOutput, TheNewestFrameReachesTheDevice) {
+    Watched device;
+    HapticOutput output(device.bus());
+    submitUntil(output, 1, [&] { return !device.told().empty(); });
+    EXPECT_EQ(device.told().front(), 255);
+}
+
+TEST(HapticOutput, ADeviceThatHangsHoldsNobodyUpAndThenGetsTheNewest) {
+    constexpr int kNewest = 102, kBetween = 153; // 0.2 + 0.8 / 4 and / 2, of 255
+    Watched device;
+    HapticOutput output(device.bus());
+    device.slow = true;
+    submitUntil(output, 1, [&] { return device.entered.load(); });
+    for (int i = 0; i < 1000; ++i)
+        output.submit(frameOf(0.5f, 40)); // each returns though the device does not
+    EXPECT_THAT(device.told(), testing::IsEmpty());
+    output.submit(frameOf(0.25f, 40));
+    device.slow = false;
+    device.slow.notify_all();
+    submitUntil(output, 0.25f, [&] { return std::ranges::count(device.told(), kNewest) > 0; });
+    EXPECT_EQ(device.told().front(), 255);
+    EXPECT_EQ(std::ranges::count(device.told(), kBetween), 0) << "none of the thousand";
+}
+
+TEST(HapticOutput, AStalledProgramIsNotFelt) {
+    Watched device;
+    HapticOutput output(device.bus());
+    submitUntil(output, 1, [&] { return !device.told().empty(); });
+    std::unique_lock lock(device.mutex); // no further frame comes: the motor stops by itself
+    device.changed.wait(lock, [&] { return device.strong.back() == 0; });
+    EXPECT_EQ(device.strong.front(), 255);
+}
+
+TEST(HapticOutput, EndsWithStillMotors) {
+    Watched device;
+    {
+        HapticOutput output(device.bus());
+        submitUntil(output, 1, [&] { return !device.told().empty(); });
+    }
+    EXPECT_EQ(device.told().front(), 255);
+    EXPECT_EQ(device.told().back(), 0);
 }
 
 } // namespace

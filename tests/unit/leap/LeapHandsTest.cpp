@@ -2,20 +2,13 @@
 // instead of sleeping.
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandTracker.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 #include "tests/unit/live_server/HttpServer.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-
-#include <cstdlib>
-#include <limits>
-#include <numbers>
 
 namespace shoal::hands {
 namespace {
@@ -45,6 +38,13 @@ std::string frameAt(int64_t time_us, int64_t id = 1) {
     hand.id = id;
     return test::madeFrame(6, time_us, time_us, {hand});
 }
+
+// A client and its service.
+class LeapSession : public testing::Test {
+  protected:
+    Server server;
+    const Tracker hands = connectTo(server);
+};
 
 TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
     for (const bool onHeadset : {false, true}) {
@@ -134,21 +134,24 @@ TEST(LeapHands, TheElbowIsWhereTheServiceSeesItOrNotKnown) {
     }
 }
 
+std::string deviceEvent(const std::string& attached) {
+    return R"({"event":{"type":"deviceEvent","state":{"attached":)" + attached +
+           R"(,"id":"L1","streaming":)" + attached + R"(,"type":"peripheral"}}})";
+}
+
 TEST(LeapHands, DeviceEventsAndTheServicesAbsenceAreSaid) {
     uint16_t port = 0;
     {
         Server server;
         port = static_cast<uint16_t>(server.port());
         const Tracker hands = connectTo(server);
-        server.say("{\"event\":{\"type\":\"deviceEvent\",\"state\":{\"attached\":true,\"id\":\"L1\","
-                   "\"streaming\":true,\"type\":\"peripheral\"}}}");
+        server.say(deviceEvent("true"));
         server.say(frameAt(1));
         next(hands);
         EXPECT_TRUE(hands->stream().state().present);
         EXPECT_THAT(hands->stream().state().description, testing::HasSubstr("peripheral attached"));
         EXPECT_THAT(hands->stream().state().description, testing::HasSubstr("protocol 6"));
-        server.say("{\"event\":{\"type\":\"deviceEvent\",\"state\":{\"attached\":false,\"id\":\"L1\","
-                   "\"streaming\":false,\"type\":\"peripheral\"}}}");
+        server.say(deviceEvent("false"));
         server.say(frameAt(2));
         next(hands);
         EXPECT_FALSE(hands->stream().state().present) << "no device, no hands";
@@ -225,9 +228,7 @@ std::vector<test::MadeHand> facingHands(float apart_m) {
 // Hands that touch before the tracker touch in the game: near each other, the vectors between their joints
 // are as the device sees them. Far apart their distance is scaled by the desk's reach, and between it only
 // grows.
-TEST(LeapHands, ClappingPalmsMeet) {
-    Server server;
-    const Tracker hands = connectTo(server);
+TEST_F(LeapSession, ClappingPalmsMeet) {
     constexpr int kFrames = 140;
     std::vector<float> palms_m;
     for (int i = 0; i < kFrames; ++i) {
@@ -254,9 +255,7 @@ TEST(LeapHands, ClappingPalmsMeet) {
     for (size_t i = 1; i < palms_m.size(); ++i) EXPECT_GT(palms_m[i], palms_m[i - 1]) << i;
 }
 
-TEST(LeapHands, ASecondHandThatComesOrGoesLetsTheFirstNotLeap) {
-    Server server;
-    const Tracker hands = connectTo(server);
+TEST_F(LeapSession, ASecondHandThatComesOrGoesLetsTheFirstNotLeap) {
     const auto both = facingHands(0.1f);
     glm::vec3 before(0), alone(0);
     for (int i = 0; i < 150; ++i) {
@@ -287,9 +286,7 @@ std::string changed(const std::string& message, bool otherLabel, bool otherNorma
 }
 
 // The joints correct a service that takes the right hand for the left, or the palm for the back.
-TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
-    Server server;
-    const Tracker hands = connectTo(server);
+TEST_F(LeapSession, AWrongLabelOrNormalIsCorrectedByTheJoints) {
     int64_t id = 0;
     for (const Side side : {Side::Left, Side::Right})
         for (const float curl : {0.0f, 0.3f, 0.6f, 0.9f})
@@ -318,9 +315,7 @@ TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
 }
 
 // Straight fingers do not show whether the label or the normal is wrong: such a hand is not shown.
-TEST(LeapHands, AHandThatCannotBeMendedIsDropped) {
-    Server server;
-    const Tracker hands = connectTo(server);
+TEST_F(LeapSession, AHandThatCannotBeMendedIsDropped) {
     test::MadeHand made{Side::Right, 1, rig().pose(Side::Right, {}, {{0.05f, 0.2f, 0.1f}, {1, 0, 0, 0}})};
     for (size_t f = 1; f < kFingerCount; ++f)
         for (int j = kFingerJoints[f].proximal + 1; j <= kFingerJoints[f].tip; ++j) {
@@ -372,9 +367,7 @@ TEST(LeapHands, AMovingHandIsSolidAndSteadyAtAnyRate) {
     }
 }
 
-TEST(LeapHands, RubbishIsPassedOver) {
-    Server server;
-    const Tracker hands = connectTo(server);
+TEST_F(LeapSession, RubbishIsPassedOver) {
     const auto rubbish = [&](std::string text) { server.say(std::move(text)); };
     rubbish("");
     rubbish("{");
@@ -391,9 +384,7 @@ TEST(LeapHands, RubbishIsPassedOver) {
     EXPECT_EQ(server.paths().size(), 1u) << "one connection bore all of it";
 }
 
-TEST(LeapHands, AbsurdHandsAreNotHands) {
-    Server server;
-    const Tracker hands = connectTo(server);
+TEST_F(LeapSession, AbsurdHandsAreNotHands) {
     for (const char* palm :
          {"[1e300,0,0]", "[null,0,0]", "[\"1\",0,0]", "[0,0]", "[1e9,0,0]", "[[],[],[]]"}) {
         server.say(std::string("{\"timestamp\":1,\"hands\":[{\"id\":1,\"type\":\"right\",\"palmPosition\":") +

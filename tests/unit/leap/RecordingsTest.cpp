@@ -3,17 +3,9 @@
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/leap/LeapMessage.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/unit/hands/SimulatedTracker.h"
-
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
 
 namespace shoal::hands {
 namespace {
@@ -208,9 +200,8 @@ TEST(MadeRecording, ShortLossesOfARealKindAreBridgedAndTheFistKept) {
     float notSeen_s = 0;
     int fistBegan = -1;
     for (int i = 0; i < 280; ++i) {
-        const auto read = readLeapMessage(messages[static_cast<size_t>(i)]);
-        ASSERT_TRUE(read);
-        const HandFrame frame = tracks.frame(std::get<LeapFrame>(*read), i * 10000);
+        const auto read = tests::valueOf(readLeapMessage(messages[static_cast<size_t>(i)]));
+        const HandFrame frame = tracks.frame(std::get<LeapFrame>(read), i * 10000);
         filter.step(frame.hands[1], frame.identity[1], frame.time_us);
         notSeen_s = filter.seen() ? 0 : notSeen_s + 0.01f;
         const HandPose& pose = hand.step(filter.pose(), filter.stretch(), notSeen_s, 0.01f);

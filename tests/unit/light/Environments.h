@@ -4,8 +4,12 @@
 #include "engine/core/Image.h"
 #include "engine/math/LatLong.h"
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace shoal::light {
@@ -59,6 +63,11 @@ inline double largestDifference(const ImageRgbF& image, const glm::dvec3& value)
         worst =
             std::max(worst, std::abs(static_cast<double>(image.pixels[i]) - value[static_cast<int>(i % 3)]));
     return worst;
+}
+
+// Returns the angle between unit vectors; exact where they are close, too.
+inline double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::degrees(2 * std::asin(std::min(1.0, 0.5 * glm::length(a - b))));
 }
 
 } // namespace shoal::light

@@ -1,11 +1,6 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/math/Colour.h"
-
-#include <glm/ext/vector_double3.hpp>
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/Test.h"
 
 // The shaders' twin, in double precision.
 namespace glsl {

@@ -1,21 +1,61 @@
 // The library's C interface: what it takes, what it refuses, and that its textures, sampled as
 // shaders/light/Environment.glsl samples them, hold the light that its look-ups give.
-#include "tests/unit/light_library/Library.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <limits>
-#include <numbers>
-#include <vector>
+#include "engine/light/library/ShoalLight.h"
+#include "tests/Test.h"
+#include "tests/unit/Heap.h"
 
 namespace {
 
-using shoallight::Colour;
-using shoallight::Direction;
+using shoal::heap::kUnlimited, shoal::heap::left;
+
+// Makers and lights of the C interface, owned by scope; failures are thrown.
+using Colour = std::array<float, 3>;
+using Direction = std::array<float, 3>;
+
+void check(ShoalLightStatus status) {
+    if (status != SHOAL_LIGHT_OK) throw std::runtime_error(shoalLightError());
+}
+
+template <class T, auto kDestroy> struct Owned {
+    T* object = nullptr;
+    Owned() = default;
+    Owned(const Owned&) = delete;
+    ~Owned() { kDestroy(object); }
+};
+
+struct Light : Owned<ShoalLight, shoalLightDestroy> {
+    Light() { check(shoalLightCreate(&object)); }
+    ShoalLightMaps maps() const {
+        ShoalLightMaps maps;
+        shoalLightMaps(object, &maps);
+        return maps;
+    }
+    Colour diffuse(const Direction& normal) const {
+        Colour radiance;
+        shoalLightDiffuse(object, normal.data(), radiance.data());
+        return radiance;
+    }
+    Colour glossy(const Direction& mirrored, float roughness) const {
+        Colour radiance;
+        shoalLightGlossy(object, mirrored.data(), roughness, radiance.data());
+        return radiance;
+    }
+    std::vector<ShoalLightSource> sources() const {
+        std::vector<ShoalLightSource> found(3);
+        found.resize(static_cast<size_t>(shoalLightSources(object, found.data(), 3)));
+        return found;
+    }
+};
+
+struct Maker : Owned<ShoalLightMaker, shoalLightMakerDestroy> {
+    explicit Maker(const ShoalLightOptions& options = shoalLightDefaults()) {
+        check(shoalLightMakerCreate(&options, &object));
+    }
+    void set(int32_t setting, int32_t value) { check(shoalLightMakerSet(object, setting, value)); }
+    void make(const ShoalLightFrame& frame, Light& light) {
+        check(shoalLightMake(object, &frame, light.object));
+    }
+};
 
 constexpr int kWidth = 256, kHeight = 128;
 
@@ -45,7 +85,7 @@ std::vector<uint8_t> reordered(const std::vector<uint8_t>& rgba, int channels, b
     return out;
 }
 
-std::vector<uint16_t> halvesOf(const shoallight::Light& light) {
+std::vector<uint16_t> halvesOf(const Light& light) {
     const ShoalLightTexture map = light.maps().lightMap;
     return {map.rgba, map.rgba + 4 * static_cast<size_t>(map.width) * static_cast<size_t>(map.height)};
 }
@@ -97,8 +137,8 @@ std::vector<Direction> directions() {
 }
 
 TEST(LightLibrary, TexturesHoldWhatTheLookUpsGive) {
-    shoallight::Maker maker({SHOAL_LIGHT_VIDEO, 0.1f, 512});
-    shoallight::Light light;
+    Maker maker({SHOAL_LIGHT_VIDEO, 0.1f, 512});
+    Light light;
     maker.make(frameOf(scene()), light);
     const ShoalLightMaps maps = light.maps();
     ASSERT_EQ(maps.mapCount, 17);
@@ -116,8 +156,8 @@ TEST(LightLibrary, TexturesHoldWhatTheLookUpsGive) {
 
 TEST(LightLibrary, EveryLayoutOfAFrameGivesTheSameLight) {
     const std::vector<uint8_t> rgba = scene();
-    shoallight::Maker maker;
-    shoallight::Light light;
+    Maker maker;
+    Light light;
     maker.make(frameOf(rgba), light);
     const std::vector<uint16_t> wanted = halvesOf(light);
     for (const auto& [format, channels, bgr] : {std::tuple{SHOAL_LIGHT_BGR8, 3, true},
@@ -131,8 +171,8 @@ TEST(LightLibrary, EveryLayoutOfAFrameGivesTheSameLight) {
 
 TEST(LightLibrary, RowsMayHaveGapsAndRunUpwards) {
     const std::vector<uint8_t> rgba = scene();
-    shoallight::Maker maker;
-    shoallight::Light light;
+    Maker maker;
+    Light light;
     maker.make(frameOf(rgba), light);
     const std::vector<uint16_t> wanted = halvesOf(light);
     const std::vector<uint8_t> bgr = reordered(rgba, 3, true);
@@ -145,8 +185,8 @@ TEST(LightLibrary, RowsMayHaveGapsAndRunUpwards) {
 }
 
 TEST(LightLibrary, FloatsAreTakenAsRadianceAndMended) {
-    shoallight::Maker maker;
-    shoallight::Light light;
+    Maker maker;
+    Light light;
     std::vector<float> rgb(3 * kWidth * kHeight, 2.0f);
     maker.make({rgb.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB32F}, light);
     EXPECT_NEAR(light.diffuse({0, 1, 0})[0], 2, 1e-4);
@@ -159,10 +199,10 @@ TEST(LightLibrary, FloatsAreTakenAsRadianceAndMended) {
 
 TEST(LightLibrary, MirrorsAreMadeForSmoothSurfacesOnly) {
     const std::vector<uint8_t> rgba = scene();
-    shoallight::Light light;
-    shoallight::Maker({SHOAL_LIGHT_VIDEO, 0.1f, 1024}).make(frameOf(rgba), light);
+    Light light;
+    Maker({SHOAL_LIGHT_VIDEO, 0.1f, 1024}).make(frameOf(rgba), light);
     EXPECT_EQ(light.maps().mirrorLevels, 0);
-    shoallight::Maker({SHOAL_LIGHT_VIDEO, 0.05f, 1024}).make(frameOf(rgba), light);
+    Maker({SHOAL_LIGHT_VIDEO, 0.05f, 1024}).make(frameOf(rgba), light);
     const ShoalLightMaps maps = light.maps();
     ASSERT_EQ(maps.mirrorLevels, 1); // as wide as the frame
     EXPECT_EQ(maps.mirrors[0].width, kWidth);
@@ -176,14 +216,14 @@ TEST(LightLibrary, MirrorsAreMadeForSmoothSurfacesOnly) {
     for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(shown[c] / wanted[c], 1, 0.01);
     shoalLightDisplayFromRadiance(wanted.data(), wanted.data());
     for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(wanted[c], coded[c], 1e-4);
-    shoallight::Maker({SHOAL_LIGHT_VIDEO, 0.5f, 1024}).make(frameOf(rgba), light);
+    Maker({SHOAL_LIGHT_VIDEO, 0.5f, 1024}).make(frameOf(rgba), light);
     EXPECT_LT(light.maps().mapCount, 17);
 }
 
 TEST(LightLibrary, WrongInputIsSaidAndLeavesTheLight) {
     const std::vector<uint8_t> rgba = scene();
-    shoallight::Maker maker;
-    shoallight::Light light;
+    Maker maker;
+    Light light;
     maker.make(frameOf(rgba), light);
     const std::vector<uint16_t> before = halvesOf(light);
     const ShoalLightFrame good = frameOf(rgba);
@@ -221,7 +261,7 @@ TEST(LightLibrary, WrongInputIsSaidAndLeavesTheLight) {
 }
 
 TEST(LightLibrary, NothingAndNonsenseAreBlack) {
-    shoallight::Light empty;
+    Light empty;
     EXPECT_EQ(empty.maps().lightMap.rgba, nullptr);
     EXPECT_EQ(empty.glossy({0, 1, 0}, 0.5f), Colour{});
     Colour radiance{1, 1, 1};
@@ -230,8 +270,8 @@ TEST(LightLibrary, NothingAndNonsenseAreBlack) {
     shoalLightDestroy(nullptr);
     shoalLightMakerDestroy(nullptr);
 
-    shoallight::Light light;
-    shoallight::Maker().make(frameOf(scene()), light);
+    Light light;
+    Maker().make(frameOf(scene()), light);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
                     kInf = std::numeric_limits<float>::infinity();
     EXPECT_EQ(light.diffuse({kNan, 0, 0}), Colour{});
@@ -253,8 +293,8 @@ TEST(LightLibrary, ScaledMapsHoldASunThatHalfFloatsCannot) {
     for (const float sun : {100.0f, 1e9f}) {
         const std::vector<float> rgb = sunnySky(sun);
         const ShoalLightFrame frame{rgb.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB32F};
-        shoallight::Maker maker({SHOAL_LIGHT_STILL, 0.1f, 512});
-        shoallight::Light cut, scaled;
+        Maker maker({SHOAL_LIGHT_STILL, 0.1f, 512});
+        Light cut, scaled;
         maker.make(frame, cut);
         maker.set(SHOAL_LIGHT_SCALED_MAPS, 1);
         maker.make(frame, scaled);
@@ -274,8 +314,8 @@ TEST(LightLibrary, ScaledMapsHoldASunThatHalfFloatsCannot) {
 TEST(LightLibrary, FramesAreWhatTheMakerIsTold) {
     const std::vector<uint8_t> grey(3 * kWidth * kHeight, 128);
     const ShoalLightFrame frame{grey.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB8};
-    shoallight::Maker maker;
-    shoallight::Light light;
+    Maker maker;
+    Light light;
     // By the formula: 128 / 255 (10 (128 / 255)^10 + 1.8); by IEC 61966-2-1: 0.2159.
     for (const auto& [frames, wanted] :
          {std::pair(SHOAL_LIGHT_THESIS, 0.9086f), std::pair(SHOAL_LIGHT_SRGB, 0.2159f),
@@ -292,8 +332,8 @@ TEST(LightLibrary, FramesAreWhatTheMakerIsTold) {
 TEST(LightLibrary, SourcesAreFoundWhereAskedFor) {
     const std::vector<float> rgb = sunnySky(3000);
     const ShoalLightFrame frame{rgb.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB32F};
-    shoallight::Maker maker;
-    shoallight::Light light;
+    Maker maker;
+    Light light;
     maker.make(frame, light);
     EXPECT_TRUE(light.sources().empty());
     maker.set(SHOAL_LIGHT_FIND_SOURCES, 1);
@@ -317,13 +357,65 @@ TEST(LightLibrary, SourcesAreFoundWhereAskedFor) {
 
 TEST(LightLibrary, TheSurfaceTableKeepsEnergy) {
     std::vector<float> table(2 * 32 * 32);
-    shoallight::check(shoalLightSurfaceTable(32, table.data()));
+    check(shoalLightSurfaceTable(32, table.data()));
     for (size_t i = 0; i < table.size(); i += 2) {
         EXPECT_GE(table[i], 0);
         EXPECT_GE(table[i + 1], 0);
         EXPECT_LE(table[i] + table[i + 1], 1.001f);
     }
     EXPECT_STREQ(shoalLightVersion(), "1.1.0");
+}
+
+// Nothing is allocated from a light's second frame on; an error says that there is not enough memory, and the
+// maker and the light serve again.
+TEST(LightLibraryMemory, ASecondFrameTakesNone) {
+    const std::vector<uint8_t> bytes(4 * kWidth * kHeight, 99);
+    const std::vector<float> floats(4 * kWidth * kHeight, 0.5f);
+    for (const int32_t format : {SHOAL_LIGHT_BGR8, SHOAL_LIGHT_RGBA8, SHOAL_LIGHT_RGBA32F}) {
+        const bool coded = format != SHOAL_LIGHT_RGBA32F;
+        const void* pixels = coded ? static_cast<const void*>(bytes.data()) : floats.data();
+        const ShoalLightFrame frame{pixels, kWidth, kHeight, 0, format};
+        Maker maker({SHOAL_LIGHT_VIDEO, 0.05f, 512});
+        Light light;
+        maker.make(frame, light);
+        left = 0;
+        EXPECT_NO_THROW(maker.make(frame, light)) << format;
+        left = kUnlimited;
+    }
+}
+
+TEST(LightLibraryMemory, TooLittleIsSaidWhereverItEnds) {
+    const std::vector<uint8_t> bytes(4 * kWidth * kHeight, 99);
+    const ShoalLightFrame frame{bytes.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGBA8};
+    const ShoalLightOptions options{SHOAL_LIGHT_VIDEO, 0.5f, 256};
+    ShoalLightMaker* none = nullptr;
+    left = 0;
+    EXPECT_EQ(shoalLightMakerCreate(&options, &none), SHOAL_LIGHT_OUT_OF_MEMORY);
+    left = kUnlimited;
+    EXPECT_EQ(none, nullptr);
+
+    Light wanted;
+    Maker(options).make(frame, wanted);
+    ShoalLightMaker* maker = nullptr;
+    ASSERT_EQ(shoalLightMakerCreate(&options, &maker), SHOAL_LIGHT_OK);
+    int failures = 0;
+    for (long enough = 0;; enough += 1 + enough / 4) {
+        Light light;
+        left = enough;
+        const ShoalLightStatus status = shoalLightMake(maker, &frame, light.object);
+        left = kUnlimited;
+        if (status == SHOAL_LIGHT_OK) break;
+        ++failures;
+        ASSERT_EQ(status, SHOAL_LIGHT_OUT_OF_MEMORY);
+        EXPECT_EQ(light.maps().mapCount, 0);
+        if (failures % 5) continue; // now and then: the same maker, with enough of it
+        ASSERT_EQ(shoalLightMake(maker, &frame, light.object), SHOAL_LIGHT_OK);
+        EXPECT_EQ(light.diffuse({0, 1, 0}), wanted.diffuse({0, 1, 0}));
+        shoalLightMakerDestroy(maker);
+        ASSERT_EQ(shoalLightMakerCreate(&options, &maker), SHOAL_LIGHT_OK);
+    }
+    EXPECT_GT(failures, 10);
+    shoalLightMakerDestroy(maker);
 }
 
 } // namespace

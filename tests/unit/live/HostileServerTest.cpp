@@ -1,13 +1,10 @@
 // Malicious servers: the player leaves them soon, and they cannot make it open another file or server.
 #include "engine/media/live/LivePlayer.h"
-
+#include "tests/Test.h"
 #include "tests/unit/live_server/HttpServer.h"
-
-#include <gtest/gtest.h>
 
 #include <arpa/inet.h>
 #include <atomic>
-#include <fstream>
 #include <sys/socket.h>
 #include <thread>
 #include <unistd.h>

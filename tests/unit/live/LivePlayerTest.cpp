@@ -1,21 +1,96 @@
 // Tests of the player with a fake feed and a simulated clock, so that no test waits for real time.
 #include "engine/media/live/LivePlayer.h"
+#include "tests/unit/media/TestFiles.h"
 
-#include "tests/unit/live/FakeFeed.h"
-
-#include <set>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
 #include <thread>
 
 namespace shoal::media {
 namespace {
 
-using test::FakeFeed;
+// A live feed whose pictures a test sends. A player may keep it beyond the end of its test.
+class FakeFeed final : public LiveFeed {
+  public:
+    FakeFeed() : LiveFeed("fake:0", "stream") {}
+
+    // Sends a grey picture, whose number numberOf() reads back.
+    void send(int number, double arrived_s = 0, int width = 64, int height = 32) {
+        change([&] { events_.push_back({number, arrived_s, width, height, {}}); });
+    }
+    void breakOff(std::string why) {
+        change([&] { events_.push_back({.broken = std::move(why)}); });
+    }
+    void refuse(std::string why) { // open() fails with this message until it is empty
+        change([&] { refusal_ = std::move(why); });
+    }
+    void block(bool deaf) { // blocks open() and read(); deaf: an interruption does not end that
+        change([&] { blocked_ = true, deaf_ = deaf; });
+    }
+    void unblock() {
+        change([&] { blocked_ = false; });
+    }
+    int opened() const {
+        const std::lock_guard lock(mutex_);
+        return opened_;
+    }
+
+    Status open() override {
+        std::unique_lock lock(mutex_);
+        ++opened_;
+        wait(lock, [&] { return !blocked_; });
+        if (!refusal_.empty()) return Error{"", refusal_};
+        return Done{};
+    }
+    Result<LivePicture> read(ImageRgb8& bgr) override {
+        std::unique_lock lock(mutex_);
+        wait(lock, [&] { return !blocked_ && !events_.empty(); });
+        if (events_.empty()) return Error{"", "was interrupted"};
+        const Event event = events_.front();
+        events_.pop_front();
+        if (!event.broken.empty()) return Error{"", event.broken};
+        bgr.fit(event.width, event.height);
+        std::fill(bgr.pixels.begin(), bgr.pixels.end(),
+                  static_cast<uint8_t>(kFirstGrey + kGreyStep * event.number));
+        return LivePicture{event.arrived_s, 1, 0};
+    }
+    void interrupt() override {
+        change([&] { interrupted_ = true; });
+    }
+
+  private:
+    struct Event {
+        int number = 0;
+        double arrived_s = 0;
+        int width = 0, height = 0;
+        std::string broken;
+    };
+    template <class Change> void change(Change&& change) {
+        const std::lock_guard lock(mutex_);
+        change();
+        changed_.notify_all();
+    }
+    template <class Ready> void wait(std::unique_lock<std::mutex>& lock, Ready&& ready) {
+        changed_.wait(lock, [&] { return ready() || (interrupted_ && !(blocked_ && deaf_)); });
+    }
+
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Event> events_;
+    std::string refusal_;
+    bool blocked_ = false, deaf_ = false, interrupted_ = false;
+    int opened_ = 0;
+};
 
 struct Played {
     std::shared_ptr<FakeFeed> fake = std::make_shared<FakeFeed>();
     std::atomic<double> now_s{100};
     std::optional<LivePlayer> player;
 
+    explicit Played(bool begins = true) {
+        if (begins) begin(options());
+    }
     LiveOptions options() {
         LiveOptions options;
         options.retryFirst_s = options.retryMax_s = 0;
@@ -25,9 +100,7 @@ struct Played {
     // Plays, with picture 0 shown.
     void begin(LiveOptions with) {
         fake->send(0, now_s);
-        auto opened = LivePlayer::open(fake, std::move(with));
-        ASSERT_TRUE(opened) << opened.error().message();
-        player.emplace(std::move(*opened));
+        player.emplace(tests::valueOf(LivePlayer::open(fake, std::move(with))));
     }
     int shown() { return numberOf(player->newest()->pixelsBgr); }
     void untilMade(int64_t count) {
@@ -37,7 +110,6 @@ struct Played {
 
 TEST(LivePlayer, ABurstShowsItsNewestAndCountsTheRest) {
     Played p;
-    p.begin(p.options());
     for (int i = 1; i <= 5; ++i) p.fake->send(i);
     p.untilMade(6);
     EXPECT_EQ(p.shown(), 5);
@@ -50,7 +122,6 @@ TEST(LivePlayer, ABurstShowsItsNewestAndCountsTheRest) {
 
 TEST(LivePlayer, TheShownFrameStaysUntouchedWhileOthersCome) {
     Played p;
-    p.begin(p.options());
     const VideoFrame* shown = p.player->newest();
     for (int i = 1; i < 40; ++i) p.fake->send(i);
     p.untilMade(40);
@@ -59,7 +130,7 @@ TEST(LivePlayer, TheShownFrameStaysUntouchedWhileOthersCome) {
 }
 
 TEST(LivePlayer, PrepareSeesTheSlotThatIsShownAndMemoryStaysFlat) {
-    Played p;
+    Played p(false);
     std::array<int, kFrameSlots> prepared{};
     std::set<const uint8_t*> memory;
     LiveOptions options = p.options();
@@ -81,7 +152,6 @@ TEST(LivePlayer, PrepareSeesTheSlotThatIsShownAndMemoryStaysFlat) {
 
 TEST(LivePlayer, StoppedItKeepsItsPictureSaysSoAndComesBack) {
     Played p;
-    p.begin(p.options());
     EXPECT_EQ(p.shown(), 0);
     EXPECT_EQ(p.player->notice(), "");
     p.now_s = p.now_s + 0.9;
@@ -105,7 +175,6 @@ TEST(LivePlayer, StoppedItKeepsItsPictureSaysSoAndComesBack) {
 
 TEST(LivePlayer, LostItSaysWhyAndOpensAnewUntilItIsBack) {
     Played p;
-    p.begin(p.options());
     p.fake->refuse("cannot be reached");
     p.fake->breakOff("was cut");
     while (p.fake->opened() < 5) std::this_thread::yield();
@@ -125,7 +194,6 @@ TEST(LivePlayer, LostItSaysWhyAndOpensAnewUntilItIsBack) {
 
 TEST(LivePlayer, TellsInHowManyOfTheDisplaysPicturesAFrameWasShown) {
     Played p;
-    p.begin(p.options());
     const auto call = [&](double at_s) {
         p.now_s = at_s;
         p.player->newest();
@@ -146,7 +214,6 @@ TEST(LivePlayer, TellsInHowManyOfTheDisplaysPicturesAFrameWasShown) {
 
 TEST(LivePlayer, AnotherSizeOnTheWayIsAnotherLayout) {
     Played p;
-    p.begin(p.options());
     EXPECT_EQ(p.player->newest()->layout, Layout::Mono);
     p.fake->send(1, 0, 64, 64);
     p.untilMade(2);
@@ -158,7 +225,7 @@ TEST(LivePlayer, AnotherSizeOnTheWayIsAnotherLayout) {
 }
 
 TEST(LivePlayer, OpeningFailsWithTheReason) {
-    Played p;
+    Played p(false);
     p.fake->refuse("cannot be reached");
     const auto refused = LivePlayer::open(p.fake, p.options());
     ASSERT_FALSE(refused);
@@ -181,7 +248,6 @@ TEST(LivePlayer, ItCanBeLeftWhileTheFeedHangs) {
         opening->unblock();
 
         Played p;
-        p.begin(p.options());
         p.fake->block(deaf);
         p.player.reset();
         p.fake->unblock();

@@ -4,10 +4,6 @@
 #include "engine/media/Check.h"
 #include "tests/unit/media/TestFiles.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace shoal::media {
 namespace {
 
@@ -63,19 +59,18 @@ TEST_F(DepthTracks, ComeBackAsTheyWereInAnyOrder) {
         SCOPED_TRACE(width);
         const DepthTrackInfo info{width, width / 2, 50, 50 / 12.0};
         ASSERT_TRUE(write(file_, info));
-        auto track = DepthTrack::open(file_);
-        ASSERT_TRUE(track) << track.error().message();
-        EXPECT_EQ(track->info().width, width);
-        EXPECT_EQ(track->info().height, width / 2);
-        EXPECT_EQ(track->info().frameCount, 50);
-        EXPECT_EQ(track->info().duration_s, 50 / 12.0);
+        auto track = tests::valueOf(DepthTrack::open(file_));
+        EXPECT_EQ(track.info().width, width);
+        EXPECT_EQ(track.info().height, width / 2);
+        EXPECT_EQ(track.info().frameCount, 50);
+        EXPECT_EQ(track.info().duration_s, 50 / 12.0);
         DepthFrame frame;
         for (const int number : {0, 1, 2, 40, 49, 0, 7, 3, 49, 48}) {
-            ASSERT_TRUE(track->read(number, frame)) << number;
+            ASSERT_TRUE(track.read(number, frame)) << number;
             EXPECT_TRUE(same(frame, frameOf(number, width))) << number;
         }
-        EXPECT_FALSE(track->read(-1, frame));
-        EXPECT_FALSE(track->read(50, frame));
+        EXPECT_FALSE(track.read(-1, frame));
+        EXPECT_FALSE(track.read(50, frame));
         EXPECT_TRUE(same(frame, frameOf(48, width))) << "stays as it was";
     }
 }
@@ -93,13 +88,12 @@ TEST_F(DepthTracks, FindEachFrameAtEveryRate) {
         SCOPED_TRACE(rate);
         const int count = 300;
         ASSERT_TRUE(write(file_, {16, 8, count, count / rate}));
-        auto track = DepthTrack::open(file_);
-        ASSERT_TRUE(track) << track.error().message();
+        auto track = tests::valueOf(DepthTrack::open(file_));
         DepthFrame frame;
         for (const int number : {299, 0, 1, 100, 298, 33, 34}) {
-            ASSERT_TRUE(track->read(number, frame)) << number;
+            ASSERT_TRUE(track.read(number, frame)) << number;
             EXPECT_TRUE(same(frame, frameOf(number, 16))) << number;
-            EXPECT_EQ(track->frameAt(number / rate), number);
+            EXPECT_EQ(track.frameAt(number / rate), number);
         }
     }
 }
@@ -107,17 +101,16 @@ TEST_F(DepthTracks, FindEachFrameAtEveryRate) {
 // Twelve a second for a film of 24: of two as near the later, which at the film's end is its beginning.
 TEST_F(DepthTracks, FrameAtIsTheNearestAroundTheJoint) {
     ASSERT_TRUE(write(file_, {16, 8, 24, 2}));
-    const auto track = DepthTrack::open(file_);
-    ASSERT_TRUE(track);
-    EXPECT_EQ(track->frameAt(0), 0);
-    EXPECT_EQ(track->frameAt(0.04), 0);
-    EXPECT_EQ(track->frameAt(0.042), 1);
-    EXPECT_EQ(track->frameAt(1), 12);
-    EXPECT_EQ(track->frameAt(1.95), 23);
-    EXPECT_EQ(track->frameAt(1.96), 0);
-    EXPECT_EQ(track->frameAt(2), 0);
-    EXPECT_EQ(track->frameAt(2000.5), 6);
-    EXPECT_EQ(track->frameAt(-0.5), 18);
+    const auto track = tests::valueOf(DepthTrack::open(file_));
+    EXPECT_EQ(track.frameAt(0), 0);
+    EXPECT_EQ(track.frameAt(0.04), 0);
+    EXPECT_EQ(track.frameAt(0.042), 1);
+    EXPECT_EQ(track.frameAt(1), 12);
+    EXPECT_EQ(track.frameAt(1.95), 23);
+    EXPECT_EQ(track.frameAt(1.96), 0);
+    EXPECT_EQ(track.frameAt(2), 0);
+    EXPECT_EQ(track.frameAt(2000.5), 6);
+    EXPECT_EQ(track.frameAt(-0.5), 18);
 }
 
 TEST_F(DepthTracks, BelongToTheVersionsOfAFilm) {
@@ -210,12 +203,11 @@ TEST_F(DepthTracks, TracksOfImpossibleLengthsAreNotWritten) {
     EXPECT_FALSE(DepthTrackWriter::make({8192, 4096, 10, 1}, {}));
     EXPECT_FALSE(DepthTrackWriter::make({16, std::numeric_limits<int>::min() + 8, 10, 1}, {}))
         << "twice it is 16";
-    auto writer = DepthTrackWriter::make(kSmall, {});
-    ASSERT_TRUE(writer);
-    EXPECT_FALSE(writer->add(frameOf(0, 16)));
-    EXPECT_FALSE(writer->add({32, 16, std::vector<uint16_t>(32 * 16), {}})) << "no confidence";
-    EXPECT_TRUE(writer->add(frameOf(0, 32)));
-    EXPECT_FALSE(writer->finish(file_)) << "frames are missing";
+    auto writer = tests::valueOf(DepthTrackWriter::make(kSmall, {}));
+    EXPECT_FALSE(writer.add(frameOf(0, 16)));
+    EXPECT_FALSE(writer.add({32, 16, std::vector<uint16_t>(32 * 16), {}})) << "no confidence";
+    EXPECT_TRUE(writer.add(frameOf(0, 32)));
+    EXPECT_FALSE(writer.finish(file_)) << "frames are missing";
     EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
@@ -287,9 +279,8 @@ TEST_F(DepthTracks, CheckSaysWhatTheyAre) {
     ASSERT_TRUE(writer && writer->add(frame));
     std::ranges::fill(frame.confidence, uint16_t{0});
     ASSERT_TRUE(writer->add(frame) && writer->finish(file_));
-    const auto said = checkDepthTrack(file_);
-    ASSERT_TRUE(said) << said.error().message();
-    EXPECT_EQ(*said, "16x8 depth track, 0.5 frames/s, 4.0 s, nearest 0.50 m, mean confidence 50 %");
+    const auto said = tests::valueOf(checkDepthTrack(file_));
+    EXPECT_EQ(said, "16x8 depth track, 0.5 frames/s, 4.0 s, nearest 0.50 m, mean confidence 50 %");
 
     ASSERT_TRUE(write(file_, kSmall));
     std::string bad = readBytes(file_);

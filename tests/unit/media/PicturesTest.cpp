@@ -1,5 +1,4 @@
 #include "engine/media/Pictures.h"
-
 #include "engine/core/Random.h"
 #include "engine/media/Check.h"
 #include "engine/media/PictureHeader.h"
@@ -8,9 +7,6 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <sys/stat.h>
 
 namespace shoal::media {
@@ -23,6 +19,14 @@ ImageRgb8 noise8(int width, int height) {
     return image;
 }
 
+class Pictures : public testing::Test {
+  protected:
+    const TempFolder folder;
+};
+using HdrPictures = Pictures;
+using Check = Pictures;
+using PanoramaPlacement = Pictures;
+
 // Radiance over twelve decades, beyond half floats.
 ImageRgbF noiseF(int width, int height) {
     Random random(2);
@@ -31,15 +35,13 @@ ImageRgbF noiseF(int width, int height) {
     return image;
 }
 
-TEST(Pictures, PngRoundTripIsExactAndRedStaysRed) {
-    const TempFolder folder;
+TEST_F(Pictures, PngRoundTripIsExactAndRedStaysRed) {
     const ImageRgb8 image = noise8(37, 19);
     ASSERT_TRUE(writePng(folder / "a.png", image));
-    const auto read = readPicture(folder / "a.png");
-    ASSERT_TRUE(read) << read.error().message();
-    EXPECT_EQ(read->width, 37);
-    EXPECT_EQ(read->height, 19);
-    EXPECT_EQ(read->pixels, image.pixels);
+    const auto read = tests::valueOf(readPicture(folder / "a.png"));
+    EXPECT_EQ(read.width, 37);
+    EXPECT_EQ(read.height, 19);
+    EXPECT_EQ(read.pixels, image.pixels);
 
     // Against OpenCV directly, which has blue first.
     ImageRgb8 red(1, 1);
@@ -49,8 +51,7 @@ TEST(Pictures, PngRoundTripIsExactAndRedStaysRed) {
     EXPECT_EQ(bgr.at<cv::Vec3b>(0, 0), cv::Vec3b(7, 0, 255));
 }
 
-TEST(Pictures, PngKeepsAlpha) {
-    const TempFolder folder;
+TEST_F(Pictures, PngKeepsAlpha) {
     ImageRgba8 image(2, 1);
     image.pixels = {1, 2, 3, 4, 250, 251, 252, 0};
     ASSERT_TRUE(writePng(folder / "a.png", image));
@@ -60,8 +61,7 @@ TEST(Pictures, PngKeepsAlpha) {
     EXPECT_EQ(bgra.at<cv::Vec4b>(0, 1), cv::Vec4b(252, 251, 250, 0));
 }
 
-TEST(Pictures, ReadsEachKindByItsContent) {
-    const TempFolder folder;
+TEST_F(Pictures, ReadsEachKindByItsContent) {
     const ImageRgb8 image = noise8(24, 16);
     cv::Mat bgr(16, 24, CV_8UC3);
     for (int i = 0; i < 24 * 16; ++i)
@@ -77,8 +77,7 @@ TEST(Pictures, ReadsEachKindByItsContent) {
 }
 
 // A JPEG whose EXIF says "turn by 90 degrees": stored 2 wide x 1 high comes out upright.
-TEST(Pictures, JpegIsTurnedUprightByItsExif) {
-    const TempFolder folder;
+TEST_F(Pictures, JpegIsTurnedUprightByItsExif) {
     cv::Mat stored(16, 32, CV_8UC3, cv::Scalar::all(0));
     stored(cv::Rect(16, 0, 16, 16)) = cv::Scalar::all(255); // right half white
     std::vector<uint8_t> jpeg;
@@ -90,16 +89,14 @@ TEST(Pictures, JpegIsTurnedUprightByItsExif) {
     std::string bytes(jpeg.begin(), jpeg.end());
     bytes.insert(2, exif);
     writeBytes(folder / "turned.jpg", bytes);
-    const auto read = readPicture(folder / "turned.jpg");
-    ASSERT_TRUE(read) << read.error().message();
-    EXPECT_EQ(read->width, 16);
-    EXPECT_EQ(read->height, 32);
-    EXPECT_LT(read->at(8, 4)[0], 30); // clockwise: the left half is now above
-    EXPECT_GT(read->at(8, 28)[0], 225);
+    const auto read = tests::valueOf(readPicture(folder / "turned.jpg"));
+    EXPECT_EQ(read.width, 16);
+    EXPECT_EQ(read.height, 32);
+    EXPECT_LT(read.at(8, 4)[0], 30); // clockwise: the left half is now above
+    EXPECT_GT(read.at(8, 28)[0], 225);
 }
 
-TEST(Pictures, SizeIsCheckedBeforeDecoding) {
-    const TempFolder folder;
+TEST_F(Pictures, SizeIsCheckedBeforeDecoding) {
     ASSERT_TRUE(writePng(folder / "a.png", noise8(40, 20)));
     EXPECT_TRUE(readPicture(folder / "a.png", {40, 20}));
     EXPECT_FALSE(readPicture(folder / "a.png", {39, 20}));
@@ -114,8 +111,7 @@ TEST(Pictures, SizeIsCheckedBeforeDecoding) {
     EXPECT_NE(bomb.error().reason.find("2147483647x2147483647"), std::string::npos) << bomb.error().reason;
 }
 
-TEST(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
-    const TempFolder folder;
+TEST_F(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
     cv::Mat picture(32, 64, CV_8UC3);
     cv::randu(picture, 0, 256);
     for (const char* name : {"a.png", "a.jpg"}) {
@@ -135,8 +131,7 @@ TEST(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
     EXPECT_NE(altered.error().reason.find("damaged"), std::string::npos);
 }
 
-TEST(Pictures, AFileThatIsNoPictureIsRefusedByName) {
-    const TempFolder folder;
+TEST_F(Pictures, AFileThatIsNoPictureIsRefusedByName) {
     writeBytes(folder / "text.png", "this is no picture");
     writeBytes(folder / "empty.png", "");
     ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
@@ -150,30 +145,26 @@ TEST(Pictures, AFileThatIsNoPictureIsRefusedByName) {
     }
 }
 
-TEST(HdrPictures, PfmAndExrRoundTripsAreExact) {
-    const TempFolder folder;
+TEST_F(HdrPictures, PfmAndExrRoundTripsAreExact) {
     const ImageRgbF image = noiseF(33, 17);
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image)) << name;
-        const auto read = readHdr(folder / name);
-        ASSERT_TRUE(read) << read.error().message();
-        EXPECT_EQ(read->repaired, 0);
-        EXPECT_EQ(read->radianceLin.width, 33);
-        EXPECT_EQ(read->radianceLin.height, 17);
-        EXPECT_EQ(read->radianceLin.pixels, image.pixels) << name;
+        const auto read = tests::valueOf(readHdr(folder / name));
+        EXPECT_EQ(read.repaired, 0);
+        EXPECT_EQ(read.radianceLin.width, 33);
+        EXPECT_EQ(read.radianceLin.height, 17);
+        EXPECT_EQ(read.radianceLin.pixels, image.pixels) << name;
     }
 }
 
-TEST(HdrPictures, RadianceKeepsEachPixelWithinItsSharedExponent) {
-    const TempFolder folder;
+TEST_F(HdrPictures, RadianceKeepsEachPixelWithinItsSharedExponent) {
     const ImageRgbF image = noiseF(33, 17);
     ASSERT_TRUE(writeHdr(folder / "a.hdr", image));
-    const auto read = readHdr(folder / "a.hdr");
-    ASSERT_TRUE(read) << read.error().message();
+    const auto read = tests::valueOf(readHdr(folder / "a.hdr"));
     for (int y = 0; y < 17; ++y)
         for (int x = 0; x < 33; ++x) {
             const float* wanted = image.at(x, y);
-            const float* got = read->radianceLin.at(x, y);
+            const float* got = read.radianceLin.at(x, y);
             // The largest component has a mantissa of 128..255, truncated: below 1/128 of it, whatever the
             // component.
             const float bound = std::max({wanted[0], wanted[1], wanted[2]}) / 128;
@@ -182,8 +173,7 @@ TEST(HdrPictures, RadianceKeepsEachPixelWithinItsSharedExponent) {
 }
 
 // Header and pixels by hand: (128, 64, 0) * 2^(129 - 136) = (1, 0.5, 0).
-TEST(HdrPictures, RadianceFlatAndBothRunLengthCodes) {
-    const TempFolder folder;
+TEST_F(HdrPictures, RadianceFlatAndBothRunLengthCodes) {
     const auto picture = [&](int width, const std::string& pixels) {
         writeBytes(folder / "a.hdr",
                    "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X " + std::to_string(width) + "\n" + pixels);
@@ -207,8 +197,7 @@ TEST(HdrPictures, RadianceFlatAndBothRunLengthCodes) {
     EXPECT_TRUE(picture(8, line.substr(0, line.size() - 1)).empty());
 }
 
-TEST(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
-    const TempFolder folder;
+TEST_F(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
     const auto floats = [](std::initializer_list<float> values, bool bigEndian) {
         std::string text;
         for (const float value : values) {
@@ -219,30 +208,26 @@ TEST(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
         return text;
     };
     writeBytes(folder / "big.pfm", "PF\n1 2\n2.0\n" + floats({1, 2, 3, 4, 5, 6}, true));
-    const auto big = readHdr(folder / "big.pfm");
-    ASSERT_TRUE(big) << big.error().message();
-    EXPECT_EQ(big->radianceLin.pixels, (std::vector<float>{8, 10, 12, 2, 4, 6})); // doubled by the scale
+    const auto big = tests::valueOf(readHdr(folder / "big.pfm"));
+    EXPECT_EQ(big.radianceLin.pixels, (std::vector<float>{8, 10, 12, 2, 4, 6})); // doubled by the scale
     writeBytes(folder / "grey.pfm", "Pf\n1 2\n-1.0\n" + floats({1, 2}, false));
-    const auto grey = readHdr(folder / "grey.pfm");
-    ASSERT_TRUE(grey) << grey.error().message();
-    EXPECT_EQ(grey->radianceLin.pixels, (std::vector<float>{2, 2, 2, 1, 1, 1}));
+    const auto grey = tests::valueOf(readHdr(folder / "grey.pfm"));
+    EXPECT_EQ(grey.radianceLin.pixels, (std::vector<float>{2, 2, 2, 1, 1, 1}));
 }
 
-TEST(HdrPictures, ValuesThatAreNoLightAreReplacedAndCounted) {
-    const TempFolder folder;
+TEST_F(HdrPictures, ValuesThatAreNoLightAreReplacedAndCounted) {
     constexpr float kInf = std::numeric_limits<float>::infinity();
     ImageRgbF image(2, 2);
     image.pixels = {1, -2, std::nanf(""), kInf, -kInf, 78944, 3e38f, 0, 1, 2, 3, 4};
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image));
-        const auto read = readHdr(folder / name);
-        ASSERT_TRUE(read) << read.error().message();
-        EXPECT_EQ(read->repaired, 4) << name;
-        EXPECT_EQ(read->clamped, 1) << name;
-        EXPECT_EQ(read->radianceLin.pixels,
+        const auto read = tests::valueOf(readHdr(folder / name));
+        EXPECT_EQ(read.repaired, 4) << name;
+        EXPECT_EQ(read.clamped, 1) << name;
+        EXPECT_EQ(read.radianceLin.pixels,
                   (std::vector<float>{1, 0, 0, kMaxRadiance, 0, 78944, kMaxRadiance, 0, 1, 2, 3, 4}))
             << name;
-        EXPECT_EQ(read->repairs(),
+        EXPECT_EQ(read.repairs(),
                   "4 components were NaN, infinite or negative and count as replaced; 1 components "
                   "were above 10^9 and count as 10^9");
     }
@@ -250,15 +235,13 @@ TEST(HdrPictures, ValuesThatAreNoLightAreReplacedAndCounted) {
     image.pixels.assign(12, kMaxRadiance);
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image));
-        const auto read = readHdr(folder / name);
-        ASSERT_TRUE(read) << read.error().message();
-        EXPECT_EQ(read->radianceLin.pixels, image.pixels) << name;
-        EXPECT_EQ(read->repairs(), "") << name;
+        const auto read = tests::valueOf(readHdr(folder / name));
+        EXPECT_EQ(read.radianceLin.pixels, image.pixels) << name;
+        EXPECT_EQ(read.repairs(), "") << name;
     }
 }
 
-TEST(HdrPictures, LimitsAndKindsAreChecked) {
-    const TempFolder folder;
+TEST_F(HdrPictures, LimitsAndKindsAreChecked) {
     for (const char* name : {"a.pfm", "a.exr", "a.hdr"}) {
         ASSERT_TRUE(writeHdr(folder / name, noiseF(40, 20)));
         EXPECT_TRUE(readHdr(folder / name, {40, 20})) << name;
@@ -272,7 +255,7 @@ TEST(HdrPictures, LimitsAndKindsAreChecked) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.jpg"));
 }
 
-TEST(HdrPictures, SharedLightHasTheStatedMaximum) {
+TEST_F(HdrPictures, SharedLightHasTheStatedMaximum) {
     const struct {
         const char* name;
         double maxLuminance;
@@ -281,21 +264,19 @@ TEST(HdrPictures, SharedLightHasTheStatedMaximum) {
     for (const auto& fact : kFacts) {
         const Path file = sharedData(std::string("hdr/") + fact.name);
         if (file.empty()) GTEST_SKIP() << "no shared hdr/" << fact.name;
-        const auto read = readHdr(file);
-        ASSERT_TRUE(read) << read.error().message();
-        EXPECT_EQ(read->radianceLin.width, 1024);
-        EXPECT_EQ(read->repaired, 0);
+        const auto read = tests::valueOf(readHdr(file));
+        EXPECT_EQ(read.radianceLin.width, 1024);
+        EXPECT_EQ(read.repaired, 0);
         double largest = 0;
-        for (size_t i = 0; i < read->radianceLin.pixels.size(); i += 3) {
-            const float* p = &read->radianceLin.pixels[i];
+        for (size_t i = 0; i < read.radianceLin.pixels.size(); i += 3) {
+            const float* p = &read.radianceLin.pixels[i];
             largest = std::max(largest, 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
         }
         EXPECT_NEAR(largest, fact.maxLuminance, 1.0) << fact.name; // stated to the unit
     }
 }
 
-TEST(Check, PicturesAreDescribed) {
-    const TempFolder folder;
+TEST_F(Check, PicturesAreDescribed) {
     ASSERT_TRUE(writePng(folder / "pano.png", noise8(64, 32)));
     EXPECT_EQ(*checkPicture(folder / "pano.png"), "64x32 PNG picture, lat-long mono by its shape");
     ASSERT_TRUE(writePng(folder / "photo.png", noise8(48, 32)));
@@ -307,8 +288,7 @@ TEST(Check, PicturesAreDescribed) {
     EXPECT_NE(checkPicture(folder / "bad.pfm")->find("1 components"), std::string::npos);
 }
 
-TEST(PanoramaPlacement, IsReadFromXmp) {
-    const TempFolder folder;
+TEST_F(PanoramaPlacement, IsReadFromXmp) {
     std::vector<uint8_t> jpeg;
     cv::imencode(".jpg", cv::Mat(8, 16, CV_8UC3, cv::Scalar::all(9)), jpeg);
     const auto withXmp = [&](const std::string& xmp) {

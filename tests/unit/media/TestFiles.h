@@ -3,13 +3,9 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 
-#include <gtest/gtest.h>
 #include <opencv2/videoio.hpp>
-
-#include <fstream>
-#include <string>
 
 namespace shoal::media {
 

@@ -1,12 +1,10 @@
 #include "engine/media/VideoPlayer.h"
-
+#include "engine/core/Hash.h"
 #include "engine/media/Check.h"
+#include "engine/media/Pictures.h"
 #include "tests/unit/media/TestFiles.h"
 
-#include <array>
 #include <atomic>
-#include <functional>
-#include <set>
 #include <sys/stat.h>
 #include <thread>
 
@@ -16,14 +14,7 @@ namespace {
 constexpr double kFps = 30;
 
 VideoPlayer opened(const Path& file, PlayerOptions options = {}) {
-    auto player = VideoPlayer::open(file, std::move(options));
-    EXPECT_TRUE(player) << (player ? "" : player.error().message());
-    return std::move(player).value();
-}
-
-VideoPlayer greyFilm(const TempFolder& folder, int pictures, PlayerOptions options = {}) {
-    writeGreyVideo(folder / "grey.avi", pictures);
-    return opened(folder / "grey.avi", std::move(options));
+    return tests::valueOf(VideoPlayer::open(file, std::move(options)));
 }
 
 void writeMp4(const Path& file, int frames, const cv::Mat& picture) {
@@ -33,9 +24,17 @@ void writeMp4(const Path& file, int frames, const cv::Mat& picture) {
     for (int i = 0; i < frames; ++i) writer.write(picture);
 }
 
-TEST(VideoPlayer, ShowsEveryFrameInOrderAndLoops) {
+class VideoPlayers : public testing::Test {
+  protected:
+    VideoPlayer greyFilm(int pictures, PlayerOptions options = {}) {
+        writeGreyVideo(folder / "grey.avi", pictures);
+        return opened(folder / "grey.avi", std::move(options));
+    }
     const TempFolder folder;
-    auto player = greyFilm(folder, 12);
+};
+
+TEST_F(VideoPlayers, ShowsEveryFrameInOrderAndLoops) {
+    auto player = greyFilm(12);
     for (int i = 0; i < 40; ++i) {
         const VideoFrame* frame = player.waitFor(i / kFps);
         ASSERT_EQ(frame->index, i);
@@ -45,26 +44,23 @@ TEST(VideoPlayer, ShowsEveryFrameInOrderAndLoops) {
     EXPECT_EQ(player.status(), "");
 }
 
-TEST(VideoPlayer, AFrameStaysUntilTheNextIsDue) {
-    const TempFolder folder;
-    auto player = greyFilm(folder, 12);
+TEST_F(VideoPlayers, AFrameStaysUntilTheNextIsDue) {
+    auto player = greyFilm(12);
     for (int tick = 0; tick < 48; ++tick) // four ticks a frame, a hair after each
         EXPECT_EQ(player.waitFor(tick / (4 * kFps) + 1e-5)->index, tick / 4) << tick;
 }
 
-TEST(VideoPlayer, WaitForJumpsAheadAndBack) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, WaitForJumpsAheadAndBack) {
     for (const int first : {0, 1000}) { // within the film, and beyond its end before its length is counted
-        auto player = greyFilm(folder, 37);
+        auto player = greyFilm(37);
         for (const int index : {first, 36, 3, 37, 38, 399, 0, 1, 4000 + 17, 73, 74})
             EXPECT_EQ(numberOf(player.waitFor(index / kFps)->pixelsBgr), index % 37) << index;
     }
 }
 
 // The caller's time runs faster than any decoder: frames are left out, order and due times hold.
-TEST(VideoPlayer, NewestNeverGoesBackNorAhead) {
-    const TempFolder folder;
-    auto player = greyFilm(folder, 45);
+TEST_F(VideoPlayers, NewestNeverGoesBackNorAhead) {
+    auto player = greyFilm(45);
     int64_t before = 0;
     int64_t distinct = 0;
     for (int call = 0; distinct < 100; ++call) {
@@ -79,8 +75,7 @@ TEST(VideoPlayer, NewestNeverGoesBackNorAhead) {
     }
 }
 
-TEST(VideoPlayer, NewestReachesTheDueFrameAfterAHangAndSkipsTheRest) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, NewestReachesTheDueFrameAfterAHangAndSkipsTheRest) {
     const Path file = folder / "grey.avi";
     writeGreyVideo(file, 45);
     std::atomic<int> prepared{0};
@@ -94,27 +89,24 @@ TEST(VideoPlayer, NewestReachesTheDueFrameAfterAHangAndSkipsTheRest) {
     EXPECT_LT(prepared, 30);
 }
 
-TEST(VideoPlayer, NewestTakesUpAnEarlierTime) {
-    const TempFolder folder;
-    auto player = greyFilm(folder, 45);
+TEST_F(VideoPlayers, NewestTakesUpAnEarlierTime) {
+    auto player = greyFilm(45);
     ASSERT_EQ(player.waitFor(40 / kFps)->index, 40);
     EXPECT_EQ(player.newest(38 / kFps)->index, 40) << "a small step back keeps the frame";
     while (player.newest(5 / kFps)->index != 5) std::this_thread::yield();
 }
 
 // Memory is taken once: one picture for each slot, or one for all if none is kept.
-TEST(VideoPlayer, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
+TEST_F(VideoPlayers, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
     for (const bool keep : {true, false}) {
-        const TempFolder folder;
         std::set<const uint8_t*> memory;
         std::array<int, kFrameSlots> preparedNumber{};
-        auto player = greyFilm(folder, 20,
-                               {.prepare =
-                                    [&](const VideoFrame& frame) {
-                                        memory.insert(frame.pixelsBgr.pixels.data());
-                                        preparedNumber.at(frame.slot) = numberOf(frame.pixelsBgr);
-                                    },
-                                .keepPixels = keep});
+        auto player = greyFilm(20, {.prepare =
+                                        [&](const VideoFrame& frame) {
+                                            memory.insert(frame.pixelsBgr.pixels.data());
+                                            preparedNumber.at(frame.slot) = numberOf(frame.pixelsBgr);
+                                        },
+                                    .keepPixels = keep});
         for (int i = 0; i < 60; ++i) {
             const VideoFrame* frame = player.waitFor(i / kFps);
             EXPECT_EQ(preparedNumber.at(frame->slot), i % 20);
@@ -124,8 +116,7 @@ TEST(VideoPlayer, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
     }
 }
 
-TEST(VideoPlayer, KeepsTheNativeRateUnlessItIsAbsurd) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, KeepsTheNativeRateUnlessItIsAbsurd) {
     for (const auto& [stated, kept] : {std::pair(24.0, 24.0), {50.0, 50.0}, {1000.0, kFallbackFps}}) {
         writeGreyVideo(folder / "rate.avi", 10, stated);
         auto player = opened(folder / "rate.avi");
@@ -134,8 +125,7 @@ TEST(VideoPlayer, KeepsTheNativeRateUnlessItIsAbsurd) {
     }
 }
 
-TEST(VideoPlayer, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
     const Path whole = folder / "whole.avi", cut = folder / "cut.avi";
     writeGreyVideo(whole, 40);
     const std::string bytes = readBytes(whole);
@@ -156,8 +146,7 @@ TEST(VideoPlayer, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
 }
 
 // While it plays: cut, overwritten with nothing that is video, replaced by another, removed.
-TEST(VideoPlayer, AFileThatChangesWhilePlayingNeverEndsThePlaying) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, AFileThatChangesWhilePlayingNeverEndsThePlaying) {
     const Path whole = folder / "whole.avi", file = folder / "film.avi", other = folder / "other.avi";
     writeGreyVideo(whole, 400);
     writeGreyVideo(other, 100);
@@ -184,8 +173,7 @@ TEST(VideoPlayer, AFileThatChangesWhilePlayingNeverEndsThePlaying) {
 }
 
 // In a telephone's clip the track's matrix says how the telephone was held.
-TEST(VideoPlayer, AClipIsTurnedUpright) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, AClipIsTurnedUpright) {
     const Path file = folder / "turned.mp4";
     cv::Mat leftBright(32, 96, CV_8UC3, cv::Scalar::all(20));
     leftBright(cv::Rect(0, 0, 48, 32)) = cv::Scalar::all(220);
@@ -215,8 +203,7 @@ TEST(VideoPlayer, AClipIsTurnedUpright) {
 }
 
 // FFmpeg's own writer gives each track one edit: version, flags, count, then duration, media time and rate.
-TEST(VideoPlayer, AnEditListGivesTheLengthShown) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, AnEditListGivesTheLengthShown) {
     const Path file = folder / "edited.mp4";
     writeMp4(file, 30, cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(99)));
     EXPECT_EQ(opened(file).info().frameCount, 30);
@@ -232,8 +219,7 @@ TEST(VideoPlayer, AnEditListGivesTheLengthShown) {
 }
 
 // The file is refused by its header alone, before a decoder reads it.
-TEST(VideoPlayer, RefusesWhatStatesAPictureTooLarge) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, RefusesWhatStatesAPictureTooLarge) {
     const Path file = folder / "grey.avi";
     writeGreyVideo(file, 1);
     std::string bytes = readBytes(file);
@@ -247,22 +233,18 @@ TEST(VideoPlayer, RefusesWhatStatesAPictureTooLarge) {
     EXPECT_NE(player.error().reason.find("30000x30000"), std::string::npos) << player.error().reason;
 }
 
-TEST(VideoPlayer, EndsWhileBusy) {
-    const TempFolder folder;
-    for (int i = 0; i < 20; ++i) greyFilm(folder, 40).newest(i);
+TEST_F(VideoPlayers, EndsWhileBusy) {
+    for (int i = 0; i < 20; ++i) greyFilm(40).newest(i);
 }
 
-TEST(VideoPlayer, CheckPassesFilmsOfLessThanASecond) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, CheckPassesFilmsOfLessThanASecond) {
     const Path file = folder.path() / "short.avi";
     writeGreyVideo(file, 5);
-    const auto checked = checkVideo(file);
-    ASSERT_TRUE(checked) << checked.error().message();
-    EXPECT_NE(checked->find("0.2 s"), std::string::npos) << *checked;
+    const auto checked = tests::valueOf(checkVideo(file));
+    EXPECT_NE(checked.find("0.2 s"), std::string::npos) << checked;
 }
 
-TEST(VideoPlayer, RefusesWhatIsNoVideo) {
-    const TempFolder folder;
+TEST_F(VideoPlayers, RefusesWhatIsNoVideo) {
     writeBytes(folder / "empty.mp4", "");
     writeBytes(folder / "text.mp4", "#EXTM3U\nhttp://localhost/x.ts\n");
     writeBytes(folder / "head.mp4", std::string("\0\0\0\x18"
@@ -275,6 +257,131 @@ TEST(VideoPlayer, RefusesWhatIsNoVideo) {
         ASSERT_FALSE(player) << name;
         EXPECT_NE(player.error().message().find(name), std::string::npos);
         EXPECT_FALSE(player.error().reason.empty());
+    }
+}
+
+// The reference videos have the facts that their description states, and seeking agrees with playing.
+
+struct Facts {
+    const char* name;
+    int width, height;
+    double fps;
+    int frames;
+    Layout layout;
+};
+
+void PrintTo(const Facts& facts, std::ostream* stream) { *stream << facts.name; }
+
+class SharedVideo : public testing::TestWithParam<Facts> {
+  protected:
+    void SetUp() override {
+        file = sharedData(std::string("video/") + GetParam().name);
+        if (file.empty()) GTEST_SKIP() << "no shared video/" << GetParam().name;
+    }
+    Path file;
+};
+
+uint64_t hashOf(const ImageRgb8& picture) {
+    Hash hash;
+    hash.bytes(picture.pixels.data(), picture.pixels.size());
+    return hash.value();
+}
+
+TEST_P(SharedVideo, HasItsFacts) {
+    const Facts& facts = GetParam();
+    const auto player = tests::valueOf(VideoPlayer::open(file));
+    const VideoInfo& info = player.info();
+    EXPECT_EQ(info.width, facts.width);
+    EXPECT_EQ(info.height, facts.height);
+    EXPECT_NEAR(info.fps, facts.fps, 0.005); // stated to two decimals
+    EXPECT_EQ(info.codec, "h264");
+    EXPECT_EQ(info.layout, facts.layout) << info.layoutSource;
+    EXPECT_NEAR(static_cast<double>(info.frameCount), facts.frames, 0.01 * facts.frames);
+    const auto check = checkVideo(file);
+    EXPECT_TRUE(check) << check.error().message();
+}
+
+// Played in order, over the loop; then the same pictures by jumps in a fresh player.
+TEST_P(SharedVideo, PlaysAndSeeksAlike) {
+    const Facts& facts = GetParam();
+    auto player = tests::valueOf(VideoPlayer::open(file));
+    const double fps = player.info().fps;
+    const int played = facts.frames + 5;
+    std::vector<uint64_t> hashes;
+    int64_t passLength = 0;
+    for (int i = 0; i < played; ++i) {
+        const VideoFrame* frame = player.waitFor(i / fps);
+        ASSERT_EQ(frame->index, i);
+        if (i > 0 && frame->number == 0) passLength = i;
+        hashes.push_back(hashOf(frame->pixelsBgr));
+    }
+    EXPECT_EQ(player.status(), "");
+    ASSERT_EQ(passLength, facts.frames);
+    for (int i = facts.frames; i < played; ++i)
+        EXPECT_EQ(hashes[static_cast<size_t>(i)], hashes[static_cast<size_t>(i - facts.frames)]);
+
+    auto jumper = std::move(VideoPlayer::open(file)).value();
+    for (const int index : {facts.frames - 1, 7, facts.frames / 2, facts.frames * 3 + 11, 1})
+        EXPECT_EQ(hashOf(jumper.waitFor(index / fps)->pixelsBgr),
+                  hashes[static_cast<size_t>(index % facts.frames)])
+            << index;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, SharedVideo,
+    testing::Values(Facts{"overpass_360_mono_2048x1024.mp4", 2048, 1024, 29.97, 120, Layout::Mono},
+                    Facts{"congo_360_overunder_1920x1080.mp4", 1920, 1080, 917425.0 / 30618, 300,
+                          Layout::TopBottom},
+                    Facts{"richo_360_mono_426x214.mp4", 426, 214, 30, 1202, Layout::Mono}));
+
+// Squeezes a picture to 2:1 by leaving rows out.
+ImageRgb8 squeezed(const ImageRgb8& picture) {
+    ImageRgb8 out(picture.width, picture.width / 2);
+    for (int y = 0; y < out.height; ++y)
+        std::copy_n(picture.at(0, y * picture.height / out.height), 3 * out.width, out.at(0, y));
+    return out;
+}
+
+TEST(SharedVideos, SqueezedStereoIsFoundByContent) {
+    const Path file = sharedData("video/congo_360_overunder_1920x1080.mp4");
+    if (file.empty()) GTEST_SKIP() << "no shared video/congo_360_overunder_1920x1080.mp4";
+    auto player = tests::valueOf(VideoPlayer::open(file));
+    for (const double at_s : {0.0, 3.0, 6.0})
+        EXPECT_EQ(layoutOf(squeezed(player.waitFor(at_s)->pixelsBgr)), Layout::TopBottom) << at_s;
+}
+
+// Rooms and landscapes of one eye, one of them a room whose opposite walls are alike.
+TEST(SharedHdrs, AreMonoByContent) {
+    for (const char* name : {"fidelity/lightroom_14b_1k.hdr", "fidelity/aircraft_workshop_01_1k.hdr",
+                             "hdr/studio_small_03_1k.hdr", "hdr/st_fagans_interior_1k.hdr"}) {
+        const Path file = sharedData(name);
+        if (file.empty()) GTEST_SKIP() << "no shared " << name;
+        const auto picture = tests::valueOf(readHdr(file));
+        ImageRgb8 coded(picture.radianceLin.width, picture.radianceLin.height);
+        for (size_t i = 0; i < coded.pixels.size(); ++i)
+            coded.pixels[i] =
+                static_cast<uint8_t>(255 * std::sqrt(std::clamp(picture.radianceLin.pixels[i], 0.0f, 1.0f)));
+        EXPECT_EQ(layoutOf(coded), Layout::Mono) << name;
+    }
+}
+
+TEST(SharedPhotos, HaveTheirFactsAndLayout) {
+    const struct {
+        const char* name;
+        int width, height;
+        Layout layout;
+    } kFacts[] = {{"coral_underwater_360_overunder_2048.jpg", 2048, 2048, Layout::TopBottom},
+                  {"petra_360_2048x1024.jpg", 2048, 1024, Layout::Mono},
+                  {"puydesancy_360_4096x2048.jpg", 4096, 2048, Layout::Mono}};
+    for (const auto& facts : kFacts) {
+        const Path file = sharedData(std::string("photo/") + facts.name);
+        if (file.empty()) GTEST_SKIP() << "no shared photo/" << facts.name;
+        const auto picture = tests::valueOf(readPicture(file));
+        EXPECT_EQ(picture.width, facts.width);
+        EXPECT_EQ(picture.height, facts.height);
+        EXPECT_EQ(layoutFromShape(picture.width, picture.height), facts.layout);
+        EXPECT_EQ(layoutFromContent(picture), facts.layout) << facts.name;
+        EXPECT_EQ(layoutOf(squeezed(picture)), facts.layout) << facts.name;
     }
 }
 

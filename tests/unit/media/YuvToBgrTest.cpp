@@ -1,12 +1,9 @@
-#include "engine/media/PictureDecoder.h"
-
 #include "engine/core/Random.h"
+#include "engine/media/PictureDecoder.h"
+#include "engine/media/VideoPlayer.h"
+#include "tests/unit/media/TestFiles.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <vector>
+#include <opencv2/core.hpp>
 
 namespace shoal::media {
 namespace {
@@ -62,6 +59,68 @@ TEST(YuvToBgr, EveryWidthIsTheSameToTheLastPixel) {
         const std::vector<uint8_t> r(cr.begin(), cr.begin() + (width + 1) / 2);
         const std::vector<uint8_t> part = converted(y, b, r, width);
         EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin())) << width;
+    }
+}
+
+TEST(ColourMatrix, StatedWinsElseSizeTells) {
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_BT709, 640, 320), ColourMatrix::Bt709);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_SMPTE170M, 4096, 2048), ColourMatrix::Bt601);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_BT2020_NCL, 4096, 2048), ColourMatrix::Bt2020);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_UNSPECIFIED, 2048, 1024), ColourMatrix::Bt709);
+    EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_RGB, 426, 214), ColourMatrix::Bt601);
+}
+
+constexpr Luma k601{0.299, 0.114}, k709{0.2126, 0.0722};
+
+// A colour coded by one matrix and decoded by another.
+std::array<double, 3> recoded(std::array<double, 3> bgr, Luma coded, Luma decoded) {
+    const auto [b, g, r] = bgr;
+    const double y = coded.red * r + (1 - coded.red - coded.blue) * g + coded.blue * b;
+    const double cb = (b - y) / (2 - 2 * coded.blue), cr = (r - y) / (2 - 2 * coded.red);
+    const double r2 = y + (2 - 2 * decoded.red) * cr, b2 = y + (2 - 2 * decoded.blue) * cb;
+    return {b2, (y - decoded.red * r2 - decoded.blue * b2) / (1 - decoded.red - decoded.blue), r2};
+}
+
+void write(const Path& file, const char (&codec)[5], const cv::Mat& picture) {
+    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG,
+                           cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), 30,
+                           picture.size());
+    ASSERT_TRUE(writer.isOpened());
+    for (int i = 0; i < 3; ++i) writer.write(picture);
+}
+
+// OpenCV codes a video by BT.601; at this size it is taken for BT.709.
+TEST(ColourMatrix, FramesOfLargeVideosAreTakenForBt709) {
+    const TempFolder folder;
+    const Path file = folder / "colour.avi";
+    const std::array<double, 3> bgr{220, 60, 60};
+    cv::Mat picture(640, 1280, CV_8UC3, cv::Scalar(bgr[0], bgr[1], bgr[2]));
+    picture(cv::Rect(0, 0, 640, 640)) = cv::Scalar::all(99);
+    write(file, "I420", picture); // without loss
+    auto player = tests::valueOf(VideoPlayer::open(file));
+    EXPECT_EQ(player.info().matrix, ColourMatrix::Bt709);
+    const auto wanted = recoded(bgr, k601, k709);
+    const ImageRgb8& frame = player.waitFor(0)->pixelsBgr;
+    for (size_t c = 0; c < 3; ++c) {
+        // 8-bit YCbCr of limited range: half a level of Cb is 1.856 * 0.5 * 255 / 224 = 1.1 of blue, half one
+        // of Y 0.6; OpenCV's coding truncates once more.
+        EXPECT_NEAR(frame.at(1000, 300)[c], wanted[c], 2.6) << c;
+        EXPECT_NEAR(frame.at(300, 300)[c], 99, 2.6) << "grey stays";
+    }
+    // The difference of the matrices is larger than that tolerance, so that this test can fail.
+    EXPECT_GT(std::abs(wanted[0] - bgr[0]), 2 * 2.6);
+}
+
+// A video coded as red, green and blue has no matrix.
+TEST(ColourMatrix, ColoursThatAreCodedAsSuchStayAsTheyAre) {
+    const TempFolder folder;
+    const Path file = folder / "colour.mkv";
+    write(file, "FFV1", cv::Mat(640, 1286, CV_8UC3, cv::Scalar(220, 60, 61)));
+    auto player = tests::valueOf(VideoPlayer::open(file));
+    const ImageRgb8& frame = player.waitFor(0)->pixelsBgr;
+    for (const auto& [x, y] : {std::array{0, 0}, {1285, 639}, {640, 320}}) {
+        const uint8_t* pixel = frame.at(x, y);
+        EXPECT_EQ((std::array{int{pixel[0]}, int{pixel[1]}, int{pixel[2]}}), (std::array{220, 60, 61}));
     }
 }
 

@@ -1,14 +1,11 @@
 // Baseline methods against answers known without them: spheres over planes, even environments, nothing in the
 // way.
+#include "tests/Test.h"
 #include "tests/baselines/occlusion/AmbientOcclusion.h"
 #include "tests/baselines/occlusion/CoherentShadowMaps.h"
 #include "tests/baselines/occlusion/LayeredDepth.h"
 #include "tests/baselines/occlusion/Transfer.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/unit/occlusion/Bodies.h"
 
 namespace shoal::occlusion::baselines {
 namespace {
@@ -16,33 +13,6 @@ namespace {
 using glm::vec3;
 
 constexpr vec3 kUp{0, 1, 0};
-
-// A sphere of triangles by longitude and latitude, closed; radius of its corners.
-struct SphereMesh {
-    std::vector<vec3> positions, normals;
-    std::vector<glm::uvec3> triangles;
-
-    SphereMesh(const vec3& centre, float radius, uint32_t rings = 24) {
-        const uint32_t around = 2 * rings;
-        for (uint32_t y = 0; y <= rings; ++y)
-            for (uint32_t x = 0; x <= around; ++x) {
-                const float down =
-                    std::numbers::pi_v<float> * static_cast<float>(y) / static_cast<float>(rings);
-                const float turn =
-                    2 * std::numbers::pi_v<float> * static_cast<float>(x) / static_cast<float>(around);
-                const vec3 n(std::sin(down) * std::cos(turn), std::cos(down),
-                             std::sin(down) * std::sin(turn));
-                normals.push_back(n);
-                positions.push_back(centre + radius * n);
-                if (y == rings || x == around) continue;
-                const uint32_t a = y * (around + 1) + x, b = a + around + 1;
-                triangles.emplace_back(a, a + 1, b);
-                triangles.emplace_back(a + 1, b + 1, b);
-            }
-    }
-    BodyMesh view() const { return {positions, normals, triangles}; }
-    Triangles body() const { return {positions, triangles}; }
-};
 
 bool meetsSphere(const vec3& origin, const vec3& direction, const vec3& centre, float radius) {
     const vec3 to = centre - origin;
@@ -117,8 +87,13 @@ TEST(DirectedLight, SharesOutAllOfTheLight) {
 
 // Rays from the top of a small sphere up to a large one: a pixel is 0.03, and the outline may be off by two.
 const vec3 kTop{0.3f, -2.2f, 0.1f};
-const SphereMesh kLarge(vec3(0), 1), kSmall(kTop - vec3(0, 0.3f, 0), 0.3f);
-const std::vector<Triangles> kBoth{kLarge.body(), kSmall.body()};
+const Body kLarge = sphere(1, 48, 24), kSmall = [] {
+    Body small = sphere(0.3f, 48, 24);
+    for (vec3& position : small.positions) position += kTop - vec3(0, 0.3f, 0);
+    return small;
+}();
+const std::vector<Triangles> kBoth{{kLarge.positions, kLarge.triangles},
+                                   {kSmall.positions, kSmall.triangles}};
 
 template <class Blocked> void seesASphere(const Blocked& blocked) {
     const auto directions = spiralDirections(512);

@@ -1,22 +1,17 @@
 // Photos grown to environments: the place of the light, straight lines, and how the ends meet.
 #include "engine/panorama/Panorama.h"
 #include "engine/core/Files.h"
+#include "engine/core/Random.h"
 #include "engine/media/Pictures.h"
+#include "engine/panorama/SeamInsertion.h"
 #include "engine/panorama/Steps.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 #include "tests/bench/panorama/Scenes.h"
 
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include <unistd.h>
 
 namespace shoal::panorama {
 namespace {
@@ -167,11 +162,10 @@ TEST(WrapBlend, EndsMeet) {
 
 TEST(Panorama, WrapStepIsNoStrongerThanThePicturesOwnGradients) {
     for (const bench::Scene& scene : {bench::beach(480, 360), bench::forest(480, 360)}) {
-        const auto grown = panoramaFromPhoto(scene.photo, {.fov_deg = bench::kSceneFov_deg});
-        ASSERT_TRUE(grown);
-        EXPECT_LE(grown->wrapStep, grown->usualStep);
+        const auto grown = tests::valueOf(panoramaFromPhoto(scene.photo, {.fov_deg = bench::kSceneFov_deg}));
+        EXPECT_LE(grown.wrapStep, grown.usualStep);
         // Both lights are wider than 2 degrees and one has a ragged edge.
-        EXPECT_LT(glm::distance(grown->lightInPhoto, scene.light) / 480 * bench::kSceneFov_deg, 0.5);
+        EXPECT_LT(glm::distance(grown.lightInPhoto, scene.light) / 480 * bench::kSceneFov_deg, 0.5);
     }
 }
 
@@ -187,9 +181,9 @@ glm::dvec2 brightest(const ImageRgb8& picture) {
 
 TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
     for (const double x : {60.0, 300.0}) {
-        const auto grown = panoramaFromPhoto(dusk(480, 360, x, 100, 9, {}, 0), {.fov_deg = 60});
-        ASSERT_TRUE(grown);
-        const ImageRgb8& out = grown->latLong;
+        const auto grown =
+            tests::valueOf(panoramaFromPhoto(dusk(480, 360, x, 100, 9, {}, 0), {.fov_deg = 60}));
+        const ImageRgb8& out = grown.latLong;
         ASSERT_EQ(out.width, 2 * out.height);
         const glm::dvec2 at = brightest(out);
         EXPECT_NEAR(at.x, out.width / 2.0, 1) << x;
@@ -198,7 +192,7 @@ TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
         // Within a texel, and half a degree for the disc's middle, which is not the middle of its angles.
         EXPECT_NEAR(90 - at.y / out.height * 180, latitude / kRadiansPerDegree, 0.5 + 180.0 / out.height)
             << x;
-        EXPECT_NEAR(grown->lightLatitude_deg, latitude / kRadiansPerDegree, 0.2);
+        EXPECT_NEAR(grown.lightLatitude_deg, latitude / kRadiansPerDegree, 0.2);
     }
 }
 
@@ -278,12 +272,10 @@ TEST(Panorama, SixteenBitsGreyAndAlpha) {
         cv::rectangle(made, {20, 4, 4, 4}, cv::Scalar::all(CV_MAT_DEPTH(type) == CV_8U ? 255 : 65535),
                       cv::FILLED);
         ASSERT_TRUE(cv::imwrite((folder / "odd.png").string(), made));
-        const auto photo = media::readPicture(folder / "odd.png");
-        ASSERT_TRUE(photo) << photo.error().message();
-        const auto grown = panoramaFromPhoto(*photo, {});
-        ASSERT_TRUE(grown);
-        EXPECT_NEAR(grown->lightInPhoto.x, 22, 0.5) << type;
-        EXPECT_NEAR(grown->latLong.at(0, grown->latLong.height / 2)[0], 100, 12) << type;
+        const auto photo = tests::valueOf(media::readPicture(folder / "odd.png"));
+        const auto grown = tests::valueOf(panoramaFromPhoto(photo, {}));
+        EXPECT_NEAR(grown.lightInPhoto.x, 22, 0.5) << type;
+        EXPECT_NEAR(grown.latLong.at(0, grown.latLong.height / 2)[0], 100, 12) << type;
     }
 }
 
@@ -294,9 +286,8 @@ TEST(Panorama, HighDynamicRangeIsKept) {
             const bool sun = std::hypot(x + 0.5 - 100, y + 0.5 - 40) < 5;
             std::fill_n(photo.at(x, y), 3, sun ? 20000.0f : 0.3f);
         }
-    const auto grown = panoramaFromPhoto(photo, {});
-    ASSERT_TRUE(grown);
-    const auto& pixels = grown->latLong.pixels;
+    const auto grown = tests::valueOf(panoramaFromPhoto(photo, {}));
+    const auto& pixels = grown.latLong.pixels;
     const float maximum = *std::max_element(pixels.begin(), pixels.end());
     EXPECT_GT(maximum, 15000.0f);
     EXPECT_LT(maximum, 20001.0f);
@@ -308,30 +299,150 @@ TEST(PartialPanorama, PartLiesWhereItSays) {
     ImageRgb8 part(512, 256);
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 512; ++x) part.at(x, y)[0] = static_cast<uint8_t>(x / 4), part.at(x, y)[1] = 200;
-    const auto placed = completePanorama(part, {0.25, 0.25, 0.75, 0.75});
-    ASSERT_TRUE(placed);
-    ASSERT_EQ(placed->width, 1024);
-    ASSERT_EQ(placed->height, 512);
-    for (int x = 0; x < 512; x += 31) EXPECT_EQ(placed->at(256 + x, 256)[0], x / 4);
+    const auto placed = tests::valueOf(completePanorama(part, {0.25, 0.25, 0.75, 0.75}));
+    ASSERT_EQ(placed.width, 1024);
+    ASSERT_EQ(placed.height, 512);
+    for (int x = 0; x < 512; x += 31) EXPECT_EQ(placed.at(256 + x, 256)[0], x / 4);
     for (int x = 0; x < 1024; ++x) { // no step at the sides, nor where the gap is closed
-        EXPECT_LE(std::abs(placed->at(x, 256)[0] - placed->at((x + 1) % 1024, 256)[0]), 3) << x;
-        EXPECT_NEAR(placed->at(x, 256)[1], 200, 1);
+        EXPECT_LE(std::abs(placed.at(x, 256)[0] - placed.at((x + 1) % 1024, 256)[0]), 3) << x;
+        EXPECT_NEAR(placed.at(x, 256)[1], 200, 1);
     }
-    for (const int y : {0, 511}) EXPECT_NEAR(placed->at(100, y)[1], 200, 4); // sky and ground are filled
+    for (const int y : {0, 511}) EXPECT_NEAR(placed.at(100, y)[1], 200, 4); // sky and ground are filled
     ImageRgb8 lit(256, 128); // one light, and no second one in the gap
     std::fill(lit.pixels.begin(), lit.pixels.end(), uint8_t{60});
     for (int y = 50; y < 60; ++y) std::fill_n(lit.at(120, y), 30, uint8_t{255});
-    const auto one = completePanorama(lit, {0.25, 0.25, 0.75, 0.75});
-    ASSERT_TRUE(one);
-    for (int y = 0; y < one->height; ++y)
-        for (int x = 0; x < one->width / 4; ++x) {
-            ASSERT_LT(one->at(x, y)[0], 100);
-            ASSERT_LT(one->at(one->width - 1 - x, y)[0], 100);
+    const auto one = tests::valueOf(completePanorama(lit, {0.25, 0.25, 0.75, 0.75}));
+    for (int y = 0; y < one.height; ++y)
+        for (int x = 0; x < one.width / 4; ++x) {
+            ASSERT_LT(one.at(x, y)[0], 100);
+            ASSERT_LT(one.at(one.width - 1 - x, y)[0], 100);
         }
     for (const PanoramaPart& odd : {PanoramaPart{0, 0.8, 1, 1}, PanoramaPart{0, 0, 1, 0.2},
                                     PanoramaPart{0.99, 0.4, 1, 0.6}, PanoramaPart{0, 0, 1, 1}})
         EXPECT_TRUE(completePanorama(part, odd));
     EXPECT_FALSE(completePanorama(ImageRgb8(1, 1), {0.5, 0.5, 0.5001, 0.5001}));
+}
+
+// The seam search against an exhaustive one.
+
+struct Case {
+    cv::Mat colours, weight;
+    Case(int width, int height)
+        : colours(height, width, CV_32FC3, cv::Scalar::all(0)), weight(height, width, CV_32F, cv::Scalar(0)) {
+    }
+};
+
+Case noise(int width, int height, uint64_t seed) {
+    Case made(width, height);
+    Random random(seed);
+    for (float& value : cv::Mat_<float>(made.colours.reshape(1))) value = random.unit();
+    for (float& value : cv::Mat_<float>(made.weight)) value = 0.3f * random.unit() - 0.1f;
+    return made;
+}
+
+double apart(const cv::Mat& c, int xa, int ya, int xb, int yb) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k)
+        sum += std::abs(static_cast<double>(c.at<cv::Vec3f>(ya, xa)[k]) -
+                        static_cast<double>(c.at<cv::Vec3f>(yb, xb)[k]));
+    return sum;
+}
+
+// Returns the cost of the pixels that removing the seam brings together, without the search's tables.
+double costOf(const Case& of, const std::vector<int>& seam) {
+    double sum = 0;
+    for (int y = 0; y < of.colours.rows; ++y) {
+        const int x = seam[static_cast<size_t>(y)];
+        const int left = std::max(x - 1, 0), right = std::min(x + 1, of.colours.cols - 1);
+        sum += apart(of.colours, left, y, right, y) + static_cast<double>(of.weight.at<float>(y, x));
+        if (y == 0) continue;
+        const int before = seam[static_cast<size_t>(y - 1)];
+        // The pixel above stays, and gets the neighbour on the side that the seam came from below it.
+        if (before < x) sum += apart(of.colours, x, y - 1, left, y);
+        if (before > x) sum += apart(of.colours, x, y - 1, right, y);
+    }
+    return sum;
+}
+
+double cheapestOfAll(const Case& of) {
+    double minimum = std::numeric_limits<double>::max();
+    std::vector<int> seam;
+    const std::function<void()> grow = [&] {
+        if (static_cast<int>(seam.size()) == of.colours.rows) {
+            minimum = std::min(minimum, costOf(of, seam));
+            return;
+        }
+        for (int x = 0; x < of.colours.cols; ++x) {
+            if (!seam.empty() && std::abs(x - seam.back()) > 1) continue;
+            seam.push_back(x);
+            grow();
+            seam.pop_back();
+        }
+    };
+    grow();
+    return minimum;
+}
+
+void expectOnePixelARow(const std::vector<int>& seam, const cv::Mat& colours) {
+    ASSERT_EQ(static_cast<int>(seam.size()), colours.rows);
+    for (size_t y = 0; y < seam.size(); ++y) {
+        EXPECT_GE(seam[y], 0);
+        EXPECT_LT(seam[y], colours.cols);
+        if (y > 0) {
+            EXPECT_LE(std::abs(seam[y] - seam[y - 1]), 1) << "row " << y;
+        }
+    }
+}
+
+TEST(SeamSearch, CheapestOfAllSeams) {
+    uint64_t seed = 0;
+    for (const auto& [width, height] : {std::pair{6, 7}, {5, 8}, {2, 9}, {1, 5}, {7, 1}, {3, 2}})
+        for (int k = 0; k < 12; ++k) {
+            const Case made = noise(width, height, ++seed);
+            const std::vector<int> seam = minSeam(made.colours, made.weight);
+            expectOnePixelARow(seam, made.colours);
+            // Sums of at most 9 rows of numbers below 7 in single precision.
+            EXPECT_NEAR(costOf(made, seam), cheapestOfAll(made), 1e-5)
+                << width << "x" << height << " seed " << seed;
+        }
+}
+
+TEST(SeamInsertion, MapsNeverFallAndKeepTheirEnds) {
+    const Case made = noise(30, 20, 3);
+    const cv::Mat map = seamInsertionMap(made.colours, made.weight, 100);
+    ASSERT_EQ(map.cols, 100);
+    for (int y = 0; y < map.rows; ++y)
+        for (int x = 1; x < map.cols; ++x) ASSERT_GE(map.at<float>(y, x), map.at<float>(y, x - 1));
+    std::vector<float> even(map.begin<float>(), map.begin<float>() + map.cols);
+    const float first = even.front(), last = even.back();
+    smoothMap(even, 5);
+    EXPECT_FLOAT_EQ(even.front(), first);
+    EXPECT_FLOAT_EQ(even.back(), last);
+    EXPECT_TRUE(std::is_sorted(even.begin(), even.end()));
+}
+
+// Flat to the left, noise to the right: the flat half takes the growth.
+TEST(SeamInsertion, IsPlacedWhereThePictureIsFlat) {
+    Case made = noise(40, 30, 5);
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 20; ++x) made.colours.at<cv::Vec3f>(y, x) = cv::Vec3f::all(0.5f);
+    made.weight.setTo(0);
+    const cv::Mat_<float> map = seamInsertionMap(made.colours, made.weight, 100);
+    const auto flat = std::count_if(map.begin(), map.end(), [](float at) { return at < 19.5f; });
+    EXPECT_GT(flat, 70 * map.rows); // of 60 new columns nearly all; it began with 20
+}
+
+TEST(SeamInsertion, NothingWithinTheStrip) {
+    const Case made = noise(40, 10, 9);
+    cv::Mat weight(10, 40, CV_32F, cv::Scalar(0));
+    for (int y = 0; y < 10; ++y)
+        for (int x = 15; x < 25; ++x) weight.at<float>(y, x) = 10;
+    const cv::Mat map = seamInsertionMap(made.colours, weight, 120);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 1; x < 120; ++x)
+            if (map.at<float>(y, x - 1) >= 15 && map.at<float>(y, x) <= 24) {
+                EXPECT_FLOAT_EQ(map.at<float>(y, x) - map.at<float>(y, x - 1), 1);
+            }
 }
 
 } // namespace

@@ -2,18 +2,9 @@
 #pragma once
 
 #include "engine/scene/Model.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <initializer_list>
-#include <string>
-#include <vector>
 
 namespace shoal::scene {
 
@@ -97,21 +88,10 @@ struct Gltf {
         const Folder folder;
         return loadModel(folder.write("model.gltf", text()), limits);
     }
+    Model model() const { return tests::valueOf(load()); }
 };
 
 inline const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-
-inline constexpr const char* kWhitePixel =
-    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
-    "AAX+Av4N70a4AAAAAElFTkSuQmCC";
-
-// Adds a triangle with the file's first material and both sets of texture coordinates.
-inline void addTexturedTriangle(Gltf& file) {
-    Json& primitive = file.addTriangles(file.addFloats(kTriangle, "VEC3"));
-    primitive["material"] = 0;
-    primitive["attributes"]["TEXCOORD_0"] = file.addFloats({1, 0, 0, 1, 0.5f, 0.25f}, "VEC2");
-    primitive["attributes"]["TEXCOORD_1"] = file.addFloats({2, 2, 3, 3, 4, 4}, "VEC2");
-}
 
 // Returns the reason for which the document is refused; "" if it is accepted.
 inline std::string refusal(const Result<Model>& model) { return model ? "" : model.error().reason; }

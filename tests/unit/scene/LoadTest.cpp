@@ -1,14 +1,9 @@
 #include "tests/unit/scene/Fixture.h"
 
-#include <glm/gtc/constants.hpp>
-
-#include <array>
-#include <cmath>
-
 namespace shoal::scene {
 namespace {
 
-const Primitive& only(const Result<Model>& model) { return model.value().meshes.at(0).primitives.at(0); }
+const Primitive& only(const Model& model) { return model.meshes.at(0).primitives.at(0); }
 
 // Every model of the reference data that is meant to be drawn.
 TEST(Load, ReferenceModels) {
@@ -19,16 +14,15 @@ TEST(Load, ReferenceModels) {
             const std::string extension = entry.path().extension().string();
             if (extension != ".gltf" && extension != ".glb") continue;
             ++count;
-            const auto model = loadModel(entry.path());
-            ASSERT_TRUE(model) << model.error().message();
+            const auto model = tests::valueOf(loadModel(entry.path()));
             Pose pose;
-            restPose(*model, pose);
-            const Bounds bounds = posedBounds(*model, pose);
+            restPose(model, pose);
+            const Bounds bounds = posedBounds(model, pose);
             EXPECT_GT(glm::distance(bounds.low, bounds.high), 0) << entry.path();
-            for (const Material& material : model->materials)
+            for (const Material& material : model.materials)
                 if (material.baseColour.texture >= 0) {
-                    const int image = model->textures[static_cast<size_t>(material.baseColour.texture)].image;
-                    EXPECT_FALSE(model->images[static_cast<size_t>(image)].empty()) << entry.path();
+                    const int image = model.textures[static_cast<size_t>(material.baseColour.texture)].image;
+                    EXPECT_FALSE(model.images[static_cast<size_t>(image)].empty()) << entry.path();
                 }
         }
     }
@@ -41,8 +35,7 @@ TEST(Load, FlatNormalsWhereThereAreNone) {
     const int positions = file.addFloats({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3");
     Json& primitive = file.addTriangles(positions);
     primitive["indices"] = file.add<uint8_t>({0, 1, 2, 0, 3, 1}, "SCALAR", Gltf::kUnsignedByte);
-    const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
+    const auto model = file.model();
     const Primitive& p = only(model);
     ASSERT_EQ(p.positions.size(), 6u); // shared corners are split
     EXPECT_EQ(p.normals[0], glm::vec3(0, 0, 1));
@@ -58,9 +51,8 @@ TEST(Load, FlatNormalsOfMorphTargets) {
     // Lifts the third corner from (0, 1, 0) to (0, 0, 1): the normal goes from +Z to -Y.
     primitive["targets"] = {{{"POSITION", file.addFloats({0, 0, 0, 0, 0, 0, 0, -1, 1}, "VEC3")}}};
     file.root["meshes"][0]["weights"] = {0.5};
-    const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
-    EXPECT_EQ(model->meshes[0].morphWeights, std::vector<float>{0.5f});
+    const auto model = file.model();
+    EXPECT_EQ(model.meshes[0].morphWeights, std::vector<float>{0.5f});
     ASSERT_EQ(only(model).morphTargets.size(), 1u);
     EXPECT_EQ(only(model).morphTargets[0].normals[1], glm::vec3(0, -1, -1));
 }
@@ -73,8 +65,7 @@ TEST(Load, StripsAndFansBecomeLists) {
         primitive["mode"] = mode;
         primitive["attributes"]["NORMAL"] =
             file.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
-        const auto model = file.load();
-        return model ? only(model).indices : std::vector<uint32_t>();
+        return only(file.model()).indices;
     };
     EXPECT_EQ(indicesOf(5), (std::vector<uint32_t>{0, 1, 2, 1, 3, 2, 2, 3, 4}));
     EXPECT_EQ(indicesOf(6), (std::vector<uint32_t>{1, 2, 0, 2, 3, 0, 3, 4, 0}));
@@ -84,17 +75,15 @@ TEST(Load, PointsAndLinesAreLeftOut) {
     for (int mode = 0; mode < 4; ++mode) {
         Gltf file;
         file.addTriangles(file.addFloats(kTriangle, "VEC3"))["mode"] = mode;
-        const auto model = file.load();
-        ASSERT_TRUE(model) << model.error().message();
-        EXPECT_TRUE(model->meshes[0].primitives.empty());
+        const auto model = file.model();
+        EXPECT_TRUE(model.meshes[0].primitives.empty());
     }
 }
 
 TEST(Load, ColoursOfEveryComponentType) {
     const auto colourOf = [](Gltf& file, int accessor) {
         file.root["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = accessor;
-        const auto model = file.load();
-        return model ? only(model).coloursLin.at(1) : glm::vec4(-1);
+        return only(file.model()).coloursLin.at(1);
     };
     Gltf file;
     file.addTriangles(file.addFloats(kTriangle, "VEC3"));
@@ -123,13 +112,11 @@ TEST(Load, SparseAccessorsReplaceElements) {
         {"indices", {{"bufferView", indices}, {"componentType", Gltf::kUnsignedShort}}},
         {"values", {{"bufferView", values}}}};
     file.addTriangles(positions);
-    auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
+    auto model = file.model();
     EXPECT_EQ(only(model).positions[1], glm::vec3(7, 8, 9));
     EXPECT_EQ(only(model).positions[2], glm::vec3(0, 1, 0));
     file.root["accessors"][static_cast<size_t>(positions)].erase("bufferView"); // the others are zeros then
-    model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
+    model = file.model();
     EXPECT_EQ(only(model).positions[1], glm::vec3(7, 8, 9));
     EXPECT_EQ(only(model).positions[2], glm::vec3(0));
 }
@@ -146,8 +133,7 @@ TEST(Load, WeightsSumToOneAndTheFourHeaviestStay) {
     for (int i = 0; i < 3; ++i) file.root["nodes"].push_back(Json::object());
     file.root["nodes"][0]["skin"] = 0;
     file.root["skins"] = {{{"joints", {1, 2, 3}}}};
-    const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
+    const auto model = file.model();
     EXPECT_EQ(only(model).weights[0], glm::vec4(0.5f, 0.25f, 0.25f, 0));
     EXPECT_EQ(only(model).joints[0], glm::u16vec4(2, 0, 1, 0));
     EXPECT_EQ(only(model).weights[1], glm::vec4(1, 0, 0, 0));
@@ -160,14 +146,13 @@ TEST(Load, MatricesAreSplitWhereTheyCanBe) {
     Gltf file;
     file.root["nodes"] = {{{"matrix", {0, 2, 0, 0, -3, 0, 0, 0, 0, 0, -4, 0, 5, 6, 7, 1}}},
                           {{"matrix", {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}; // sheared
-    const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
-    ASSERT_FALSE(model->nodes[0].matrix);
-    EXPECT_EQ(model->nodes[0].parentFromNode.translation, glm::vec3(5, 6, 7));
-    EXPECT_EQ(glm::abs(model->nodes[0].parentFromNode.scale), glm::vec3(2, 3, 4));
-    ASSERT_TRUE(model->nodes[1].matrix);
+    const auto model = file.model();
+    ASSERT_FALSE(model.nodes[0].matrix);
+    EXPECT_EQ(model.nodes[0].parentFromNode.translation, glm::vec3(5, 6, 7));
+    EXPECT_EQ(glm::abs(model.nodes[0].parentFromNode.scale), glm::vec3(2, 3, 4));
+    ASSERT_TRUE(model.nodes[1].matrix);
     Pose pose;
-    restPose(*model, pose);
+    restPose(model, pose);
     const glm::mat4 expected(0, 2, 0, 0, -3, 0, 0, 0, 0, 0, -4, 0, 5, 6, 7, 1);
     for (int i = 0; i < 16; ++i)
         EXPECT_NEAR(pose.modelFromNode[0][i / 4][i % 4], expected[i / 4][i % 4],
@@ -184,11 +169,10 @@ TEST(Load, NormalizedIntegerKeysBecomeRotations) {
         {{"name", "turn"},
          {"samplers", {{{"input", times}, {"output", turns}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}}};
-    const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
-    ASSERT_EQ(model->findAnimation("turn"), 0);
-    EXPECT_EQ(model->animations[0].duration_s, 1);
-    EXPECT_EQ(model->animations[0].channels[0].values, (std::vector<float>{0, 0, 0, 1, 0, 1, 0, 0}));
+    const auto model = file.model();
+    ASSERT_EQ(model.findAnimation("turn"), 0);
+    EXPECT_EQ(model.animations[0].duration_s, 1);
+    EXPECT_EQ(model.animations[0].channels[0].values, (std::vector<float>{0, 0, 0, 1, 0, 1, 0, 0}));
 }
 
 TEST(Load, Materials) {
@@ -202,9 +186,8 @@ TEST(Load, Materials) {
          {"alphaCutoff", 0.75},
          {"doubleSided", true}},
         Json::object()};
-    const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
-    const Material& skin = model->materials[0];
+    const auto model = file.model();
+    const Material& skin = model.materials[0];
     EXPECT_EQ(skin.baseColourLin, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
     EXPECT_EQ(skin.metallic, 0.25f);
     EXPECT_EQ(skin.roughness, 1); // clamped
@@ -212,24 +195,22 @@ TEST(Load, Materials) {
     EXPECT_EQ(skin.alphaMode, AlphaMode::Mask);
     EXPECT_EQ(skin.alphaCutoff, 0.75f);
     EXPECT_TRUE(skin.doubleSided);
-    EXPECT_EQ(model->materials[1].alphaMode, AlphaMode::Opaque);
-    EXPECT_EQ(model->materials[1].metallic, 1);
+    EXPECT_EQ(model.materials[1].alphaMode, AlphaMode::Opaque);
+    EXPECT_EQ(model.materials[1].metallic, 1);
 }
 
 // TextureSettingsTest has samplers with each wrap mode; Fox names its joints.
 TEST(Load, SamplersAndNamesOfReferenceModels) {
     const Path settings = sharedData() / "gltf/TextureSettingsTest.glb", fox = sharedData() / "gltf/Fox.glb";
     if (!exists(settings) || !exists(fox)) GTEST_SKIP() << "no " << settings;
-    const auto model = loadModel(settings);
-    ASSERT_TRUE(model) << model.error().message();
+    const auto model = tests::valueOf(loadModel(settings));
     std::array<bool, 3> seen{};
-    for (const Texture& texture : model->textures) seen[static_cast<size_t>(texture.wrapS)] = true;
+    for (const Texture& texture : model.textures) seen[static_cast<size_t>(texture.wrapS)] = true;
     EXPECT_TRUE(seen[0] && seen[1] && seen[2]);
-    const auto animal = loadModel(fox);
-    ASSERT_TRUE(animal) << animal.error().message();
-    EXPECT_GE(animal->findAnimation("Run"), 0);
-    EXPECT_EQ(animal->findAnimation("Fly"), -1);
-    EXPECT_EQ(animal->skins.at(0).joints.size(), 24u);
+    const auto animal = tests::valueOf(loadModel(fox));
+    EXPECT_GE(animal.findAnimation("Run"), 0);
+    EXPECT_EQ(animal.findAnimation("Fly"), -1);
+    EXPECT_EQ(animal.skins.at(0).joints.size(), 24u);
 }
 
 } // namespace

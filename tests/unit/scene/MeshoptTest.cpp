@@ -1,10 +1,7 @@
 // EXT_meshopt_compression: bufferViews that are decoded when the file is read.
 #include "Fixture.h"
 
-#include <gmock/gmock.h>
 #include <meshoptimizer.h>
-
-#include <cmath>
 
 namespace shoal::scene {
 namespace {
@@ -125,11 +122,7 @@ Compressed square(const char* mode = "TRIANGLES", size_t indexBytes = 4) {
     return made;
 }
 
-Primitive primitiveOf(const Gltf& file) {
-    auto model = file.load();
-    if (!model) throw std::runtime_error(model.error().message());
-    return std::move(model->meshes[0].primitives[0]);
-}
+Primitive primitiveOf(const Gltf& file) { return file.model().meshes[0].primitives[0]; }
 
 void expectSquare(const Primitive& primitive, const char* what) {
     SCOPED_TRACE(what);
@@ -244,9 +237,8 @@ TEST(Meshopt, QuaternionsAndExponents) {
           {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}},
            {{"sampler", 1}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
          {"samplers", {{{"input", input}, {"output", turn}}, {{"input", input}, {"output", move}}}}}};
-    const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().message();
-    const auto& channels = model->animations[0].channels;
+    const auto model = file.model();
+    const auto& channels = model.animations[0].channels;
     ASSERT_EQ(channels.size(), 2u);
     for (size_t i = 0; i < kKeys; ++i) {
         EXPECT_EQ(channels[0].times_s[i], times[i]);

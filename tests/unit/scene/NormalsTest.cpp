@@ -2,15 +2,16 @@
 #include "ScaledSpheres.h"
 #include "engine/math/LatLong.h"
 #include "engine/scene/Surface.h"
+#include "engine/scene/Vertices.h"
+#include "tests/unit/scene/Fixture.h"
 
-#include <gtest/gtest.h>
+#include <glm/gtc/matrix_inverse.hpp>
 
 namespace shoal::scene {
 namespace {
 
 class Normals : public testing::TestWithParam<ScaledSphere> {};
-INSTANTIATE_TEST_SUITE_P(Of, Normals, testing::ValuesIn(kScaledSpheres),
-                         [](const auto& spec) { return std::string(spec.param.name); });
+INSTANTIATE_TEST_SUITE_P(Of, Normals, testing::ValuesIn(kScaledSpheres), tests::byName);
 
 TEST_P(Normals, StandOnTheEllipsoid) {
     Primitive primitive;
@@ -33,6 +34,177 @@ TEST_P(Normals, StandOnTheEllipsoid) {
         for (int c = 0; c < 3; ++c) // some ten float operations on numbers near 1
             EXPECT_NEAR(surface.normals[i][c], expected[c], 1e-5f) << i;
     }
+}
+
+constexpr float kTangentTol = 1e-6f; // a few float operations on numbers near 1
+
+// A square in the XY plane seen from +Z, its texture laid on it upright or mirrored.
+Primitive square(bool mirrored) {
+    Primitive p;
+    p.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    p.normals.assign(4, {0, 0, 1});
+    p.texCoords[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; // v grows downwards
+    if (mirrored)
+        for (glm::vec2& uv : p.texCoords[0]) uv.x = 1 - uv.x;
+    p.indices = {0, 1, 2, 0, 2, 3};
+    return p;
+}
+
+void expectNear(const glm::vec4& actual, const glm::vec4& expected, float tolerance = kTangentTol) {
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
+}
+
+// glTF 2.0 specification 3.9.3: the normal map's red is +X along the tangent, green is +Y, up in the image,
+// along cross(normal, tangent) * w.
+TEST(Tangents, PointAlongUWithTheImagesTopUp) {
+    const TangentSplit split = makeTangents(square(false), 0);
+    ASSERT_EQ(split.tangents.size(), 4u); // nothing to split
+    for (const glm::vec4& t : split.tangents) expectNear(t, {1, 0, 0, 1});
+    EXPECT_EQ(split.indices.size(), 6u);
+}
+
+TEST(Tangents, AreLeftHandedWhereTheTextureIsMirrored) {
+    const TangentSplit split = makeTangents(square(true), 0);
+    for (const glm::vec4& t : split.tangents) expectNear(t, {-1, 0, 0, -1});
+}
+
+// A texture mirrored at x = 0, as on a symmetric fish: the vertices on the line are split.
+TEST(Tangents, AreSplitWhereTheHandednessChanges) {
+    Primitive p;
+    p.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+    p.normals.assign(4, {0, 0, 1});
+    p.texCoords[0] = {{0, 1}, {1, 1}, {0, 0}, {1, 1}};
+    p.indices = {0, 1, 2, 0, 2, 3};
+    const TangentSplit split = makeTangents(p, 0);
+    EXPECT_EQ(split.source.size(), 6u);
+    for (size_t corner = 0; corner < 6; ++corner) {
+        EXPECT_EQ(split.source[split.indices[corner]], p.indices[corner]);
+        expectNear(split.tangents[split.indices[corner]],
+                   corner < 3 ? glm::vec4(1, 0, 0, 1) : glm::vec4(-1, 0, 0, -1));
+    }
+}
+
+// Corner 0 is shared by a triangle with an angle of 60 degrees there, u along +X, and one with 30 degrees, u
+// along a direction 20 degrees from it; both lie in one plane. The tangent is their mean weighted by these
+// angles.
+TEST(Tangents, AreAveragedByTheCornersAngles) {
+    const auto direction = [](double degrees) {
+        return glm::dvec2(std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees)));
+    };
+    const glm::dvec2 b = direction(60), c = direction(90), uvB(b.x, -b.y), alongU = direction(20);
+    // In the second triangle, p = u alongU + v alongV, where b must keep its texture coordinate.
+    const glm::dvec2 alongV = (b - uvB.x * alongU) / uvB.y;
+    const glm::dvec2 uvC = glm::inverse(glm::dmat2(alongU, alongV)) * c;
+    Primitive p;
+    for (const glm::dvec2 corner : {glm::dvec2(0), direction(0), b, c}) p.positions.emplace_back(corner, 0);
+    p.normals.assign(4, {0, 0, 1});
+    p.texCoords[0] = {{0, 0}, {1, 0}, uvB, uvC};
+    p.indices = {0, 1, 2, 0, 2, 3};
+    const TangentSplit split = makeTangents(p, 0);
+    ASSERT_EQ(split.source.size(), 4u);
+    const auto mean = [&](double first, double second) {
+        return glm::vec4(
+            glm::vec3(glm::normalize(first * glm::dvec3(1, 0, 0) + second * glm::dvec3(alongU, 0))), 1);
+    };
+    expectNear(split.tangents[split.indices[0]], mean(60, 30));
+    expectNear(split.tangents[split.indices[2]], mean(60, 75));
+    expectNear(split.tangents[split.indices[1]], mean(1, 0));
+    expectNear(split.tangents[split.indices[5]], mean(0, 1));
+}
+
+// Around a cylinder of eight smooth sides u runs with the angle: by symmetry every tangent does, also where
+// the texture's seam doubles the vertices.
+TEST(Tangents, RunAroundACylinder) {
+    Primitive p;
+    constexpr int kSides = 8;
+    for (int i = 0; i <= kSides; ++i) {
+        const double angle = glm::radians(45.0 * (i % kSides));
+        const glm::vec3 outwards(std::sin(angle), 0, std::cos(angle));
+        for (const float y : {0.0f, 1.0f}) {
+            p.positions.push_back(outwards + glm::vec3(0, y, 0));
+            p.normals.push_back(outwards);
+            p.texCoords[0].emplace_back(static_cast<float>(i) / 8, 1 - y);
+        }
+    }
+    for (uint32_t i = 0; i < 2 * kSides; i += 2)
+        p.indices.insert(p.indices.end(), {i, i + 2, i + 1, i + 1, i + 2, i + 3});
+    const TangentSplit split = makeTangents(p, 0);
+    ASSERT_EQ(split.source.size(), p.positions.size());
+    for (size_t v = 0; v < split.source.size(); ++v) {
+        const glm::vec3& n = p.normals[split.source[v]];
+        expectNear(split.tangents[v], {n.z, 0, -n.x, 1});
+    }
+}
+
+TEST(Tangents, AreFiniteAndPerpendicularWhereThereIsNoDirection) {
+    Primitive p = square(false);
+    p.texCoords[0].assign(4, {0.5f, 0.5f});
+    p.indices.insert(p.indices.end(), {0, 0, 1});
+    for (const glm::vec4& t : makeTangents(p, 0).tangents) {
+        EXPECT_NEAR(glm::length(glm::vec3(t)), 1, kTangentTol);
+        EXPECT_EQ(glm::dot(glm::vec3(t), glm::vec3(0, 0, 1)), 0);
+        EXPECT_EQ(std::abs(t.w), 1);
+    }
+}
+
+// VertexColorTest comes with tangents of its own exporter: ours against those, wherever they were made for
+// the texture (a few of its triangles have no area in it or a mirrored one, all with the same w).
+TEST(Tangents, AgreeWithThoseOfVertexColorTest) {
+    const Path file = sharedData() / "gltf/VertexColorTest.glb";
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) GTEST_SKIP() << "no " << file;
+    const std::string glb{std::istreambuf_iterator<char>(stream), {}};
+    uint32_t jsonLength = 0;
+    std::memcpy(&jsonLength, glb.data() + 12, 4);
+    Json root = Json::parse(glb.substr(20, jsonLength));
+    for (Json& material : root["materials"]) // or the file's tangents would be dropped
+        material["normalTexture"] = {{"index", 0}};
+    root["buffers"][0]["uri"] = "all.bin";
+    const Folder folder;
+    folder.write("all.bin", glb.substr(20 + jsonLength + 8));
+    const auto model = tests::valueOf(loadModel(folder.write("all.gltf", root.dump())));
+    size_t compared = 0;
+    for (const Mesh& mesh : model.meshes)
+        for (const Primitive& p : mesh.primitives) {
+            ASSERT_EQ(p.tangents.size(), p.positions.size());
+            const TangentSplit split = makeTangents(p, 0);
+            for (size_t i = 0; i < p.indices.size(); i += 3) {
+                const auto uv = [&](size_t k) { return p.texCoords[0][p.indices[i + k]]; };
+                const glm::vec2 e1 = uv(1) - uv(0), e2 = uv(2) - uv(0);
+                if (!(e1.x * e2.y - e1.y * e2.x < 0)) continue; // upright, v downwards: against the corners
+                for (size_t k = i; k < i + 3; ++k, ++compared)
+                    expectNear(split.tangents[split.indices[k]], p.tangents[p.indices[k]],
+                               1e-3f); // flat: 0.06 degrees
+            }
+        }
+    EXPECT_GE(compared, 60u);
+}
+
+// Its tangents are to be generated. Wherever the texture has area, they point along growing u.
+TEST(Tangents, FollowTheTextureOfNormalTangentTest) {
+    const Path file = sharedData() / "fidelity/khronos-NormalTangentTest/NormalTangentTest.gltf";
+    if (!exists(file)) GTEST_SKIP() << "no " << file;
+    const auto model = tests::valueOf(loadModel(file));
+    const Primitive& p = model.meshes.at(0).primitives.at(0);
+    ASSERT_EQ(p.tangents.size(), p.positions.size());
+    size_t right = 0, corners = 0;
+    for (size_t i = 0; i < p.indices.size(); i += 3) {
+        const uint32_t a = p.indices[i], b = p.indices[i + 1], c = p.indices[i + 2];
+        const glm::vec2 e1 = p.texCoords[0][b] - p.texCoords[0][a],
+                        e2 = p.texCoords[0][c] - p.texCoords[0][a];
+        const float area = e1.x * e2.y - e1.y * e2.x;
+        if (std::abs(area) < 1e-9f) continue;
+        const glm::vec3 d1 = p.positions[b] - p.positions[a], d2 = p.positions[c] - p.positions[a];
+        const glm::vec3 alongU = (e2.y * d1 - e1.y * d2) / area, down = (e1.x * d2 - e2.x * d1) / area;
+        for (const uint32_t v : {a, b, c}) {
+            const glm::vec3 t(p.tangents[v]);
+            const glm::vec3 up = glm::cross(p.normals[v], t) * p.tangents[v].w;
+            ++corners;
+            right += glm::dot(t, alongU) > 0 && glm::dot(up, down) < 0;
+        }
+    }
+    EXPECT_GT(corners, 0u);
+    EXPECT_EQ(right, corners);
 }
 
 } // namespace

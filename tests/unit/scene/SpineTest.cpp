@@ -2,8 +2,6 @@
 #include "engine/scene/Spine.h"
 #include "tests/unit/scene/Fixture.h"
 
-#include <cmath>
-
 namespace shoal::scene {
 namespace {
 
@@ -106,9 +104,9 @@ struct Animal {
 class ShippedSpines : public testing::TestWithParam<Animal> {
   protected:
     void SetUp() override {
-        auto loaded = loadModel(dataRoot() / "content/models" / (std::string(GetParam().name) + ".glb"));
-        ASSERT_TRUE(loaded.ok()) << loaded.error().message();
-        model_ = std::move(*loaded);
+        auto loaded = tests::valueOf(
+            loadModel(dataRoot() / "content/models" / (std::string(GetParam().name) + ".glb")));
+        model_ = std::move(loaded);
         restPose(model_, pose_);
         const Bounds bounds = posedBounds(model_, pose_);
         spine_ = findSpine(model_, bounds.high.z - bounds.low.z, bounds.low.z);

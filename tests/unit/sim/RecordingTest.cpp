@@ -1,14 +1,9 @@
 #include "engine/sim/Recording.h"
-
 #include "engine/core/Random.h"
+#include "engine/sim/FixedStep.h"
 #include "tests/Recorded.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <fstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -58,15 +53,13 @@ TEST_F(RecordingFile, ComesBackEqual) {
     for (size_t ticks : {size_t{0}, size_t{1}, kBlockTicks - 1, kBlockTicks, kBlockTicks + 1, size_t{500}}) {
         const Recorded out = sample(ticks);
         ASSERT_TRUE(tests::write(file_, out));
-        const auto reader = RecordingReader::open(file_);
-        ASSERT_TRUE(reader) << reader.error().message();
-        EXPECT_TRUE(reader->complete());
-        EXPECT_EQ(reader->header(), out.header());
-        EXPECT_EQ(reader->ticks(), ticks);
-        const auto in = tests::readAll(*reader);
-        ASSERT_TRUE(in) << in.error().message();
-        EXPECT_EQ(in->ticks(), ticks);
-        expectBeginOf(out, *in);
+        const auto reader = tests::valueOf(RecordingReader::open(file_));
+        EXPECT_TRUE(reader.complete());
+        EXPECT_EQ(reader.header(), out.header());
+        EXPECT_EQ(reader.ticks(), ticks);
+        const auto in = tests::valueOf(tests::readAll(reader));
+        EXPECT_EQ(in.ticks(), ticks);
+        expectBeginOf(out, in);
     }
 }
 
@@ -87,9 +80,8 @@ TEST_F(RecordingFile, OneThatIsCutIsReadUpToItsLastWholeBlock) {
         EXPECT_TRUE(reader->ticks() % kBlockTicks == 0 || reader->ticks() == out.ticks()) << length;
         EXPECT_GE(reader->ticks(), before);
         before = reader->ticks();
-        const auto in = tests::readAll(*reader);
-        ASSERT_TRUE(in) << in.error().message();
-        expectBeginOf(out, *in);
+        const auto in = tests::valueOf(tests::readAll(*reader));
+        expectBeginOf(out, in);
     }
     EXPECT_EQ(before, out.ticks()); // the mark of its end alone was missing
     write(whole + "x");
@@ -108,9 +100,8 @@ TEST_F(RecordingFile, NoFlippedBitGoesUnseen) {
         const auto reader = RecordingReader::open(file_);
         if (!reader) continue;
         EXPECT_FALSE(reader->complete()) << "byte " << at;
-        const auto in = tests::readAll(*reader);
-        ASSERT_TRUE(in) << in.error().message();
-        expectBeginOf(out, *in);
+        const auto in = tests::valueOf(tests::readAll(*reader));
+        expectBeginOf(out, in);
     }
 }
 
@@ -138,11 +129,10 @@ TEST_F(RecordingFile, SurvivesItsWriter) {
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));
-    const auto reader = RecordingReader::open(file_);
-    ASSERT_TRUE(reader) << reader.error().message();
-    EXPECT_FALSE(reader->complete());
-    EXPECT_EQ(reader->ticks(), 5 * kBlockTicks);
-    expectBeginOf(out, tests::readAll(*reader).value());
+    const auto reader = tests::valueOf(RecordingReader::open(file_));
+    EXPECT_FALSE(reader.complete());
+    EXPECT_EQ(reader.ticks(), 5 * kBlockTicks);
+    expectBeginOf(out, tests::readAll(reader).value());
 }
 
 // The disk is full after so many bytes: each byte of the file once.
@@ -195,6 +185,35 @@ TEST(Recording, NamesTheTickThatDiffers) {
     const Status differs = sameState(7, 3, 4);
     ASSERT_FALSE(differs);
     EXPECT_THAT(differs.error().reason, HasSubstr("tick 7"));
+}
+
+TEST(FixedStep, AnyDisplayRateGivesTheSameTicks) {
+    for (int fps : {24, 30, 50, 60, 72, 90, 120, 144, 240, 1000}) {
+        FixedStep step;
+        int ticks = 0;
+        for (int frame = 0; frame < 100 * fps; ++frame) ticks += step.advance(1.0 / fps);
+        // Frame times are whole nanoseconds: 100 s of them are short or long by at most half of one per
+        // frame.
+        EXPECT_NEAR(ticks, 12000, 1) << fps;
+    }
+}
+
+TEST(FixedStep, ALongFrameIsCaughtUpAndAVeryLongOneForgotten) {
+    FixedStep step;
+    EXPECT_EQ(step.advance(0.3), 36);
+    EXPECT_EQ(step.advance(10), 60);
+    EXPECT_EQ(step.advance(-1), 0);
+    EXPECT_EQ(step.advance(std::numeric_limits<double>::quiet_NaN()), 0);
+    EXPECT_EQ(step.advance(std::numeric_limits<double>::infinity()), 0);
+}
+
+TEST(FixedStep, AlphaIsTheRemainder) {
+    FixedStep step;
+    EXPECT_EQ(step.advance(1.5 / kTickRate_Hz), 1);
+    EXPECT_NEAR(step.alpha(), 0.5f, 1e-6f); // half a nanosecond of 8.3 ms
+    EXPECT_EQ(step.advance(0.4999 / kTickRate_Hz), 0);
+    EXPECT_LT(step.alpha(), 1.0f);
+    EXPECT_GT(step.alpha(), 0.99f);
 }
 
 } // namespace

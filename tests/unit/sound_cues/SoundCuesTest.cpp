@@ -1,11 +1,6 @@
 #include "game/feedback/SoundCues.h"
-
 #include "game/feedback/EventTable.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
+#include "tests/Test.h"
 
 namespace shoal::game {
 namespace {

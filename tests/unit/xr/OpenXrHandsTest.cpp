@@ -1,12 +1,7 @@
 // Joints and controllers as hands in the viewer's frame.
 #include "input/hands/OpenXrHands.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
-
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <cmath>
 
 namespace shoal::hands {
 namespace {

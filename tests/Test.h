@@ -1,0 +1,57 @@
+// What nearly all tests use; precompiled for the test programs.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/core/Result.h"
+#include "engine/light/FrameView.h"
+#include "tests/TestPaths.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <source_location>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace shoal {
+
+inline light::FrameView viewOf(const ImageRgb8& frame, bool bgr = false) {
+    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, bgr};
+}
+
+namespace tests {
+
+// Returns the result's value; without one the test fails with the reason and the place of the call.
+template <class T>
+T valueOf(Result<T> result, const std::source_location& at = std::source_location::current()) {
+    if (result) return std::move(result).value();
+    throw std::runtime_error(at.file_name() + (":" + std::to_string(at.line())) + ": " +
+                             result.error().message());
+}
+
+// Names the cases of a suite by the member of their parameters.
+inline const auto byName = [](const auto& info) { return std::string(info.param.name); };
+
+} // namespace tests
+} // namespace shoal

@@ -1,0 +1,248 @@
+// Effects of keys and of the dive in each state of the program, and the pages shown over the picture then.
+#include "game/app/FirstSteps.h"
+#include "game/app/Screens.h"
+#include "game/rules/DiveFile.h"
+#include "game/session/GameSession.h"
+#include "tests/Recorded.h"
+#include "tests/Test.h"
+#include "tests/TestRig.h"
+
+namespace shoal::app {
+namespace {
+
+const SessionConfig& config() {
+    static const SessionConfig loaded = makeSessionConfig({.headless = true}).value();
+    return loaded;
+}
+
+class ProgramStatesTest : public testing::Test {
+  protected:
+    tests::ScratchFolder folder_;
+    PlayOptions options_;
+    Bindings bindings_;
+    Screens screens_{options_, bindings_};
+    GameSession session_{config()};
+    bool leaving_ = false;
+    std::optional<ProgramStates> states_;
+
+    void SetUp() override {
+        ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+        ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
+        screens_.facts.species = &config().species;
+        screens_.facts.dive = &config().dive;
+        states_.emplace(session_, screens_, Mode::Dive, true);
+    }
+
+    void press(Action action) {
+        Controls controls;
+        controls.pressed[static_cast<size_t>(action)] = true;
+        states_->input(controls, false, leaving_);
+        states_->update();
+    }
+    void end(int score) {
+        session_.after.phase = game::Phase::Results;
+        session_.after.score = score;
+        states_->update();
+    }
+    // Escape, or B on a gamepad, on the page that is shown.
+    std::optional<Request> back() {
+        screens_.input({.back = true});
+        return screens_.takeRequest();
+    }
+};
+
+TEST_F(ProgramStatesTest, PauseOpensItsPageAndBackGoesOn) {
+    EXPECT_FALSE(screens_.isOpen());
+    press(Action::Pause);
+    EXPECT_TRUE(session_.paused);
+    EXPECT_EQ(screens_.top(), Screen::Paused);
+    const auto request = back();
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->kind, Request::Kind::Resume);
+    session_.paused = false; // as the program answers
+    states_->update();
+    EXPECT_FALSE(screens_.isOpen());
+    EXPECT_FALSE(leaving_);
+}
+
+TEST_F(ProgramStatesTest, LosingTheFocusPausesUntilThePlayerGoesOn) {
+    states_->input({}, true, leaving_);
+    EXPECT_TRUE(session_.paused);
+    states_->update();
+    states_->input({}, false, leaving_);
+    EXPECT_TRUE(session_.paused);
+}
+
+TEST_F(ProgramStatesTest, ResultsKeepTheScoreAndLeadToTheTitle) {
+    end(120);
+    EXPECT_EQ(screens_.top(), Screen::Results);
+    EXPECT_EQ(readScores("reef").top, std::vector<int>{120});
+    states_->update(); // counts once
+    EXPECT_EQ(readScores("reef").top, std::vector<int>{120});
+    const auto request = back();
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->kind, Request::Kind::Title);
+    session_.after.phase = game::Phase::Diving; // dives again
+    states_->update();
+    EXPECT_FALSE(screens_.isOpen());
+    press(Action::Pause);
+    EXPECT_TRUE(session_.paused);
+}
+
+TEST_F(ProgramStatesTest, AReplayCannotBePausedOnlyLeft) {
+    tests::ScratchFolder folder;
+    ASSERT_TRUE(tests::write(folder / "a.replay", tests::Recorded(game::recordingHeader(session_.dive))));
+    session_.source = ReplaySource(sim::RecordingReader::open(folder / "a.replay").value());
+    states_->input({}, true, leaving_);
+    EXPECT_FALSE(session_.paused);
+    press(Action::Pause);
+    EXPECT_FALSE(session_.paused);
+    EXPECT_TRUE(leaving_);
+    end(500); // its score was not played by a person
+    EXPECT_TRUE(readScores("reef").top.empty());
+}
+
+TEST_F(ProgramStatesTest, TouchedSpeciesComeIntoTheGuide) {
+    ASSERT_FALSE(session_.after.tally.empty());
+    session_.after.tally[1].touched = true;
+    press(Action::Pause);
+    EXPECT_EQ(readGuide(), std::vector<std::string>{config().species[1].name});
+}
+
+TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {
+    states_.emplace(session_, screens_, Mode::Title, true);
+    EXPECT_EQ(states_->state(), ProgramStates::State::Title);
+    EXPECT_TRUE(states_->idle());
+    EXPECT_EQ(screens_.top(), Screen::Title);
+    EXPECT_FALSE(back()); // Escape does not leave by mistake
+    EXPECT_EQ(screens_.top(), Screen::Title);
+}
+
+TEST(FrameClock, FixedStepsAreEqualAndADisplayKnowsBetter) {
+    FrameClock clock(FrameClock::Mode::FixedStep, 50);
+    clock.beginFrame();
+    EXPECT_EQ(clock.frame(), 0u);
+    EXPECT_EQ(clock.elapsed_s({}), 0);
+    clock.beginFrame();
+    EXPECT_EQ(clock.frame(), 1u);
+    EXPECT_EQ(clock.elapsed_s({}), 1.0 / 50);
+    EXPECT_EQ(clock.elapsed_s(0.0125), 0.0125);
+    EXPECT_EQ(clock.elapsed_s(3), 0.5); // a long stop is not made up for
+    EXPECT_TRUE(clock.exactVideo());
+    EXPECT_EQ(clock.video_s(7), 7);
+}
+
+using Step = FirstSteps::Step;
+
+constexpr float kFrame_s = 1.0f / 60;
+
+glm::quat turned(float angle_rad) { return glm::angleAxis(angle_rad, glm::vec3(0, 1, 0)); }
+
+struct Pupil {
+    game::SpeciesTable species{{.name = "jellyfish", .stings = true}, {.name = "snapper"}};
+    FirstSteps steps{tests::rig(), species};
+    game::Snapshot shown;
+
+    void follow(float seconds) {
+        for (float t = 0; t < seconds; t += kFrame_s) steps.follow(shown, kFrame_s);
+    }
+};
+
+TEST(FirstSteps, LeadFromLookingToHolding) {
+    Pupil p;
+    p.shown.creatures = {{.species = 1, .position = {0, 0, -1}}};
+    p.follow(1);
+    EXPECT_EQ(p.steps.step(), Step::Look);
+    p.shown.worldFromView = turned(1.1f * FirstSteps::kTurned_rad);
+    p.follow(0.1f);
+    EXPECT_EQ(p.steps.step(), Step::Reach);
+    p.shown.creatures[0].catchable = 1;
+    p.follow(0.5f * FirstSteps::kNear_s);
+    EXPECT_EQ(p.steps.step(), Step::Reach) << "the hand only swept past the fish";
+    p.follow(FirstSteps::kNear_s);
+    EXPECT_EQ(p.steps.step(), Step::Hold);
+    p.shown.caught = 1;
+    p.follow(0.1f);
+    EXPECT_EQ(p.steps.step(), Step::Done);
+}
+
+// The fish that was in reach has swum on: there is nothing to close the hand on.
+TEST(FirstSteps, HoldingWaitsForAFishInReach) {
+    Pupil p;
+    p.shown.creatures = {{.species = 1, .position = {0, 0, -1}, .catchable = 1}};
+    p.follow(0.1f);
+    p.shown.worldFromView = turned(1.1f * FirstSteps::kTurned_rad);
+    p.follow(1);
+    ASSERT_EQ(p.steps.step(), Step::Hold);
+    p.shown.creatures[0].catchable = 0;
+    p.shown.hands[0].holds = 0;
+    p.follow(2 * FirstSteps::kAway_s);
+    EXPECT_EQ(p.steps.step(), Step::Hold) << "it is in the hand";
+    p.shown.hands[0].holds = -1;
+    p.follow(0.5f * FirstSteps::kAway_s);
+    EXPECT_EQ(p.steps.step(), Step::Hold);
+    p.follow(FirstSteps::kAway_s);
+    EXPECT_EQ(p.steps.step(), Step::Reach);
+}
+
+TEST(FirstSteps, ACatchSkipsThemAll) {
+    Pupil p;
+    p.shown.caught = 1;
+    p.follow(0.1f);
+    EXPECT_EQ(p.steps.step(), Step::Done);
+}
+
+// A tracked head trembles by a tenth of a degree.
+TEST(FirstSteps, ATremblingHeadHasNotLookedAround) {
+    Pupil p;
+    for (int i = 0; i < 60 * 60; ++i) {
+        p.shown.worldFromView = turned(i % 2 ? 0.002f : -0.002f);
+        p.follow(kFrame_s / 2);
+    }
+    EXPECT_EQ(p.steps.step(), Step::Look);
+}
+
+TEST(FirstSteps, TheGhostHandReachesForNothingThatStings) {
+    Pupil p;
+    p.shown.creatures = {{.species = 0, .position = {0, 0, -0.9f}}};
+    p.follow(0.1f);
+    EXPECT_FALSE(p.steps.target());
+    p.shown.creatures.push_back({.species = 1, .position = {0.2f, 0, -1}});
+    p.follow(1.1f * FirstSteps::kShown_s);
+    ASSERT_TRUE(p.steps.target());
+    EXPECT_EQ(*p.steps.target(), p.shown.creatures[1].position);
+}
+
+// First steps are made from a copy of the session, which no longer exists when they are drawn.
+TEST(FirstSteps, TheGhostHandDoesNotDependOnWhatItWasMadeFrom) {
+    auto rig = std::make_unique<hands::HandRig>(tests::rig());
+    const FirstSteps steps(*rig, {});
+    *rig = {};
+    rig.reset();
+    const render::View view;
+    const hands::HandPose ghost = steps.ghost(view), whole = FirstSteps(tests::rig(), {}).ghost(view);
+    for (size_t i = 0; i < ghost.joints.size(); ++i)
+        EXPECT_EQ(ghost.joints[i].position, whole.joints[i].position) << i;
+}
+
+TEST(Hints, StopOnceTheyAreUnderstood) {
+    const game::Events tooFast{{.kind = game::EventKind::MissTooFast}};
+    const auto timesSaid = [&](int caught) {
+        Hints hints;
+        game::Snapshot shown;
+        shown.caught = caught;
+        int said = 0;
+        for (int i = 0; i < 10; ++i) {
+            hints.follow(shown, tooFast, 0.1f);
+            const auto hint = hints.shown();
+            said += hint && hint->in(game::Language::English) == std::string("A fast hand frightens fish");
+            hints.follow(shown, {}, Hints::kStay_s);
+        }
+        return said;
+    };
+    EXPECT_EQ(timesSaid(0), Hints::kTimes);
+    EXPECT_EQ(timesSaid(Hints::kUnderstood), 0);
+}
+
+} // namespace
+} // namespace shoal::app

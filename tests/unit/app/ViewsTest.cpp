@@ -1,0 +1,382 @@
+#include "engine/core/WriteFile.h"
+#include "engine/scene/Model.h"
+#include "engine/scene/Surface.h"
+#include "game/app/ContentLoader.h"
+#include "game/views/ArmPose.h"
+#include "game/views/CreatureModels.h"
+#include "game/views/DynamicQuality.h"
+#include "game/views/Environment.h"
+#include "tests/Test.h"
+#include "tests/playthrough/Rooms.h"
+
+namespace shoal::app {
+namespace {
+
+constexpr double kPicture_s = 1.0 / 60;
+
+// A room white at 1 m all around, except behind the viewer, where it is black.
+struct HalfWhiteRoom {
+    depth::LightDifference light;
+    HalfWhiteRoom() {
+        depth::DepthMap map;
+        map.inverse = Image<uint8_t, 1>(256, 128);
+        std::ranges::fill(map.inverse.pixels,
+                          static_cast<uint8_t>(depth::DepthMap::kSteps * depth::kNearest_m));
+        ImageRgbF radiance(64, 32);
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 64; ++x) std::fill_n(radiance.at(x, y), 3, x >= 16 && x < 48 ? 1.0f : 0.0f);
+        light.make(radiance, map);
+    }
+};
+
+struct Swim {
+    HalfWhiteRoom room;
+    AnimalLight light;
+    game::Snapshot shown;
+
+    explicit Swim(size_t animals) { shown.creatures.resize(animals); }
+    void picture() {
+        light.follow(shown, &room.light, glm::mat3(1));
+        shown.time_s += kPicture_s;
+    }
+    glm::vec3 even(size_t animal) const { return (*light.of(animal))[0]; }
+    glm::vec3 evenAt(const glm::vec3& place) const { return room.light.at(place)[0]; }
+};
+
+const glm::vec3 kAhead(0, 0, -0.5f);
+
+TEST(AnimalLight, WithoutDistancesIsTheCameras) {
+    AnimalLight light;
+    game::Snapshot shown;
+    shown.creatures.resize(2);
+    light.follow(shown, nullptr, glm::mat3(1));
+    EXPECT_EQ(light.of(0), nullptr);
+}
+
+TEST(AnimalLight, NewAnimalsHaveTheLightOfTheirPlaceAtOnce) {
+    Swim swim(6); // more animals than are updated in each picture
+    for (auto& animal : swim.shown.creatures) animal.position = kAhead;
+    swim.picture();
+    ASSERT_NE(swim.evenAt(kAhead), glm::vec3(0));
+    for (size_t i = 0; i < 6; ++i) EXPECT_EQ(swim.even(i), swim.evenAt(kAhead)) << i;
+}
+
+TEST(AnimalLight, FollowsEveryAnimalWithoutAStep) {
+    Swim swim(6);
+    for (auto& animal : swim.shown.creatures) animal.position = kAhead * 0.2f;
+    swim.picture();
+    const float from = swim.even(0).x;
+    for (auto& animal : swim.shown.creatures) animal.position = kAhead; // moved by 0.4 m, as by swimming
+    const float to = swim.evenAt(kAhead).x;
+    ASSERT_GT(to, from);
+    float last = from;
+    for (int picture = 0; picture < 120; ++picture) {
+        swim.picture();
+        // A time constant of 0.25 s is 15 pictures.
+        EXPECT_LE(swim.even(5).x - last, (to - from) / 15);
+        EXPECT_GE(swim.even(5).x, last);
+        last = swim.even(5).x;
+    }
+    for (size_t i = 0; i < 6; ++i) EXPECT_NEAR(swim.even(i).x, to, 0.01f * (to - from)) << i;
+}
+
+TEST(AnimalLight, FollowsAnAnimalThatComesInElsewhere) {
+    Swim swim(6);
+    swim.picture();
+    swim.picture();
+    swim.shown.creatures[5].position = {0, 0, -0.7f}; // in a sixtieth of a second
+    swim.picture();
+    EXPECT_EQ(swim.even(5), swim.evenAt({0, 0, -0.7f}));
+}
+
+// Arms reach from an estimated shoulder to where the hand is, whatever the hand and the head do.
+
+constexpr float kNear_m = 1e-5f; // of single precision, at arm's length
+
+glm::vec3 placeOf(const ArmPose& arm, ArmJoint joint) {
+    return glm::vec3(arm[static_cast<size_t>(joint)][3]);
+}
+
+float bendOf(const ArmPose& arm) { // radians; 0: straight
+    const glm::vec3 elbow = placeOf(arm, ArmJoint::Elbow);
+    const glm::vec3 fore = glm::normalize(placeOf(arm, ArmJoint::Wrist) - elbow),
+                    upper = glm::normalize(elbow - placeOf(arm, ArmJoint::UpperArm));
+    return std::acos(glm::clamp(glm::dot(fore, upper), -1.0f, 1.0f));
+}
+
+std::vector<Head> heads() {
+    std::vector<Head> all;
+    for (int yaw = -180; yaw < 180; yaw += 60)
+        for (int pitch = -90; pitch <= 90; pitch += 15)
+            for (int roll = -60; roll <= 60; roll += 30)
+                all.push_back(
+                    {{0.1f, -0.2f, 0.3f},
+                     glm::angleAxis(glm::radians(static_cast<float>(yaw)), glm::vec3(0, 1, 0)) *
+                         glm::angleAxis(glm::radians(static_cast<float>(pitch)), glm::vec3(1, 0, 0)) *
+                         glm::angleAxis(glm::radians(static_cast<float>(roll)), glm::vec3(0, 0, 1))});
+    return all;
+}
+
+// The bones keep their lengths within reach, and by the law of cosines the elbow's angle follows.
+TEST(ArmPose, BendsAsTheLawOfCosinesSays) {
+    const glm::vec3 shoulder = shoulderWorld(hands::Side::Right, {});
+    for (const float distance : {0.1f, 0.2f, 0.4f, 0.55f}) {
+        const hands::Joint wrist{.position =
+                                     shoulder + distance * glm::normalize(glm::vec3(-0.3f, 0.4f, -1))};
+        const ArmPose arm = poseArm(hands::Side::Right, wrist, {});
+        EXPECT_NEAR(glm::distance(placeOf(arm, ArmJoint::Wrist), placeOf(arm, ArmJoint::Elbow)), kForearm_m,
+                    kNear_m);
+        EXPECT_NEAR(glm::distance(placeOf(arm, ArmJoint::Elbow), shoulder), kUpperArm_m, kNear_m);
+        const float cosine = (distance * distance - kForearm_m * kForearm_m - kUpperArm_m * kUpperArm_m) /
+                             (2 * kForearm_m * kUpperArm_m);
+        EXPECT_NEAR(std::cos(bendOf(arm)), cosine, 1e-4f) << distance;
+        EXPECT_NEAR(stretchOf(arm), 1, 1e-4f);
+        EXPECT_LT(placeOf(arm, ArmJoint::Elbow).y, std::max(shoulder.y, wrist.position.y)); // it hangs
+    }
+}
+
+TEST(ArmPose, StretchesBothBonesAlikeBeyondItsReach) {
+    const glm::vec3 shoulder = shoulderWorld(hands::Side::Left, {});
+    const float distance = 1.5f * (kForearm_m + kUpperArm_m);
+    const ArmPose arm = poseArm(hands::Side::Left, {.position = shoulder + glm::vec3(0, 0, -distance)}, {});
+    EXPECT_NEAR(stretchOf(arm), 1.5f, 1e-4f);
+    EXPECT_NEAR(glm::distance(placeOf(arm, ArmJoint::Wrist), placeOf(arm, ArmJoint::Elbow)),
+                1.5f * kForearm_m, 1e-4f);
+    EXPECT_NEAR(bendOf(arm), 0, 0.01f);
+}
+
+// An elbow on the circle where both bones meet is where the arm bends, whatever the head does; nothing
+// changes where none is given, or one that lies in the line from wrist to shoulder.
+TEST(ArmPose, BendsAtTheElbowThatATrackerGives) {
+    const hands::Side side = hands::Side::Right;
+    for (const Head& head : heads()) {
+        const glm::vec3 shoulder = shoulderWorld(side, head);
+        const hands::Joint wrist{.position = shoulder + head.worldFromView * glm::vec3(-0.15f, 0.1f, -0.35f)};
+        const glm::vec3 apart = shoulder - wrist.position;
+        const float distance = glm::length(apart);
+        const glm::vec3 back = apart / distance;
+        const float along =
+            (distance * distance + kForearm_m * kForearm_m - kUpperArm_m * kUpperArm_m) / (2 * distance);
+        const float off = std::sqrt(kForearm_m * kForearm_m - along * along);
+        const glm::vec3 first = glm::normalize(glm::cross(back, head.worldFromView * glm::vec3(0, 1, 0)));
+        for (int turn = 0; turn < 360; turn += 30) {
+            const glm::vec3 point = glm::angleAxis(glm::radians(static_cast<float>(turn)), back) * first;
+            const glm::vec3 elbow = wrist.position + along * back + off * point;
+            const ArmPose arm = poseArm(side, wrist, head, (elbow - wrist.position) / kForearm_m);
+            EXPECT_LT(glm::distance(placeOf(arm, ArmJoint::Elbow), elbow), kNear_m) << turn;
+        }
+        const glm::vec3 loose = placeOf(poseArm(side, wrist, head), ArmJoint::Elbow);
+        EXPECT_EQ(placeOf(poseArm(side, wrist, head, back), ArmJoint::Elbow), loose);
+    }
+}
+
+// For every head and hand: the wrist is the hand's own, joints are rotations, and the shoulder is out of the
+// picture.
+TEST(ArmPose, HoldsForEveryHeadAndHand) {
+    for (const Head& head : heads())
+        for (const hands::Side side : {hands::Side::Left, hands::Side::Right})
+            for (const glm::vec3 place :
+                 {glm::vec3(0, 0, -0.3f), glm::vec3(-0.4f, 0.3f, -0.5f), glm::vec3(0.5f, -0.4f, 0.1f),
+                  glm::vec3(0, 0.2f, -1.2f), glm::vec3(0)}) {
+                const hands::Joint wrist{.position = place == glm::vec3(0)
+                                                         ? shoulderWorld(side, head)
+                                                         : head.positionWorld + head.worldFromView * place,
+                                         .orientation = head.worldFromView};
+                const ArmPose arm = poseArm(side, wrist, head);
+                EXPECT_EQ(placeOf(arm, ArmJoint::Wrist), wrist.position);
+                for (const glm::mat4& joint : arm) {
+                    EXPECT_NEAR(glm::determinant(glm::mat3(joint)), 1, 1e-3f);
+                    for (int axis = 0; axis < 3; ++axis)
+                        EXPECT_NEAR(glm::length(glm::vec3(joint[axis])), 1, 1e-3f);
+                }
+                const glm::vec3 inView =
+                    glm::conjugate(head.worldFromView) * (shoulderWorld(side, head) - head.positionWorld);
+                EXPECT_GT(inView.z, 0.02f);
+                EXPECT_GT(std::hypot(inView.x, inView.y), 0.32f);
+            }
+}
+
+// The game's arm models have their joints where poseArm() expects them, are closed behind, and enclose the
+// wrist.
+TEST(ArmModels, AreWhatTheyArePosedAs) {
+    for (const char* name : {"arm_left", "arm_right"}) {
+        const auto model =
+            tests::valueOf(scene::loadModel(dataRoot() / "content/models" / (std::string(name) + ".glb")));
+        scene::Pose rest;
+        scene::restPose(model, rest);
+        scene::updateGlobals(model, rest);
+        const std::array<float, kArmJointNames.size()> places_m = {
+            0, 0, kForearm_m / 2, kForearm_m, kForearm_m, kForearm_m, kForearm_m + kUpperArm_m};
+        for (size_t k = 0; k < kArmJointNames.size(); ++k) {
+            const int node = model.findNode(std::string(kArmJointNames[k]));
+            ASSERT_GE(node, 0) << kArmJointNames[k];
+            EXPECT_LT(glm::distance(glm::vec3(rest.modelFromNode[static_cast<size_t>(node)][3]),
+                                    glm::vec3(0, 0, places_m[k])),
+                      kNear_m);
+        }
+        ASSERT_EQ(model.meshes.size(), 1u);
+        ASSERT_EQ(model.meshes[0].primitives.size(), 1u);
+        const scene::Primitive& sleeve = model.meshes[0].primitives[0];
+        EXPECT_LE(sleeve.indices.size() / 3, 3000u);
+        // Half widths where it starts, inside the hand's wrist, at the hem, and at its end.
+        float least_m = 1, front_m = 1, end_m = 0, behind_m = 1;
+        for (const glm::vec3& p : sleeve.positions) {
+            front_m = std::min(front_m, p.z), end_m = std::max(end_m, p.z);
+            if (p.z < 0.1f) least_m = std::min(least_m, std::hypot(p.x, p.y));
+        }
+        for (const glm::vec3& p : sleeve.positions)
+            if (p.z > end_m - 1e-4f) behind_m = std::min(behind_m, std::hypot(p.x, p.y));
+        EXPECT_LT(front_m, 0.012f);
+        EXPECT_LT(least_m, 0.0195f); // the wrist's own half height
+        EXPECT_LT(behind_m, 0.001f);
+        EXPECT_GT(end_m, kForearm_m + kUpperArm_m);
+    }
+}
+
+// Tests the dynamic quality control on a simulated machine, whose frame time is the sum of a fixed part, a
+// part for each pixel and a part for the light.
+
+constexpr double kBudget_ms = 1000.0 / 60;
+
+struct Machine {
+    double fixed_ms = 2, pixels_ms = 6, light_ms = 1;
+    double frame_ms(const Quality& q) const {
+        return fixed_ms + pixels_ms * static_cast<double>(q.scale * q.scale) + light_ms / q.lightEvery;
+    }
+};
+
+struct Ride {
+    Quality end;
+    int changes = 0, ups = 0;
+    double last_ms = 0;
+    float largestStep = 0; // largest change of the scale between two frames
+};
+
+Ride ride(DynamicQuality& dynamicQuality, const Machine& machine, int frames) {
+    Ride result;
+    Quality before = dynamicQuality.quality();
+    for (int i = 0; i < frames; ++i) {
+        result.last_ms = machine.frame_ms(dynamicQuality.quality());
+        dynamicQuality.frame(result.last_ms);
+        const Quality now = dynamicQuality.quality();
+        const bool changed = now.scale != before.scale || now.lightEvery != before.lightEvery;
+        result.changes += changed;
+        result.ups += now.scale > before.scale || now.lightEvery < before.lightEvery;
+        result.largestStep = std::max(result.largestStep, std::abs(now.scale - before.scale));
+        before = now;
+    }
+    result.end = before;
+    return result;
+}
+
+TEST(DynamicQuality, LeavesAFastMachineAlone) {
+    DynamicQuality dynamicQuality(kBudget_ms);
+    const Ride result = ride(dynamicQuality, {}, 6000);
+    EXPECT_EQ(result.changes, 0);
+    EXPECT_EQ(result.end.scale, 1.0f);
+    EXPECT_EQ(result.end.lightEvery, 1);
+}
+
+// Frames take 1.5 times the budget: pixels must become fewer within two seconds, and then stay steady.
+TEST(DynamicQuality, DrawsFewerPixelsUntilFramesFit) {
+    DynamicQuality dynamicQuality(kBudget_ms);
+    const Machine slow{4, 20, 1};
+    ride(dynamicQuality, slow, 120);
+    const Ride settled = ride(dynamicQuality, slow, 3600);
+    EXPECT_LT(settled.last_ms, kBudget_ms);
+    EXPECT_GT(settled.end.scale, 0.6f); // not lower than needed: 0.72 would just fit
+    EXPECT_EQ(settled.end.lightEvery, 1);
+    EXPECT_LE(settled.changes, 6);
+}
+
+TEST(DynamicQuality, StepsAreSmallWhereTheLoadIs) {
+    DynamicQuality dynamicQuality(kBudget_ms);
+    EXPECT_LT(ride(dynamicQuality, {4, 13, 1}, 600).largestStep, 0.065f);
+}
+
+// Half of the width is not enough: then the light is made less often, too, down to the limits of both.
+TEST(DynamicQuality, ThenMakesLightLessOften) {
+    DynamicQuality some(kBudget_ms), most(kBudget_ms);
+    const Ride result = ride(some, {12, 12, 4}, 1200), end = ride(most, {500, 500, 50}, 3000);
+    EXPECT_NEAR(result.end.scale, 0.506f, 0.01f);
+    EXPECT_GT(result.end.lightEvery, 1);
+    EXPECT_LT(result.last_ms, kBudget_ms);
+    EXPECT_GE(end.end.scale, DynamicQuality::kMinScale);
+    EXPECT_EQ(end.end.lightEvery, DynamicQuality::kMaxLightEvery);
+}
+
+// An artificial load comes and goes: full quality must be back 40 s after its end.
+TEST(DynamicQuality, TakesItBackWhenTheLoadIsGone) {
+    DynamicQuality dynamicQuality(kBudget_ms);
+    ride(dynamicQuality, {}, 600);
+    const Ride loaded = ride(dynamicQuality, {4, 30, 1}, 1200);
+    EXPECT_LT(loaded.end.scale, 0.7f);
+    const Ride after = ride(dynamicQuality, {}, 60 * 40);
+    EXPECT_EQ(after.end.scale, 1.0f);
+    EXPECT_EQ(after.end.lightEvery, 1);
+}
+
+// The load lies between two steps: the control tries the upper one ever less often, at last every 15 s.
+TEST(DynamicQuality, DoesNotSwingAtTheEdge) {
+    for (double pixels_ms = 10; pixels_ms < 30; pixels_ms += 0.37) {
+        DynamicQuality dynamicQuality(kBudget_ms);
+        ride(dynamicQuality, {3, pixels_ms, 1}, 3600);
+        EXPECT_LE(ride(dynamicQuality, {3, pixels_ms, 1}, 3600).changes, 8) << pixels_ms;
+    }
+}
+
+TEST(DynamicQuality, OneSlowFrameChangesNothing) {
+    DynamicQuality dynamicQuality(kBudget_ms);
+    for (int i = 0; i < 600; ++i) {
+        dynamicQuality.frame(i % 100 == 50 ? 60 : 8);
+        EXPECT_EQ(dynamicQuality.quality().scale, 1.0f);
+    }
+}
+
+// Slow machines play the small version of a film where there is one.
+
+TEST(FilmChoice, SlowMachinesPlayTheSmallVersionIfThereIsOne) {
+    const tests::ScratchFolder folder;
+    const Path best = folder / "sea.mp4", small = folder / "sea.small.mp4";
+    ASSERT_TRUE(writeFileWhole(best, "b"));
+    EXPECT_EQ(filmFor(best, FilmChoice::Auto, true), best);
+    EXPECT_EQ(filmFor(best, FilmChoice::Small, false), best);
+    ASSERT_TRUE(writeFileWhole(small, "s"));
+    EXPECT_EQ(filmFor(best, FilmChoice::Auto, true), small);
+    EXPECT_EQ(filmFor(best, FilmChoice::Auto, false), best);
+    EXPECT_EQ(filmFor(best, FilmChoice::Small, false), small);
+    EXPECT_EQ(filmFor(best, FilmChoice::Best, true), best);
+}
+
+// The room files, for playthroughs on machines that decode no film, equal the rooms that the program makes of
+// the films' depth tracks. With SHOAL_UPDATE=1 the files are written anew.
+
+// Returns the distances that a space was made of: those in the middles of cells, at the times of steps.
+game::Room roomIn(const game::FilmSpace& space, double length_s) {
+    game::Room room{length_s, {}};
+    for (int step = 0; step < space.steps(); ++step) {
+        const auto moment = space.at((step + 1e-6) * length_s / space.steps());
+        for (int cell = 0; cell < game::FilmSpace::kCells; ++cell)
+            room.surface_mm.push_back(static_cast<uint16_t>(
+                std::lround(1000 * space.surface_m(moment, game::FilmSpace::directionOf(cell)))));
+    }
+    return room;
+}
+
+TEST(Rooms, AreWhatTheProgramMakesOfTheFilms) {
+    for (const std::string& dive : game::diveNames()) {
+        const auto files = tests::valueOf(game::loadDiveFiles(dive));
+        const Path film = dataRoot() / "content" / files.dive.video;
+        const auto made = filmSpaceOf(film, 0);
+        ASSERT_TRUE(made) << film;
+        const Path file = game::roomFileOf(files.dive.video);
+        if (std::getenv("SHOAL_UPDATE")) {
+            ASSERT_TRUE(game::writeRoom(file, roomIn(*made, made->length_s()))) << file;
+        }
+        const auto kept = tests::valueOf(game::roomOf(files.dive.video));
+        EXPECT_EQ((kept)->hash(), made->hash()) << file << ": SHOAL_UPDATE=1 writes it anew";
+    }
+}
+
+} // namespace
+} // namespace shoal::app

@@ -1,0 +1,302 @@
+#include "engine/core/Random.h"
+#include "engine/media/Ffmpeg.h"
+#include "engine/media/SphericalMetadata.h"
+#include "engine/media/StereoView.h"
+#include "engine/media/VideoPlayer.h"
+#include "tests/unit/media/TestFiles.h"
+
+#include <bit>
+
+namespace shoal::media {
+namespace {
+
+TEST(StereoView, EyesCoverTheirHalves) {
+    const auto expect = [](Layout layout, int eye, std::array<int, 4> wanted) {
+        const EyePart part = eyePart(layout, eye, 101, 51);
+        EXPECT_EQ((std::array{part.x, part.y, part.width, part.height}), wanted) << enumName(layout) << eye;
+    };
+    for (const int eye : {0, 1}) expect(Layout::Mono, eye, {0, 0, 101, 51});
+    expect(Layout::TopBottom, 0, {0, 0, 101, 25}); // the left eye is above
+    expect(Layout::TopBottom, 1, {0, 25, 101, 25});
+    expect(Layout::LeftRight, 0, {0, 0, 50, 51});
+    expect(Layout::LeftRight, 1, {50, 0, 50, 51});
+}
+
+TEST(StereoView, ShapeTellsWhereItCan) {
+    EXPECT_EQ(layoutFromShape(2048, 1024), Layout::Mono);
+    EXPECT_EQ(layoutFromShape(426, 214), Layout::Mono);
+    EXPECT_EQ(layoutFromShape(2048, 2048), Layout::TopBottom);
+    EXPECT_EQ(layoutFromShape(8192, 2048), Layout::LeftRight);
+    EXPECT_EQ(layoutFromShape(1920, 1080), Layout::Auto);
+    EXPECT_EQ(layoutFromShape(5470, 3646), Layout::Auto);
+}
+
+using Brightness = std::function<double(double u, double v)>; // of one eye's picture, 0 to 1 each way
+
+// Noise of cells, smooth between them and around: `across` cells around, half as many down.
+Brightness noise(int across, uint64_t seed) {
+    Random random(seed);
+    std::vector<double> cells(static_cast<size_t>(across * (across / 2 + 1)));
+    for (double& cell : cells) cell = random.below(256);
+    return [=](double u, double v) {
+        const double x = (u - std::floor(u)) * across, y = std::clamp(v, 0.0, 0.999) * (across / 2);
+        const int column = static_cast<int>(x), row = static_cast<int>(y);
+        const auto cell = [&](int i, int j) {
+            return cells[static_cast<size_t>((row + j) * across + (column + i) % across)];
+        };
+        return std::lerp(std::lerp(cell(0, 0), cell(1, 0), x - column),
+                         std::lerp(cell(0, 1), cell(1, 1), x - column), y - row);
+    };
+}
+
+ImageRgb8 drawn(int width, int height, const Brightness& at) {
+    ImageRgb8 frame(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            std::fill_n(
+                frame.at(x, y), 3,
+                static_cast<uint8_t>(std::clamp(at((x + 0.5) / width, (y + 0.5) / height), 0.0, 255.0)));
+    return frame;
+}
+
+// Returns the pictures of both eyes. Lower parts are nearer, and shifted by up to `disparity` of the width.
+ImageRgb8 stereoPair(bool topBottom, const Brightness& seen, int width = 512, int height = 256,
+                     double disparity = 0.02) {
+    return drawn(width, height, [&](double u, double v) {
+        double& across = topBottom ? v : u;
+        const bool second = across >= 0.5;
+        across = 2 * across - (second ? 1 : 0);
+        return seen(u + (second ? disparity * v : 0), v);
+    });
+}
+
+TEST(StereoView, ContentTellsTwoEyesFromOne) {
+    for (const auto& [width, height] : {std::pair(512, 256), {320, 180}, {256, 256}, {4096, 2048}})
+        for (const uint64_t seed : {1, 2, 3}) {
+            const Brightness seen = noise(32, seed);
+            EXPECT_EQ(layoutFromContent(stereoPair(true, seen, width, height)), Layout::TopBottom) << width;
+            EXPECT_EQ(layoutFromContent(stereoPair(false, seen, width, height)), Layout::LeftRight) << width;
+            EXPECT_EQ(layoutFromContent(drawn(width, height, seen)), Layout::Mono) << width;
+        }
+    // A picture beside its copy is a stereo pair too.
+    EXPECT_EQ(layoutFromContent(stereoPair(false, noise(32, 4), 512, 256, 0)), Layout::LeftRight);
+    // Shifted further than anything at an arm's length: another picture.
+    EXPECT_EQ(layoutFromContent(drawn(512, 256,
+                                      [seen = noise(32, 5)](double u, double v) {
+                                          return seen(u < 0.5 ? 2 * u : 2 * u + 0.4, v);
+                                      })),
+              Layout::Mono);
+}
+
+// Content decides where the shape is 2:1, shape elsewhere.
+TEST(StereoView, SqueezedPairsAreFoundByContent) {
+    const Brightness seen = noise(32, 6);
+    EXPECT_EQ(layoutOf(stereoPair(true, seen)), Layout::TopBottom);
+    EXPECT_EQ(layoutOf(stereoPair(false, seen)), Layout::LeftRight);
+    EXPECT_EQ(layoutOf(drawn(512, 256, seen)), Layout::Mono);
+    EXPECT_EQ(layoutOf(drawn(256, 256, seen)), Layout::TopBottom) << "by shape";
+    EXPECT_EQ(layoutOf(ImageRgb8(512, 256)), Layout::Mono) << "blank";
+}
+
+// Frames without structure give no layout: blank frames, fades, plain water with a gradient and noise.
+TEST(StereoView, WithoutStructureNothingIsSaid) {
+    EXPECT_EQ(layoutFromContent(ImageRgb8(64, 32)), Layout::Auto);
+    EXPECT_EQ(layoutFromContent(ImageRgb8(1, 1)), Layout::Auto);
+    const Brightness seen = noise(32, 7);
+    EXPECT_EQ(layoutFromContent(stereoPair(false, [&](double u, double v) { return seen(u, v) / 40; })),
+              Layout::Auto);
+    Random random(4);
+    EXPECT_EQ(
+        layoutFromContent(drawn(512, 256, [&](double, double v) { return 240 - 200 * v + random.below(5); })),
+        Layout::Auto);
+}
+
+// Rooms that are the same to the left and to the right: mirrored about the middle, or about each half's.
+TEST(StereoView, MirrorSymmetricRoomsAreMono) {
+    for (const uint64_t seed : {8, 9, 10}) {
+        const Brightness seen = noise(32, seed);
+        EXPECT_EQ(layoutFromContent(
+                      drawn(512, 256, [&](double u, double v) { return seen(std::abs(u - 0.5), v); })),
+                  Layout::Mono);
+        EXPECT_EQ(layoutFromContent(
+                      drawn(512, 256, [&](double u, double v) { return seen(u, std::abs(v - 0.5)); })),
+                  Layout::Mono);
+    }
+}
+
+// Films of 24 frames. frame(i): brightness of frame i.
+Layout layoutOfFilm(const std::function<ImageRgb8(int)>& frame) {
+    const TempFolder folder;
+    const Path file = folder.path() / "film.avi";
+    {
+        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 24,
+                               {512, 256});
+        for (int i = 0; i < 24; ++i) {
+            const ImageRgb8 picture = frame(i);
+            writer.write(cv::Mat(256, 512, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())));
+        }
+    }
+    auto player = tests::valueOf(VideoPlayer::open(file));
+    EXPECT_EQ(player.waitFor(0)->number, 0) << "it begins with its first frame";
+    return player.info().layout;
+}
+
+TEST(StereoView, AFilmGoesByFramesThatHaveStructure) {
+    const Brightness seen = noise(32, 11);
+    const ImageRgb8 pair = stereoPair(false, seen), one = drawn(512, 256, seen), black(512, 256);
+    EXPECT_EQ(layoutOfFilm([&](int) { return pair; }), Layout::LeftRight);
+    EXPECT_EQ(layoutOfFilm([&](int i) { return i < 6 ? black : pair; }), Layout::LeftRight) << "fades in";
+    EXPECT_EQ(layoutOfFilm([&](int i) { return i < 6 ? black : one; }), Layout::Mono);
+    EXPECT_EQ(layoutOfFilm([&](int i) { return i < 2 ? pair : one; }), Layout::Mono) << "frames disagree";
+    EXPECT_EQ(layoutOfFilm([&](int) { return black; }), Layout::Mono);
+}
+
+// Big endian; zeros before eight bytes.
+std::string be(uint64_t value, int bytes) {
+    std::string text;
+    for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>(i < 8 ? value >> (8 * i) & 0xff : 0);
+    return text;
+}
+
+std::string box(const std::string& name, const std::string& payload) {
+    return be(payload.size() + 8, 4) + name + payload;
+}
+
+std::string fullBox(const std::string& name, const std::string& payload) {
+    return box(name, be(0, 4) + payload);
+}
+
+std::string fixed(double degrees) {
+    return be(static_cast<uint32_t>(static_cast<int32_t>(degrees * 65536)), 4);
+}
+
+const std::string kHandler = fullBox("hdlr", be(0, 4) + "vide" + be(0, 12) + "v" + be(0, 1));
+
+std::string sampleEntry(const std::string& children, int width = 2048, int height = 1024) {
+    return box("avc1", be(0, 6) + be(1, 2) + be(0, 16) + be(static_cast<uint64_t>(width), 2) +
+                           be(static_cast<uint64_t>(height), 2) + be(0, 50) + children);
+}
+
+std::string movie(const std::string& inEntry, const std::string& inTrack = "",
+                  const std::string& inMovie = "") {
+    const std::string table = box("stbl", fullBox("stsd", be(1, 4) + sampleEntry(inEntry)));
+    return box("ftyp", "isom" + be(0, 4)) +
+           box("moov", inMovie + box("trak", box("mdia", kHandler + box("minf", table)) + inTrack));
+}
+
+std::string sv3d(const std::string& projection, bool withHeader = true) {
+    return box("sv3d", (withHeader ? fullBox("svhd", "test" + be(0, 1)) : "") +
+                           box("proj", fullBox("prhd", fixed(30) + fixed(-15.5) + fixed(2)) + projection));
+}
+
+const std::string kEquirect = fullBox("equi", be(0, 16));
+
+std::string v1(const std::string& values) {
+    const std::string uuid("\xff\xcc\x82\x63\xf8\x55\x4a\x93\x88\x14\x58\x7a\x02\x52\x1f\xdd", 16);
+    return box("uuid",
+               uuid + "<?xml version=\"1.0\"?><rdf:SphericalVideo>" + values + "</rdf:SphericalVideo>");
+}
+
+const std::string kV1 = "<GSpherical:Spherical>true</GSpherical:Spherical>"
+                        "<GSpherical:Stitched>true</GSpherical:Stitched>"
+                        "<GSpherical:StitchingSoftware>test</GSpherical:StitchingSoftware>"
+                        "<GSpherical:ProjectionType>equirectangular</GSpherical:ProjectionType>";
+const std::string kV1TopBottom = kV1 + "<GSpherical:StereoMode>top-bottom</GSpherical:StereoMode>";
+
+// Reads the metadata of a file of these bytes, which hold one stream.
+SphericalMetadata parsed(const std::string& bytes) {
+    const TempFolder folder;
+    const Path file = folder / "a";
+    writeBytes(file, bytes);
+    const Input input = openInput(file);
+    EXPECT_TRUE(input && input->nb_streams == 1);
+    if (!input || input->nb_streams != 1) return {};
+    return sphericalMetadata(*input, *input->streams[0], file);
+}
+
+// --- Matroska: libavformat reads it, as VideoSource does.
+
+std::string element(const std::string& id, const std::string& payload) {
+    return id + be(uint64_t{0x10000000} | payload.size(), 4) + payload;
+}
+
+SphericalMetadata matroska(const std::string& inVideo) {
+    const std::string video =
+        element("\xe0", element("\xb0", be(1920, 2)) + element("\xba", be(1080, 2)) + inVideo);
+    const std::string track = element("\xd7", be(1, 1)) + element("\x83", be(1, 1)) + // number, type video
+                              element("\x86", "V_VP8") + video;
+    const std::string cluster = element("\x1f\x43\xb6\x75", element("\xe7", be(0, 1)));
+    return parsed(element("\x1a\x45\xdf\xa3", element("\x42\x82", "webm")) +
+                  std::string("\x18\x53\x80\x67\x01\xff\xff\xff\xff\xff\xff\xff") +
+                  element("\x16\x54\xae\x6b", element("\xae", track)) + cluster);
+}
+
+const auto projection = [](uint64_t type) {
+    return element("\x76\x70", std::string("\x76\x71\x81") + be(type, 1) +
+                                   element("\x76\x73", be(std::bit_cast<uint32_t>(45.0f), 4)));
+};
+
+const std::string kCube = fullBox("cbmp", be(0, 8)), kMesh = fullBox("mshp", be(0, 8));
+
+std::string stereoBox(uint64_t mode) { return fullBox("st3d", be(mode, 1)); }
+std::string stereoMode(uint64_t mode) { return element("\x53\xb8", be(mode, 1)); }
+
+TEST(SphericalMetadata, IsUnderstoodAsItIsWritten) {
+    using enum Projection;
+    using enum Layout;
+    const std::string mesh = movie(sv3d(kMesh)), media = box("mdat", std::string(100000, 'x'));
+    const struct {
+        const char* what;
+        SphericalMetadata read;
+        Projection projection;
+        Layout layout;
+    } kRows[] = {
+        {"V2", parsed(movie(stereoBox(2) + sv3d(kEquirect))), Equirect, LeftRight},
+        {"V2 without its header", parsed(movie(sv3d(kEquirect, false))), Equirect, Auto},
+        {"a cube without a header", parsed(movie(sv3d(kCube, false))), Cubemap, Auto},
+        {"a cube", parsed(movie(sv3d(kCube))), Cubemap, Auto},
+        {"a mesh", parsed(mesh), Mesh, Auto},
+        {"a mesh behind the pictures", parsed(mesh.substr(0, 16) + media + mesh.substr(16)), Mesh, Auto},
+        {"V1", parsed(movie("", v1(kV1TopBottom))), Equirect, TopBottom},
+        {"V1 without who stitched",
+         parsed(movie("", v1("<GSpherical:Spherical>true</GSpherical:Spherical>"
+                             "<GSpherical:StereoMode>left-right</GSpherical:StereoMode>"))),
+         Equirect, LeftRight},
+        {"V2 wins over V1", parsed(movie(stereoBox(0) + sv3d(kCube), v1(kV1TopBottom))), Cubemap, Mono},
+        {"a stereo box beside V1", parsed(movie(stereoBox(2), v1(kV1))), Equirect, LeftRight},
+        {"Matroska", matroska(projection(1)), Equirect, Auto},
+        {"Matroska, mono", matroska(stereoMode(0) + projection(1)), Equirect, Mono},
+        {"Matroska, left eye first", matroska(stereoMode(1) + projection(1)), Equirect, LeftRight},
+        {"Matroska, right eye below", matroska(stereoMode(2) + projection(1)), Equirect, TopBottom},
+        {"Matroska, left eye above", matroska(stereoMode(3) + projection(1)), Equirect, TopBottom},
+        {"Matroska, right eye first", matroska(stereoMode(11) + projection(1)), Equirect, LeftRight},
+        {"Matroska, a mesh", matroska(projection(3)), Mesh, Auto},
+    };
+    for (const auto& row : kRows) {
+        EXPECT_TRUE(row.read.present) << row.what;
+        EXPECT_EQ(row.read.projection, row.projection) << row.what;
+        EXPECT_EQ(row.read.layout, row.layout) << row.what;
+    }
+}
+
+TEST(SphericalMetadata, NoneIsNotPresent) {
+    std::string audio = movie(sv3d(kEquirect));
+    audio.replace(audio.find("vide"), 4, "soun");
+    const std::string isFalse = v1("<GSpherical:Spherical>false</GSpherical:Spherical>");
+    for (const SphericalMetadata& read : {parsed(movie("")), parsed(movie("", isFalse)), parsed(audio),
+                                          matroska(""), matroska(projection(0))}) {
+        EXPECT_FALSE(read.present);
+        EXPECT_EQ(read.projection, Projection::Unknown);
+        EXPECT_EQ(read.layout, Layout::Auto);
+    }
+    EXPECT_EQ(matroska(stereoMode(3)).layout, Layout::Auto) << "a flat stereo video";
+}
+
+TEST(SphericalMetadata, V2BoundsOfAHalfEnvironment) {
+    EXPECT_TRUE(
+        parsed(movie(sv3d(fullBox("equi", be(0, 8) + be(0x40000000, 4) + be(0x40000000, 4))))).partial);
+    EXPECT_FALSE(parsed(movie(sv3d(kEquirect))).partial);
+}
+
+} // namespace
+} // namespace shoal::media
