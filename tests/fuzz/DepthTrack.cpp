@@ -1,6 +1,5 @@
 // Depth tracks: whatever the file, frames have the stated size and codes within their range.
 #include "engine/media/DepthTrack.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 #include <algorithm>

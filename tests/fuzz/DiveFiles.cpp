@@ -1,6 +1,5 @@
 // A table of species and a dive that uses it: two texts, one behind the other, parted by a line of dashes.
 #include "game/rules/Dive.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // A model's file, to its first pose.
 #include "engine/scene/Model.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 // The player's own files: settings, scores and guide. Reading any, and writing into any.
 #include "game/settings/KeptFiles.h"
 #include "game/settings/PlayOptions.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 using namespace shoal;

@@ -1,7 +1,6 @@
 // Spherical metadata: of a video's header (MP4 or Matroska) and of a photo's XMP.
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/SphericalMetadata.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 using namespace shoal;

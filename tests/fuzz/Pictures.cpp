@@ -2,7 +2,6 @@
 #include "engine/media/Pictures.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/PictureHeader.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 #include <cmath>

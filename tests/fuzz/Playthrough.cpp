@@ -1,6 +1,5 @@
 // A scripted playthrough.
 #include "game/playthrough/Script.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 using namespace shoal;

@@ -1,6 +1,5 @@
 // A replay, read to its end, and the rules and inputs that it gives the simulation.
 #include "game/rules/Dive.h"
-#include "tests/fuzz/FileInput.h"
 #include "tests/fuzz/Target.h"
 
 using namespace shoal;

@@ -1,8 +1,14 @@
 // A fuzz target defines LLVMFuzzerTestOneInput(); libFuzzer calls it with one input after the other.
 #pragma once
 
+#include "engine/core/Files.h"
+
 #include <cstdint>
 #include <cstdlib>
+#include <fcntl.h>
+#include <span>
+#include <stdexcept>
+#include <unistd.h>
 
 namespace shoal::fuzz {
 
@@ -10,5 +16,36 @@ namespace shoal::fuzz {
 inline void expect(bool holds) {
     if (!holds) std::abort();
 }
+
+// The bytes of a run as a file, for parsers that read files: in a folder in memory that goes with the
+// process.
+class FileInput {
+  public:
+    // name: of the file, whose ending some parsers go by.
+    explicit FileInput(const std::string& name) {
+        std::string pattern = "/dev/shm/shoal_fuzz_XXXXXX";
+        if (!::mkdtemp(pattern.data())) throw std::runtime_error("/dev/shm cannot be written to");
+        folder_ = pattern;
+        file_ = folder_ / name;
+    }
+    ~FileInput() {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    FileInput(const FileInput&) = delete;
+    FileInput& operator=(const FileInput&) = delete;
+
+    const Path& operator()(std::span<const uint8_t> bytes) const {
+        const int out = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+        if (out < 0 || ::write(out, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+            throw std::runtime_error("/dev/shm is full");
+        ::close(out);
+        return file_;
+    }
+    const Path& folder() const { return folder_; }
+
+  private:
+    Path folder_, file_;
+};
 
 } // namespace shoal::fuzz

@@ -8,13 +8,10 @@ class CullingGL : public WithContext {};
 
 // Draws of an object in the sphere `bound`, by these smaller ones.
 int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
-    render::EnvironmentGpu environment;
-    environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
+    const Lit lit(uniformFrame(90, 90, 90));
     const scene::Model model = sphere(0, 0.5f);
     const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
-    scene::Pose pose;
-    scene::restPose(model, pose);
-    scene::updateGlobals(model, pose);
+    const scene::Pose pose = restingPose(model);
     auto pass = render::ObjectPass::make();
     EXPECT_TRUE(pass) << pass.error().message();
     const gl::Target target(16, 16, 1);
@@ -24,7 +21,7 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     pass->begin();
     pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = bound, .parts = parts});
     pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw({.environment = environment, .view = view, .canvas = target}, {},
+    EXPECT_TRUE(pass->draw({.environment = lit.environment, .view = view, .canvas = target}, {},
                            render::Glossy::Prefiltered));
     std::vector<scene::Sphere> visible;
     pass->bounds().addVisible(view, visible);

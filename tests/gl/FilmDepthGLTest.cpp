@@ -33,19 +33,14 @@ class FilmDepthGL : public WithContext {
     Drawn draw(render::ObjectPass& pass, const std::function<float(const glm::vec3&)>& inverseOf,
                const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
         setFilm(inverseOf);
-        render::EnvironmentGpu environment;
-        environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
-        environment.setDepth(&map_, &map_, &range_);
+        Lit lit(uniformFrame(90, 90, 90));
+        lit.environment.setDepth(&map_, &map_, &range_);
         const scene::Model model = sphere(0, 0.5f);
         const render::ModelGpu gpu =
             render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
-        scene::Pose pose;
-        scene::restPose(model, pose);
-        scene::updateGlobals(model, pose);
+        const scene::Pose pose = restingPose(model);
         const gl::Target target(kSize, kSize, 1);
-        target.bind();
-        glClearColor(0, 0, 0, 0);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        fill(target);
         const glm::vec3 centre = eyeInFilm + glm::vec3(0, 0, -away);
         glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), centre), glm::vec3(0.5f));
         pass.begin();
@@ -55,44 +50,37 @@ class FilmDepthGL : public WithContext {
                   .worldFromModel = worldFromModel,
                   .bound = {centre, 0.5f}});
         pass.upload(glm::mat3(1));
-        EXPECT_TRUE(pass.draw(
-            {.environment = environment, .view = view(eyeInFilm), .canvas = target, .eyeInFilm = eyeInFilm},
-            {}, render::Glossy::Prefiltered));
+        EXPECT_TRUE(pass.draw({.environment = lit.environment,
+                               .view = view(eyeInFilm),
+                               .canvas = target,
+                               .eyeInFilm = eyeInFilm},
+                              {}, render::Glossy::Prefiltered));
         target.resolve();
         return {target.read(), pass.drawCount()};
     }
     // Marine snow before a film that stands this far ahead, as a wall; 0: a film without distances. It has
     // been drawn with depth up to nearest, as the depth buffer holds it.
     ImageRgba8 drawSnow(float wall_m, const glm::vec3& eye, float nearest = 1) {
-        render::EnvironmentGpu environment;
-        environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
+        Lit lit(uniformFrame(90, 90, 90));
         if (wall_m > 0) {
             setFilm([&](const glm::vec3& d) { return std::max(-d.z, 0.0f) / wall_m; });
-            environment.setDepth(&map_, &map_, &range_);
+            lit.environment.setDepth(&map_, &map_, &range_);
         }
         auto pass = render::ParticlePass::make();
         EXPECT_TRUE(pass) << pass.error().message();
         const gl::Target target(kSize, kSize, 1);
-        target.bind();
-        glClearColor(0, 0, 0, 0);
-        glClearDepth(static_cast<double>(nearest));
-        glDepthMask(GL_TRUE);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glClearDepth(1);
+        fill(target, glm::vec4(0), nearest);
         EXPECT_TRUE(pass->draw(
             render::ParticlePass::On::Everything,
-            {.environment = environment, .view = snowView(eye), .canvas = target, .eyeInFilm = eye}, {}, 3));
+            {.environment = lit.environment, .view = snowView(eye), .canvas = target, .eyeInFilm = eye}, {},
+            3));
         return target.read();
     }
     static render::View snowView(const glm::vec3& eye) {
         return {.eyeWorld = eye, .verticalFov = 1.5f, .aspect = 1, .heightPixels = kSize};
     }
     static render::View view(const glm::vec3& eye) {
-        render::View view;
-        view.eyeWorld = eye;
-        view.verticalFov = 0.5f;
-        view.aspect = 1;
-        return view;
+        return {.eyeWorld = eye, .verticalFov = 0.5f, .aspect = 1};
     }
     static double covered(const ImageRgba8& picture, int firstColumn = 0, int endColumn = kSize) {
         double sum = 0;
@@ -109,9 +97,8 @@ class FilmDepthGL : public WithContext {
 // and behind what was drawn nearer.
 TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
     setFilm([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / 3; });
-    render::EnvironmentGpu environment;
-    environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
-    environment.setDepth(&map_, &map_, &range_);
+    Lit lit(uniformFrame(90, 90, 90));
+    lit.environment.setDepth(&map_, &map_, &range_);
     auto pass = render::DepthPass::make();
     ASSERT_TRUE(pass) << pass.error().message();
     const gl::Target drawn(64, 64, 1), into(64, 64, 1);
@@ -122,13 +109,9 @@ TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
             const auto depthOf = [&](float away_m) {
                 return (seen.far_m - seen.near_m * seen.far_m / away_m) / (seen.far_m - seen.near_m);
             };
-            drawn.bind();
-            glDepthMask(GL_TRUE);
-            glClearDepth(static_cast<double>(depthOf(drawn_m)));
-            glClear(GL_DEPTH_BUFFER_BIT);
-            glClearDepth(1);
+            fill(drawn, glm::vec4(0), depthOf(drawn_m));
             const render::EyePicture picture{
-                .environment = environment, .view = seen, .canvas = drawn, .eyeInFilm = eye};
+                .environment = lit.environment, .view = seen, .canvas = drawn, .eyeInFilm = eye};
             pass->draw(drawn, 1, into.framebuffer(), picture, true);
             std::vector<float> values(64 * 64);
             glBindFramebuffer(GL_READ_FRAMEBUFFER, into.framebuffer());

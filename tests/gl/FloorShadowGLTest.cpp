@@ -31,17 +31,12 @@ class FloorShadowGL : public WithContext {
     }
     // before: what objects have left in the picture and its depth.
     static ImageRgba8 drawn(std::span<const Body> bodies, const render::View& view,
-                            const glm::vec4& before = glm::vec4(0), double depthBefore = 1,
+                            const glm::vec4& before = glm::vec4(0), float depthBefore = 1,
                             render::FrameCoding frames = render::FrameCoding::Srgb) {
         auto pass = render::FloorShadowPass::make();
         EXPECT_TRUE(pass) << pass.error().message();
         const gl::Target target(kFloorPixels, kFloorPixels, 1);
-        target.bind();
-        glClearColor(before.r, before.g, before.b, before.a);
-        glClearDepth(depthBefore);
-        glDepthMask(GL_TRUE);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glClearDepth(1);
+        fill(target, before, depthBefore);
         glEnable(GL_DEPTH_TEST);
         pass->begin();
         for (const Body& body : bodies) pass->add(body, lamp(), kFloor_m, frames);
@@ -110,7 +105,7 @@ TEST_F(FloorShadowGL, LiesBehindWhatIsNearer) {
     };
     const auto depthOf = [](float away_m) {
         const render::View v = view();
-        return static_cast<double>((v.far_m - v.near_m * v.far_m / away_m) / (v.far_m - v.near_m));
+        return (v.far_m - v.near_m * v.far_m / away_m) / (v.far_m - v.near_m);
     };
     EXPECT_EQ(darkest(drawn({{fish}}, view(), glm::vec4(0), depthOf(0.5f))), 0);
     EXPECT_GT(darkest(drawn({{fish}}, view(), glm::vec4(0), depthOf(5))), 60);

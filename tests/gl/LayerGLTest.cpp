@@ -64,9 +64,7 @@ TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
         glClearColor(0.25f, 0.1f, 0, 0.5f);
         glClear(GL_COLOR_BUFFER_BIT);
         layer->end();
-        target.bind();
-        glClearColor(0.2f, 0.4f, 0.8f, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
+        fill(target, {0.2f, 0.4f, 0.8f, 1});
         // Seen from 0.25 to 0.75 of the way to the right edge.
         const render::View view{.verticalFov = 1.2f, .aspect = 320.0f / 192};
         const float half = view.halfExtent().x, low = std::atan(0.3f * half), high = std::atan(0.7f * half);
@@ -99,9 +97,7 @@ TEST_F(LayerGL, ScalesUpSmoothly) {
         glDisable(GL_SCISSOR_TEST);
         layer->end();
         if (areRead) layer->pixels();
-        target.bind();
-        glClearColor(0, 0, 0, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
+        fill(target, {0, 0, 0, 1});
         const scene::Sphere all{{0, 0, 0}, 1}; // around the eye
         layer->layOver({&all, 1}, {});
         const ImageRgba8 picture = target.read();

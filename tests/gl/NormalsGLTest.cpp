@@ -18,12 +18,10 @@ TEST_P(NormalsGL, StandOnTheEllipsoid) {
     GetParam().transform(model);
     const glm::mat3 modelFromSphere = GetParam().modelFromSphere;
     const glm::mat3 sphereFromModel = glm::inverse(modelFromSphere);
-    const ImageRgb8 frame = uniformFrame(128, 128, 128);
-    render::EnvironmentGpu environment;
-    environment.uploadLight(lightOf(frame));
+    const Lit lit(uniformFrame(128, 128, 128));
     const render::View view{.eyeWorld = {0, 0, 5}, .verticalFov = 0.5f, .aspect = 1};
     const ImageRgba8 picture =
-        drawSphere(model, environment, view, kPixels, {.shown = render::ShownQuantity::Normals});
+        drawSphere(model, lit.environment, view, kPixels, {.shown = render::ShownQuantity::Normals});
     int compared = 0;
     for (int y = 0; y < kPixels; ++y)
         for (int x = 0; x < kPixels; ++x) {

@@ -69,21 +69,14 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     const scene::Model model = sphere(0, roughness);
     scene::Model nothing = model;
     nothing.order.clear();
-    scene::Pose pose;
-    scene::restPose(model, pose);
-    scene::updateGlobals(model, pose);
+    const scene::Pose pose = restingPose(model);
     const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Linear, detail);
     auto pass = render::ObjectPass::make(detail);
     EXPECT_TRUE(pass) << pass.error().message();
-    render::View view;
-    view.eyeWorld = {0, 0, 6};
-    view.verticalFov = 0.4f;
-    view.aspect = 1;
-    view.heightPixels = detail == render::Detail::Lean ? 4000 : 0; // fine enough to compare
+    const int height = detail == render::Detail::Lean ? 4000 : 0; // fine enough to compare
+    const render::View view{.eyeWorld = {0, 0, 6}, .verticalFov = 0.4f, .aspect = 1, .heightPixels = height};
     const gl::Target target(kPictureSize, kPictureSize, 1);
-    target.bind();
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    fill(target);
     pass->begin();
     const render::BodyOccluders self = itself();
     pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1}, .body = &self});

@@ -59,12 +59,8 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
     // Ahead, behind (the seam), both poles, and askew.
     for (const glm::vec3 ahead : {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0),
                                   glm::vec3(0, -1, 0), glm::vec3(1, 1, 1), glm::vec3(-1, -0.3f, 0.2f)}) {
-        render::View view;
-        view.worldFromEye = looking(ahead);
-        view.verticalFov = 1.7f;
-        view.aspect = 1.5f;
-        target.bind();
-        glClear(GL_DEPTH_BUFFER_BIT);
+        const render::View view{.worldFromEye = looking(ahead), .verticalFov = 1.7f, .aspect = 1.5f};
+        fill(target);
         ASSERT_TRUE((*pass)->draw({.environment = lit.environment, .view = view, .canvas = target}, nullptr));
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
@@ -88,8 +84,7 @@ TEST_F(RenderGL, YawOfTheEnvironmentTurnsItToTheRight) {
     ASSERT_TRUE(pass);
     const Lit lit(smoothSurround(256));
     const gl::Target target(9, 9, 1);
-    target.bind();
-    glClear(GL_DEPTH_BUFFER_BIT);
+    fill(target);
     // The column that looks along -Z appears 90 degrees to the right of -Z, so ahead lies what looks along
     // -X.
     const glm::mat3 envFromWorld(glm::mat3_cast(glm::angleAxis(kPi / 2, glm::vec3(0, 1, 0))));
@@ -356,11 +351,7 @@ ImageRgb8 capsFrame(int width) {
 // its facets comes back matte.
 TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
     const ImageRgb8 frame = capsFrame(512);
-    light::EnvironmentLight made;
-    light::LightMaker maker({512, 0.1f});
-    maker.make(
-        {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
-        made);
+    const light::EnvironmentLight made = lightMadeOf(frame);
     const Lit lit(frame);
     for (const float roughness : {0.08f, 0.1f, 0.13f, 0.31f, 0.55f, 0.65f, 0.95f, 1.0f})
         for (const glm::vec3 eye : {glm::vec3(0, 3, 0.01f), glm::vec3(0.02f, 0.5f, 3), glm::vec3(3, 0, 0),
@@ -393,8 +384,7 @@ TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
             const ImageRgba8 object =
                 drawSphere(sphere(0, 1), lit.environment, view, 9, {.exposure_ev = ev, .frames = coding});
             const gl::Target target(9, 9, 1);
-            target.bind();
-            glClear(GL_DEPTH_BUFFER_BIT);
+            fill(target);
             ASSERT_TRUE((*background)
                             ->draw({.environment = lit.environment,
                                     .view = view,

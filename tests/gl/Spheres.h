@@ -52,15 +52,35 @@ inline scene::Model sphere(float metallic, float roughness) {
     return model;
 }
 
-inline light::PackedLight lightOf(const ImageRgb8& frame,
-                                  light::FrameRadiance frames = light::FrameRadiance::Thesis) {
+inline scene::Pose restingPose(const scene::Model& model) {
+    scene::Pose pose;
+    scene::restPose(model, pose);
+    scene::updateGlobals(model, pose);
+    return pose;
+}
+
+// Binds the target and fills it; depth: as the depth buffer holds it.
+inline void fill(const gl::Target& target, const glm::vec4& colour = glm::vec4(0), float depth = 1) {
+    target.bind();
+    glClearColor(colour.r, colour.g, colour.b, colour.a);
+    glClearDepth(static_cast<double>(depth));
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearDepth(1);
+}
+
+inline light::EnvironmentLight lightMadeOf(const ImageRgb8& frame,
+                                           light::FrameRadiance frames = light::FrameRadiance::Thesis) {
     light::EnvironmentLight made;
     light::LightMaker maker({.baseWidth = 512, .minRoughness = 0.1f, .frames = frames});
-    maker.make(
-        {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
-        made);
+    maker.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, made);
+    return made;
+}
+
+inline light::PackedLight lightOf(const ImageRgb8& frame,
+                                  light::FrameRadiance frames = light::FrameRadiance::Thesis) {
     light::PackedLight packed;
-    light::packLight(made, light::MirrorMaps::Mirrors, packed);
+    light::packLight(lightMadeOf(frame, frames), light::MirrorMaps::Mirrors, packed);
     return packed;
 }
 
@@ -83,6 +103,10 @@ struct SphereLook {
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::FrameCoding frames = render::FrameCoding::Thesis;
     const depth::LightHarmonics* beside = nullptr; // as render::ObjectPass has it
+    render::ToneCurve curve = render::ToneCurve::InverseOfVideo;
+    const render::BodyOccluders* body = nullptr;
+    const occlusion::LayersGpu* layers = nullptr;
+    float radius = 1; // around the origin, of what is drawn
 };
 
 // size: pixels of a side.
@@ -90,30 +114,24 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
                              const render::View& view, int size, const SphereLook& look = {}) {
     auto pass = render::ObjectPass::make(look.detail, true, look.shown);
     EXPECT_TRUE(pass) << pass.error().message();
-    const auto reflectance =
-        look.frames == render::FrameCoding::Thesis ? render::Reflectance::Coded : render::Reflectance::Linear;
-    const render::ModelGpu gpu = render::uploadModel(model, reflectance, look.detail);
-    scene::Pose pose;
-    scene::restPose(model, pose);
-    scene::updateGlobals(model, pose);
+    const render::Exposure exposure{look.curve, look.exposure_ev, look.frames};
+    const render::ModelGpu gpu = render::uploadModel(
+        model, exposure.isLinear() ? render::Reflectance::Linear : render::Reflectance::Coded, look.detail);
+    const scene::Pose pose = restingPose(model);
     const gl::Target target(size, size, 1);
-    target.bind();
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    fill(target);
+    pass->setLayers(look.layers);
     pass->begin();
     pass->add({.model = model,
                .gpu = gpu,
                .pose = pose,
-               .bound = {{}, 1},
+               .bound = {{}, look.radius},
+               .body = look.body,
                .highlight = look.highlight,
                .lightDifference = look.beside});
     pass->upload(glm::mat3(1));
-    const Status drawn = pass->draw({.environment = environment,
-                                     .view = view,
-                                     .exposure = {.exposure_ev = look.exposure_ev, .frames = look.frames},
-                                     .canvas = target},
-                                    look.water, render::Glossy::Prefiltered);
-    EXPECT_TRUE(drawn);
+    EXPECT_TRUE(pass->draw({.environment = environment, .view = view, .exposure = exposure, .canvas = target},
+                           look.water, render::Glossy::Prefiltered));
     return target.read();
 }
 

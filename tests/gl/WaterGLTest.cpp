@@ -22,9 +22,7 @@ water::Water someWater() {
 // The shader's water agrees with the formulas on the processor: a white matte sphere in even light sends back
 // that light, dimmed and veiled by the water between.
 TEST_F(WaterGL, ASphereSinksIntoTheVeilAsComputed) {
-    const ImageRgb8 frame = uniformFrame(150, 140, 120);
-    render::EnvironmentGpu environment;
-    environment.uploadLight(lightOf(frame));
+    const Lit lit(uniformFrame(150, 140, 120));
     const glm::vec3 display(150 / 255.0f, 140 / 255.0f, 120 / 255.0f);
     for (const float distance_m : {0.5f, 4.0f, 30.0f})
         for (const glm::vec3 ahead :
@@ -36,7 +34,8 @@ TEST_F(WaterGL, ASphereSinksIntoTheVeilAsComputed) {
                                         glm::quat_cast(glm::mat3(side, glm::cross(-ahead, side), -ahead)),
                                     .verticalFov = 0.02f,
                                     .aspect = 1};
-            const ImageRgba8 picture = drawSphere(sphere(0, 1), environment, view, 9, {.water = someWater()});
+            const ImageRgba8 picture =
+                drawSphere(sphere(0, 1), lit.environment, view, 9, {.water = someWater()});
             const glm::vec3 expected = 255.0f * water::seenThrough(someWater(), display, ahead, distance_m);
             // Rounding of the picture and the frame's light as half floats; vertices a few hundredths of a
             // radian apart on the sphere are at most a millimetre behind its surface.
@@ -51,21 +50,14 @@ struct Snowfall {
 };
 
 Snowfall snowAt(double time_s, float depth) {
-    const ImageRgb8 frame = uniformFrame(150, 140, 120);
-    render::EnvironmentGpu environment;
-    environment.uploadLight(lightOf(frame));
+    const Lit lit(uniformFrame(150, 140, 120));
     auto pass = render::ParticlePass::make();
     EXPECT_TRUE(pass) << pass.error().message();
     const gl::Target target(320, 180, 1);
-    target.bind();
-    glClearColor(0, 0, 0, 0);
-    glClearDepth(static_cast<double>(depth));
-    glDepthMask(GL_TRUE);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glClearDepth(1);
+    fill(target, glm::vec4(0), depth);
     const render::View view{.heightPixels = 180};
     EXPECT_TRUE(pass->draw(render::ParticlePass::On::Everything,
-                           {.environment = environment, .view = view, .canvas = target}, someWater(),
+                           {.environment = lit.environment, .view = view, .canvas = target}, someWater(),
                            time_s));
     Snowfall fall{target.read()};
     for (size_t i = 0; i < fall.picture.pixels.size(); i += 4) fall.specks += fall.picture.pixels[i + 1] > 4;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,52 +14,41 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
-#include <optional>
 
 namespace shoal {
 namespace {
 
 Path sharedFolder() { return tests::sharedDataFolder() / "fidelity"; }
 
-// Four channels, alpha last.
-struct Picture {
-    int width = 0, height = 0;
-    std::vector<uint8_t> bgra;
-};
-
-std::optional<Picture> pictureOf(cv::Mat mat) {
-    if (mat.type() == CV_8UC3) {
-        cv::Mat covered;
-        cv::merge(std::vector<cv::Mat>{mat, cv::Mat(mat.size(), CV_8UC1, cv::Scalar(255))}, covered);
-        mat = covered;
-    }
-    if (mat.type() != CV_8UC4) return std::nullopt;
-    return Picture{mat.cols, mat.rows, std::vector<uint8_t>(mat.datastart, mat.dataend)};
+// Pictures have four channels, alpha last; empty: there is none, or of another kind.
+cv::Mat withAlpha(cv::Mat picture) {
+    if (picture.type() == CV_8UC3) cv::cvtColor(picture, picture, cv::COLOR_BGR2BGRA);
+    return picture.type() == CV_8UC4 ? picture : cv::Mat();
 }
 
-std::optional<Picture> readPng(const Path& file) {
-    if (!std::filesystem::exists(file)) return std::nullopt;
-    return pictureOf(cv::imread(file.string(), cv::IMREAD_UNCHANGED));
+cv::Mat readPng(const Path& file) {
+    if (!std::filesystem::exists(file)) return {};
+    return withAlpha(cv::imread(file.string(), cv::IMREAD_UNCHANGED));
 }
 
 // The goldens were kept as lossy WebP, which stores colour at half the resolution: along an edge between
 // blue and black that costs more than two renderers differ by. So ours is kept the same way, at the best
 // quality, before it is compared.
-std::optional<Picture> colourAtHalfResolution(Picture picture) {
-    const cv::Mat mat(picture.height, picture.width, CV_8UC4, picture.bgra.data());
+cv::Mat colourAtHalfResolution(const cv::Mat& picture) {
     std::vector<uint8_t> webp;
-    if (!cv::imencode(".webp", mat, webp, {cv::IMWRITE_WEBP_QUALITY, 100})) return std::nullopt;
-    return pictureOf(cv::imdecode(webp, cv::IMREAD_UNCHANGED));
+    if (!cv::imencode(".webp", picture, webp, {cv::IMWRITE_WEBP_QUALITY, 100})) return {};
+    return withAlpha(cv::imdecode(webp, cv::IMREAD_UNCHANGED));
 }
 
 // Root mean square of the coded values' differences, 0 to 1, where both pictures are fully covered.
-double rmse(const Picture& a, const Picture& b) {
+double rmse(const cv::Mat& a, const cv::Mat& b) {
     double sum = 0;
     size_t count = 0;
-    for (size_t i = 0; i < a.bgra.size(); i += 4) {
-        if (a.bgra[i + 3] != 255 || b.bgra[i + 3] != 255) continue;
-        for (size_t c = 0; c < 3; ++c) {
-            const double difference = (a.bgra[i + c] - b.bgra[i + c]) / 255.0;
+    for (int i = 0; i < a.rows * a.cols; ++i) {
+        const auto &p = a.at<cv::Vec4b>(i / a.cols, i % a.cols), &q = b.at<cv::Vec4b>(i / a.cols, i % a.cols);
+        if (p[3] != 255 || q[3] != 255) continue;
+        for (int c = 0; c < 3; ++c) {
+            const double difference = (p[c] - q[c]) / 255.0;
             sum += difference * difference;
         }
         count += 3;
@@ -69,9 +59,9 @@ double rmse(const Picture& a, const Picture& b) {
 // Onto the goldens' size by a triangle filter as wide as the reduction, alpha-weighted. The goldens were
 // reduced from the size they were drawn at by an unknown filter; of box, triangle and Lanczos this one
 // matches the path tracer's best, without shift, in all scenarios alike.
-Picture reduced(const Picture& large, int width, int height) {
-    Picture small{width, height, std::vector<uint8_t>(static_cast<size_t>(width) * height * 4)};
-    const double ratio = static_cast<double>(large.width) / width;
+cv::Mat reduced(const cv::Mat& large, int width, int height) {
+    cv::Mat small(height, width, CV_8UC4);
+    const double ratio = static_cast<double>(large.cols) / width;
     const auto range = [&](int at, int maximum) {
         const double centre = (at + 0.5) * ratio - 0.5;
         return std::array{std::max(0, static_cast<int>(std::ceil(centre - ratio))),
@@ -82,20 +72,20 @@ Picture reduced(const Picture& large, int width, int height) {
     };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            std::array<double, 4> sum{};
+            cv::Vec4d sum;
             double all = 0;
-            const auto [top, bottom] = range(y, large.height);
-            const auto [left, right] = range(x, large.width);
+            const auto [top, bottom] = range(y, large.rows);
+            const auto [left, right] = range(x, large.cols);
             for (int v = top; v <= bottom; ++v)
                 for (int u = left; u <= right; ++u) {
                     const double share = weight(x, u) * weight(y, v);
-                    const uint8_t* pixel = &large.bgra[(static_cast<size_t>(v) * large.width + u) * 4];
-                    for (size_t c = 0; c < 3; ++c) sum[c] += share * pixel[c] * pixel[3];
+                    const auto& pixel = large.at<cv::Vec4b>(v, u);
+                    for (int c = 0; c < 3; ++c) sum[c] += share * pixel[c] * pixel[3];
                     sum[3] += share * pixel[3];
                     all += share;
                 }
-            uint8_t* out = &small.bgra[(static_cast<size_t>(y) * width + x) * 4];
-            for (size_t c = 0; c < 3; ++c)
+            auto& out = small.at<cv::Vec4b>(y, x);
+            for (int c = 0; c < 3; ++c)
                 out[c] = static_cast<uint8_t>(std::lround(sum[3] > 0 ? sum[c] / sum[3] : 0));
             out[3] = static_cast<uint8_t>(std::lround(sum[3] / all));
         }
@@ -150,27 +140,27 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
         });
         ASSERT_TRUE(drew) << drew.error().message();
     }
-    const auto drawn = readPng(picture);
-    ASSERT_TRUE(drawn);
-    const auto ours = colourAtHalfResolution(
-        reduced(*drawn, scenario.at("golden_size")[0].get<int>(), scenario.at("golden_size")[1].get<int>()));
-    ASSERT_TRUE(ours);
+    const cv::Mat drawn = readPng(picture);
+    ASSERT_FALSE(drawn.empty());
+    const cv::Mat ours = colourAtHalfResolution(
+        reduced(drawn, scenario.at("golden_size")[0].get<int>(), scenario.at("golden_size")[1].get<int>()));
+    ASSERT_FALSE(ours.empty());
 
     const auto golden = [&](const std::string& renderer) {
         return readPng(folder / name / ("golden_" + renderer + ".png"));
     };
-    const auto truth = golden(pathTracer);
-    ASSERT_TRUE(truth);
-    ASSERT_EQ(ours->width, truth->width);
+    const cv::Mat truth = golden(pathTracer);
+    ASSERT_FALSE(truth.empty());
+    ASSERT_EQ(ours.size(), truth.size());
     for (const char* renderer : {"model-viewer", "filament", "babylon", "gltf-sample-viewer", "rhodonite"}) {
-        const auto other = golden(renderer);
-        if (!other || other->width != truth->width || other->height != truth->height) continue;
+        const cv::Mat other = golden(renderer);
+        if (other.size() != truth.size()) continue;
         // Its pose differs, so it is no measure of lighting.
         if (std::string(renderer) == "babylon" && name == "khronos-Fox") continue;
-        distances.others[renderer] = rmse(*other, *truth);
+        distances.others[renderer] = rmse(other, truth);
     }
     ASSERT_FALSE(distances.others.empty());
-    distances.ours = rmse(*ours, *truth);
+    distances.ours = rmse(ours, truth);
 }
 
 constexpr const char* kScenarios[] = {"DamagedHelmet",

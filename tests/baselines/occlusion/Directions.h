@@ -25,7 +25,7 @@ struct DirectedLight {
 };
 DirectedLight directedLight(const ImageRgbF& radianceLin, std::vector<glm::vec3> directions);
 
-// Share of the diffuse light that is left when only some directions are seen, by colour; seen(k) from 0 to 1.
+// Share of the diffuse light that is left when only some directions are seen, by colour; seen(k): whether.
 template <class Seen>
 glm::vec3 shareSeen(const DirectedLight& light, const glm::vec3& normal, const Seen& seen) {
     glm::vec3 left(0), whole(1e-20f);
@@ -34,7 +34,7 @@ glm::vec3 shareSeen(const DirectedLight& light, const glm::vec3& normal, const S
         if (cosine <= 0) continue;
         const glm::vec3 power = cosine * light.power[k];
         whole += power;
-        left += seen(k) * power;
+        if (seen(k)) left += power;
     }
     return left / whole;
 }

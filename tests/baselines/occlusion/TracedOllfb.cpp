@@ -1,14 +1,99 @@
 #include "tests/baselines/occlusion/TracedOllfb.h"
-
-#include "tests/baselines/occlusion/OllfbPixels.h"
+#include "engine/occlusion/Directions.h"
+#include "engine/occlusion/Ollfb.h"
 #include "tests/baselines/occlusion/PixelWalk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace shoal::occlusion {
 
 namespace {
+
+// The layers of one view.
+struct OllfbPixels {
+    const OllfbView& view;
+    const OllfbRow* rows; // the view's first
+    const uint16_t* starts;
+    const OllfbLayer* layers;
+
+    OllfbPixels(const Ollfb& all, const OllfbView& seen)
+        : view(seen), rows(all.rows.data() + seen.firstRow), starts(all.starts.data()),
+          layers(all.layers.data()) {}
+
+    struct Layers {
+        const OllfbLayer* begin;
+        const OllfbLayer* end;
+    };
+    // Layers of a pixel within the view's size.
+    Layers layersOf(const glm::ivec2& pixel) const {
+        const OllfbRow& row = rows[pixel.y];
+        if (pixel.x < row.begin || pixel.x >= row.end) return {nullptr, nullptr};
+        const uint16_t* const start = starts + row.firstStart + (pixel.x - row.begin);
+        const OllfbLayer* const first = layers + row.firstLayer;
+        return {first + start[0], first + start[1]};
+    }
+    // At the pixel's middle, pixels.
+    float depthOf(const OllfbLayer& layer) const {
+        return static_cast<float>(layer.depth) * (view.depthRange_px / 65535);
+    }
+    // Outwards, view frame.
+    static glm::vec3 normalOf(const OllfbLayer& layer) { return unpackDirection(layer.normal, 8); }
+};
+
+struct OllfbSurface {
+    float depth = 0;     // under the place, pixels
+    glm::vec2 slope{0};  // depth per pixel
+    glm::vec3 normal{0}; // unit, outwards, view frame
+};
+
+// Returns the surface near a place, pixels: the layers of the four pixels around it, blended. normal: what
+// the surface's is about, view frame. None where no layer fits both.
+//
+// Two planes that touch a bent surface lie as far outside it between their middles as the chord between these
+// lies inside: half the slope between them follows the bend.
+std::optional<OllfbSurface> surfaceNear(const OllfbPixels& pixels, const glm::vec3& place,
+                                        const glm::vec3& normal) {
+    constexpr float kAlike = 0.5f; // cosine between normals of one surface
+    const glm::ivec2& size = pixels.view.size;
+    const glm::ivec2 corner(glm::floor(glm::vec2(place) - 0.5f));
+    const glm::vec2 share = glm::vec2(place) - 0.5f - glm::vec2(corner);
+    // Some pixels off the plane may still be it, the more the steeper.
+    const float furthest =
+        1 + 0.5f * glm::min(kSteepest, glm::length(glm::vec2(normal)) / std::abs(normal.z));
+    OllfbSurface sum;
+    float weightSum = 0, tiltSum = 0;
+    int found = 0;
+    for (int k = 0; k < 4; ++k) {
+        const glm::ivec2 pixel = corner + glm::ivec2(k % 2, k / 2);
+        if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) continue;
+        const glm::vec2 aside = glm::vec2(place) - (glm::vec2(pixel) + 0.5f);
+        const OllfbPixels::Layers here = pixels.layersOf(pixel);
+        float nearest = furthest;
+        OllfbSurface best;
+        bool any = false;
+        for (const OllfbLayer* layer = here.begin; layer != here.end; ++layer) {
+            const glm::vec3 other = OllfbPixels::normalOf(*layer);
+            const glm::vec2 slope = slopeOf(other);
+            const float depth = pixels.depthOf(*layer);
+            const float off = std::abs(depth + glm::dot(slope, aside) - place.z);
+            if (off > nearest || glm::dot(other, normal) < kAlike) continue;
+            nearest = off, best = {depth, slope, other}, any = true;
+        }
+        if (!any) continue;
+        const float weight = (k % 2 ? share.x : 1 - share.x) * (k / 2 ? share.y : 1 - share.y);
+        sum.depth += weight * best.depth;
+        sum.slope += weight * best.slope;
+        sum.normal += weight * best.normal;
+        tiltSum += weight * glm::dot(best.slope, aside);
+        weightSum += weight;
+        ++found;
+    }
+    if (weightSum <= 0.1f) return {};
+    return OllfbSurface{(sum.depth + (found == 4 ? 0.5f : 1.0f) * tiltSum) / weightSum, sum.slope / weightSum,
+                        glm::normalize(sum.normal)};
+}
 
 // Behind a surface that bounds no inside, its wall from one cell to the next is this thick.
 constexpr float kSheet_px = 0.25f, kSheetPerSlope_px = 0.5f;

@@ -2,6 +2,7 @@
 // dive, for make_video_frames to trace. bench_bounce measure FOLDER: compares the light there
 // (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
 // film's distances. Writes FOLDER/bounce.tsv, and FOLDER/time.tsv: error over time.
+#include "engine/core/Result.h"
 #include "engine/core/WriteFile.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/light/Pyramid.h"
@@ -9,10 +10,12 @@
 #include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
-#include "tests/bench/bounce/Places.h"
+#include "game/app/ContentLoader.h"
+#include "game/rules/Dive.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +23,12 @@
 #include <ctime>
 #include <map>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace {
 
 using namespace shoal;
-using namespace shoal::bench;
 
 struct Film {
     const char* name;
@@ -36,6 +40,40 @@ constexpr int kPasses = 20; // of what is timed
 
 // Span of the tunnel in the reef's film, with its mouths; its frames count apart.
 constexpr double kTunnel_s[2] = {37, 59};
+
+struct Places {
+    int frame = 0;                   // of the film
+    std::vector<glm::ivec3> fish_mm; // env frame, from the camera
+};
+
+constexpr size_t kFish = 6; // in a frame
+
+// Returns places of a few fish of all kinds every so many seconds of the dive's film, first at half of that.
+Result<std::vector<Places>> placesOf(const std::string& name, double every_s) {
+    auto files = game::loadDiveFiles(name);
+    if (!files) return files.error();
+    const Path film = dataRoot() / "content" / files->dive.video;
+    files->dive.space = app::filmSpaceOf(film, 0);
+    const auto video = media::VideoSource::open(film, media::Layout::Mono);
+    if (!video) return video.error();
+    game::Dive dive(files->species, files->dive, 1);
+    std::vector<Places> all;
+    game::Events events;
+    double next_s = every_s / 2;
+    for (int tick = 1; next_s < video->info().duration_s; ++tick) {
+        events.clear();
+        dive.step({}, events);
+        if (static_cast<double>(tick) / sim::kTickRate_Hz < next_s) continue;
+        Places places{static_cast<int>(next_s * video->info().fps), {}};
+        const auto& fish = dive.state().fish;
+        for (size_t i = 0; i < kFish; ++i)
+            places.fish_mm.emplace_back(1000.0f *
+                                        fish[(i * fish.size() / kFish + all.size()) % fish.size()].position);
+        all.push_back(std::move(places));
+        next_s += every_s;
+    }
+    return all;
+}
 
 Status writePlaces(const Path& folder) {
     for (const Film& film : kFilms) {

@@ -3,18 +3,24 @@
 // Truth: the dive's own film, with the game's objects filmed into it (Filmed.h, Encode.h). Every way then
 // draws the same objects over the same film without them, coded alike, and is compared with that.
 #include "engine/gl/Renderer.h"
+#include "engine/gl/Target.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/platform/Window.h"
+#include "game/session/GameSession.h"
+#include "game/views/Environment.h"
+#include "game/views/SceneRenderer.h"
 #include "tests/bench/compose/Distance.h"
 #include "tests/bench/compose/Encode.h"
 #include "tests/bench/compose/Filmed.h"
 #include "tests/bench/compose/Report.h"
-#include "tests/bench/compose/Theatre.h"
 #include "tests/bench/light/Timing.h"
+
+#include <glm/gtc/quaternion.hpp>
 
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 
 namespace shoal::bench {
 
@@ -30,6 +36,76 @@ struct Scene {
 };
 // The frames whose truth content/truth keeps: open water, reef, overhang, tunnel.
 constexpr Scene kScenes[] = {{120, 0}, {560, 0}, {860, 20}, {1060, 0}, {1260, -20}};
+
+constexpr glm::ivec2 kPicture(1280, 720);
+constexpr float kFov_deg = 65; // vertical, as in the game
+
+// One of the compositions that are compared.
+struct Way {
+    render::Composition composition;
+    const char* name;
+};
+constexpr Way kWays[] = {{render::Composition::Plain, "plain"},
+                         {render::Composition::MatchedResolution, "resolution"},
+                         {render::Composition::VideoTexels, "texels"},
+                         {render::Composition::CameraResponse, "camera"}};
+
+using namespace app;
+
+void runOn(GameSession& session, double seconds) {
+    if (auto* mouse = std::get_if<MouseSource>(&session.source))
+        mouse->frame(nullptr, {}, session.shown, static_cast<float>(seconds), glm::radians(kFov_deg),
+                     static_cast<float>(kPicture.x) / static_cast<float>(kPicture.y));
+    session.advance(seconds);
+}
+
+// Runs the simulation to a time of the dive, without a player.
+GameSession runTo(const SessionConfig& plan, double time_s) {
+    GameSession session(plan);
+    while (session.shown.time_s < time_s) runOn(session, 1.0 / 60);
+    return session;
+}
+
+Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Composition composition) {
+    const bool software = gl::rendersInSoftware();
+    const auto detail = software ? render::Detail::Lean : render::Detail::Full;
+    auto cast = CreatureModels::load(plan.species, game::speciesShown(plan.species, plan.dive), "light",
+                                     render::Reflectance::Coded, detail);
+    if (!cast) return cast.error();
+    return SceneRenderer::make(std::move(*cast),
+                               {.detail = detail, .compositor = {.composition = composition}});
+}
+
+Result<std::unique_ptr<Environment>> openVideo(const Path& file) {
+    return Environment::open(
+        {.player = {.source = {.video = file.string(), .layout = media::Layout::Mono},
+                    .analysis = {.minRoughness = 0.25f, .water = true, .cameraResponse = true}}});
+}
+
+// yaw_deg: turn of the view to the right.
+render::View viewOf(const game::Snapshot& snapshot, float yaw_deg) {
+    render::View view;
+    view.worldFromEye = glm::angleAxis(glm::radians(-yaw_deg), glm::vec3(0, 1, 0)) * snapshot.worldFromView;
+    view.eyeWorld = snapshot.headWorld;
+    view.verticalFov = glm::radians(kFov_deg);
+    view.aspect = static_cast<float>(kPicture.x) / static_cast<float>(kPicture.y);
+    view.heightPixels = kPicture.y;
+    return view;
+}
+
+// Draws the whole picture as Play does. target: of any size with the picture's aspect ratio.
+Status drawPicture(SceneRenderer& sceneRenderer, const render::View& view, const gl::Target& target) {
+    const SceneRenderer::Eye eye{0, view, target};
+    return sceneRenderer.draw({&eye, 1});
+}
+
+// Draws the objects alone, premultiplied by coverage.
+Status drawObjectsAlone(SceneRenderer& sceneRenderer, const render::View& view, const gl::Target& target) {
+    target.bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    return sceneRenderer.drawObjectsAlone({0, view, target});
+}
 
 using Renderers = std::vector<app::SceneRenderer>; // as kWays, and the background alone
 
@@ -95,7 +171,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
     for (int k = 0; k < kTaken; ++k) {
         if (k) runOn(run, 1.0 / kFps);
         (*empty)->update(timeOf(k), true);
-        const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
+        const render::View view = viewOf(run.shown, scene.yaw_deg);
         renderers[0].set(run.shown, **empty, {.particles = false});
         // A wider view, so that no object is cut off at the picture's edge.
         const render::View wide = render::widened(view, 1.05f);
@@ -110,7 +186,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
     }
     const glm::ivec2 look = worthALook(coverage);
     const gl::Target target(kPicture.x, kPicture.y, 1);
-    const render::View view = viewOf(moment, scene.yaw_deg, kPicture.y);
+    const render::View view = viewOf(moment, scene.yaw_deg);
     ImageRgba8 truth;
     for (const bool second : {false, true}) {
         const Path file = folder / ((second ? "again_" : "filmed_") + number + ".mp4");
@@ -159,7 +235,7 @@ Status measureCost(const app::SessionConfig& plan, Renderers& renderers, int rou
             const double processorBegan_ms = processor_ms();
             sceneRenderer.set(run.shown, **environment,
                               {.exposure = (*environment)->exposure(app::Tone::Auto, 0), .particles = false});
-            if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0, kPicture.y), target); !s) return s;
+            if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0), target); !s) return s;
             glFinish();
             const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
             if (round >= 5)

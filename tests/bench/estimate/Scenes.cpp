@@ -18,6 +18,26 @@ namespace shoal::bench {
 
 namespace {
 
+// Properties that make depth hard to estimate; Sideways is the reference for all others.
+enum class Hardship {
+    Sideways,    // a camera that moves to the right
+    Forward,     // along the line of sight, its own axis
+    Rotation,    // it only turns
+    Still,       // it stands
+    Caustics,    // sideways, patterns of light run over everything
+    Animal,      // sideways, a large animal swims by
+    Featureless, // sideways, only a quarter of the objects has any texture
+    Darkness,    // sideways, a twentieth of the light, with noise
+    Exposure,    // sideways, the exposure changes with time and from row to row
+    SeamPoles,   // sideways, texture only at the seam and at both poles
+    Stereo,      // omnidirectional stereo, 64 mm, left eye above right; the camera stands
+};
+
+struct NamedScene {
+    Hardship hardship;
+    const char* name;
+};
+
 constexpr int kWidth = 1024, kHeight = 512; // of one eye
 constexpr int kFrames = 48, kFps = 24;
 constexpr int kTrackWidth = 256, kTrackHeight = 128, kStep = 2; // as shoal-depth makes tracks
@@ -212,23 +232,19 @@ media::DepthFrame truthOf(const World& world, Hardship hardship, int frame) {
     return depth;
 }
 
-const std::array<NamedScene, 11> kScenes = {{{Hardship::Sideways, "sideways"},
-                                             {Hardship::Forward, "forward"},
-                                             {Hardship::Rotation, "rotation"},
-                                             {Hardship::Still, "still"},
-                                             {Hardship::Caustics, "caustics"},
-                                             {Hardship::Animal, "animal"},
-                                             {Hardship::Featureless, "featureless"},
-                                             {Hardship::Darkness, "darkness"},
-                                             {Hardship::Exposure, "exposure"},
-                                             {Hardship::SeamPoles, "seam_poles"},
-                                             {Hardship::Stereo, "stereo"}}};
+constexpr NamedScene kScenes[] = {{Hardship::Sideways, "sideways"},
+                                  {Hardship::Forward, "forward"},
+                                  {Hardship::Rotation, "rotation"},
+                                  {Hardship::Still, "still"},
+                                  {Hardship::Caustics, "caustics"},
+                                  {Hardship::Animal, "animal"},
+                                  {Hardship::Featureless, "featureless"},
+                                  {Hardship::Darkness, "darkness"},
+                                  {Hardship::Exposure, "exposure"},
+                                  {Hardship::SeamPoles, "seam_poles"},
+                                  {Hardship::Stereo, "stereo"}};
 
-} // namespace
-
-std::span<const NamedScene> scenes() { return kScenes; }
-
-Status makeScene(const NamedScene& scene, const Path& folder) {
+Status makeScene(const NamedScene& scene, const Path& folder, const Path& truthFile) {
     World world(scene.hardship);
     std::vector<ImageRgb8> frames;
     std::vector<media::DepthFrame> truth;
@@ -237,7 +253,7 @@ Status makeScene(const NamedScene& scene, const Path& folder) {
         frames.push_back(filmed(world, scene.hardship, frame));
         if (frame % kStep == 0) truth.push_back(truthOf(world, scene.hardship, frame));
     }
-    const Path film = folder / (scene.name + ".mp4");
+    const Path film = folder / (std::string(scene.name) + ".mp4");
     if (Status s = encode(film, frames, kFps); !s) return s;
     const auto identity = media::filmIdentity(film);
     if (!identity) return identity.error();
@@ -246,7 +262,19 @@ Status makeScene(const NamedScene& scene, const Path& folder) {
     if (!writer) return writer.error();
     for (const media::DepthFrame& each : truth)
         if (Status s = writer->add(each); !s) return s;
-    return writer->finish(folder / (scene.name + ".truth.mkv"));
+    return writer->finish(truthFile);
+}
+
+} // namespace
+
+Status makeScenes(const Path& folder) {
+    for (const NamedScene& scene : kScenes) {
+        const Path truthFile = folder / (std::string(scene.name) + ".truth.mkv");
+        std::error_code ignored;
+        if (std::filesystem::exists(truthFile, ignored)) continue;
+        if (Status s = makeScene(scene, folder, truthFile); !s) return s;
+    }
+    return Done{};
 }
 
 } // namespace shoal::bench

@@ -1,5 +1,3 @@
-#include "tests/bench/light/LitBalls.h"
-
 #include "engine/light/FindLights.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
@@ -9,9 +7,9 @@
 #include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 #include "tests/baselines/light/Expand.h"
-#include "tests/bench/light/Environments.h"
-#include "tests/bench/light/Text.h"
+#include "tests/bench/light/Measure.h"
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -121,10 +119,10 @@ double shadowOf(const light::EnvironmentLight& light) {
 
 } // namespace
 
-Result<LitBalls> lightBalls(const Path& sheet) {
+Result<std::vector<BallErrors>> lightBalls(const Path& sheet) {
     constexpr size_t kEvery = 3; // the sheet shows the second of each so many frames
     constexpr int kColumns = 8;
-    LitBalls balls;
+    std::vector<BallErrors> balls;
     const std::vector<EnvironmentSource> sources = filmedSources();
     ImageRgb8 picture(kColumns * kTile, static_cast<int>(sources.size() / kEvery) * kTile),
         unseen(kColumns * kTile, kTile);
@@ -136,7 +134,7 @@ Result<LitBalls> lightBalls(const Path& sheet) {
         ImageRgb8& on = onSheet ? picture : unseen;
         const int top = onSheet ? static_cast<int>(s / kEvery) * kTile : 0;
         const light::EnvironmentLight truth = trueLight(*filmed);
-        BallErrors& errors = balls.errors.emplace_back(filmed->name);
+        BallErrors& errors = balls.emplace_back(filmed->name);
         std::array<light::EnvironmentLight, kWays.size()> lights;
         for (size_t way = 0; way < kWays.size(); ++way) lights[way] = lightOf(*filmed, kWays[way]);
         for (const light::EnvironmentLight& each : lights) errors.shadow.push_back(shadowOf(each));
@@ -163,22 +161,22 @@ Result<LitBalls> lightBalls(const Path& sheet) {
     return balls;
 }
 
-std::string ballTable(const LitBalls& balls) {
+std::string ballTable(const std::vector<BallErrors>& balls) {
     std::string out = "| frame | matte: thesis | linear | auto | glossy: thesis | linear | auto | shadow, %: "
                       "thesis | linear | auto | true |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     std::array<std::vector<double>, 2 * kWays.size()> columns;
-    for (const BallErrors& each : balls.errors) {
+    for (const BallErrors& each : balls) {
         out += "| " + each.frame + " |";
         for (size_t i = 0; i < columns.size(); ++i) {
             const double error = i < kWays.size() ? each.matte[i] : each.glossy[i - kWays.size()];
-            out += text(" %.3f |", error);
+            out += fmt::format(" {:.3f} |", error);
             columns[i].push_back(error);
         }
-        for (const double share : each.shadow) out += text(" %.0f |", 100 * share);
+        for (const double share : each.shadow) out += fmt::format(" {:.0f} |", 100 * share);
         out += "\n";
     }
     out += "| median |";
-    for (auto& column : columns) out += text(" %.3f |", math::median(column));
+    for (auto& column : columns) out += fmt::format(" {:.3f} |", math::median(column));
     return out + " | | | |\n";
 }
 

@@ -1,8 +1,8 @@
 // bench_chart FOLDER [--quick]: measures, writes tables and what the picture is drawn from. tests/bench/chart
 // builds it, starts it and draws.
 #include "tests/TestPaths.h"
-#include "tests/bench/light/Picture.h"
-#include "tests/bench/light/Tables.h"
+#include "tests/bench/Bench.h"
+#include "tests/bench/light/Measure.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -21,13 +21,8 @@ int main(int argc, char** argv) {
                                          .cache = folder / "truth",
                                          .spread = quick ? 16 : 64,
                                          .quick = quick});
-    if (const Status lit = bench::lightBalls(folder / "balls.jpg").moveTo(chart.balls); !lit) {
-        std::fprintf(stderr, "chart: %s\n", lit.error().message().c_str());
-        return 1;
-    }
+    Status done = bench::lightBalls(folder / "balls.jpg").moveTo(chart.balls);
     for (const auto write : {bench::writeMarkdown, bench::writePicture})
-        if (const Status written = write(chart, folder); !written) {
-            std::fprintf(stderr, "chart: %s\n", written.error().message().c_str());
-            return 1;
-        }
+        if (done) done = write(chart, folder);
+    return bench::exitStatus("chart", done);
 }

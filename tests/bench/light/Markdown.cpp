@@ -1,7 +1,7 @@
 #include "engine/core/WriteFile.h"
-#include "tests/bench/light/Pooled.h"
-#include "tests/bench/light/Tables.h"
-#include "tests/bench/light/Text.h"
+#include "tests/bench/light/Measure.h"
+
+#include <fmt/format.h>
 
 namespace shoal::bench {
 
@@ -20,7 +20,7 @@ std::string nameOf(const Measured& method) {
 
 std::string percent(double value) {
     if (std::isnan(value)) return "not measured";
-    return text(value < 0.0995 ? "%.2f" : "%.1f", 100 * value);
+    return fmt::format("{:.{}f}", 100 * value, value < 0.0995 ? 2 : 1);
 }
 
 std::string diffuseTable(const Chart& chart) {
@@ -29,11 +29,10 @@ std::string diffuseTable(const Chart& chart) {
         "| source |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
     for (const Measured& each : chart.diffuse) {
         const Pool all = pooled(chart, each, Suns::With, 0, 1);
-        out +=
-            text("| %s | %.0f | %.1f | %.0f | %s | %s | %s | %s |\n", nameOf(each).c_str(),
-                 each.cost.update_us, each.cost.update_us / chart.read_us, each.cost.shade_ns,
-                 percent(all.rms()).c_str(), percent(pooled(chart, each, Suns::Without, 0, 1).rms()).c_str(),
-                 percent(all.worst()).c_str(), each.label.source.c_str());
+        out += fmt::format("| {} | {:.0f} | {:.1f} | {:.0f} | {} | {} | {} | {} |\n", nameOf(each),
+                           each.cost.update_us, each.cost.update_us / chart.read_us, each.cost.shade_ns,
+                           percent(all.rms()), percent(pooled(chart, each, Suns::Without, 0, 1).rms()),
+                           percent(all.worst()), each.label.source);
     }
     return out;
 }
@@ -47,14 +46,12 @@ std::string glossyTable(const Chart& chart) {
         const Pool all = pooled(chart, each, Suns::Without, 0, kGlossyLobes);
         const Pool suns = pooled(chart, each, Suns::Only, 0, kGlossyLobes);
         const double both = frame_us(each.cost, kGlossyPixels);
-        out += text(
-            "| %s | %.0f | %.0f | %.0f | %.1f | %s | %s | %s | %s | %s | %s | %s |\n", nameOf(each).c_str(),
-            each.cost.update_us, each.cost.shade_ns, both, both / chart.read_us, percent(all.rms()).c_str(),
-            percent(pooled(chart, each, Suns::Without, 0, kNarrowLobes).rms()).c_str(),
-            percent(pooled(chart, each, Suns::Without, kNarrowLobes, kGlossyLobes - kNarrowLobes).rms())
-                .c_str(),
-            percent(all.worst()).c_str(), percent(suns.rms()).c_str(), percent(suns.worst()).c_str(),
-            each.label.source.c_str());
+        out += fmt::format(
+            "| {} | {:.0f} | {:.0f} | {:.0f} | {:.1f} | {} | {} | {} | {} | {} | {} | {} |\n", nameOf(each),
+            each.cost.update_us, each.cost.shade_ns, both, both / chart.read_us, percent(all.rms()),
+            percent(pooled(chart, each, Suns::Without, 0, kNarrowLobes).rms()),
+            percent(pooled(chart, each, Suns::Without, kNarrowLobes, kGlossyLobes - kNarrowLobes).rms()),
+            percent(all.worst()), percent(suns.rms()), percent(suns.worst()), each.label.source);
     }
     return out;
 }
@@ -62,7 +59,7 @@ std::string glossyTable(const Chart& chart) {
 std::string roughnessTable(const Chart& chart) {
     std::string out = "| method |", rule = "|---|";
     for (const float roughness : kRoughnesses) {
-        out += text(" %.1f |", static_cast<double>(roughness));
+        out += fmt::format(" {:.1f} |", static_cast<double>(roughness));
         rule += "--:|";
     }
     out += "\n" + rule + "\n";
@@ -83,9 +80,8 @@ std::string pyramidTable(const Chart& chart) {
         Pool pool;
         for (const auto& errors : each.errors)
             for (const EnvironmentError& error : errors) pool.add(error);
-        out += text("| %s | %.0f | %.1f | %s | %s |\n", nameOf(each).c_str(), each.cost.update_us,
-                    each.cost.update_us / chart.read_us, percent(pool.rms()).c_str(),
-                    percent(pool.worst()).c_str());
+        out += fmt::format("| {} | {:.0f} | {:.1f} | {} | {} |\n", nameOf(each), each.cost.update_us,
+                           each.cost.update_us / chart.read_us, percent(pool.rms()), percent(pool.worst()));
     }
     return out;
 }
@@ -101,7 +97,7 @@ std::string toneMapTable(const Chart& chart) {
     out += " source |\n" + rule + "---|\n";
     for (const Measured& each : chart.toneMaps) {
         out += "| " + nameOf(each) +
-               (each.cost.update_us > 0 ? text(" | %.1f |", each.cost.update_us / 1e3) : " | |");
+               (each.cost.update_us > 0 ? fmt::format(" | {:.1f} |", each.cost.update_us / 1e3) : " | |");
         for (const bool film : {false, true})
             for (const size_t lobe : {0, 1})
                 out += " " + percent(medianOfToneMap(chart, each, film, lobe)) + " |";
@@ -124,12 +120,12 @@ std::string environmentList(const Chart& chart) {
 
 Status writeMarkdown(const Chart& chart, const Path& folder) {
     std::string md = "# Speed against accuracy\n\n![The chart](chart.svg)\n\n";
-    md += text(
+    md += fmt::format(
         R"(Time: one core, warm, the shortest of many runs, for a 2048x1024 frame of the game's video. A plain read of that
-frame's bytes takes %.0f us (as compiled for any x86-64; %.0f us by the widest registers), its radiance pyramid %.0f us; a
+frame's bytes takes {:.0f} us (as compiled for any x86-64; {:.0f} us by the widest registers), its radiance pyramid {:.0f} us; a
 method that reads the pyramid is charged with it. "ns a pixel" is the processor's time to shade one pixel of a ball, by
 the lookups of engine/light/Lookup.h where there are any. All of Shoal's light for the surfaces of the game's own dive
-(diffuse, and glossy from roughness %.2f up) takes %.0f us: %.1f reads.
+(diffuse, and glossy from roughness {:.2f} up) takes {:.0f} us: {:.1f} reads.
 
 Error: against the integral over every texel at full resolution in double precision, relative root mean square over
 directions spread evenly and the six axes; environments and roughnesses weigh the same however bright they are. "Worst
@@ -141,14 +137,14 @@ twentieth of the light.
         chart.read_us, chart.wideRead_us, chart.pyramid_us, static_cast<double>(kReefRoughness),
         chart.reef_us, chart.reef_us / chart.read_us);
     md += "## Diffuse\n\n" + diffuseTable(chart);
-    md += text(R"(
+    md += fmt::format(R"(
 ## Glossy
 
-"both" is one update and %.0f shaded pixels. Errors are those of environments without point suns, but for the last two
+"both" is one update and {:.0f} shaded pixels. Errors are those of environments without point suns, but for the last two
 columns of figures.
 
 )",
-               kGlossyPixels);
+                      kGlossyPixels);
     md += glossyTable(chart) +
           "\n![With point suns](suns.svg)\n\nError in %, by roughness, environments without point suns:\n\n" +
           roughnessTable(chart);

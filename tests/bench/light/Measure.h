@@ -1,17 +1,59 @@
-// Measurements of every method over every environment.
+// Measurements of every method over every environment, single figures from them, and what is written of them.
 #pragma once
 
+#include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "tests/baselines/light/Baselines.h"
 #include "tests/bench/light/Environments.h"
-#include "tests/bench/light/Errors.h"
-#include "tests/bench/light/LitBalls.h"
 #include "tests/bench/light/Truth.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace shoal::bench {
+
+// Errors over the directions of one environment, relative to the truth.
+struct EnvironmentError {
+    double rms = 0;   // root of sum |got - want|^2 over sum |want|^2
+    double worst = 0; // largest |got - want| / |want|; where it is darker than a tenth of the root mean
+                      // square, relative to that
+};
+
+inline EnvironmentError errorOf(const std::vector<glm::dvec3>& got, const std::vector<glm::dvec3>& want) {
+    double off = 0, whole = 0;
+    for (size_t i = 0; i < got.size(); ++i) {
+        off += glm::dot(got[i] - want[i], got[i] - want[i]);
+        whole += glm::dot(want[i], want[i]);
+    }
+    const double minimum = 0.1 * std::sqrt(whole / static_cast<double>(want.size()));
+    EnvironmentError error{std::sqrt(off / whole), 0};
+    for (size_t i = 0; i < got.size(); ++i)
+        error.worst =
+            std::max(error.worst, glm::length(got[i] - want[i]) / std::max(glm::length(want[i]), minimum));
+    return error;
+}
+
+// Errors over several environments or lobes, each with the same weight however bright it is.
+class Pool {
+  public:
+    void add(const EnvironmentError& error) {
+        squares_ += error.rms * error.rms;
+        worst_ = std::max(worst_, error.worst);
+        ++count_;
+    }
+    // NaN if nothing was measured.
+    double rms() const { return std::sqrt(squares_ / count_); }
+    double worst() const { return count_ ? worst_ : std::nan(""); }
+
+  private:
+    double squares_ = 0, worst_ = 0;
+    int count_ = 0;
+};
 
 // Times on one core with warm caches, shortest of many runs, for a 2048x1024 frame.
 struct Cost {
@@ -30,6 +72,16 @@ struct EnvironmentFact {
     bool coded = false, pointSun = false;
 };
 
+// Root mean square differences from the display values under the true light, 0 to 1, over a ball lit by each
+// light::FrameRadiance.
+struct BallErrors {
+    std::string frame;
+    std::vector<double> matte, glossy; // thesis, linear, auto
+    // Share of the light on level ground that comes from the strongest light, and that its shadow takes: by
+    // those three, and by the true light.
+    std::vector<double> shadow;
+};
+
 constexpr float kReefRoughness = 0.25f; // of the smoothest surface in the game's dive
 
 struct Chart {
@@ -45,7 +97,7 @@ struct Chart {
     std::vector<Measured> toneMaps;
     size_t toneMapsClipped = 0;
     std::vector<std::string> toneMapEnvironments;
-    LitBalls balls;
+    std::vector<BallErrors> balls; // one for each of filmedSources()
 };
 
 struct SessionConfig {
@@ -64,5 +116,40 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
 
 // Measures the whole chart. Reports its progress on standard error.
 Chart measure(const SessionConfig& plan);
+
+// Returns an environment as methods get it.
+inline light::baselines::Input inputOf(const Environment& environment,
+                                       const light::RadiancePyramid& pyramid) {
+    light::baselines::Input input{&pyramid, {}, nullptr};
+    if (environment.coded())
+        input.coded = environment.view();
+    else
+        input.radianceLin = &environment.radianceLin;
+    return input;
+}
+
+constexpr size_t kGlossyLobes = std::size(kRoughnesses);
+constexpr double kGlossyPixels = 100000; // shaded in a frame, for one figure of a glossy method's cost
+
+// Chooses environments.
+enum class Suns { With, Without, Only };
+Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes);
+
+// Returns the median of one lobe's root mean square errors by an inverse tone mapping, over the clipped HDR
+// pictures or over our film. NaN if nothing was measured.
+double medianOfToneMap(const Chart& chart, const Measured& method, bool film, size_t lobe);
+
+// Returns the microseconds for a frame with so many shaded pixels.
+double frame_us(const Cost& cost, double pixels);
+
+// Draws balls of known reflectance in frames of the game's own films, whose true light is known: in the light
+// made from the coded frame, and in the true light. sheet: a JPEG of five frames, a row each: thesis, linear,
+// auto, the true light; matte, then glossy.
+Result<std::vector<BallErrors>> lightBalls(const Path& sheet);
+// Returns a table whose last row is the medians over all frames.
+std::string ballTable(const std::vector<BallErrors>& balls);
+
+Status writeMarkdown(const Chart& chart, const Path& folder); // chart.md
+Status writePicture(const Chart& chart, const Path& folder);  // what chart.gp and tonemaps.gp draw
 
 } // namespace shoal::bench

@@ -1,9 +1,8 @@
-#include "tests/bench/light/Measure.h"
-
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
-#include "tests/bench/light/Timing.h"
+#include "tests/bench/Bench.h"
+#include "tests/bench/light/Measure.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,9 +1,7 @@
-#include "tests/bench/light/Picture.h"
-
 #include "engine/core/WriteFile.h"
-#include "tests/bench/light/Pooled.h"
-#include "tests/bench/light/Text.h"
+#include "tests/bench/light/Measure.h"
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -11,11 +9,15 @@
 
 #include <algorithm>
 
+// Data that chart.gp draws: points, their names placed without overlap, and the Pareto front.
 namespace shoal::bench {
 
 using light::baselines::Role;
 
 namespace {
+
+// The size of one panel's plot in a picture 900 pixels wide; chart.gp places it so.
+constexpr double kPanelWidth = 810, kPanelHeight = 430;
 
 struct Point {
     const Measured* method = nullptr;
@@ -128,24 +130,24 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
             families.push_back(each.method->label.family);
 
     std::string out, names, styles;
-    out += text("%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.minimum, name, x.maximum,
-                name, y.minimum, name, y.maximum);
+    out += fmt::format("{}_left = {:g}; {}_right = {:g}; {}_low = {:g}; {}_high = {:g}\n", name, x.minimum,
+                       name, x.maximum, name, y.minimum, name, y.maximum);
     const auto block = [&](const std::string& title, auto&& include) {
-        out += text("$%s_%s << END\n", name, title.c_str());
+        out += fmt::format("${}_{} << END\n", name, title);
         for (const Point& each : points)
             if (include(each))
-                out += text("%.8g %.8g %.8g %.8g \"%s\"\n", each.cost_us, each.error_percent,
-                            x.fromPixel(each.name.x), y.fromPixel(each.name.y),
-                            each.method->label.brief.c_str());
-        out += text("END\n");
+                out +=
+                    fmt::format("{:.8g} {:.8g} {:.8g} {:.8g} \"{}\"\n", each.cost_us, each.error_percent,
+                                x.fromPixel(each.name.x), y.fromPixel(each.name.y), each.method->label.brief);
+        out += "END\n";
     };
     for (size_t i = 0; i < families.size(); ++i) {
         block("family" + std::to_string(i + 1),
               [&](const Point& each) { return each.method->label.family == families[i]; });
-        names += text("\"%s\" ", families[i].c_str());
-        styles += text("%d ", styleOf(families[i]));
+        names += fmt::format("\"{}\" ", families[i]);
+        styles += fmt::format("{} ", styleOf(families[i]));
     }
-    out += text("%s_families = '%s'; %s_styles = '%s'\n", name, names.c_str(), name, styles.c_str());
+    out += fmt::format("{}_families = '{}'; {}_styles = '{}'\n", name, names, name, styles);
     block("all", [](const Point&) { return true; });
     block("thesis", [](const Point& each) { return each.method->label.role == Role::Thesis; });
     // Names that stand apart from their points get a line.
@@ -154,11 +156,11 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
         const glm::dvec2 between = glm::abs(each.name - each.at);
         return between.x > half + 16 || between.y > 6 + 16;
     };
-    out += text("%s_led_count = %td\n", name, std::count_if(points.begin(), points.end(), apart));
+    out += fmt::format("{}_led_count = {}\n", name, std::count_if(points.begin(), points.end(), apart));
     block("led", apart);
-    out += text("$%s_front << END\n", name);
-    for (const glm::dvec2& each : front) out += text("%.8g %.8g\n", each.x, each.y);
-    out += text("END\n");
+    out += fmt::format("${}_front << END\n", name);
+    for (const glm::dvec2& each : front) out += fmt::format("{:.8g} {:.8g}\n", each.x, each.y);
+    out += "END\n";
     return out;
 }
 
@@ -167,9 +169,9 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
 std::string toneMapPoints(const Chart& chart) {
     std::string out;
     for (const Measured& each : chart.toneMaps)
-        out += text("%.3f %.2f %.2f \"%s\"\n", each.cost.update_us / 1e3,
-                    100 * medianOfToneMap(chart, each, false, 0), 100 * medianOfToneMap(chart, each, true, 0),
-                    each.label.name.c_str());
+        out += fmt::format("{:.3f} {:.2f} {:.2f} \"{}\"\n", each.cost.update_us / 1e3,
+                           100 * medianOfToneMap(chart, each, false, 0),
+                           100 * medianOfToneMap(chart, each, true, 0), each.label.name);
     return out;
 }
 
@@ -187,10 +189,10 @@ Status writePicture(const Chart& chart, const Path& folder) {
         suns.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Only)});
     }
     if (Status s = writeFileWhole(folder / "tonemaps.dat", toneMapPoints(chart)); !s) return s;
-    return writeFileWhole(folder / "chart.data.gp",
-                          text("read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us) +
-                              panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4) +
-                              panel("suns", suns, 1.4));
+    return writeFileWhole(
+        folder / "chart.data.gp",
+        fmt::format("read_us = {:g}; pyramid_us = {:g}\n", chart.read_us, chart.pyramid_us) +
+            panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4) + panel("suns", suns, 1.4));
 }
 
 } // namespace shoal::bench

@@ -1,10 +1,8 @@
-#include "tests/bench/light/Measure.h"
-
 #include "engine/light/MakeLight.h"
 #include "engine/light/Pyramid.h"
 #include "engine/light/Vectorise.h"
-#include "tests/bench/light/Input.h"
-#include "tests/bench/light/Timing.h"
+#include "tests/bench/Bench.h"
+#include "tests/bench/light/Measure.h"
 
 #include <cstdio>
 #include <cstring>

@@ -1,14 +1,14 @@
 #include "tests/bench/light/Truth.h"
-
 #include "engine/core/Hash.h"
 #include "engine/core/WriteFile.h"
 #include "tests/baselines/light/Reference.h"
+#include "tests/bench/Bench.h"
 
-#include <atomic>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstring>
 #include <numbers>
-#include <thread>
 
 namespace shoal::bench {
 
@@ -39,9 +39,7 @@ Path fileOf(const ImageRgbF& image, std::span<const glm::dvec3> dirs, const Path
     hash.bytes(image.pixels.data(), image.pixels.size() * sizeof(float));
     for (const glm::dvec3& dir : dirs) hash.bytes(&dir[0], 3 * sizeof(double));
     for (const float roughness : kRoughnesses) hash.add(roughness);
-    char name[32];
-    std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash.value()));
-    return folder / name;
+    return folder / fmt::format("{:016x}", hash.value());
 }
 
 } // namespace
@@ -49,14 +47,8 @@ Path fileOf(const ImageRgbF& image, std::span<const glm::dvec3> dirs, const Path
 Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
                 std::span<const light::Lobe> lobes) {
     Truth truth(dirs.size());
-    std::atomic<size_t> next{0};
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back([&] {
-            for (size_t k; (k = next++) < dirs.size();)
-                truth[k] = light::referenceRadiance(radianceLin, dirs[k], lobes);
-        });
-    for (std::thread& thread : threads) thread.join();
+    onAllCores(dirs.size(),
+               [&](size_t k) { truth[k] = light::referenceRadiance(radianceLin, dirs[k], lobes); });
     return truth;
 }
 

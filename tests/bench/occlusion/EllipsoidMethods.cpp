@@ -1,11 +1,12 @@
 // The game's method: bodies as ellipsoids on their joints, which hide the ends of a few axes.
+#include "content/make/models/occlusion/FitEllipsoids.h"
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/light/Lookup.h"
-#include "tests/bench/occlusion/EllipsoidParts.h"
+#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include "tests/bench/occlusion/Method.h"
 
-#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace shoal::bench {
@@ -13,6 +14,32 @@ namespace shoal::bench {
 namespace {
 
 constexpr int kRays = 6; // at each of three points in a triangle, as the game self-occlusion
+
+constexpr size_t kHunterParts = 12, kBodyParts = 4; // as the game fits them
+
+occlusion::Ellipsoid moved(const occlusion::Ellipsoid& at, const glm::mat4& to) {
+    occlusion::Ellipsoid out = at;
+    const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(to))));
+    out.centre = glm::vec3(to * glm::vec4(at.centre, 1));
+    out.worldFromAxes = glm::mat3(to) * at.worldFromAxes / scale;
+    out.semiAxes = scale * at.semiAxes;
+    return out;
+}
+
+// Returns the parts of a body, by bone.
+std::vector<occlusion::BodyPart> partsOf(const Body& body) {
+    if (!body.parts.empty()) return body.parts;
+    const std::vector<uint16_t> joints(body.boneOf.begin(), body.boneOf.end());
+    std::vector<uint32_t> indices;
+    for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+    return occlusion::fitEllipsoids({body.rest.positions, indices, joints}, occlusion::Parts::ByShape,
+                                    body.name == "shark" ? kHunterParts : kBodyParts);
+}
+
+// Returns the ellipsoid posed in the world.
+occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body) {
+    return {moved(part.atRest, body.worldFromRest[part.joint]), 1, body.sentBack};
+}
 
 struct State {
     const Scene* scene = nullptr;
@@ -64,6 +91,15 @@ const OcclusionLabel kLabels[] = {
      "ellipsoids on joints", "engine/occlusion", Part::Game}};
 
 } // namespace
+
+std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene) {
+    std::vector<std::vector<occlusion::Occluder>> casting(scene.bodies.size());
+    for (size_t b = 0; b < scene.bodies.size(); ++b)
+        for (const occlusion::BodyPart& part : partsOf(scene.bodies[b]))
+            for (size_t other = 0; other < scene.bodies.size(); ++other)
+                if (other != b) casting[other].push_back(posed(part, scene.bodies[b]));
+    return casting;
+}
 
 OcclusionMethod ellipsoids(Casting casting) {
     const auto state = std::make_shared<State>();

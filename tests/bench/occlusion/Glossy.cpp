@@ -1,14 +1,12 @@
-#include "tests/bench/occlusion/Glossy.h"
-
 #include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
 #include "tests/baselines/occlusion/AmbientOcclusion.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
-#include "tests/bench/light/Timing.h"
-#include "tests/bench/occlusion/EllipsoidParts.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
+#include "tests/bench/occlusion/Measure.h"
 #include "tests/bench/occlusion/Truth.h"
 
 #include <cmath>

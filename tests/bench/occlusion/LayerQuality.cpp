@@ -1,11 +1,10 @@
-#include "tests/bench/occlusion/LayerQuality.h"
-
 #include "engine/core/Random.h"
 #include "tests/baselines/occlusion/Mirror.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
-#include "tests/bench/light/Timing.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
+#include "tests/bench/occlusion/Measure.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // bench_occlusion FOLDER [--quick]: measures, writes tables and what the picture is drawn from.
 // tests/bench/occlusion_chart builds it, starts it and draws.
 #include "tests/TestPaths.h"
-#include "tests/bench/occlusion/Report.h"
-#include "tests/bench/occlusion/Sheet.h"
+#include "tests/bench/Bench.h"
+#include "tests/bench/occlusion/Measure.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,20 +16,15 @@ int main(int argc, char** argv) {
         return 2;
     }
     const bool quick = option == "--quick";
-    const auto complain = [](const Error& error) {
-        std::fprintf(stderr, "occlusion: %s\n", error.message().c_str());
-        return 1;
-    };
     const Path folder = argv[1];
     const char* shared = std::getenv("SHOAL_SHARED");
     const auto scenes = bench::makeScenes();
-    if (!scenes) return complain(scenes.error());
-    if (const Status drawn = bench::writeSheet(std::span(*scenes).first(bench::kShownScenes), folder); !drawn)
-        return complain(drawn.error());
-    if (option == "--sheet") return 0;
+    if (!scenes) return bench::exitStatus("occlusion", scenes.error());
+    Status done = bench::writeSheet(std::span(*scenes).first(bench::kShownScenes), folder);
+    if (!done || option == "--sheet") return bench::exitStatus("occlusion", done);
     const auto chart = bench::measureOcclusion(*scenes, shared ? shared : "", quick);
     const auto layers = bench::measureLayers(*scenes, quick);
-    for (const Status& written :
-         {bench::writeOcclusionMarkdown(chart, layers, folder), bench::writeOcclusionPicture(chart, folder)})
-        if (!written) return complain(written.error());
+    done = bench::writeOcclusionMarkdown(chart, layers, folder);
+    if (done) done = bench::writeOcclusionPicture(chart, folder);
+    return bench::exitStatus("occlusion", done);
 }

@@ -1,7 +1,7 @@
 #include "tests/bench/occlusion/Measure.h"
-
-#include "tests/bench/light/Timing.h"
-#include "tests/bench/occlusion/Environment.h"
+#include "engine/light/MakeLight.h"
+#include "tests/bench/Bench.h"
+#include "tests/bench/light/Environments.h"
 
 #include <cmath>
 #include <cstdio>
@@ -28,6 +28,52 @@ SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, s
         }
     }
     return {std::sqrt(off[0] / whole[0]), std::sqrt(off[1] / whole[1])};
+}
+
+std::vector<LitEnvironment> litEnvironments(const Path& shared, bool quick) {
+    std::vector<LitEnvironment> all;
+    light::LightMaker video({.baseWidth = 512, .minRoughness = 0.25f});
+    light::LightMaker still(
+        {.baseWidth = 1024, .minRoughness = 0.25f, .quality = light::LightQuality::Still});
+    for (const EnvironmentSource& source : environmentSources(shared, quick)) {
+        const auto environment = source.load();
+        if (!environment) {
+            std::fprintf(stderr, "occlusion: left out, not at hand: %s\n", source.name.c_str());
+            continue;
+        }
+        LitEnvironment& lit = all.emplace_back();
+        lit.lit.name = source.name;
+        lit.lit.pointSun = hasPointSun(environment->radianceLin);
+        if (environment->coded())
+            video.make(environment->view(), lit.lit.light);
+        else
+            still.makeFromHdr(environment->radianceLin, lit.lit.light);
+        lit.lit.harmonics = math::shProject(lit.lit.light.radiance.levels[1]);
+        lit.fine = fineOf(environment->radianceLin);
+    }
+    return all;
+}
+
+std::vector<OcclusionMethod> occlusionMethods() {
+    std::vector<OcclusionMethod> all;
+    all.push_back(ignored()); // first
+    all.push_back(bakedOcclusion(true));
+    all.push_back(bakedOcclusion(false));
+    all.push_back(transfer(3, true));
+    all.push_back(transfer(4, true));
+    all.push_back(transfer(4, false));
+    all.push_back(coherentShadowMaps(256, 64));
+    all.push_back(coherentShadowMaps(512, 128));
+    all.push_back(layeredDepth(64, 128));
+    all.push_back(layeredDepth(256, 128));
+    for (const int directions : {64, 256}) {
+        all.push_back(thesisLayers(directions));
+        all.push_back(curedLayers(directions));
+    }
+    for (const Casting casting : {Casting::Others, Casting::OthersAndFolds, Casting::All})
+        all.push_back(ellipsoids(casting));
+    for (const int directions : {16, 64, 256}) all.push_back(exactRays(directions));
+    return all;
 }
 
 } // namespace

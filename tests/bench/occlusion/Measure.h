@@ -1,12 +1,40 @@
-// Measurements of every method over every scene and environment.
+// Measurements of every method over every scene and environment, and what is written of them.
 #pragma once
 
 #include "engine/core/Files.h"
-#include "tests/bench/occlusion/Glossy.h"
+#include "tests/bench/occlusion/Cells.h"
 #include "tests/bench/occlusion/Method.h"
+#include "tests/bench/occlusion/Scene.h"
 #include "tests/bench/occlusion/Truth.h"
 
+#include <string>
+#include <vector>
+
 namespace shoal::bench {
+
+// An environment of the light's chart, in the forms that methods and the truth read.
+struct LitEnvironment {
+    Lit lit;
+    Fine fine;
+};
+
+// Glossy light under occlusion.
+constexpr float kGlossyRoughness = 0.25f; // of the smoothest surface in the game's dive
+
+struct GlossyMeasured {
+    std::string name;
+    std::vector<double> errors; // [scene]: relative RMS over environments without point suns, equal weights
+    std::vector<double> receiver_ns; // [scene]
+};
+
+struct GlossyChart {
+    std::vector<double> noise; // [scene]: of the truth, the largest of any environment
+    std::vector<GlossyMeasured> methods;
+};
+
+// Adds a scene to the chart.
+void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays,
+                   std::span<const Receiver> receivers, std::span<const LitEnvironment> environments);
 
 // Relative root mean square errors in one scene and environment; NaN: not measured.
 struct SceneError {
@@ -33,5 +61,29 @@ struct OcclusionChart {
 };
 
 OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& shared, bool quick);
+
+// Quality of layered fragment buffers by their size: gaps, and errors in the picture of a body as a mirror.
+struct LayerQuality {
+    std::string body, method;
+    int views = 0, resolution = 0;
+    size_t bytes = 0;
+    double gaps = 0; // share of rays that hit where they should not, or the reverse
+    double bounced[3] = {
+        0, 0, 0}; // relative RMS of the mirror's picture: 1, 2, 8 bounces allowed, as the truth has them
+    double ray_ns = 0, build_ms = 0;
+};
+
+// Measures the bodies that stand alone, by the thesis' method and the cured one, over views and resolutions.
+std::vector<LayerQuality> measureLayers(std::span<const Scene> scenes, bool quick);
+
+Status writeOcclusionMarkdown(const OcclusionChart& chart, const std::vector<LayerQuality>& layers,
+                              const Path& folder);                             // occlusion.md
+Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder); // occlusion.data.gp
+
+constexpr size_t kShownScenes = 6; // those of black bodies
+
+// Draws every scene side by side: without occlusion, by the methods, and the truth. Writes
+// occlusion_sheet.png, without text: a row for each scene, columns as sheet.gp names them.
+Status writeSheet(std::span<const Scene> scenes, const Path& folder);
 
 } // namespace shoal::bench

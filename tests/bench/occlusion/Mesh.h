@@ -3,7 +3,6 @@
 
 #include "tests/baselines/occlusion/Visibility.h"
 
-#include <functional>
 #include <vector>
 
 namespace shoal::bench {
@@ -15,10 +14,10 @@ struct Mesh {
     occlusion::BodyMesh view() const { return {positions, normals, triangles}; }
 };
 
-// Returns the closed surface at which a smooth function is 0, negative inside. Each vertex is moved onto the
-// surface, and normals are the function's gradient. Naive surface nets (Gibson 1998, "Constrained Elastic
-// Surface Nets") on cubes of `cell` metres.
-Mesh surfaceOf(const std::function<float(const glm::vec3&)>& distance, const glm::vec3& low,
-               const glm::vec3& high, float cell);
+// Three closed bodies made in code, about 20 cm across: like the teapot and the bunny of the literature, and
+// a torus.
+Mesh teapot(); // belly, lid, spout and handle in one
+Mesh bunny();  // sitting, ears up
+Mesh torus();  // lying: axis +Y
 
 } // namespace shoal::bench

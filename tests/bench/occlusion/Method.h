@@ -1,6 +1,7 @@
 // One interface for all methods of diffuse light under occlusion: structs of functions.
 #pragma once
 
+#include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "tests/bench/occlusion/Scene.h"
@@ -46,8 +47,6 @@ struct OcclusionMethod {
 // Returns the method that ignores occlusion.
 OcclusionMethod ignored();
 
-std::vector<OcclusionMethod> occlusionMethods();
-
 // The other methods, each defined in a file of its own kind.
 OcclusionMethod bakedOcclusion(bool ownBodyAtRest);
 OcclusionMethod transfer(int bands, bool ownBodyAtRest);
@@ -58,6 +57,8 @@ OcclusionMethod exactRays(int directions);
 // ellipsoids if it bends sharply.
 enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);
+// Returns, for each body, the ellipsoids of all other bodies.
+std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene);
 OcclusionMethod thesisLayers(int directions);
 OcclusionMethod curedLayers(int directions);
 

@@ -1,8 +1,15 @@
 // Methods that test a set of directions for occlusion at each point.
 #include "engine/light/Lookup.h"
 #include "tests/baselines/occlusion/CoherentShadowMaps.h"
+#include "tests/baselines/occlusion/Directions.h"
 #include "tests/baselines/occlusion/LayeredDepth.h"
-#include "tests/bench/occlusion/RayMethod.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
+#include "tests/bench/occlusion/LayeredBodies.h"
+#include "tests/bench/occlusion/Method.h"
+
+#include <memory>
+#include <optional>
 
 namespace shoal::bench {
 
@@ -16,18 +23,72 @@ std::vector<Triangles> trianglesOf(const Scene& scene) {
     return all;
 }
 
-} // namespace
-
+// Returns the level of the environment's pyramid that directions sample.
 const ImageRgbF& directedFrom(const Lit& lit) {
     for (const ImageRgbF& level : lit.light.radiance.levels)
         if (level.width <= 128) return level;
     return lit.light.radiance.levels.back();
 }
 
+// Makes a method from any structure that can tell whether rays are occluded. make(scene, rays) -> Structure;
+// occluded(structure, receiver, direction, its index) -> bool.
+template <class Structure, class Make, class IsOccluded>
+OcclusionMethod rayMethod(OcclusionLabel label, std::vector<glm::vec3> directions,
+                          OcclusionMethod::Moves moves, Make make, IsOccluded occluded) {
+    struct State {
+        std::optional<Structure> structure;
+        DirectedLight light;
+        const ImageRgbF* map = nullptr;
+        std::vector<bool> known; // [receiver][direction]: whether it is occluded
+    };
+    const auto state = std::make_shared<State>();
+    return {std::move(label),
+            [=](const Scene& scene, const Rays& rays) {
+                state->structure.emplace(make(scene, rays));
+                state->known.clear();
+            },
+            [=] { return state->structure->bytes(); },
+            [=](const Lit& lit) {
+                state->light = directedLight(directedFrom(lit), directions);
+                state->map = &lit.light.diffuse;
+            },
+            [=](std::span<const Receiver> at, std::span<glm::vec3> out) {
+                const size_t count = state->light.directions.size();
+                for (size_t i = 0; i < at.size(); ++i)
+                    out[i] = light::lookUp(*state->map, at[i].normal) *
+                             shareSeen(state->light, at[i].normal, [&](size_t k) {
+                                 return !(state->known.empty() ? occluded(*state->structure, at[i],
+                                                                          state->light.directions[k], k)
+                                                               : state->known[i * count + k]);
+                             });
+            },
+            moves,
+            [=](std::span<const Receiver> at) {
+                state->known.clear();
+                for (const Receiver& each : at)
+                    for (size_t k = 0; k < directions.size(); ++k)
+                        state->known.push_back(glm::dot(directions[k], each.normal) <= 0 ||
+                                               occluded(*state->structure, each, directions[k], k));
+            }};
+}
+
+template <class Buffers>
+OcclusionMethod layers(OcclusionLabel label, int directions, const typename Buffers::Options& options) {
+    return rayMethod<LayeredBodies<Buffers>>(
+        std::move(label), evenDirections(directions), OcclusionMethod::Moves::Rigid,
+        [=](const Scene& scene, const Rays&) { return LayeredBodies<Buffers>(scene, options); },
+        [](const LayeredBodies<Buffers>& bodies, const Receiver& at, const glm::vec3& direction, size_t) {
+            return bodies.occluded(at.position, direction, at.body);
+        });
+}
+
+} // namespace
+
 OcclusionMethod exactRays(int directions) {
     struct Exact {
         const Rays* rays = nullptr;
         float nearest = 0;
+        static size_t bytes() { return 0; }
     };
     return rayMethod<Exact>(
         {"exact rays, " + std::to_string(directions) + " directions", "exact " + std::to_string(directions),
@@ -37,9 +98,8 @@ OcclusionMethod exactRays(int directions) {
             return Exact{&rays, scene.nearest};
         },
         [](const Exact& exact, const Receiver& at, const glm::vec3& direction, size_t) {
-            return exact.rays->occluded(at.position, direction, exact.nearest) ? 0.0f : 1.0f;
-        },
-        [](const Exact&) { return size_t{0}; });
+            return exact.rays->occluded(at.position, direction, exact.nearest);
+        });
 }
 
 OcclusionMethod coherentShadowMaps(int directions, int size) {
@@ -51,9 +111,8 @@ OcclusionMethod coherentShadowMaps(int directions, int size) {
         spiral, OcclusionMethod::Moves::Rebuilt,
         [=](const Scene& scene, const Rays&) { return CoherentShadowMaps(trianglesOf(scene), spiral, size); },
         [](const CoherentShadowMaps& maps, const Receiver& at, const glm::vec3&, size_t k) {
-            return maps.occluded(at.position, k) ? 0.0f : 1.0f;
-        },
-        [](const CoherentShadowMaps& maps) { return maps.bytes(); });
+            return maps.occluded(at.position, k);
+        });
 }
 
 OcclusionMethod layeredDepth(int directions, int size) {
@@ -64,9 +123,23 @@ OcclusionMethod layeredDepth(int directions, int size) {
         [=](const Scene& scene, const Rays&) { return LayeredDepth(trianglesOf(scene), size); },
         [](const LayeredDepth& images, const Receiver& at, const glm::vec3& direction, size_t) {
             const glm::vec3 start = at.position + images.pixel_m() * at.normal;
-            return images.occluded(start, direction, images.pixel_m()) ? 0.0f : 1.0f;
-        },
-        [](const LayeredDepth& images) { return images.bytes(); });
+            return images.occluded(start, direction, images.pixel_m());
+        });
+}
+
+OcclusionMethod thesisLayers(int directions) {
+    return layers<occlusion::OllfbThesis>({"layered fragment buffers of the thesis, 150 views of 64, " +
+                                               std::to_string(directions) + " directions",
+                                           "thesis " + std::to_string(directions),
+                                           "layered fragments, thesis", "thesis, chapter 6", Part::Thesis},
+                                          directions, {.cells = 5, .resolution = 64});
+}
+
+OcclusionMethod curedLayers(int directions) {
+    return layers<occlusion::TracedOllfb>(
+        {"layered fragment buffers cured, 150 views of 64, " + std::to_string(directions) + " directions",
+         "cured " + std::to_string(directions), "layered fragments, cured", "engine/occlusion"},
+        directions, {.views = 150, .resolution = 64});
 }
 
 } // namespace shoal::bench

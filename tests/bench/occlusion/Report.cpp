@@ -1,15 +1,20 @@
-#include "tests/bench/occlusion/Report.h"
-
 #include "engine/core/WriteFile.h"
-#include "tests/bench/light/Text.h"
+#include "tests/bench/occlusion/Measure.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace shoal::bench {
 
+namespace {
+
+enum class Under { Reef, NoSuns, Suns };
+
+// Root mean square over the environments, each weighing the same.
 double pooledError(const OcclusionChart& chart, const OcclusionMeasured& method, size_t scene, Under which,
-                   double SceneError::*part) {
+                   double SceneError::*part = &SceneError::all) {
     double squares = 0;
     int count = 0;
     for (size_t s = 0; s < chart.environments.size(); ++s) {
@@ -24,11 +29,9 @@ double pooledError(const OcclusionChart& chart, const OcclusionMeasured& method,
     return std::sqrt(squares / count);
 }
 
-namespace {
-
 std::string percent(double value) {
     if (!std::isfinite(value)) return "-";
-    return text(value < 0.0995 ? "%.2f" : "%.1f", 100 * value);
+    return fmt::format("{:.{}f}", 100 * value, value < 0.0995 ? 2 : 1);
 }
 
 const char* movesOf(const OcclusionMeasured& method) {
@@ -49,13 +52,13 @@ std::string sceneTable(const OcclusionChart& chart, size_t scene) {
         "| method | reef video, % | without suns | shaded points | with suns | ns a receiver | kB | "
         "us a rebuilt body | moves | source |\n|---|--:|--:|--:|--:|--:|--:|--:|---|---|\n";
     for (const OcclusionMeasured& each : chart.methods)
-        out += text("| %s | %s | %s | %s | %s | %.0f | %.1f | %.0f | %s | %s |\n", each.label.name.c_str(),
-                    percent(pooledError(chart, each, scene, Under::Reef)).c_str(),
-                    percent(pooledError(chart, each, scene, Under::NoSuns)).c_str(),
-                    percent(pooledError(chart, each, scene, Under::NoSuns, &SceneError::shaded)).c_str(),
-                    percent(pooledError(chart, each, scene, Under::Suns)).c_str(), each.receiver_ns[scene],
-                    static_cast<double>(each.bytes[scene]) * 1e-3, each.body_us[scene], movesOf(each),
-                    each.label.source.c_str());
+        out += fmt::format("| {} | {} | {} | {} | {} | {:.0f} | {:.1f} | {:.0f} | {} | {} |\n",
+                           each.label.name, percent(pooledError(chart, each, scene, Under::Reef)),
+                           percent(pooledError(chart, each, scene, Under::NoSuns)),
+                           percent(pooledError(chart, each, scene, Under::NoSuns, &SceneError::shaded)),
+                           percent(pooledError(chart, each, scene, Under::Suns)), each.receiver_ns[scene],
+                           static_cast<double>(each.bytes[scene]) * 1e-3, each.body_us[scene], movesOf(each),
+                           each.label.source);
     return out;
 }
 
@@ -78,20 +81,20 @@ square, the truth being followed for as many bounces.
 |---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|
 )";
     for (const LayerQuality& each : layers)
-        out += text("| %s | %s | %d | %d | %.0f | %s | %s | %s | %s | %.0f | %.0f |\n", each.body.c_str(),
-                    each.method.c_str(), each.views, each.resolution, static_cast<double>(each.bytes) * 1e-3,
-                    percent(each.gaps).c_str(), percent(each.bounced[0]).c_str(),
-                    percent(each.bounced[1]).c_str(), percent(each.bounced[2]).c_str(), each.ray_ns,
-                    each.build_ms);
+        out +=
+            fmt::format("| {} | {} | {} | {} | {:.0f} | {} | {} | {} | {} | {:.0f} | {:.0f} |\n", each.body,
+                        each.method, each.views, each.resolution, static_cast<double>(each.bytes) * 1e-3,
+                        percent(each.gaps), percent(each.bounced[0]), percent(each.bounced[1]),
+                        percent(each.bounced[2]), each.ray_ns, each.build_ms);
     return out;
 }
 
 std::string glossyTable(const OcclusionChart& chart) {
     std::string out =
-        text("\n## Glossy light, roughness %.2f\n\nEnvironments without point suns; error in %% "
-             "and ns a receiver, for "
-             "each scene. Noise of the truth:",
-             static_cast<double>(kGlossyRoughness));
+        fmt::format("\n## Glossy light, roughness {:.2f}\n\nEnvironments without point suns; error in % "
+                    "and ns a receiver, for "
+                    "each scene. Noise of the truth:",
+                    static_cast<double>(kGlossyRoughness));
     for (const double noise : chart.glossy.noise) out += " " + percent(noise);
     out += " %.\n\n| method |";
     std::string rule = "|---|";
@@ -103,7 +106,7 @@ std::string glossyTable(const OcclusionChart& chart) {
     for (const GlossyMeasured& each : chart.glossy.methods) {
         out += "| " + each.name + " |";
         for (size_t k = 0; k < chart.scenes.size(); ++k)
-            out += text(" %s | %.0f |", percent(each.errors[k]).c_str(), each.receiver_ns[k]);
+            out += fmt::format(" {} | {:.0f} |", percent(each.errors[k]), each.receiver_ns[k]);
         out += "\n";
     }
     return out;
@@ -128,7 +131,7 @@ std::string answer(const OcclusionChart& chart, Under which, double limit) {
         minimum = cost;
         best = &each;
     }
-    return best ? text("%s (%.0f ns)", best->label.name.c_str(), minimum) : "none";
+    return best ? fmt::format("{} ({:.0f} ns)", best->label.name, minimum) : "none";
 }
 
 } // namespace
@@ -151,17 +154,18 @@ methods only ellipsoids do, over one; elsewhere bodies are black.
 
 )";
     for (const double limit : {0.05, 0.10, 0.20})
-        md += text("Cheapest that moves and is at most %.0f %% wrong in both the hand's and the shark's "
-                   "scene: %s; in the reef's "
-                   "video: %s.\n",
-                   100 * limit, answer(chart, Under::NoSuns, limit).c_str(),
-                   answer(chart, Under::Reef, limit).c_str());
+        md += fmt::format(
+            "Cheapest that moves and is at most {:.0f} % wrong in both the hand's and the shark's "
+            "scene: {}; in the reef's "
+            "video: {}.\n",
+            100 * limit, answer(chart, Under::NoSuns, limit), answer(chart, Under::Reef, limit));
     for (size_t k = 0; k < chart.scenes.size(); ++k) {
-        md += text("\n## %s\n\n%.1f %% of the hemisphere is free on the mean. Noise of the truth at most %s "
-                   "%%, with point suns "
-                   "%s %%.\n\n",
-                   chart.scenes[k].c_str(), 100 * chart.open[k], percent(worstNoise(chart, k, false)).c_str(),
-                   percent(worstNoise(chart, k, true)).c_str());
+        md += fmt::format(
+            "\n## {}\n\n{:.1f} % of the hemisphere is free on the mean. Noise of the truth at most {} "
+            "%, with point suns "
+            "{} %.\n\n",
+            chart.scenes[k], 100 * chart.open[k], percent(worstNoise(chart, k, false)),
+            percent(worstNoise(chart, k, true)));
         md += sceneTable(chart, k);
     }
     md += glossyTable(chart) + layerTable(layers);
@@ -181,18 +185,18 @@ Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {
     for (size_t k = 0; k < chart.scenes.size(); ++k) {
         if (!isJudged(chart.scenes[k])) continue;
         ++panel;
-        out += text("title%d = '%s'\n", panel, chart.scenes[k].c_str());
+        out += fmt::format("title{} = '{}'\n", panel, chart.scenes[k]);
         std::string labels;
         struct Placed {
             double x = 0, y = 0; // decades
         };
         std::vector<Placed> taken;
         for (size_t f = 0; f < families.size(); ++f) {
-            out += text("$points%d_%zu << END\n", panel, f + 1);
+            out += fmt::format("$points{}_{} << END\n", panel, f + 1);
             for (const OcclusionMeasured& each : chart.methods) {
                 if (each.label.family != families[f]) continue;
                 const double x = each.receiver_ns[k], y = 100 * pooledError(chart, each, k, Under::NoSuns);
-                out += text("%.6g %.6g\n", x, y);
+                out += fmt::format("{:.6g} {:.6g}\n", x, y);
                 // Places a name beside its point, moved up or down until it covers no other name.
                 Placed at{std::log10(x), std::log10(y)};
                 const auto covers = [&](const Placed& p) {
@@ -204,12 +208,12 @@ Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {
                     at.y = std::log10(y) + 0.022 * static_cast<double>((step + 1) / 2) * (step % 2 ? 1 : -1);
                 taken.push_back(at);
                 const double kB = static_cast<double>(each.bytes[k]) * 1e-3;
-                labels += text("%.6g %.6g \"%s%s\"\n", x, std::pow(10, at.y), each.label.brief.c_str(),
-                               kB > 0 ? text(kB < 10 ? ", %.1f kB" : ", %.0f kB", kB).c_str() : "");
+                labels += fmt::format("{:.6g} {:.6g} \"{}{}\"\n", x, std::pow(10, at.y), each.label.brief,
+                                      kB > 0 ? fmt::format(", {:.{}f} kB", kB, kB < 10 ? 1 : 0) : "");
             }
             out += "END\n";
         }
-        out += text("$labels%d << END\n%sEND\n", panel, labels.c_str());
+        out += fmt::format("$labels{} << END\n{}END\n", panel, labels);
     }
     return writeFileWhole(folder / "occlusion.data.gp", out);
 }

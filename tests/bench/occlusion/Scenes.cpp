@@ -5,7 +5,6 @@
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Model.h"
 #include "input/hands/HandRig.h"
-#include "tests/bench/occlusion/Shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,13 +1,14 @@
-#include "tests/bench/occlusion/Sheet.h"
-
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
+#include "engine/light/MakeLight.h"
 #include "engine/media/Pictures.h"
 #include "tests/baselines/occlusion/Mirror.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
-#include "tests/bench/occlusion/Environment.h"
+#include "tests/bench/Bench.h"
+#include "tests/bench/light/Environments.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
+#include "tests/bench/occlusion/Measure.h"
 #include "tests/bench/occlusion/Truth.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -92,6 +93,17 @@ std::vector<Colours> columnsOf(const Scene& scene, const Rays& rays, const Lit& 
          {ignored(), thesisLayers(64), curedLayers(64), ellipsoids(Casting::All), exactRays(512)})
         all.push_back(matte(scene, rays, lit, samples, method));
     return all;
+}
+
+// Returns the light of a frame of the game's video, in open water.
+Result<Lit> reefLight() {
+    const auto sources = filmedSources();
+    const auto environment = sources.empty() ? std::nullopt : sources.front().load();
+    if (!environment) return Error{"content/video/reef.mp4", "cannot be read"};
+    Lit lit{.name = environment->name};
+    light::LightMaker({.baseWidth = 2048, .minRoughness = 0.25f}).make(environment->view(), lit.light);
+    lit.harmonics = math::shProject(lit.light.radiance.levels[2]);
+    return lit;
 }
 
 } // namespace

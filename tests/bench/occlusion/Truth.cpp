@@ -1,23 +1,11 @@
 #include "tests/bench/occlusion/Truth.h"
-
 #include "engine/core/Random.h"
+#include "tests/bench/Bench.h"
 
 #include <algorithm>
-#include <atomic>
 #include <numbers>
-#include <thread>
 
 namespace shoal::bench {
-
-void onAllCores(size_t count, const std::function<void(size_t)>& job) {
-    std::atomic<size_t> next{0};
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back([&] {
-            for (size_t k; (k = next++) < count;) job(k);
-        });
-    for (std::thread& thread : threads) thread.join();
-}
 
 namespace {
 

@@ -18,7 +18,4 @@ struct OccludedLight {
 OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<const Receiver> receivers,
                             const Cells& cells);
 
-// Runs job(i) for 0 .. count - 1 on all cores.
-void onAllCores(size_t count, const std::function<void(size_t)>& job);
-
 } // namespace shoal::bench

@@ -1,28 +1,89 @@
 // The graphics card answers as the processor does.
+#include "engine/gl/Program.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
 #include "engine/platform/Window.h"
+#include "engine/render/TriangleBatch.h"
+#include "shaders/occlusion/Bindings.glsl"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
-#include "tests/gl/occlusion/TracePass.h"
+#include "tests/gl/Spheres.h"
 #include "tests/unit/occlusion/Bodies.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <vector>
 
 namespace shoal::occlusion {
 namespace {
 
-class LayersGL : public testing::Test {
+// A ray in the shader's memory layout.
+struct RayGpu {
+    glm::vec3 origin{0};
+    float nearest = 0;
+    glm::vec3 direction{0};
+    float unused = 0;
+};
+static_assert(sizeof(RayGpu) == 32);
+
+// Traces many rays at once on the graphics card, one for each pixel of a picture of floats.
+struct TracePass {
+    gl::Program thesis, cured;
+
+    // Fails without OpenGL 4.3.
+    static Result<TracePass> make() {
+        if (Status status = canKeepLayers(); !status) return status.error();
+        TracePass pass;
+        const std::string stem = "../tests/gl/occlusion/Trace";
+        if (Status s = gl::Program::load(stem, {"THESIS"}, kStorageGlsl).moveTo(pass.thesis); !s)
+            return s.error();
+        if (Status s = gl::Program::load(stem, {}, kStorageGlsl).moveTo(pass.cured); !s) return s.error();
+        return pass;
+    }
+
+    // Traces as the methods' trace() does, body frame. Waits for the answers.
+    Result<std::vector<std::optional<Hit>>> trace(const LayersGpu& layers,
+                                                  std::span<const RayGpu> rays) const {
+        constexpr int kWidth = 256;
+        const int count = static_cast<int>(rays.size());
+        const int height = std::max(1, (count + kWidth - 1) / kWidth);
+        auto asked = storageBuffer(rays.data(), rays.size_bytes());
+        if (!asked) return asked.error();
+        const gl::Texture answers = gl::Texture::make();
+        glBindTexture(GL_TEXTURE_2D, answers.name());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+        const gl::Framebuffer picture = gl::Framebuffer::make();
+        glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, answers.name(), 0);
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            return Error{"", "a picture of floats cannot be drawn into here"};
+        glViewport(0, 0, kWidth, height);
+        glDisable(GL_DEPTH_TEST), glDisable(GL_BLEND), glDisable(GL_SCISSOR_TEST);
+        const gl::Program& program = layers.method() == LayerMethod::Thesis ? thesis : cured;
+        program.use();
+        layers.bind(program);
+        program.set("width", kWidth);
+        program.set("rayCount", count);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OCCLUSION_RAYS, asked->name());
+        render::WholePicture().draw();
+        std::vector<glm::vec4> pixels(static_cast<size_t>(kWidth) * static_cast<size_t>(height));
+        glReadPixels(0, 0, kWidth, height, GL_RGBA, GL_FLOAT, pixels.data());
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        std::vector<std::optional<Hit>> hits(rays.size());
+        for (size_t i = 0; i < hits.size(); ++i)
+            if (pixels[i].x >= 0)
+                hits[i] = Hit{pixels[i].x, glm::vec3(pixels[i].y, pixels[i].z, pixels[i].w)};
+        return hits;
+    }
+};
+
+class LayersGL : public WithContext {
   protected:
     void SetUp() override {
-        auto context = platform::Headless::open();
-        if (!context) GTEST_SKIP() << context.error().message();
-        context_ = std::move(*context);
+        WithContext::SetUp();
+        if (IsSkipped()) return;
         if (Status can = canKeepLayers(); !can) GTEST_SKIP() << can.error().message();
     }
-    std::optional<platform::Headless> context_;
 };
 
 std::vector<RayGpu> someRays(const Body& body, int count) {

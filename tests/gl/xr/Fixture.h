@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <filesystem>
 #include <regex>
 
@@ -55,6 +57,13 @@ class WithFakeRuntime : public testing::Test {
         auto window = platform::Window::open({"test", 64, 64, false, false});
         ASSERT_TRUE(window) << window.error().message();
         window_ = std::move(*window);
+    }
+    // Puts the middle between the eyes there, in LOCAL.
+    void placeHead(glm::vec3 at, glm::quat turn = {1, 0, 0, 0}) {
+        for (size_t eye = 0; eye < 2; ++eye) {
+            const glm::vec3 p = at + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
+            fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {p.x, p.y, p.z}};
+        }
     }
     // Checks that all objects were destroyed and that no forbidden call was made.
     void TearDown() override {

@@ -103,10 +103,7 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
     // The player stands somewhere else and looks to the right, and down.
     const glm::quat turn =
         glm::angleAxis(-1.2f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.4f, glm::vec3(1, 0, 0));
-    for (size_t eye = 0; eye < 2; ++eye) {
-        const glm::vec3 at = glm::vec3(2, 0.3f, -1) + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
-        fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {at.x, at.y, at.z}};
-    }
+    placeHead({2, 0.3f, -1}, turn);
     Headset headset = focused();
     emptyFrame(headset);
     const Tracking& now = headset.tracking();
@@ -241,8 +238,7 @@ TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
         EXPECT_LT(glm::distance(apart, 0.064f * glm::vec3(std::cos(yaw), 0, -std::sin(yaw))), 1e-5f) << flags;
     }
     fake.viewFlags = 0xf;
-    for (size_t eye = 0; eye < 2; ++eye)
-        fake.views[eye].pose = {{0, 0, 0, 1}, {eye == 0 ? -0.032f : 0.032f, 0.5f, 0}};
+    placeHead({0, 0.5f, 0});
     emptyFrame(headset);
     EXPECT_FALSE(headset.tracking().positionLost);
     EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.5f, 1e-5f);

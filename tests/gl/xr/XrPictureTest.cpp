@@ -41,8 +41,6 @@ class XrPicture : public test::WithFakeRuntime {
         ASSERT_TRUE(sceneRenderer) << sceneRenderer.error().message();
         sceneRenderer_ = std::move(*sceneRenderer);
         run_.emplace(*plan_);
-        // The eyes, canted, askew and apart, in LOCAL; the dive is centred there, so that only this is known:
-        // what each eye's pose is to the other's.
         fake.keepPictures = true;
         fake.period_s = 1.0 / 22; // so that the picture is there after few of them
     }
@@ -147,11 +145,7 @@ TEST_F(XrPicture, MovesWithTheHead) {
     show(*headset, 1);
     // Leans, turns and tilts the head.
     const glm::quat turn = glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f));
-    for (size_t eye = 0; eye < 2; ++eye) {
-        const glm::vec3 p =
-            glm::vec3(0.1f, -0.05f, 0.2f) + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
-        fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {p.x, p.y, p.z}};
-    }
+    placeHead({0.1f, -0.05f, 0.2f}, turn);
     show(*headset, 1);
     expectOrdinary({200, 240}, 1);
 }

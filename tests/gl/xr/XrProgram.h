@@ -34,7 +34,6 @@ class XrProgram : public test::WithFakeRuntime {
         fake.eyeWidth = 96;
         fake.eyeHeight = 112;
     }
-    void TearDown() override { WithFakeRuntime::TearDown(); }
 
     PlayOptions options() const {
         PlayOptions o;

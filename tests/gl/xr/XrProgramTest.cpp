@@ -69,11 +69,7 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     const glm::quat start = glm::angleAxis(0.9f, glm::vec3(0, 1, 0));
     const glm::vec3 at(1, 0.4f, 2), leanView(0.2f, 0, 0);
     const auto put = [this, start, at](glm::vec3 lean, float pitch) {
-        for (size_t eye = 0; eye < 2; ++eye) {
-            const glm::quat turn = start * glm::angleAxis(pitch, glm::vec3(1, 0, 0));
-            const glm::vec3 p = at + start * lean + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
-            fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {p.x, p.y, p.z}};
-        }
+        placeHead(at + start * lean, start * glm::angleAxis(pitch, glm::vec3(1, 0, 0)));
     };
     put({}, 0);
     fake.onWait = [=](FakeRuntime& f) {

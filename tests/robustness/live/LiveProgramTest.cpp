@@ -46,18 +46,7 @@ class LiveProgram : public tests::Program {
 
     Path stats() const { return folder_ / "stats.json"; }
     int finish() { return end(std::exchange(child_, -1)); }
-    int run(std::vector<std::string> words) {
-        child_ = start(std::move(words));
-        return finish();
-    }
-
-    std::string valueOf(const std::string& name) const {
-        const std::string text = textOf("stats.json"), key = "\"" + name + "\": ";
-        const size_t at = text.find(key);
-        if (at == std::string::npos) return "";
-        const size_t from = at + key.size();
-        return text.substr(from, text.find_first_of(",\n", from) - from);
-    }
+    std::string valueOf(const std::string& name) const { return statisticIn("stats.json", name); }
 };
 
 // Sends `count` pictures at some thirty a second, or fewer if the client leaves, for which each pause waits.
@@ -75,7 +64,7 @@ TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     const std::vector<std::string> play = {
         "play", "--headless", "--no-depth",       "--size",  "64x36",         "--fps",
         "30",   "--hands",    "script:" + script, "--stats", stats().string()};
-    ASSERT_EQ(run(play), 0) << err();
+    ASSERT_EQ(statusOf(play), 0) << err();
     const std::string undisturbed = valueOf("state_hash");
     ASSERT_EQ(undisturbed.size(), 18u);
     fs::remove(stats());
@@ -112,7 +101,7 @@ TEST_F(LiveProgram, AMissingStreamIsOneSentence) {
     const std::vector<std::string> play = {"play", "--headless", "--size", "64x36", "--at", "0.1", "--video"};
     const auto said = [&](const std::string& address, std::vector<std::string> words) {
         words.push_back(address);
-        EXPECT_EQ(run(std::move(words)), 1) << address;
+        EXPECT_EQ(statusOf(std::move(words)), 1) << address;
         const std::string text = err();
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
         return text;

@@ -8,14 +8,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
-#include <functional>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -27,11 +24,6 @@ using testing::HasSubstr;
 
 class Faults : public tests::Program {
   protected:
-    // Returns the exit status, or minus the signal that ended it. before: runs in the child.
-    int run(std::vector<std::string> words, const std::function<void()>& before = {}) const {
-        return end(start(std::move(words), before));
-    }
-    std::string said() const { return err(); }
     std::vector<std::string> play(std::vector<std::string> more) const {
         std::vector<std::string> words = {"play", "--headless", "--skip", "objects", "--size", "32x18"};
         words.insert(words.end(), more.begin(), more.end());
@@ -55,7 +47,7 @@ class Faults : public tests::Program {
             if (reader && reader->ticks() >= seconds * sim::kTickRate_Hz) return;
             std::this_thread::yield();
         }
-        ADD_FAILURE() << "it does not record: " << said();
+        ADD_FAILURE() << "it does not record: " << err();
     }
 };
 
@@ -71,12 +63,12 @@ TEST_F(Faults, SignalsEndADiveInOrder) {
             {"--hands", script(), "--fps", "30", "--record", file("a.replay"), "--stats", file("s.json")}));
         awaitRecording(child, 2);
         ::kill(child, signal);
-        EXPECT_EQ(end(child), 128 + signal) << said();
+        EXPECT_EQ(end(child), 128 + signal) << err();
         const auto recorded = tests::readRecorded(folder_ / "a.replay");
         ASSERT_TRUE(recorded) << recorded.error().message();
         EXPECT_THAT(readText(folder_ / "s.json").value(),
                     HasSubstr("\"ticks\": " + std::to_string(recorded->ticks()) + ","));
-        EXPECT_EQ(run(play({"--hands", "replay:" + file("a.replay")})), 0) << said();
+        EXPECT_EQ(statusOf(play({"--hands", "replay:" + file("a.replay")})), 0) << err();
         fs::remove(folder_ / "a.replay");
     }
 }
@@ -87,18 +79,18 @@ TEST_F(Faults, AKilledDiveLeavesItsRecording) {
     awaitRecording(child, 3);
     ::kill(child, SIGKILL);
     EXPECT_EQ(end(child), -SIGKILL);
-    EXPECT_EQ(run({"check", file("a.replay")}), 0) << said();
-    EXPECT_EQ(run(play({"--hands", "replay:" + file("a.replay")})), 1);
-    EXPECT_THAT(said(), HasSubstr("cut short"));
-    EXPECT_THAT(said(), HasSubstr("up to there the states are the same"));
+    EXPECT_EQ(statusOf({"check", file("a.replay")}), 0) << err();
+    EXPECT_EQ(statusOf(play({"--hands", "replay:" + file("a.replay")})), 1);
+    EXPECT_THAT(err(), HasSubstr("cut short"));
+    EXPECT_THAT(err(), HasSubstr("up to there the states are the same"));
 }
 
 TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
     const std::vector<std::string> words =
         play({"--hands", script(), "--at", "4", "--fps", "5", "--screenshot", file("a.png"), "--record",
               file("a.replay")});
-    EXPECT_EQ(run(words, [] { limitFiles(8192); }), 1);
-    EXPECT_THAT(said(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
+    EXPECT_EQ(statusOf(words, [] { limitFiles(8192); }), 1);
+    EXPECT_THAT(err(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
     EXPECT_TRUE(fs::exists(folder_ / "a.png")) << "it was played to its end";
     const auto reader = sim::RecordingReader::open(folder_ / "a.replay");
     ASSERT_TRUE(reader) << reader.error().message();
@@ -108,32 +100,32 @@ TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
 TEST_F(Faults, AFullDiskLeavesOldLightAndPicturesAlone) {
     const std::string film = (tests::sourceFolder() / "content/truth/reef_0120.hdr").string();
     for (const std::string format : {"hdr", "exr"}) {
-        EXPECT_EQ(run({"light", film, "--out", file("new"), "--format", format}, [] { limitFiles(4096); }),
-                  1);
-        EXPECT_THAT(said(), HasSubstr("cannot be"));
+        EXPECT_EQ(
+            statusOf({"light", film, "--out", file("new"), "--format", format}, [] { limitFiles(4096); }), 1);
+        EXPECT_THAT(err(), HasSubstr("cannot be"));
         EXPECT_FALSE(fs::exists(folder_ / "new"));
         fs::create_directory(folder_ / "old");
         write("old/diffuse." + format, "old");
-        EXPECT_EQ(run({"light", film, "--out", file("old"), "--format", format}, [] { limitFiles(4096); }),
-                  1);
+        EXPECT_EQ(
+            statusOf({"light", film, "--out", file("old"), "--format", format}, [] { limitFiles(4096); }), 1);
         EXPECT_EQ(readText(folder_ / ("old/diffuse." + format)).value(), "old");
         EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "old"), {}), 1);
         fs::remove_all(folder_ / "old");
     }
     write("out.hdr", "old");
-    EXPECT_EQ(run({"panorama", film, "--out", file("out.hdr")}, [] { limitFiles(65536); }), 1);
+    EXPECT_EQ(statusOf({"panorama", film, "--out", file("out.hdr")}, [] { limitFiles(65536); }), 1);
     EXPECT_EQ(readText(folder_ / "out.hdr").value(), "old");
 }
 
 TEST_F(Faults, OutputsAreNeitherOneFileNorAnInput) {
-    EXPECT_EQ(run(play({"--stats", file("a"), "--record", file("a")})), 1);
-    EXPECT_THAT(said(), HasSubstr("--record and --stats name the same file"));
+    EXPECT_EQ(statusOf(play({"--stats", file("a"), "--record", file("a")})), 1);
+    EXPECT_THAT(err(), HasSubstr("--record and --stats name the same file"));
     write("a.replay", "precious");
-    EXPECT_EQ(run(play({"--hands", "replay:" + file("a.replay"), "--record", file("a.replay")})), 1);
-    EXPECT_THAT(said(), HasSubstr("--record would overwrite what --hands reads"));
+    EXPECT_EQ(statusOf(play({"--hands", "replay:" + file("a.replay"), "--record", file("a.replay")})), 1);
+    EXPECT_THAT(err(), HasSubstr("--record would overwrite what --hands reads"));
     EXPECT_EQ(readText(folder_ / "a.replay").value(), "precious");
-    EXPECT_EQ(run({"panorama", file("a.png"), "--out", file("a.png")}), 1);
-    EXPECT_THAT(said(), HasSubstr("would overwrite"));
+    EXPECT_EQ(statusOf({"panorama", file("a.png"), "--out", file("a.png")}), 1);
+    EXPECT_THAT(err(), HasSubstr("would overwrite"));
 }
 
 TEST_F(Faults, StatisticsGoThroughDevicesPipesAndLinks) {
@@ -143,30 +135,30 @@ TEST_F(Faults, StatisticsGoThroughDevicesPipesAndLinks) {
         std::ifstream stream(folder_ / "pipe");
         std::getline(stream, read, '\0');
     });
-    EXPECT_EQ(run(play({"--at", "0.1", "--stats", file("pipe"), "--record", "/dev/null"})), 0) << said();
+    EXPECT_EQ(statusOf(play({"--at", "0.1", "--stats", file("pipe"), "--record", "/dev/null"})), 0) << err();
     reader.join();
     EXPECT_THAT(read, HasSubstr("state_hash"));
     EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     fs::create_symlink("target", folder_ / "link");
-    EXPECT_EQ(run(play({"--at", "0.1", "--stats", file("link")})), 0) << said();
+    EXPECT_EQ(statusOf(play({"--at", "0.1", "--stats", file("link")})), 0) << err();
     EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
     EXPECT_THAT(readText(folder_ / "target").value(), HasSubstr("state_hash"));
-    EXPECT_EQ(run(play({"--at", "0.1", "--stats", "/dev/full"})), 1);
-    EXPECT_THAT(said(), HasSubstr("/dev/full: cannot be written"));
+    EXPECT_EQ(statusOf(play({"--at", "0.1", "--stats", "/dev/full"})), 1);
+    EXPECT_THAT(err(), HasSubstr("/dev/full: cannot be written"));
 }
 
 // With few files that may be open at once, the program plays or says what is missing.
 TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
     for (const rlim_t files : {8, 12, 16, 20, 40}) {
-        const int status = run(draw({"--at", "0.5", "--stats", file("s.json")}), [&] {
+        const int status = statusOf(draw({"--at", "0.5", "--stats", file("s.json")}), [&] {
             const rlimit limit{files, files};
             ::setrlimit(RLIMIT_NOFILE, &limit);
         });
-        EXPECT_TRUE(status == 0 || (status == 1 && !said().empty()) || status == 127)
-            << status << ": " << said();
+        EXPECT_TRUE(status == 0 || (status == 1 && !err().empty()) || status == 127)
+            << status << ": " << err();
         if (files >= 40) {
-            EXPECT_EQ(status, 0) << said();
+            EXPECT_EQ(status, 0) << err();
         }
     }
 }
@@ -177,14 +169,14 @@ TEST_F(Faults, LackOfMemoryIsSaid) {
     GTEST_SKIP() << "the sanitizer maps terabytes";
 #endif
     const auto playWithin = [&](rlim_t memory_MB) {
-        return run(draw({"--at", "0.2"}), [=] {
+        return statusOf(draw({"--at", "0.2"}), [=] {
             const rlimit limit{memory_MB << 20, memory_MB << 20};
             ::setrlimit(RLIMIT_AS, &limit);
         });
     };
     rlim_t tooLittle_MB = 448, enough_MB = 1024; // more where many processors have many stacks
     for (; playWithin(enough_MB) != 0; enough_MB *= 2) {
-        ASSERT_LT(enough_MB, 65536u) << said();
+        ASSERT_LT(enough_MB, 65536u) << err();
         tooLittle_MB = enough_MB;
     }
     while (enough_MB - tooLittle_MB > 64) {
@@ -196,9 +188,9 @@ TEST_F(Faults, LackOfMemoryIsSaid) {
         ASSERT_GT(less_MB, 64u);
         less_MB -= 64;
     }
-    EXPECT_TRUE(status == 1 || (status == -SIGABRT && said().find("LLVM ERROR") != std::string::npos))
+    EXPECT_TRUE(status == 1 || (status == -SIGABRT && err().find("LLVM ERROR") != std::string::npos))
         << status;
-    EXPECT_NE(said(), "");
+    EXPECT_NE(err(), "");
 }
 
 // Drivers and sound work without shared memory.

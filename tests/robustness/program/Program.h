@@ -70,11 +70,25 @@ class Program : public testing::Test {
         ::waitpid(child, &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
+    // The same for words that no shell reads.
+    int statusOf(std::vector<std::string> words, const std::function<void()>& before = {}) const {
+        return end(start(std::move(words), before));
+    }
+
     std::string out() const { return textOf("stdout.txt"); }
     std::string err() const { return textOf("stderr.txt"); }
     std::string textOf(const std::string& name) const {
         const auto text = readText(folder_ / name);
         return text ? *text : "";
+    }
+
+    // Returns the first value of that name in a file of statistics, text with its quotes; empty: none.
+    std::string statisticIn(const std::string& file, const std::string& name) const {
+        const std::string text = textOf(file), key = "\"" + name + "\": ";
+        const size_t at = text.find(key);
+        if (at == std::string::npos) return "";
+        const size_t from = at + key.size();
+        return text.substr(from, text.find_first_of(",\n", from) - from);
     }
 
     Path write(const std::string& name, const std::string& content) const {

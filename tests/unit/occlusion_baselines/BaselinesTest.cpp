@@ -81,8 +81,8 @@ TEST(DirectedLight, SharesOutAllOfTheLight) {
     vec3 sum(0);
     for (const vec3& power : light.power) sum += power;
     EXPECT_NEAR(sum.x, 4 * std::numbers::pi_v<float>, 1e-4f);
-    EXPECT_EQ(shareSeen(light, kUp, [](size_t) { return 1.0f; }), vec3(1));
-    EXPECT_EQ(shareSeen(light, kUp, [](size_t) { return 0.0f; }), vec3(0));
+    EXPECT_EQ(shareSeen(light, kUp, [](size_t) { return true; }), vec3(1));
+    EXPECT_EQ(shareSeen(light, kUp, [](size_t) { return false; }), vec3(0));
 }
 
 // Rays from the top of a small sphere up to a large one: a pixel is 0.03, and the outline may be off by two.

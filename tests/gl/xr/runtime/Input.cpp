@@ -247,8 +247,6 @@ XrResult xrLocateHandJointsEXT(XrHandTrackerEXT tracker, const XrHandJointsLocat
 } // namespace
 
 PFN_xrVoidFunction inputFunction(const std::string& name) {
-#define GIVE(function)                                                                                       \
-    if (name == #function) return reinterpret_cast<PFN_xrVoidFunction>(function)
     GIVE(xrCreateActionSet);
     GIVE(xrDestroyActionSet);
     GIVE(xrCreateAction);
@@ -265,7 +263,6 @@ PFN_xrVoidFunction inputFunction(const std::string& name) {
     GIVE(xrCreateHandTrackerEXT);
     GIVE(xrDestroyHandTrackerEXT);
     GIVE(xrLocateHandJointsEXT);
-#undef GIVE
     return nullptr;
 }
 

@@ -208,8 +208,6 @@ XrResult xrGetInstanceProcAddr(XrInstance, const char* name, PFN_xrVoidFunction*
 } // namespace
 
 PFN_xrVoidFunction instanceFunction(const std::string& name) {
-#define GIVE(function)                                                                                       \
-    if (name == #function) return reinterpret_cast<PFN_xrVoidFunction>(function)
     GIVE(xrGetInstanceProcAddr);
     GIVE(xrEnumerateInstanceExtensionProperties);
     GIVE(xrCreateInstance);
@@ -225,7 +223,6 @@ PFN_xrVoidFunction instanceFunction(const std::string& name) {
     GIVE(xrGetOpenGLGraphicsRequirementsKHR);
     GIVE(xrStringToPath);
     GIVE(xrPathToString);
-#undef GIVE
     return nullptr;
 }
 

@@ -357,8 +357,6 @@ XrResult xrRequestDisplayRefreshRateFB(XrSession, float wanted_Hz) {
 } // namespace
 
 PFN_xrVoidFunction sessionFunction(const std::string& name) {
-#define GIVE(function)                                                                                       \
-    if (name == #function) return reinterpret_cast<PFN_xrVoidFunction>(function)
     GIVE(xrCreateSession);
     GIVE(xrDestroySession);
     GIVE(xrBeginSession);
@@ -382,7 +380,6 @@ PFN_xrVoidFunction sessionFunction(const std::string& name) {
     GIVE(xrEnumerateDisplayRefreshRatesFB);
     GIVE(xrGetDisplayRefreshRateFB);
     GIVE(xrRequestDisplayRefreshRateFB);
-#undef GIVE
     return nullptr;
 }
 

@@ -65,6 +65,8 @@ template <class Object, class Handle> Object& objectOf(Handle handle) {
 PFN_xrVoidFunction instanceFunction(const std::string& name);
 PFN_xrVoidFunction sessionFunction(const std::string& name);
 PFN_xrVoidFunction inputFunction(const std::string& name);
+#define GIVE(function)                                                                                       \
+    if (name == #function) return reinterpret_cast<PFN_xrVoidFunction>(function)
 
 // Implements OpenXR's two-call idiom for plain items.
 template <class Item, class From>

@@ -1,0 +1,69 @@
+// Used by most benches: times (the shortest of many runs, which is the cost on a machine that nobody else
+// uses), all cores, and the exit status.
+#pragma once
+
+#include "engine/core/Result.h"
+#include "engine/core/ThreadPool.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <ctime>
+
+namespace shoal::bench {
+
+inline double now_us() {
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+// Processor time of all threads of this program, which other programs change little.
+inline double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Runs once to warm up, then for budget_ms, three times at the least.
+template <class Run> double shortest_us(double budget_ms, Run&& run) {
+    run();
+    double best = 1e30;
+    const double end = now_us() + 1e3 * budget_ms;
+    for (int i = 0; i < 3 || now_us() < end; ++i) {
+        const double begin = now_us();
+        run();
+        best = std::min(best, now_us() - begin);
+    }
+    return best;
+}
+
+// Times several runs in turn, so that they find the same state of caches and machine.
+template <class... Runs>
+std::array<double, sizeof...(Runs)> shortestInTurn_us(double budget_ms, Runs&&... runs) {
+    std::array<double, sizeof...(Runs)> best;
+    best.fill(1e30);
+    const double end = now_us() + 1e3 * budget_ms;
+    for (int i = 0; i < 3 || now_us() < end; ++i) {
+        size_t which = 0;
+        const auto time = [&](auto&& run) {
+            const double begin = now_us();
+            run();
+            best[which] = std::min(best[which], now_us() - begin);
+            ++which;
+        };
+        (time(runs), ...);
+    }
+    return best;
+}
+
+// Runs job(i) for 0 .. count - 1 on all cores.
+template <class Job> void onAllCores(size_t count, Job&& job) {
+    ThreadPool(std::max(0, static_cast<int>(std::thread::hardware_concurrency()) - 1))
+        .parallelFor(static_cast<int>(count), [&](int i) { job(static_cast<size_t>(i)); });
+}
+
+// Returns the exit status of a program, and says what went wrong.
+inline int exitStatus(const char* program, const Status& done) {
+    if (!done) std::fprintf(stderr, "%s: %s\n", program, done.error().message().c_str());
+    return done ? 0 : 1;
+}
+
+} // namespace shoal::bench
