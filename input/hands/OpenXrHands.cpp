@@ -46,7 +46,7 @@ HandPose handFromController(const HandRig& rig, Side side, const xr::Controller&
         0.8f * bend(std::max(controller.trigger, controller.squeeze));
     shape.curl[static_cast<size_t>(Finger::Index)] = bend(controller.trigger);
     for (const Finger finger : {Finger::Middle, Finger::Ring, Finger::Little})
-        shape.curl[finger] = bend(controller.squeeze);
+        shape.curl[static_cast<size_t>(finger)] = bend(controller.squeeze);
     WristPose wrist;
     wrist.orientation = glm::normalize(headFromGrip.orientation * gripFromWrist(side));
     // The grip pose lies on the palm's surface; the palm's place depends on the wrist, not on the fingers.
