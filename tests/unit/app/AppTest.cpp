@@ -112,7 +112,6 @@ TEST_F(ProgramStatesTest, TouchedSpeciesComeIntoTheGuide) {
 TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {
     states_.emplace(session_, screens_, Mode::Title, true);
     EXPECT_EQ(states_->state(), ProgramStates::State::Title);
-    EXPECT_TRUE(states_->idle());
     EXPECT_EQ(screens_.top(), Screen::Title);
     EXPECT_FALSE(back()); // Escape does not leave by mistake
     EXPECT_EQ(screens_.top(), Screen::Title);

@@ -227,13 +227,13 @@ TEST(Encounter, PassesOnceFromOnePlaceToTheOther) {
 }
 
 TEST(Encounter, ItsSpeciesIsShownAndNoOneElseMissed) {
-    const DiveFiles& cove = cove();
+    const SpeciesTable& species = cove().species;
     DiveFile empty;
-    EXPECT_THAT(speciesShown(cove.species, empty), testing::Each(false));
+    EXPECT_THAT(speciesShown(species, empty), testing::Each(false));
     empty.encounter.species = 0;
     empty.shark.species = 2;
     empty.schools.push_back({.species = 1});
-    const auto shown = speciesShown(cove.species, empty);
+    const auto shown = speciesShown(species, empty);
     EXPECT_EQ(std::vector(shown.begin(), shown.begin() + 3), std::vector({true, true, true}));
     EXPECT_EQ(std::ranges::count(shown, true), 3);
 }

@@ -234,9 +234,9 @@ TEST(FilmShadows, BodiesMultiplyAndFramesBeginAnew) {
     both.add({&other, 1}, light, eyes);
     for (size_t i = 0; i < both.left().pixels.size(); ++i)
         ASSERT_NEAR(both.left().pixels[i], one.left().pixels[i] * two.left().pixels[i] / 255.0f, 1);
-    const uint64_t before = both.version().number;
+    const uint64_t before = both.version().second;
     both.begin({&ground}, FrameCoding::Srgb, {});
-    EXPECT_GT(both.version().number, before);
+    EXPECT_GT(both.version().second, before);
     EXPECT_TRUE(both.empty());
     EXPECT_EQ(shadedTexels(both), 0);
 }

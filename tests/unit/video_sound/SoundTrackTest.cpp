@@ -175,7 +175,7 @@ TEST(SoundTrack, NoDamageHarmsIt) {
 // Clicks at each full second, through the decoder's thread and the mixer, against the picture's time.
 TEST(VideoSound, DriftsLessThanFortyMillisecondsInTenMinutes) {
     constexpr int kRate_Hz = 8000, kLength_s = 600;
-    constexpr double kFrame_s = 1.0 / 60, kSkew = 200e-6; // a sound card's crystal
+    constexpr double kPicture_s = 1.0 / 60, kSkew = 200e-6; // a sound card's crystal
     std::vector<int16_t> clip(kRate_Hz * kLength_s);
     for (size_t i = 0; i < clip.size(); ++i)
         if (i % kRate_Hz < 16) clip[i] = 20000; // 2 ms
@@ -186,15 +186,15 @@ TEST(VideoSound, DriftsLessThanFortyMillisecondsInTenMinutes) {
     audio.setTrack({.length = track.passLength(),
                     .seek = [&](int64_t frame) { track.seek(frame), ++seeks; },
                     // Waits, because here a second passes in a hundredth.
-                    .read = [&](std::span<int16_t> stereo) { return media::test::readAll(track, stereo); }});
+                    .read = [&](std::span<int16_t> stereo) { return readAll(track, stereo); }});
     double owed = 0, worst_s = 0, maximum = 0;
     int clicks = 0, quiet = 0;
     std::vector<float> samples;
     for (int64_t frame = 0; frame < static_cast<int64_t>(kLength_s + 5) * 60;
          ++frame) { // and into the next pass
-        const double picture_s = static_cast<double>(frame) * kFrame_s;
+        const double picture_s = static_cast<double>(frame) * kPicture_s;
         audio.syncTrack(std::fmod(picture_s, kLength_s), 1, false);
-        owed += kFrame_s * 48000 * (1 + kSkew);
+        owed += kPicture_s * 48000 * (1 + kSkew);
         samples.resize(2 * static_cast<size_t>(owed));
         owed -= std::floor(owed);
         audio.render(samples);
