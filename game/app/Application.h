@@ -40,7 +40,9 @@ class Application {
         Play(const SessionConfig& config, const PlayOptions& options, FrameClock::Mode clockMode,
              Screens& screens, Mode mode)
             : DiveRunner(config, options, clockMode), states(session, screens, mode, !options.headless),
-              tutorial(mode, config.rig, session.dive.species()) {}
+              tutorial(mode, config.rig, session.dive.species()) {
+            popups.reserve(8);
+        }
         ProgramStates states;
         Controls controls;       // of this frame
         bool freshVideo = false; // a new frame of the video is shown

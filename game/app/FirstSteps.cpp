@@ -146,11 +146,12 @@ void FirstSteps::draw(const Pen& pen, const render::View& view) const {
     constexpr std::array<game::Text, 3> kTitles = {"Look around", "Reach for a fish until it glows",
                                                    "Close your hand and hold the fish"};
     const auto index = static_cast<size_t>(step_);
+    const size_t by = pen.audience == Audience::Onlooker ? 0 : static_cast<size_t>(pen.audience);
     const float x = pen.size.x / 2;
     const Rectangle title = pen.label(x, pen.size.y * 0.1f, 0.5f, TextSize::Heading, colour::kWhite,
                                       std::to_string(index + 1) + " / 3   " + pen.in(kTitles[index]));
     pen.label(x, title.high.y + 0.4f * pen.line, 0.5f, TextSize::Body, colour::kGold,
-              pen.in(kHowTo[index][static_cast<size_t>(pen.audience)]));
+              pen.in(kHowTo[index][by]));
 }
 
 void Hints::say(Kind kind) {

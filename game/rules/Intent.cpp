@@ -154,7 +154,7 @@ bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.int
 
 Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     constexpr float kCone = 0.12f, kBeside_m = 0.12f; // cone around the line of sight: tangent, radius at eye
-    constexpr float kFarthest_m = 3;
+    constexpr float kFarthestMeant_m = 3;
     const glm::vec3 sight = normalizedOr(hand.graspCentre - in.head(), {0, 0, -1});
     const Fish* meant = nullptr;
     float nearest = 1, depth = 0; // depth: distance beyond the hand, metres
@@ -163,7 +163,7 @@ Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in)
         if (!f.free() || f.uncatchable_s > 0) continue;
         const glm::vec3 fromHead = f.position - in.head();
         const float along = glm::dot(fromHead, sight);
-        if (along < 0.2f || along > kFarthest_m) continue;
+        if (along < 0.2f || along > kFarthestMeant_m) continue;
         const glm::vec3 across = fromHead - along * sight;
         const float room = kBeside_m + 0.5f * in.kindOf(f).length_m + kCone * along;
         const float beyond = along - glm::distance(hand.graspCentre, in.head());

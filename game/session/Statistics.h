@@ -11,7 +11,9 @@
 
 namespace shoal::app {
 
-using Series = std::vector<float>; // in the order of arrival
+struct Series : std::vector<float> { // in the order of arrival
+    Series() { reserve(16384); }     // so that no frame allocates
+};
 
 struct Statistics {
     std::string renderer;

@@ -93,7 +93,7 @@ class Backends : public testing::Test {
 };
 
 // Both round to bytes, and weigh the four texels around a pixel with at least 8 bits: each is within 1.6 of
-// exact (FrameSamplerTest), so that a background pixel may differ by 3, and by two roundings at random,
+// exact (BackgroundTest), so that a background pixel may differ by 3, and by two roundings at random,
 // sqrt(2 / 12) = 0.41 root mean square. Objects are drawn alike; put into texels, their outline may move by a
 // fourteenth of a texel (EquirectCompositeGLTest), which at a contrast of 255 over 0.45 texels changes a
 // pixel by 41. One pixel in 200 at most lies on an outline: sqrt(41^2 / 3 / 200 + 1 / 6) < 1.8 if

@@ -4,7 +4,7 @@ folder = ARG1
 load folder . "/chart.data.gp"
 
 width = 900.0; panel_height = 615.0
-plot_left = 84.0; plot_width = 810.0; plot_height = 430.0 # Picture.h has the same
+plot_left = 84.0; plot_width = 810.0; plot_height = 430.0 # Picture.cpp has the same
 colours = "#D55E00 #0072B2 #009E73 #56B4E9 #CC79A7 #E69F00 #000000"
 shapes = "5 7 5 4 9 13 11"
 

@@ -1,4 +1,4 @@
-// Asserts what LoadModel.h promises of every model that it returns.
+// Asserts what engine/scene/Model.h promises of every model that it returns.
 #pragma once
 
 #include "engine/scene/Model.h"
