@@ -102,8 +102,8 @@ class VoicePool {
     // Sets the reverberation. enclosure: from 0, open water where only ground and surface reflect, to 1, a
     // tunnel.
     void setEnclosure(float enclosure) {
-        enclosure_ = std::clamp(enclosure, 0.0f, 1.0f);
-        applyReverbGain();
+        const float wanted = std::clamp(enclosure, 0.0f, 1.0f);
+        if (std::exchange(enclosure_, wanted) != wanted) applyReverbGain();
     }
     // Ends the reverberation, or lets it sound again; the listener's gain silences the rest.
     void setSilent(bool silent) {

@@ -374,7 +374,7 @@ cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) 
     const int bottom = std::min(top + ring.rows, width / 2 - 1);
     const cv::Mat known = ring.rowRange(0, bottom - top), to = sphere.rowRange(top, bottom);
     const int by = (static_cast<int>(std::lround(width / 2 - lightColumn)) + width) % width; // to the right
-    known.colRange(width - by, width).copyTo(to.colRange(0, by));
+    if (by > 0) known.colRange(width - by, width).copyTo(to.colRange(0, by)); // OpenCV refuses empty columns
     known.colRange(0, width - by).copyTo(to.colRange(by, width));
     fillPoles(sphere, top, bottom);
     return sphere;

@@ -70,7 +70,10 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
     for (Node& node : nodes_) node.taken *= strength;
     const size_t stride = static_cast<size_t>(cells.x) + 1;
     for (size_t node = 0; node + stride + 1 < nodes_.size(); ++node)
-        if (node % stride != stride - 1) // a row's last node begins no cell
+        if (node % stride != stride - 1 && // a row's last node begins no cell
+            nodes_[node].taken + nodes_[node + 1].taken + nodes_[node + stride].taken +
+                    nodes_[node + stride + 1].taken >
+                0)
             for (const size_t offset : {size_t{0}, size_t{1}, stride, stride, size_t{1}, stride + 1})
                 triangles_.push_back(nodes_[node + offset]);
     const glm::vec2 middle = low + size / 2.0f;

@@ -98,15 +98,16 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
 }
 
 // Removes `extras` and `extensions`, which would only cost memory in tinygltf; EXT_meshopt_compression
-// becomes a member of the object itself, for checkSchema(). Converts whole numbers written as 1.0, which JSON
-// allows, to integers, as tinygltf expects. parseJson() limits the depth.
+// becomes a member of a buffer or its view itself, for checkSchema(). Converts whole numbers written as 1.0,
+// which JSON allows, to integers, as tinygltf expects. parseJson() limits the depth.
 void tidy(Json& value) {
     if (value.is_object()) {
         value.erase("extras");
         value.erase(kCompression);
         const Json extensions = value.value("extensions", Json());
         value.erase("extensions");
-        if (extensions.contains(kCompression)) value[kCompression] = extensions[kCompression];
+        if (extensions.contains(kCompression) && value.contains("byteLength"))
+            value[kCompression] = extensions[kCompression];
     }
     for (Json& inner : value) {
         if (inner.is_structured()) {
