@@ -129,8 +129,8 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
     ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Frame", nullptr, kPanelFlags);
     const Series& all = statistics.frame_ms;
-    const Series recent(all.end() - std::min<ptrdiff_t>(120, std::ssize(all)), all.end());
-    Series times = recent;
+    const std::vector<float> recent(all.end() - std::min<ptrdiff_t>(120, std::ssize(all)), all.end());
+    std::vector<float> times = recent;
     ImGui::TextUnformatted(statistics.renderer.c_str());
     const auto write = [&](game::Text text, const auto&... values) {
         ImGui::TextUnformatted(fmt::format(fmt::runtime(pen.in(text)), values...).c_str());
