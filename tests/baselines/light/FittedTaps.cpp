@@ -1,4 +1,4 @@
-#include "tests/baselines/light/FittedTaps.h"
+#include "tests/baselines/light/Taps.h"
 
 #include "engine/math/Brdf.h"
 #include "tests/baselines/light/Harmonics.h"

@@ -1,8 +1,6 @@
 #include "tests/baselines/light/Baselines.h"
 
 #include "engine/light/Lookup.h"
-#include "tests/baselines/light/FittedTaps.h"
-#include "tests/baselines/light/Levels.h"
 #include "tests/baselines/light/Taps.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 #include "tests/baselines/light/Harmonics.h"
-#include "tests/baselines/light/Levels.h"
 #include "tests/baselines/light/Solve.h"
 
 #include <memory>

@@ -1,7 +1,6 @@
 #include "tests/baselines/light/Baselines.h"
 
 #include "tests/baselines/light/Harmonics.h"
-#include "tests/baselines/light/Levels.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,5 @@
 #include "tests/bench/light/Measure.h"
 #include "engine/light/Pyramid.h"
-#include "tests/baselines/light/Levels.h"
 
 #include <algorithm>
 #include <cmath>

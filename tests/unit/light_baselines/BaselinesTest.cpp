@@ -5,7 +5,6 @@
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "tests/Test.h"
-#include "tests/baselines/light/FittedTaps.h"
 #include "tests/baselines/light/Harmonics.h"
 #include "tests/baselines/light/Reference.h"
 #include "tests/baselines/light/Taps.h"
