@@ -1,4 +1,4 @@
-// Answers of methods that trace rays through a body.
+// Answers of methods that trace rays through a body, and rays between mirrors that show themselves.
 #pragma once
 
 #include "engine/occlusion/BodyMesh.h"
@@ -23,5 +23,31 @@ template <class Method>
 concept TracesRays = requires(const Method& method, glm::vec3 origin, glm::vec3 direction, float nearest) {
     { method.trace(origin, direction, nearest) } -> std::same_as<std::optional<Hit>>;
 };
+
+// A ray after its bounces, and their number.
+struct Reflected {
+    glm::vec3 origin{0}, direction{0, 0, 1}; // the last ray, which meets nothing unless `caught`
+    int bounces = 0;
+    bool caught = false; // it still meets a surface after the last bounce allowed
+};
+
+// Follows a ray from mirror to mirror, at most `maximum` bounces. Body frame, metres; direction unit; each
+// ray begins beyond `nearest`.
+template <TracesRays Method>
+Reflected followMirrors(const Method& method, glm::vec3 origin, glm::vec3 direction, float nearest,
+                        int maximum) {
+    Reflected ray{origin, direction, 0, false};
+    for (;;) {
+        const auto hit = method.trace(ray.origin, ray.direction, nearest);
+        if (!hit) return ray;
+        if (ray.bounces == maximum) {
+            ray.caught = true;
+            return ray;
+        }
+        ray.origin += hit->distance * ray.direction;
+        ray.direction = glm::normalize(glm::reflect(ray.direction, hit->normal));
+        ++ray.bounces;
+    }
+}
 
 } // namespace shoal::occlusion

@@ -1,8 +1,7 @@
 // Methods that store one number, or an array of numbers, at each vertex.
 #include "engine/light/Lookup.h"
 #include "tests/baselines/HarmonicSums.h"
-#include "tests/baselines/occlusion/AmbientOcclusion.h"
-#include "tests/baselines/occlusion/Transfer.h"
+#include "tests/baselines/occlusion/Baked.h"
 #include "tests/bench/occlusion/Method.h"
 
 #include <memory>

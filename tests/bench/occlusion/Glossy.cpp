@@ -1,6 +1,6 @@
 #include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
-#include "tests/baselines/occlusion/AmbientOcclusion.h"
+#include "tests/baselines/occlusion/Baked.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"

@@ -1,7 +1,7 @@
 #include "engine/core/Random.h"
-#include "tests/baselines/occlusion/Mirror.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
+#include "tests/baselines/occlusion/Visibility.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
 #include "tests/bench/occlusion/Measure.h"

@@ -1,8 +1,7 @@
 // Methods that test a set of directions for occlusion at each point.
 #include "engine/light/Lookup.h"
-#include "tests/baselines/occlusion/CoherentShadowMaps.h"
+#include "tests/baselines/occlusion/DepthMaps.h"
 #include "tests/baselines/occlusion/Directions.h"
-#include "tests/baselines/occlusion/LayeredDepth.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
 #include "tests/bench/occlusion/LayeredBodies.h"

@@ -2,9 +2,9 @@
 #include "Bodies.h"
 #include "engine/occlusion/Directions.h"
 #include "tests/Test.h"
-#include "tests/baselines/occlusion/Mirror.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
+#include "tests/baselines/occlusion/Visibility.h"
 
 namespace shoal::occlusion {
 namespace {

@@ -1,10 +1,8 @@
 // Baseline methods against answers known without them: spheres over planes, even environments, nothing in the
 // way.
 #include "tests/Test.h"
-#include "tests/baselines/occlusion/AmbientOcclusion.h"
-#include "tests/baselines/occlusion/CoherentShadowMaps.h"
-#include "tests/baselines/occlusion/LayeredDepth.h"
-#include "tests/baselines/occlusion/Transfer.h"
+#include "tests/baselines/occlusion/Baked.h"
+#include "tests/baselines/occlusion/DepthMaps.h"
 #include "tests/unit/occlusion/Bodies.h"
 
 namespace shoal::occlusion::baselines {

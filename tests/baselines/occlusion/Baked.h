@@ -1,6 +1,4 @@
-// Precomputed radiance transfer of a matte surface in spherical harmonics. Sloan, Kautz and Snyder 2002,
-// "Precomputed Radiance Transfer for Real-Time Rendering in Dynamic, Low-Frequency Lighting Environments",
-// section 4.1, shadowed.
+// Methods that bake what each vertex sees.
 #pragma once
 
 #include "engine/math/SphericalHarmonics.h"
@@ -9,6 +7,17 @@
 
 namespace shoal::occlusion::baselines {
 
+// One number a vertex, baked: the share of the cosine-weighted hemisphere that is free. Zhukov, Iones and
+// Kronin 1998, "An Ambient Light Illumination Model"; Landis 2002, "Production-Ready Global Illumination".
+//
+// Per vertex, 0 to 1. start: how far from the surface rays begin, metres.
+std::vector<float> bakeAmbientOcclusion(const BodyMesh& mesh, const Occluded& occluded, int rays,
+                                        float start);
+
+// Precomputed radiance transfer of a matte surface in spherical harmonics. Sloan, Kautz and Snyder 2002,
+// "Precomputed Radiance Transfer for Real-Time Rendering in Dynamic, Low-Frequency Lighting Environments",
+// section 4.1, shadowed.
+//
 // Frame: the one that it was baked in.
 struct Transfer {
     int bands = 4;            // 1 to math::kShBands

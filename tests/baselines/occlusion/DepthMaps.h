@@ -1,8 +1,11 @@
-// An orthographic look at triangles in software: every fragment, not the nearest alone.
+// Methods that look orthographically at triangles in software, and keep every fragment, not the nearest
+// alone.
 #pragma once
 
-#include <glm/glm.hpp>
+#include "tests/baselines/occlusion/Visibility.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -61,5 +64,61 @@ template <class Visit> void rasterise(const OrthoView& view, const Triangles& bo
             }
     }
 }
+
+// Layered depth images of the whole scene, rays marched through them. After Niessner, Schaefer and Stamminger
+// 2010, "Fast Indirect Illumination Using Layered Depth Images". Ours: three views along the axes, each layer
+// marked front or back, so that what lies between is solid and steep surfaces leave no gaps; a ray takes the
+// view nearest to it.
+class LayeredDepth {
+  public:
+    // Closed bodies, in the world; they may overlap.
+    LayeredDepth(std::span<const Triangles> bodies, int size);
+
+    // Counts what lies beyond `nearest`, which should be a pixel or two: depths are those at pixels' centres.
+    bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
+    float pixel_m() const { return 1 / views_[0].view.pixelsPerMetre(); }
+    std::size_t bytes() const;
+
+  private:
+    struct View {
+        OrthoView view;
+        std::vector<uint32_t> first; // per pixel and one more: index of its first layer
+        std::vector<float> solid;    // pairs: where matter begins and where it ends, by depth
+    };
+    std::array<View, 3> views_;
+};
+
+// A shadow map from each of many directions, compressed by their likeness. Ritschel, Grosch, Kautz and
+// Mueller 2007, "Interactive Illumination with Coherent Shadow Maps": any depth between the first surface and
+// the second casts the same shadow, so one value serves a pixel for as many successive directions as their
+// intervals share.
+class CoherentShadowMaps {
+  public:
+    // Closed bodies, in the world. directions: light travels against them; any order, alike ones should
+    // follow another.
+    CoherentShadowMaps(std::span<const Triangles> bodies, std::span<const glm::vec3> directions, int size);
+
+    // Whether a point on the surface of a body is occluded in the direction of this index.
+    bool occluded(const glm::vec3& position, size_t direction) const;
+    std::size_t bytes() const {
+        return runs_.size() * sizeof(Run) + first_.size() * sizeof(uint32_t) + views_.size() * 12;
+    }
+    std::size_t plainBytes() const {
+        return first_.size() * views_.size() * sizeof(uint16_t);
+    } // uncompressed
+
+  private:
+    struct Run {
+        uint16_t from = 0;  // direction that it begins with
+        uint16_t depth = 0; // 0 the near end of the sphere, 65535 nothing there
+    };
+    std::vector<OrthoView> views_;
+    std::vector<uint32_t> first_; // per pixel and one more
+    std::vector<Run> runs_;
+    float depthScale_ = 1;
+};
+
+// Directions along a spiral from pole to pole: each is near the one before.
+std::vector<glm::vec3> spiralDirections(int count);
 
 } // namespace shoal::occlusion::baselines

@@ -1,0 +1,185 @@
+#include "tests/baselines/occlusion/DepthMaps.h"
+
+#include "tests/baselines/occlusion/Directions.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace shoal::occlusion::baselines {
+
+// right x up = along, so that a front, wound counter-clockwise for who looks at it, runs clockwise in x and
+// y.
+OrthoView viewAlong(const glm::vec3& direction, const glm::vec3& centre, float radius, int size) {
+    const glm::mat3 frame = frameAround(direction);
+    return {frame[0], frame[1], frame[2], centre, radius, size};
+}
+
+Sphere boundingSphereOf(std::span<const Triangles> bodies) {
+    glm::vec3 low(1e30f), high(-1e30f);
+    for (const Triangles& body : bodies)
+        for (const glm::vec3& p : body.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    Sphere sphere{0.5f * (low + high), 0};
+    for (const Triangles& body : bodies)
+        for (const glm::vec3& p : body.positions)
+            sphere.radius = std::max(sphere.radius, glm::distance(p, sphere.centre));
+    sphere.radius *= 1.001f;
+    return sphere;
+}
+
+LayeredDepth::LayeredDepth(std::span<const Triangles> bodies, int size) {
+    const Sphere sphere = boundingSphereOf(bodies);
+    struct Layer {
+        float depth = 0;
+        int enters = 0; // 1, or -1 where it leaves
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        View& out = views_[static_cast<size_t>(axis)];
+        glm::vec3 along(0);
+        along[axis] = 1;
+        out.view = viewAlong(along, sphere.centre, sphere.radius, size);
+        std::vector<std::vector<Layer>> pixels(static_cast<size_t>(size) * size);
+        for (const Triangles& body : bodies)
+            rasterise(out.view, body, [&](int pixel, float depth, bool front) {
+                pixels[static_cast<size_t>(pixel)].push_back({depth, front ? 1 : -1});
+            });
+        for (auto& layers : pixels) {
+            out.first.push_back(static_cast<uint32_t>(out.solid.size()));
+            std::ranges::sort(layers, {}, &Layer::depth);
+            int inside = 0;
+            for (const Layer& layer : layers) {
+                const int now = std::max(0, inside + layer.enters);
+                if ((inside == 0) != (now == 0)) out.solid.push_back(layer.depth);
+                inside = now;
+            }
+            if ((out.solid.size() - out.first.back()) % 2) out.solid.pop_back(); // never left: a hole
+        }
+        out.first.push_back(static_cast<uint32_t>(out.solid.size()));
+    }
+}
+
+bool LayeredDepth::occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest) const {
+    const glm::vec3 size = glm::abs(direction);
+    const View& at = views_[size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2)];
+    const float scale = at.view.pixelsPerMetre();
+    const glm::vec3 from = at.view.toView(origin + nearest * direction);
+    const glm::vec2 step =
+        scale * glm::vec2(glm::dot(direction, at.view.right), glm::dot(direction, at.view.up));
+    const float rise = glm::dot(direction, at.view.along);
+    glm::ivec2 pixel(glm::floor(glm::vec2(from)));
+    const glm::ivec2 turn(step.x < 0 ? -1 : 1, step.y < 0 ? -1 : 1);
+    const auto border = [&](int axis) { // distance along the ray at which it leaves the pixel
+        if (std::abs(step[axis]) < 1e-9f) return 1e30f;
+        return (static_cast<float>(pixel[axis] + (turn[axis] > 0)) - from[axis]) / step[axis];
+    };
+    for (float t = 0;;) {
+        if (pixel.x < 0 || pixel.y < 0 || pixel.x >= at.view.size || pixel.y >= at.view.size) return false;
+        const float tx = border(0), ty = border(1), end = std::min({tx, ty, 1e6f});
+        const float a = from.z + rise * t, b = from.z + rise * end;
+        const auto [low, high] = std::minmax(a, b);
+        const auto index = static_cast<size_t>(pixel.y) * at.view.size + pixel.x;
+        for (uint32_t i = at.first[index]; i < at.first[index + 1]; i += 2)
+            if (at.solid[i] <= high && at.solid[i + 1] >= low) return true;
+        if (end >= 1e6f) return false;
+        pixel[tx < ty ? 0 : 1] += turn[tx < ty ? 0 : 1];
+        t = end;
+        if (std::abs(from.z + rise * t) > at.view.radius * 1.5f && rise * (from.z + rise * t) > 0)
+            return false;
+    }
+}
+
+std::size_t LayeredDepth::bytes() const {
+    std::size_t sum = 0;
+    for (const View& view : views_) sum += (view.first.size() + view.solid.size()) * 4;
+    return sum;
+}
+
+namespace {
+constexpr float kFar = 1e30f;
+}
+
+// Saff and Kuijlaars 1997, "Distributing Many Points on a Sphere", generalised spiral.
+std::vector<glm::vec3> spiralDirections(int count) {
+    std::vector<glm::vec3> out;
+    float turn = 0;
+    for (int i = 0; i < count; ++i) {
+        const float y = -1 + (2 * static_cast<float>(i) + 1) / static_cast<float>(count);
+        const float ring = std::sqrt(1 - y * y);
+        turn += 3.6f / std::sqrt(static_cast<float>(count)) / ring;
+        out.emplace_back(ring * std::cos(turn), y, ring * std::sin(turn));
+    }
+    return out;
+}
+
+CoherentShadowMaps::CoherentShadowMaps(std::span<const Triangles> bodies,
+                                       std::span<const glm::vec3> directions, int size) {
+    assert(directions.size() < 65536);
+    const Sphere sphere = boundingSphereOf(bodies);
+    depthScale_ = 65534 / (2 * sphere.radius);
+    const auto pixels = static_cast<size_t>(size) * size;
+    struct Interval {
+        float first = kFar, second = kFar;
+    };
+    std::vector<Interval> seen(pixels * directions.size());
+    for (size_t k = 0; k < directions.size(); ++k) {
+        // Looks from the light, against the direction to it. Fixed axes keep a pixel's content alike from map
+        // to map.
+        views_.push_back(viewAlong(-directions[k], sphere.centre, sphere.radius, size));
+        for (const Triangles& body : bodies)
+            rasterise(views_[k], body, [&](int pixel, float depth, bool) {
+                Interval& at = seen[static_cast<size_t>(pixel) * directions.size() + k];
+                if (depth < at.first) {
+                    at.second = at.first;
+                    at.first = depth;
+                } else {
+                    at.second = std::min(at.second, depth);
+                }
+            });
+    }
+    for (size_t pixel = 0; pixel < pixels; ++pixel) {
+        first_.push_back(static_cast<uint32_t>(runs_.size()));
+        float low = -kFar, high = kFar;
+        const auto close = [&] {
+            // Without a second surface: as far in front as behind the surface, half way into thin air.
+            const float depth = low >= kFar    ? kFar
+                                : high >= kFar ? low + 0.25f * sphere.radius
+                                               : 0.5f * (low + high);
+            runs_.back().depth = depth >= kFar ? 65535
+                                               : static_cast<uint16_t>(std::clamp(
+                                                     (depth + sphere.radius) * depthScale_, 0.0f, 65534.0f));
+        };
+        for (size_t k = 0; k < directions.size(); ++k) {
+            const Interval& at = seen[pixel * directions.size() + k];
+            const float newLow = std::max(low, at.first), newHigh = std::min(high, at.second);
+            const bool fits = k > 0 && ((at.first >= kFar) == (low >= kFar)) && newLow <= newHigh;
+            if (fits) {
+                low = newLow;
+                high = newHigh;
+                continue;
+            }
+            if (k > 0) close();
+            runs_.push_back({static_cast<uint16_t>(k), 0});
+            low = at.first;
+            high = at.second;
+        }
+        close();
+    }
+    first_.push_back(static_cast<uint32_t>(runs_.size()));
+}
+
+bool CoherentShadowMaps::occluded(const glm::vec3& position, size_t direction) const {
+    const OrthoView& view = views_[direction];
+    const glm::vec3 at = view.toView(position);
+    const glm::ivec2 pixel = glm::clamp(glm::ivec2(glm::floor(glm::vec2(at))), 0, view.size - 1);
+    const auto index = static_cast<size_t>(pixel.y) * view.size + pixel.x;
+    const auto begin = runs_.begin() + first_[index], end = runs_.begin() + first_[index + 1];
+    const auto after =
+        std::upper_bound(begin, end, direction, [](size_t k, const Run& run) { return k < run.from; });
+    const uint16_t depth = (after - 1)->depth;
+    return depth != 65535 && (at.z + view.radius) * depthScale_ > static_cast<float>(depth);
+}
+
+} // namespace shoal::occlusion::baselines
