@@ -31,7 +31,6 @@ class Recorded {
     std::vector<uint64_t> hashes_;
 };
 
-// Of a recording of the game.
 inline game::TickInput inputAt(const Recorded& recorded, size_t tick) {
     return game::fromBytes(recorded.input(tick).first<game::kTickInputBytes>());
 }
@@ -44,7 +43,7 @@ inline Status write(const Path& file, const Recorded& recorded) {
     return writer->finish();
 }
 
-// All ticks that can be read. What follows a reader that was opened already, too.
+// Reads all ticks that can be read, from the reader's place on.
 inline Result<Recorded> readAll(sim::RecordingReader reader) {
     Recorded recorded(reader.header());
     while (!reader.atEnd()) {
@@ -55,7 +54,7 @@ inline Result<Recorded> readAll(sim::RecordingReader reader) {
     return recorded;
 }
 
-// Fails where the recording is not whole.
+// Reads a whole recording; fails if it is cut short.
 inline Result<Recorded> readRecorded(const Path& file) {
     auto reader = sim::RecordingReader::open(file);
     if (!reader) return reader.error();

@@ -11,9 +11,9 @@ std::filesystem::path sourceFolder();
 std::string program();                    // the built game
 std::filesystem::path sharedDataFolder(); // $SHOAL_SHARED/data, else ../shared/data; may be missing
 
-// Where a case keeps what others need too and what takes long to make: below the build, and anew for each
-// build of the program. Cases run side by side: write a file whole (writeWhole()), so that nobody reads half
-// of it.
+// Returns the folder, a new one for each build of the program, for files that take long to make or that
+// several cases need. Cases run side by side: write a file whole (writeWhole()), so that none reads half of
+// it.
 std::filesystem::path cacheFolder();
 
 // Calls write(path beside the file, of the same extension), then renames that. write: gives an object that is
@@ -25,8 +25,7 @@ template <class Write> auto writeWhole(const std::filesystem::path& file, Write&
     return written;
 }
 
-// A new, empty folder, removed with what it holds at the end. Each case needs one of its own: cases run side
-// by side, as processes of their own.
+// A new, empty folder, removed with its content. Cases run side by side, so each needs its own.
 class ScratchFolder {
   public:
     ScratchFolder();

@@ -6,7 +6,7 @@
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/FrameView.h"
 
-#include <glm/vec3.hpp>
+#include <glm/geometric.hpp>
 
 #include <cassert>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include "engine/light/EnvironmentLight.h"
 
-#include <glm/vec3.hpp>
+#include <glm/geometric.hpp>
 
 #include <vector>
 

@@ -6,12 +6,14 @@
 #include "engine/core/WriteFile.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/light/Pyramid.h"
+#include "engine/math/Quantile.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
 #include "game/app/ContentLoader.h"
 #include "game/rules/Dive.h"
+#include "tests/bench/Bench.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -148,10 +150,7 @@ double quantile(const std::vector<Error>& errors, float from_m, float to_m, doub
     for (const Error& e : errors)
         if (e.nearest_m >= from_m && e.nearest_m < to_m) values.push_back(e.value);
     if (count) *count = values.size();
-    if (values.empty()) return 0;
-    std::ranges::sort(values);
-    return values[std::min(static_cast<size_t>(share * static_cast<double>(values.size())),
-                           values.size() - 1)];
+    return math::quantile(values, share);
 }
 
 class Measuring {
@@ -273,10 +272,4 @@ Status run(int argc, char** argv) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-    if (const Status done = run(argc, argv); !done) {
-        std::fprintf(stderr, "%s\n", done.error().message().c_str());
-        return 1;
-    }
-    return 0;
-}
+int main(int argc, char** argv) { return bench::exitStatus("bench_bounce", run(argc, argv)); }

@@ -9,11 +9,11 @@
 #include "game/session/GameSession.h"
 #include "game/views/Environment.h"
 #include "game/views/SceneRenderer.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/compose/Distance.h"
 #include "tests/bench/compose/Encode.h"
 #include "tests/bench/compose/Filmed.h"
 #include "tests/bench/compose/Report.h"
-#include "tests/bench/light/Timing.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -282,7 +282,6 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "bench_compose FOLDER [--quick]: see tests/bench/compose_chart\n");
         return 2;
     }
-    const shoal::Status done = shoal::bench::run(argv[1], argc > 2 && std::string(argv[2]) == "--quick");
-    if (!done) std::fprintf(stderr, "bench_compose: %s\n", done.error().message().c_str());
-    return done ? 0 : 1;
+    return shoal::bench::exitStatus(
+        "bench_compose", shoal::bench::run(argv[1], argc > 2 && std::string(argv[2]) == "--quick"));
 }

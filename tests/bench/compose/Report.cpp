@@ -1,9 +1,9 @@
 #include "tests/bench/compose/Report.h"
-
 #include "engine/core/WriteFile.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -81,31 +81,27 @@ Status Report::write(const Path& folder) const {
         "noise, of 255 |\n"
         "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     const Row* best = nullptr;
-    char line[400];
     for (const Row& row : all) {
         const Distance& d = row.distance;
-        std::snprintf(line, sizeof line, "%s\t%.3f\t%.3f\t%.4f\t%.4f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n",
-                      row.way.c_str(), row.cost.wall_ms, row.cost.processor_ms,
-                      1 + row.overPlain.wall_ms / plain.cost.wall_ms,
-                      1 + row.overPlain.processor_ms / plain.cost.processor_ms, d.luma, d.colour, row.beyond,
-                      d.spectrum_db, d.detail_db, d.noise);
-        tsv += line;
+        tsv += fmt::format(
+            "{}\t{:.3f}\t{:.3f}\t{:.4f}\t{:.4f}\t{:.3f}\t{:.3f}\t{:.3f}\t{:.3f}\t{:.3f}\t{:.3f}\n", row.way,
+            row.cost.wall_ms, row.cost.processor_ms, 1 + row.overPlain.wall_ms / plain.cost.wall_ms,
+            1 + row.overPlain.processor_ms / plain.cost.processor_ms, d.luma, d.colour, row.beyond,
+            d.spectrum_db, d.detail_db, d.noise);
         const bool way = row.cost.wall_ms > 0;
-        std::snprintf(line, sizeof line, way ? "| %s | %.2f | %+.2f | %.2f | %+.2f" : "| %s | | | | ",
-                      row.way.c_str(), row.cost.wall_ms, row.overPlain.wall_ms, row.cost.processor_ms,
-                      row.overPlain.processor_ms);
-        md += line;
-        std::snprintf(line, sizeof line, " | %.2f | %.2f | %.2f | %.2f | %+.1f | %.2f |\n", d.luma, d.colour,
-                      row.beyond, d.spectrum_db, d.detail_db, d.noise);
-        md += line;
+        md += "| " + row.way;
+        md += way ? fmt::format(" | {:.2f} | {:+.2f} | {:.2f} | {:+.2f}", row.cost.wall_ms,
+                                row.overPlain.wall_ms, row.cost.processor_ms, row.overPlain.processor_ms)
+                  : " | | | | ";
+        md += fmt::format(" | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:+.1f} | {:.2f} |\n", d.luma, d.colour,
+                          row.beyond, d.spectrum_db, d.detail_db, d.noise);
         const bool halves = row.beyond <= plain.beyond / 2 && d.spectrum_db <= plain.distance.spectrum_db / 2;
         if (way && halves && (!best || row.overPlain.wall_ms < best->overPlain.wall_ms)) best = &row;
     }
     if (const auto alone = costs_.find(kBackgroundAlone); alone != costs_.end()) {
         const Cost cost = medians(alone->second, {});
-        std::snprintf(line, sizeof line, "\nThe background alone: %.2f ms, of the processor %.2f ms.\n",
-                      cost.wall_ms, cost.processor_ms);
-        md += line;
+        md += fmt::format("\nThe background alone: {:.2f} ms, of the processor {:.2f} ms.\n", cost.wall_ms,
+                          cost.processor_ms);
     }
     md += best ? "\nThe cheapest that halves both distances (of luma beyond filming again, of spectra): " +
                      best->way + ".\n"

@@ -3,8 +3,8 @@
 // frames that follow each other. Writes FOLDER/depth.tsv.
 #include "engine/core/WriteFile.h"
 #include "engine/media/VideoSource.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/depth/Hiding.h"
-#include "tests/bench/light/Timing.h"
 
 #include <fmt/core.h>
 
@@ -200,7 +200,5 @@ Status run(const Path& folder) {
 
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
-    const Status done = run(argv[1]);
-    if (!done) std::fprintf(stderr, "bench_depth: %s\n", done.error().message().c_str());
-    return done ? 0 : 1;
+    return exitStatus("bench_depth", run(argv[1]));
 }

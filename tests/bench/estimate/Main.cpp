@@ -7,8 +7,8 @@
 #include "engine/core/Result.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/DepthTrack.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/estimate/Scenes.h"
-#include "tests/bench/light/Timing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +156,5 @@ int main(int argc, char** argv) {
     Status done = Error{"", "wrong arguments"};
     if (what == "make" && argc == 3) done = makeScenes(argv[2]);
     if (what == "measure" && argc == 6) done = measure(argv[2], argv[3], argv[4], std::atof(argv[5]));
-    if (!done) std::fprintf(stderr, "bench_estimate: %s\n", done.error().message().c_str());
-    return done ? 0 : 1;
+    return exitStatus("bench_estimate", done);
 }

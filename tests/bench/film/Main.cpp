@@ -5,8 +5,9 @@
 #include "engine/core/WriteFile.h"
 #include "engine/math/Colour.h"
 #include "engine/media/PictureDecoder.h"
-#include "tests/bench/light/Timing.h"
+#include "tests/bench/Bench.h"
 
+#include <fmt/format.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -252,14 +253,10 @@ int main(int argc, char** argv) {
         int width = 0, quality = 0;
         if (std::sscanf(name.c_str(), "%15[^_]_%d_%d", codec, &width, &quality) != 3) continue;
         const double film_MB = 1e-6 * (f.frameBytes * kFilmFrames + f.keyBytes * kFilmKeys) / f.clips;
-        char row[200];
-        std::snprintf(row, sizeof row, "%s\t%d\t%d\t%.1f\t%.2f\t%.2f\t%.2f\t%.2f\t%.0f\t%.2f\n", codec, width,
-                      quality, film_MB, f.decode_ms / f.clips, f.convert_ms / f.clips,
-                      100 * f.distance.errorLinear(), f.distance.psnrLuma_dB(), f.distance.detail(),
-                      f.blocks);
-        table += row;
+        table += fmt::format("{}\t{}\t{}\t{:.1f}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.0f}\t{:.2f}\n", codec,
+                             width, quality, film_MB, f.decode_ms / f.clips, f.convert_ms / f.clips,
+                             100 * f.distance.errorLinear(), f.distance.psnrLuma_dB(), f.distance.detail(),
+                             f.blocks);
     }
-    const Status written = writeFileWhole(folder / "film.tsv", table);
-    if (!written) std::fprintf(stderr, "bench_film: %s\n", written.error().message().c_str());
-    return written ? 0 : 1;
+    return exitStatus("bench_film", writeFileWhole(folder / "film.tsv", table));
 }

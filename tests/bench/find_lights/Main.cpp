@@ -2,8 +2,8 @@
 #include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/light/Environments.h"
-#include "tests/bench/light/Timing.h"
 #include "tests/unit/light/Environments.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
+#include "engine/math/Quantile.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
 
@@ -25,9 +26,7 @@ Exposed expose(const ImageRgbF& radianceLin) {
         const float* t = &radianceLin.pixels[i];
         luminances.push_back(0.2126f * t[0] + 0.7152f * t[1] + 0.0722f * t[2]);
     }
-    const auto ninth = luminances.begin() + static_cast<ptrdiff_t>(luminances.size() * 9 / 10);
-    std::nth_element(luminances.begin(), ninth, luminances.end());
-    const float exposure = 0.8f / *ninth;
+    const float exposure = 0.8f / math::quantile(luminances, 0.9);
 
     Exposed exposed{ImageRgb8(radianceLin.width, radianceLin.height), radianceLin};
     for (size_t i = 0; i < radianceLin.pixels.size(); ++i) {

@@ -1,6 +1,6 @@
 #include "tests/bench/panorama/Scenes.h"
-
 #include "engine/math/Colour.h"
+#include "tests/bench/Bench.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <thread>
 #include <vector>
 
 namespace shoal::bench {
@@ -85,26 +84,22 @@ Hit nearestPost(const std::vector<Post>& posts, const glm::dvec3& dir) {
     return hit;
 }
 
-// colour: linear, by direction. Rows are shared by the cores.
+// colour: linear, by direction.
 template <class Colour> Scene photograph(int width, int height, const glm::dvec3& light, Colour&& colour) {
     const double focal = width / 2.0 / std::tan(kSceneFov_deg / 2 * kDegree);
     Scene scene{ImageRgb8(width, height),
                 {width / 2.0 + focal * light.x / -light.z, height / 2.0 - focal * light.y / -light.z}};
-    const auto rows = [&](int first, int every) {
-        for (int y = first; y < height; y += every)
-            for (int x = 0; x < width; ++x) {
-                const glm::dvec3 seen = glm::min(
-                    colour(glm::normalize(glm::dvec3(x + 0.5 - width / 2.0, height / 2.0 - y - 0.5, -focal))),
-                    glm::dvec3(1));
-                for (int c = 0; c < 3; ++c)
-                    scene.photo.at(x, y)[c] =
-                        static_cast<uint8_t>(std::lround(255 * math::srgbFromLinear(std::max(0.0, seen[c]))));
-            }
-    };
-    std::vector<std::jthread> others;
-    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    for (int k = 1; k < cores; ++k) others.emplace_back(rows, k, cores);
-    rows(0, cores);
+    onAllCores(static_cast<size_t>(height), [&](size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < width; ++x) {
+            const glm::dvec3 seen = glm::min(
+                colour(glm::normalize(glm::dvec3(x + 0.5 - width / 2.0, height / 2.0 - y - 0.5, -focal))),
+                glm::dvec3(1));
+            for (int c = 0; c < 3; ++c)
+                scene.photo.at(x, y)[c] =
+                    static_cast<uint8_t>(std::lround(255 * math::srgbFromLinear(std::max(0.0, seen[c]))));
+        }
+    });
     return scene;
 }
 

@@ -9,7 +9,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/render/BackgroundCells.h"
 #include "engine/render/View.h"
-#include "tests/bench/light/Timing.h"
+#include "tests/bench/Bench.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -290,8 +290,4 @@ Status run(int argc, char** argv) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-    const Status done = run(argc, argv);
-    if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
-    return done ? 0 : 1;
-}
+int main(int argc, char** argv) { return exitStatus("bench_parallax", run(argc, argv)); }

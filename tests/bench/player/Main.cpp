@@ -2,8 +2,11 @@
 // PLAYER alone unless it is "all", in the reef if no dive is named. Prints a table and writes
 // FOLDER/players.tsv, with a row for each dive.
 #include "engine/core/WriteFile.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/playthrough/Rooms.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -86,10 +89,7 @@ int main(int count, char** arguments) {
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     Status found = !files ? Status(files.error()) : game::roomOf(files->dive.video).moveTo(files->dive.space);
     if (!rig) found = rig.error();
-    if (!found) {
-        std::fprintf(stderr, "%s\n", found.error().message().c_str());
-        return 1;
-    }
+    if (!found) return bench::exitStatus("bench_player", found);
     std::string table =
         "player\tseed\tcaught\tfirst_s\tlost\tpoints\tclosings\tescapes\tlooking_s\twaiting_s\tchasing_s\n";
     const std::string_view wanted = count > 4 ? arguments[4] : "all";
@@ -100,17 +100,12 @@ int main(int count, char** arguments) {
             player::PlayerSetup setup = kind.setup;
             setup.seed = static_cast<uint64_t>(seed);
             const player::PlayedDive& dive = dives.emplace_back(player::play(*files, *rig, setup));
-            char row[200];
-            std::snprintf(row, sizeof row, "%s\t%d\t%d\t%.2f\t%d\t%d\t%d\t%d\t%.1f\t%.1f\t%.1f\n", kind.name,
-                          seed, dive.caught,
-                          static_cast<double>(std::min(dive.firstCatch_s, files->dive.duration_s)), dive.lost,
-                          dive.points, dive.closings, dive.escapes, static_cast<double>(dive.spent_s[0]),
-                          static_cast<double>(dive.spent_s[1]), static_cast<double>(dive.spent_s[2]));
-            table += row;
+            table += fmt::format("{}\t{}\t{}\t{:.2f}\t{}\t{}\t{}\t{}\t{:.1f}\t{:.1f}\t{:.1f}\n", kind.name,
+                                 seed, dive.caught, std::min(dive.firstCatch_s, files->dive.duration_s),
+                                 dive.lost, dive.points, dive.closings, dive.escapes, dive.spent_s[0],
+                                 dive.spent_s[1], dive.spent_s[2]);
         }
         report(kind, dives);
     }
-    const Status written = writeFileWhole(Path(arguments[1]) / "players.tsv", table);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().message().c_str());
-    return written ? 0 : 1;
+    return bench::exitStatus("bench_player", writeFileWhole(Path(arguments[1]) / "players.tsv", table));
 }

@@ -4,9 +4,11 @@
 #include "engine/light/MakeLight.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
+#include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
 #include "tests/TestPaths.h"
+#include "tests/bench/Bench.h"
 
 #include <fmt/core.h>
 
@@ -40,9 +42,7 @@ double exposureOf(const ImageRgb8& bgr, const ImageRgbF& radianceLin) {
             if (green > 20 && green < 230)
                 ratios.push_back(static_cast<double>(math::linearOfByte()[green] / radianceLin.at(x, y)[1]));
         }
-    const auto middle = ratios.begin() + static_cast<ptrdiff_t>(ratios.size() / 2);
-    std::ranges::nth_element(ratios, middle);
-    return *middle;
+    return math::median(ratios);
 }
 
 // Returns the root of the integrated squared difference over the integrated square.
@@ -124,10 +124,7 @@ int main(int argc, char** argv) {
                "90 of 100 below % | most % |\n|---|---|---|---|---|---|---|\n");
     for (int i = 3; i + 1 < argc; i += 2) {
         const auto lights = lightsOf(argv[1], argv[i], std::atoi(argv[i + 1]), std::atoi(argv[2]));
-        if (!lights) {
-            fmt::print(stderr, "bench_steps: {}\n", lights.error().message());
-            return 1;
-        }
+        if (!lights) return bench::exitStatus("bench_steps", lights.error());
         printClip(fmt::format("{} {}", argv[i], argv[i + 1]), *lights);
     }
 }
