@@ -6,7 +6,7 @@
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/FrameView.h"
 
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
 #include <cassert>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include "engine/light/EnvironmentLight.h"
 
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
 #include <vector>
 

@@ -101,11 +101,10 @@ TEST(Quantile, IsAValueThatTheShareOfAllAreLessThan) {
 }
 
 TEST(Quantile, TakesTheUpperOfTwoAndNothingOfNone) {
-    std::vector<double> values = {4, 1, 3, 2}, none;
+    std::vector<double> values = {4, 1, 3, 2}, none, hundred;
     EXPECT_EQ(median(values), 3);
     EXPECT_EQ(median(none), 0);
     EXPECT_EQ(quantile(none, 0.99), 0);
-    std::vector<double> hundred;
     for (int i = 100; i >= 0; --i) hundred.push_back(i);
     for (const double value : {0, 50, 99, 100}) EXPECT_EQ(quantile(hundred, value / 100), value);
 }
