@@ -1,4 +1,4 @@
-// What nearly all tests use; precompiled for the test programs.
+// Headers and small helpers that nearly all tests use, precompiled for the test programs.
 #pragma once
 
 #include "engine/core/Image.h"

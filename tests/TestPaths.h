@@ -1,4 +1,4 @@
-// Where tests find the source tree, the program under test and the optional reference data.
+// Paths of the source tree, the program under test and the optional reference data.
 #pragma once
 
 #include <filesystem>
