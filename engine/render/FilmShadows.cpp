@@ -84,7 +84,7 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
         turnsOf(size.x, -kPi, 2 * kPi, columns_);
         turnsOf(size.y, kPi / 2, -kPi, rows_);
     } else if (!empty_) {
-        tiles_.eachChosen([&](const glm::ivec2& tile) {
+        FrameTiles::eachOf(tiles_.chosen(), [&](const glm::ivec2& tile) {
             const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
             for (int y = low.y; y < high.y; ++y)
                 std::fill(left_.at(low.x, y), left_.at(low.x, y) + 4 * (high.x - low.x), uint8_t{255});

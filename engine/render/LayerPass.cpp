@@ -119,15 +119,17 @@ void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view
         for (int y = first.y; y <= last.y; ++y)
             for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
     }
-    if (areRead_)
-        for (int cell = 0; cell < kCells.x * kCells.y; ++cell)
-            if (marked_[static_cast<size_t>(cell)] && isEmpty({cell % kCells.x, cell / kCells.x}))
-                marked_[static_cast<size_t>(cell)] = false;
+    const auto isDrawn = [&](int x, int y) {
+        return marked_[static_cast<size_t>(y * kCells.x + x)] && !(areRead_ && isEmpty({x, y}));
+    };
+    const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
     corners_.clear();
-    eachRun(marked_, kCells, [&](int first, int end, int row) {
-        const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
-        addRectangle(placeOf(first, row), placeOf(end, row + 1), corners_);
-    });
+    for (int y = 0; y < kCells.y; ++y)
+        for (int x = 0; x < kCells.x; ++x) {
+            const int first = x;
+            while (x < kCells.x && isDrawn(x, y)) ++x;
+            if (x > first) addRectangle(placeOf(first, y), placeOf(x, y + 1), corners_);
+        }
     if (corners_.empty()) return;
 
     program_.use();
