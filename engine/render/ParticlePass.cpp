@@ -58,10 +58,7 @@ Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& 
     program.set("pixelsPerSlope",
                 static_cast<float>(picture.view.heightPixels) / (2 * picture.view.halfExtent().y));
 
-    if (on == On::Picture)
-        glDisable(GL_DEPTH_TEST);
-    else
-        glEnable(GL_DEPTH_TEST);
+    gl::setEnabled(GL_DEPTH_TEST, on != On::Picture);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
