@@ -4,7 +4,7 @@
 
 #include "engine/gl/PassTimers.h"
 #include "engine/render/BackgroundPass.h"
-#include "engine/render/DepthPass.h"
+#include "engine/render/HeadsetPasses.h"
 #include "engine/render/ParticlePass.h"
 
 #include <array>

@@ -33,6 +33,8 @@ struct EyePicture {
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
     // Returns the shadows if there are any, else null.
     const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }
+    // Returns whether the frame is displayed exactly as it is coded: no curve, no exposure.
+    bool showsFrameAsCoded() const { return environment.frameIsCoded() && exposure.keepsFrames(); }
     // Returns the film's distances and the eye's position; no distances if the eye sees what the camera saw.
     FilmParallax filmParallax() const {
         if (eyeInFilm == glm::vec3(0) || !environment.widenedDepth()) return {};

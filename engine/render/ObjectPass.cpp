@@ -212,11 +212,11 @@ size_t ObjectPass::append(const void* block, size_t bytes) {
 }
 
 void ObjectPass::upload(const glm::mat3& envFromWorld) {
-    shades_.clear();
-    for (size_t body = 0; occlusion_ && body < near_.count(); ++body) {
-        const auto [occluders, own, ownStrength] = near_.near(body, envFromWorld);
-        shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
-                           static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength});
+    for (Placed& object : objects_) {
+        if (object.body < 0) continue;
+        const auto [occluders, own, ownStrength] = near_.near(static_cast<size_t>(object.body), envFromWorld);
+        object.shade = {occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
+                        static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength};
     }
     // The shader's blocks have room for MAX_JOINTS; the bound range must cover them for the last object too.
     static_assert(MAX_JOINTS * sizeof(glm::mat4) >= MAX_OCCLUDERS * sizeof(PackedOccluder));
@@ -227,9 +227,8 @@ void ObjectPass::upload(const glm::mat3& envFromWorld) {
 }
 
 bool ObjectPass::shaded(const Item& item) const {
-    const int body = objects_[item.object].body;
     return occlusion_ && !layers_ && !item.gpu->materialOf(*item.primitive).unlit &&
-           (item.primitive->withSelfOcclusion || (body >= 0 && shades_[static_cast<size_t>(body)].count > 0));
+           (item.primitive->withSelfOcclusion || objects_[item.object].shade.count > 0);
 }
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
@@ -245,7 +244,7 @@ std::span<const Sphere> ObjectPass::partsOf(const Placed& object) const {
 }
 
 // Tests the parts: the sphere around an arm holds the eye, and reaches into views that the arm does not.
-ObjectPass::Seen ObjectPass::seenIn(const EyePicture& picture, const Placed& object) const {
+ObjectPass::Seen ObjectPass::seenIn(const Placed& object, const EyePicture& picture) const {
     const View& view = picture.view;
     Seen seen;
     if (!sees(view, object.bound)) return seen;
@@ -298,7 +297,7 @@ void ObjectPass::addVisible(const View& view, std::vector<Sphere>& out) const {
 // Replaces order_ by the items that are in the view and not behind the film.
 void ObjectPass::sortVisible(const EyePicture& picture) {
     const bool inRoom = picture.surroundings == Surroundings::Room;
-    for (Placed& object : objects_) object.seen = seenIn(picture, object);
+    for (Placed& object : objects_) object.seen = seenIn(object, picture);
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
@@ -448,7 +447,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
     glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
     if (features & OCCLUDED) {
-        const Shade shade = object.body >= 0 ? shades_[static_cast<size_t>(object.body)] : Shade{};
+        const Shade& shade = object.shade;
         program.set("selfOcclusionAlbedo", object.albedo);
         program.set("occluderCount", shade.count);
         program.set("ownCount", shade.own);

@@ -74,14 +74,20 @@ class ObjectPass {
         float slope = 0;
         BehindFilm behind = BehindFilm::Nothing; // Nothing in the player's room, where the film is not seen
     };
+    struct Shade {              // the occluders that take light from an object's body
+        size_t offset = 0;      // bytes, in the buffer of matrices
+        int count = 0, own = 0; // the first `own` of `count` are its own parts
+        float ownStrength = 0;  // strength of its own parts, 0 to 1
+    };
     struct Placed { // an object since begin()
         Sphere bound;
         size_t firstPart, partCount;           // range of parts_; at least one
         depth::LightHarmonics matteDifference; // for render/LightDifference.glsl
-        int body;                              // index in near_; -1: none
+        int body;                              // index in near_; -1: none, or without occlusion
         glm::vec3 albedo;                      // mean albedo of its own body
         float highlight;
         bool isInRoom;
+        Shade shade{};
         Seen seen{}; // in the view that is drawn
     };
     struct Item {
@@ -102,14 +108,8 @@ class ObjectPass {
         auto operator<=>(const ToDraw&) const = default;
     };
 
-    struct Shade {              // the occluders that take light from a body
-        size_t offset = 0;      // bytes, in the buffer of matrices
-        int count = 0, own = 0; // the first `own` of `count` are its own parts
-        float ownStrength = 0;  // strength of its own parts, 0 to 1
-    };
-
     std::span<const Sphere> partsOf(const Placed& object) const;
-    Seen seenIn(const EyePicture& picture, const Placed& object) const;
+    Seen seenIn(const Placed& object, const EyePicture& picture) const;
     BehindFilm behindFilm(const Placed& object, const EyePicture& picture) const;
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // appends to the matrices; returns the offset
@@ -135,8 +135,7 @@ class ObjectPass {
     std::vector<ToDraw> order_;     // scratch
     std::vector<uint8_t> matrices_; // matrices and occluders
     NearBodies near_;
-    std::vector<bool> inRoom_;  // by body
-    std::vector<Shade> shades_; // by body
+    std::vector<bool> inRoom_; // by body
     std::vector<glm::mat4> joints_;
     int drawCount_ = 0, triangleCount_ = 0;
 };

@@ -1,6 +1,6 @@
 // Nearer parts of a film hide objects, and particles in the water.
 #include "Spheres.h"
-#include "engine/render/DepthPass.h"
+#include "engine/render/HeadsetPasses.h"
 #include "engine/render/ParticlePass.h"
 #include "tests/unit/depth/MadeMap.h"
 

@@ -15,8 +15,7 @@ namespace shoal::render {
 namespace {
 
 bool canSample(const EyePicture& picture) {
-    return canSampleFrames() && showsFrameAsCoded(picture.environment, picture.exposure) &&
-           picture.canvas.samples() == 1;
+    return canSampleFrames() && picture.showsFrameAsCoded() && picture.canvas.samples() == 1;
 }
 
 // Writes the factors of FilmShadows::left(), enlarged linearly, for texels low to high - 1 of a frame. Places
