@@ -37,8 +37,8 @@ struct EyePicture {
     bool showsFrameAsCoded() const { return environment.frameIsCoded() && exposure.keepsFrames(); }
     // Returns the film's distances and the eye's position; no distances if the eye sees what the camera saw.
     FilmParallax filmParallax() const {
-        if (eyeInFilm == glm::vec3(0) || !environment.widenedDepth()) return {};
-        return {environment.widenedDepth(), eyeInFilm};
+        if (eyeInFilm == glm::vec3(0) || !environment.depth().widened) return {};
+        return {environment.depth().widened, eyeInFilm};
     }
     glm::mat3 envFromEye() const { return envFromWorld * glm::mat3_cast(view.worldFromEye); }
 };

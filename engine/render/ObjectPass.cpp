@@ -265,7 +265,7 @@ ObjectPass::Seen ObjectPass::seenIn(const Placed& object, const EyePicture& pict
 // Compares an object's distances with the film's range within the caps that its parts cover, widened by the
 // angle that an eye beside the film's camera may see past their edges.
 ObjectPass::BehindFilm ObjectPass::behindFilm(const Placed& object, const EyePicture& picture) const {
-    const depth::DepthRange* range = picture.environment.depthRange();
+    const depth::DepthRange* range = picture.environment.depth().range;
     if (!range) return BehindFilm::Nothing;
     const float beside = glm::length(picture.eyeInFilm);
     const auto behind = [&](const Sphere& part) {
@@ -370,7 +370,7 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     // An object that swims behind a part of the film, or out from it, needs another program. These are
     // compiled in advance, one per picture: a graphics driver takes a quarter to half a second for one, in
     // which the game would stand still. Lean ones, for software renderers, take 20 ms.
-    const bool filmHides = picture.environment.depth() && picture.surroundings != Surroundings::Room;
+    const bool filmHides = picture.environment.depth().map && picture.surroundings != Surroundings::Room;
     std::optional<unsigned> soon;
     for (const ToDraw& next : order_) {
         const unsigned features = featuresFor(next, shared, picture, glossy);

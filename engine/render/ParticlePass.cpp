@@ -18,8 +18,8 @@ constexpr unsigned kScaledLight = 1u << kToneFeatures, kFilmDepth = kScaledLight
 
 // Returns whether any part of the film is as near as specks are.
 bool hidesSpecks(const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) {
-    if (!environment.depthRange()) return false;
-    const auto film = environment.depthRange()->around(glm::vec3(0, 1, 0), std::numbers::pi_v<float>);
+    if (!environment.depth().range) return false;
+    const auto film = environment.depth().range->around(glm::vec3(0, 1, 0), std::numbers::pi_v<float>);
     return film.max_perM * (kCube_m / 2 + glm::length(eyeInFilm)) > 1;
 }
 
