@@ -26,8 +26,8 @@ constexpr float kPolarV = 0.3234f; // share of the map's height from its middle,
 
 // Finds the cells' edges in whole pixels; in larger pictures multiples of 8, which are sampled together.
 void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
-    const int wanted = std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
-    const int cells = std::clamp(wanted, 1, std::max(pixels, 1)), step = pixels / cells >= 16 ? 8 : 1;
+    const int wanted = static_cast<int>(std::ceil(2 * halfExtent / kCell));
+    const int cells = std::clamp(wanted, 1, std::clamp(pixels, 1, 256)), step = pixels / cells >= 16 ? 8 : 1;
     edges.clear();
     for (int k = 0; k < cells; ++k)
         edges.push_back(static_cast<int>(int64_t{k} * pixels / cells) / step * step);

@@ -10,17 +10,12 @@ namespace {
 // beyond its edge.
 constexpr float kLayerWidth = 1.02f;
 
-int samplesOfLayers(const CompositorSetup& setup, Composition composition) {
-    const bool filtered = setup.frameIsCoded && composition != Composition::MatchedResolution;
-    return filtered ? gl::defaultSamples() : 4;
-}
-
 // Returns the composition that is possible: an HDR frame has no coded texels and no camera.
 Composition possible(const CompositorSetup& setup) {
-    if (setup.frameIsCoded) return setup.composition;
-    return setup.composition == Composition::VideoTexels      ? Composition::MatchedResolution
-           : setup.composition == Composition::CameraResponse ? Composition::Plain
-                                                              : setup.composition;
+    const Composition wanted = setup.composition;
+    if (setup.frameIsCoded) return wanted;
+    if (wanted == Composition::VideoTexels) return Composition::MatchedResolution;
+    return wanted == Composition::CameraResponse ? Composition::Plain : wanted;
 }
 
 } // namespace
@@ -28,7 +23,8 @@ Composition possible(const CompositorSetup& setup) {
 Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     Compositor made;
     made.composition_ = possible(setup);
-    made.samples_ = samplesOfLayers(setup, made.composition_);
+    const bool filtered = setup.frameIsCoded && made.composition_ != Composition::MatchedResolution;
+    made.samples_ = filtered ? gl::defaultSamples() : 4;
     if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
     // Objects in texels are filtered with them, but for an eye beside the film's camera none are in texels.

@@ -39,13 +39,6 @@ void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::i
     size = newSize;
 }
 
-EnvironmentGpu::EnvironmentGpu()
-    : frame_(makeLatLongTexture()), light_(makeLatLongTexture()), mirrors_(makeLatLongTexture()),
-      scattered_(makeLatLongTexture()), depthMap_(makeLatLongTexture()) {
-    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-}
-
 void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
     displayFrame_ = frame;
     uploaded_ = false;
@@ -81,6 +74,7 @@ void EnvironmentGpu::uploadLight(const light::PackedLight& light, const occlusio
     if (light.mirrors.empty()) return;
     for (size_t k = 0; k < light.mirrors.size(); ++k)
         putTexels(mirrors_, static_cast<int>(k), GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, light.mirrors[k]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(light.mirrors.size()) - 1);
     mirrorWidth_ = light.mirrors[0].width;
 }

@@ -7,7 +7,6 @@
 #include "engine/light/PackedLight.h"
 #include "engine/occlusion/SmoothLight.h"
 #include "engine/render/View.h"
-#include "engine/water/Water.h"
 
 #include <cstdint>
 #include <vector>
@@ -28,8 +27,6 @@ struct FilmDistances {
 
 class EnvironmentGpu {
   public:
-    EnvironmentGpu();
-
     // Sets the frame. Its pixels must live until the next is set, or longer than this: they are uploaded only
     // when frameTexture() is called. A background that samples them in memory rarely calls it.
     void setFrame(const DisplayFrame& frame);
@@ -63,7 +60,8 @@ class EnvironmentGpu {
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
 
   private:
-    gl::Texture frame_, light_, mirrors_, scattered_, depthMap_;
+    gl::Texture frame_ = makeLatLongTexture(), light_ = makeLatLongTexture(), mirrors_ = makeLatLongTexture(),
+                scattered_ = makeLatLongTexture(), depthMap_ = makeLatLongTexture();
     FilmDistances depth_;
     DisplayFrame displayFrame_;
     mutable bool uploaded_ = true;    // whether frame_ holds the newest frame
@@ -77,11 +75,5 @@ class EnvironmentGpu {
     std::vector<float> mirrorRoughness_;
     occlusion::SmoothLight smooth_;
 };
-
-// Passes the water to a program in use. Pairs with shaders/render/Water.glsl.
-inline void setWater(const gl::Program& program, const water::Water& water) {
-    program.setArray("waterVeil[0]", water.veil);
-    program.set("attenuation_perM", water.attenuation_perM);
-}
 
 } // namespace shoal::render

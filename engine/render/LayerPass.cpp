@@ -15,27 +15,20 @@ constexpr glm::ivec2 kCells(40, 24);
 // Greatest share of the picture's width that pays: laying a larger layer over takes more time than it saves.
 constexpr float kWorthIt = 0.85f;
 
-// Finds where the eye's tangents to a sphere meet the line at distance 1; across, ahead: the sphere's centre.
-bool tangents(float across, float ahead, float radius, float& low, float& high) {
-    const float away = std::hypot(across, ahead);
-    if (away <= radius) return false;
-    const float middle = std::atan2(across, ahead), half = std::asin(radius / away);
-    constexpr float kSide = std::numbers::pi_v<float> / 2 - 1e-3f;
-    low = std::tan(std::clamp(middle - half, -kSide, kSide));
-    high = std::tan(std::clamp(middle + half, -kSide, kSide));
-    return true;
-}
-
 } // namespace
 
 Box boxAround(const glm::vec3& centreWorld, float radius, const View& view) {
     const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (centreWorld - view.eyeWorld);
-    glm::vec2 low, high;
-    if (!tangents(inEye.x, -inEye.z, radius, low.x, high.x) ||
-        !tangents(inEye.y, -inEye.z, radius, low.y, high.y))
-        return {};
-    const glm::vec2 half = view.halfExtent();
-    return {(low - view.shift) / half, (high - view.shift) / half};
+    glm::vec2 low, high; // where the eye's tangents to the sphere meet the plane at distance 1
+    for (const int axis : {0, 1}) {
+        const float away = std::hypot(inEye[axis], -inEye.z);
+        if (away <= radius) return {};
+        const float middle = std::atan2(inEye[axis], -inEye.z), half = std::asin(radius / away);
+        constexpr float kSide = std::numbers::pi_v<float> / 2 - 1e-3f;
+        low[axis] = std::tan(std::clamp(middle - half, -kSide, kSide));
+        high[axis] = std::tan(std::clamp(middle + half, -kSide, kSide));
+    }
+    return {(low - view.shift) / view.halfExtent(), (high - view.shift) / view.halfExtent()};
 }
 
 glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows) {

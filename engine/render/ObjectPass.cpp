@@ -345,16 +345,10 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
 void ObjectPass::use(const gl::Program& program, unsigned features, const EyePicture& picture,
                      const water::Water& water) const {
     program.use();
-    picture.environment.bindLight(program);
+    picture.bind(program, water, (features & FILM_DEPTH) != 0);
     program.setTexture("dfgTable", UNIT_DFG, dfg_.name());
-    program.set("clipFromWorld", picture.view.clipFromWorld());
-    program.set("eyeWorld", picture.view.eyeWorld);
-    program.set("envFromWorld", picture.envFromWorld);
-    program.set("exposureScale", picture.exposure.scale());
-    setWater(program, water);
     if (features & OCCLUDED) setSmoothLight(program, picture.environment.smoothLight());
     if (features & LAYERS) layers_->bind(program);
-    if (features & FILM_DEPTH) picture.environment.bindDepth(program, picture.eyeInFilm);
 }
 
 Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Glossy glossy) {

@@ -23,11 +23,6 @@ bool hidesSpecks(const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) 
     return film.max_perM * (kCube_m / 2 + glm::length(eyeInFilm)) > 1;
 }
 
-unsigned featuresOf(const EyePicture& picture) {
-    return toneFeatures(picture.exposure) | (picture.environment.lightIsScaled() ? kScaledLight : 0u) |
-           (hidesSpecks(picture.environment, picture.eyeInFilm) ? kFilmDepth : 0u);
-}
-
 } // namespace
 
 Result<ParticlePass> ParticlePass::make() {
@@ -39,18 +34,15 @@ Result<ParticlePass> ParticlePass::make() {
 }
 
 Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& water, double time_s) {
-    const unsigned features = featuresOf(picture);
+    const bool filmHides = hidesSpecks(picture.environment, picture.eyeInFilm);
+    const unsigned features = toneFeatures(picture.exposure) |
+                              (picture.environment.lightIsScaled() ? kScaledLight : 0u) |
+                              (filmHides ? kFilmDepth : 0u);
     auto found = programs_.get(features);
     if (!found) return found.error();
     const gl::Program& program = **found;
     program.use();
-    picture.environment.bindLight(program);
-    if (features & kFilmDepth) picture.environment.bindDepth(program, picture.eyeInFilm);
-    setWater(program, water);
-    program.set("eyeWorld", picture.view.eyeWorld);
-    program.set("clipFromWorld", picture.view.clipFromWorld());
-    program.set("envFromWorld", picture.envFromWorld);
-    program.set("exposureScale", picture.exposure.scale());
+    picture.bind(program, water, filmHides);
     // Wrapped here in double precision: floats are too coarse after hours.
     program.set("drift_m", glm::vec3(glm::mod(kDrift_mps * time_s, static_cast<double>(kCube_m))));
     program.set("swell", static_cast<float>(std::fmod(time_s / kSwell_s, 1.0) * 2 * std::numbers::pi));
