@@ -5,9 +5,7 @@ uniform mat3 envFromWorld;
 #include "light/Environment.glsl"
 #include "light/Surface.glsl"
 #include "render/LightDifference.glsl"
-#ifdef CLEARCOAT
 #include "render/Clearcoat.glsl"
-#endif
 #ifdef PHONG_RINGS
 #include "light/PhongRings.glsl"
 #endif
@@ -16,9 +14,7 @@ uniform mat3 envFromWorld;
 #endif
 #include "render/Output.glsl"
 #include "render/Highlight.glsl"
-#ifdef FILM_DEPTH
 #include "render/FilmDepth.glsl"
-#endif
 
 uniform vec3 eyeWorld;
 uniform vec4 baseColourLin;
@@ -224,13 +220,11 @@ vec3 litByVertex(vec3 baseExposed) {
 }
 #endif
 
-#ifdef FILM_DEPTH
 // Returns 0 behind the film to 1 in front of it, over about a pixel, or 2 % of the distance where a body touches the film.
 float filmVisibility(vec3 fromEyeEnv) {
     float before = inverseBeforeFilm(fromEyeEnv);
     return clamp(before / max(fwidth(before), 0.02 / length(fromEyeEnv)) + 0.5, 0.0, 1.0);
 }
-#endif
 
 void main() {
     vec4 base = baseColour();

@@ -14,7 +14,6 @@ uniform float ownStrength; // strength of the body's own occluders, 0 to 1
 
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
-
 uniform mat3 envFromWorld;
 #if defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
 #include "light/LatLong.glsl"
@@ -24,15 +23,11 @@ uniform mat3 envFromWorld;
 #if defined(OCCLUDED) && (defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT))
 #include "occlusion/Bodies.glsl"
 #endif
-#if defined(VERTEX_DIFFUSE) && defined(OCCLUDED)
 uniform float roughness;
-#endif
 #ifdef VERTEX_LIT
 #include "render/VertexLight.glsl"
 #endif
-#if defined(VERTEX_LIT) || defined(WATER)
 #include "render/Output.glsl"
-#endif
 #ifdef WATER
 #include "render/Water.glsl"
 #else
