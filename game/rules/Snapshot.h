@@ -3,16 +3,21 @@
 #pragma once
 
 #include "engine/scene/HandPose.h"
+#include "engine/sim/FixedStep.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace shoal::game {
+
+constexpr float kDt = sim::kTick_s;
 
 // World frame: the env frame of engine/math/LatLong.h, metres; the viewer's eyes rest at the origin, and a
 // headset moves them.
@@ -39,8 +44,16 @@ struct Gait {
     float blend = 1;   // 0: all `before`, 1: all `motion`
     float phase_s = 0; // time inside the motion's clip, for all but the spine; not wrapped
 
-    void set(Motion next);
-    void advance(float rate); // rate 1: at the clip's own pace
+    void set(Motion next) {
+        if (next == motion) return;
+        before = std::exchange(motion, next);
+        blend = 0;
+    }
+    void advance(float rate) { // rate 1: at the clip's own pace
+        constexpr float kBlend_s = 0.2f;
+        phase_s += kDt * rate;
+        blend = std::min(1.0f, blend + kDt / kBlend_s);
+    }
 };
 
 struct CreatureView {
