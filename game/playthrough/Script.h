@@ -4,7 +4,6 @@
 #include "engine/core/Hash.h"
 #include "game/feedback/EventTable.h"
 #include "game/rules/Dive.h"
-#include "game/rules/ReachHelp.h"
 #include "input/hands/MouseHands.h"
 
 #include <optional>
@@ -156,7 +155,7 @@ class ScriptRun {
     std::array<ScriptHand, 2> hands_{};
     hands::MouseHands mouse_; // for a script that moves the mouse
     hands::MouseInput mouseInput_;
-    ReachHelp reach_;
+    int reachTarget_ = -1; // see reachHelp()
     float yaw_ = 0, pitch_ = 0;
     size_t step_ = 0;
     uint64_t tick_ = 0, stepBegan_ = 0;

@@ -2,12 +2,12 @@
 #include "game/playthrough/Script.h"
 
 #include "engine/math/Trigonometry.h"
+#include "game/rules/Intent.h"
 #include "input/hands/MouseHands.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace shoal::game {
@@ -62,18 +62,13 @@ glm::vec2 pixelOf(glm::vec3 view) {
 
 // Returns the nearest fish within reach and well inside the window; -1: none.
 int chooseVisible(const ScriptStep& step, const Snapshot& now, const SpeciesTable& species) {
-    int best = -1;
-    float nearest = kVisibleReach_m;
-    for (const CreatureView& creature : now.creatures) {
+    return leastCost(now.creatures, kVisibleReach_m, [&](const CreatureView& creature) {
         const glm::vec3 view = glm::conjugate(now.worldFromView) * creature.position;
         const glm::vec2 fromMiddle = glm::abs(pixelOf(view) / kHalfWindow_px - 1.0f);
         if (!isFree(creature, step, species) || creature.gait.motion == Motion::Dart || view.z > -kNear_m)
-            continue;
-        if (std::max(fromMiddle.x, fromMiddle.y) > 0.8f || glm::length(view) >= nearest) continue;
-        nearest = glm::length(view);
-        best = static_cast<int>(creature.id);
-    }
-    return best;
+            return kNever;
+        return std::max(fromMiddle.x, fromMiddle.y) > 0.8f ? kNever : glm::length(view);
+    });
 }
 
 } // namespace
@@ -100,22 +95,18 @@ void ScriptRun::lookTowards(glm::vec3 direction) {
 
 int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
     const ScriptHand& hand = hands_[step.hand];
-    int best = -1;
-    float bestCost = std::numeric_limits<float>::max();
-    for (const CreatureView& creature : now.creatures) {
-        if (!isFree(creature, step, species_)) continue;
-        const int id = static_cast<int>(creature.id);
-        if (id == hands_[1 - step.hand].target && hands_[1 - step.hand].closedGoal > 0) continue;
+    const ScriptHand& other = hands_[1 - step.hand];
+    return leastCost(now.creatures, kNever, [&](const CreatureView& creature) {
+        const bool taken = static_cast<int>(creature.id) == other.target && other.closedGoal > 0;
+        if (taken || !isFree(creature, step, species_)) return kNever;
         const glm::vec3 soon = creature.position + 0.4f * creature.velocity;
         const float distance = glm::length(soon);
         float cost = glm::distance(soon, hand.graspWorld);
         cost += 12 * std::max(0.0f, distance - (kReach_m - 0.1f)) + 4 * std::max(0.0f, 0.45f - distance);
         cost += 0.5f *
                 std::max(0.0f, -glm::dot(soon, now.worldFromView * glm::vec3(0, 0, -1))); // behind the back
-        if (creature.gait.motion == Motion::Dart) cost += 1.5f;
-        if (cost < bestCost) bestCost = cost, best = id;
-    }
-    return best;
+        return creature.gait.motion == Motion::Dart ? cost + 1.5f : cost;
+    });
 }
 
 // Moves the hand along with its fish. Returns whether it could close on it, or is at its offset from it.
@@ -310,7 +301,7 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     out.worldFromView = worldFromView;
     if (script_.usesMouse) { // the same order as in the program: first the help with depth, then the hand
         mouseInput_.reach_m =
-            reach_.update(now, species_, rayThroughCursor(mouseInput_), mouse_.distance_m());
+            reachHelp(now, species_, rayThroughCursor(mouseInput_), mouse_.distance_m(), reachTarget_);
         out.hands = mouse_.update(mouseInput_, kDt);
     }
     for (int h = 0; h < 2 && !script_.usesMouse; ++h) {

@@ -73,7 +73,8 @@ void Dive::begin(uint64_t seed) {
     state_.tick = 0;
     state_.phase = Phase::Diving;
     state_.begun = false;
-    state_.score = newScore(files_.species, files_.dive);
+    state_.score = {.species = std::vector<SpeciesTally>(files_.species.size()),
+                    .reached = std::vector<bool>(files_.dive.goals.size())};
     for (Hand& hand : state_.hands) {
         hand.grasp.holds = -1;
         hand.grasp.window = 0;

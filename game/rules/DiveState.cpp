@@ -216,30 +216,12 @@ void Score::countLoss(int kind) {
     run = 0;
 }
 
-Score newScore(const SpeciesTable& species, const DiveFile& dive) {
-    Score score;
-    score.species.resize(species.size());
-    score.reached.resize(dive.goals.size());
-    return score;
-}
-
 int progressOf(const Goal& goal, const Score& score) {
-    const auto progress = [&]() -> int {
-        switch (goal.kind) {
-        case GoalKind::Catch:
-            return goal.species < 0 ? score.caught : score.species[goal.species].caught;
-        case GoalKind::Different:
-            return static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));
-        case GoalKind::Score:
-            return score.points;
-        case GoalKind::NoLoss:
-            return score.lost == 0 ? goal.count : 0;
-        case GoalKind::Combo:
-            return score.bestCombo;
-        }
-        return 0;
-    };
-    return std::min(progress(), goal.count);
+    const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));
+    const std::array progress = {goal.species < 0 ? score.caught : score.species[goal.species].caught,
+                                 different, score.points, score.lost == 0 ? goal.count : 0,
+                                 score.bestCombo}; // by GoalKind
+    return std::min(progress[static_cast<size_t>(goal.kind)], goal.count);
 }
 
 bool isReached(const Goal& goal, const Score& score, bool over) {

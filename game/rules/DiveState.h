@@ -93,8 +93,8 @@ struct Fish : Swimmer {
     int heldBy = -1;         // 0 left, 1 right, -1 none
     FishHold hold;
     Visit visit;
-    float catchable = 0; // both as CreatureView's
-    int catchableBy = -1;
+    float catchable = 0;  // as CreatureView's
+    int catchableBy = -1; // the hand that takes it then: 0 left, 1 right, -1 none
 
     bool free() const { return state != State::Held && state != State::Mouth; }
 
@@ -272,8 +272,6 @@ struct Score {
     int countCatch(int species, int points); // returns the points that it gave
     void countLoss(int species);
 };
-
-Score newScore(const SpeciesTable&, const DiveFile&);
 
 // Returns how far a goal has been reached, 0 to Goal::count.
 int progressOf(const Goal&, const Score&);

@@ -37,7 +37,6 @@ class FilmSpace {
 
     // Returns the hash of length and distances: equal hashes, equal dives.
     uint64_t hash() const;
-    size_t bytes() const { return 3 * surface_mm_.size() * sizeof(uint16_t); }
     int steps() const { return steps_; }
     double length_s() const { return length_s_; }
 

@@ -6,7 +6,6 @@
 #include "game/rules/Intent.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace shoal::game {
 
@@ -100,14 +99,9 @@ bool graspable(const Fish& f, const Hand& hand, int h, const DiveContext& in) {
 
 // Returns the graspable fish nearest to the grasp centre, or -1.
 int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in) {
-    int nearest = -1;
-    float gap = std::numeric_limits<float>::max();
-    for (size_t i = 0; i < fish.size(); ++i) {
-        if (!graspable(fish[i], hand, h, in)) continue;
-        const float distance = graspGap(fish[i], in.kindOf(fish[i]), hand);
-        if (distance < gap) gap = distance, nearest = static_cast<int>(i);
-    }
-    return nearest;
+    return leastCost(fish, kNever, [&](const Fish& f) {
+        return graspable(f, hand, h, in) ? graspGap(f, in.kindOf(f), hand) : kNever;
+    });
 }
 
 void wrapAround(const Fish& f, Hand& hand, const DiveContext& in) {

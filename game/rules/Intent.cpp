@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace shoal::game {
 
@@ -38,7 +37,6 @@ constexpr float kShow_Hz = 12;         // easing rate of Fish::catchable
 // Returns the smaller of the fish's distances from the hand now and in kLook_s, in units of the range (0 in
 // the hand, 1 at the range's edge), plus a penalty for speed; very large if the fish cannot be the target.
 float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
-    constexpr float kNever = std::numeric_limits<float>::max();
     const Help& help = kHelp[static_cast<size_t>(in.assist)];
     if (!in.mayBeTaken(f)) return kNever;
     const glm::vec3 apart = f.velocity - hand.calmVelocity;
@@ -71,8 +69,8 @@ void readIntent(Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
         intent.fish = -1;
         return;
     }
-    const auto reach = [&](int id) { return reachOf(fish[id], hand, in); };
-    const float kept = intent.fish >= 0 ? reach(intent.fish) : 1e9f;
+    const auto reach = [&](const Fish& f) { return reachOf(f, hand, in); };
+    const float kept = intent.fish >= 0 ? reach(fish[intent.fish]) : 1e9f;
     intent.unseen_s = kept < 1 ? 0 : intent.unseen_s + kDt;
     if (kept > kKeep || intent.unseen_s > kForget_s) intent.fish = -1;
     const bool closes = isClosing(hand);
@@ -81,12 +79,10 @@ void readIntent(Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
         return;
     }
     // Another fish becomes the target if it is clearly nearer, and never while the fingers close.
-    float best = intent.fish >= 0 ? (closes ? 0.0f : kept - 0.25f) : kEnter;
-    for (size_t i = 0; i < fish.size(); ++i) {
-        const float here = reach(static_cast<int>(i));
-        if (here >= std::min(best, kEnter)) continue;
-        best = here;
-        intent.fish = static_cast<int>(i);
+    const float limit = intent.fish < 0 ? kEnter : closes ? 0.0f : std::min(kept - 0.25f, kEnter);
+    const int nearer = leastCost(fish, limit, reach);
+    if (nearer >= 0) {
+        intent.fish = nearer;
         intent.unseen_s = 0;
     }
     intent.inRange = intent.fish >= 0 && intent.unseen_s == 0;
@@ -188,6 +184,37 @@ Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in)
 EventKind eventOf(Miss miss) {
     constexpr auto kFirst = static_cast<int>(EventKind::Miss); // both enumerations have the same order
     return static_cast<EventKind>(kFirst + std::max(0, static_cast<int>(miss) - 1));
+}
+
+std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species, glm::vec3 rayView,
+                               float hand_m, int& target) {
+    // Reach of hands that are tracked above a desk, a third of a metre ahead of its middle (see Mount in
+    // input/hands/HandTracker.h), so that mouse and hands have the same fish within reach. The wheel goes
+    // beyond.
+    constexpr float kNear_m = 0.3f, kFar_m = 1.3f;
+    // Angles between the ray and the fish's outline, as tangents: full help up to the first (4 degrees), none
+    // from the second on (12 degrees).
+    constexpr float kFull = 0.07f, kNone = 0.21f;
+    constexpr float kKeptTo = 0.06f;      // bonus of the present target, a tangent...
+    constexpr float kNearerPer_m = 0.08f; // ...and bonus for each metre that a fish is nearer
+    constexpr float kLead_s = 0.15f;      // look-ahead that makes up for the hand's delay behind the fish
+    const glm::vec3 ray = now.worldFromView * rayView;
+    const auto along = [&](const CreatureView& c) { return glm::dot(c.position - now.headWorld, ray); };
+    const auto beside = [&](const CreatureView& c) { // angle from ray to outline, a tangent
+        const float across_m = glm::length(c.position - now.headWorld - ray * along(c));
+        return std::max(0.0f, across_m - 0.3f * c.length) / along(c);
+    };
+    target = leastCost(now.creatures, kNever, [&](const CreatureView& c) {
+        const bool free = c.heldBy < 0 && c.gait.motion != Motion::Struggle;
+        if (!isCatchable(species[c.species]) || !free || c.hidden) return kNever;
+        if (along(c) < kNear_m || along(c) > kFar_m || beside(c) >= kNone) return kNever;
+        return beside(c) + kNearerPer_m * along(c) - (static_cast<int>(c.id) == target ? kKeptTo : 0);
+    });
+    if (target < 0) return std::nullopt;
+    const CreatureView& fish = now.creatures[target];
+    const float goal = std::clamp(along(fish) + kLead_s * glm::dot(fish.velocity, ray), kNear_m, kFar_m);
+    const float edge = std::clamp((kNone - beside(fish)) / (kNone - kFull), 0.0f, 1.0f);
+    return hand_m + (goal - hand_m) * edge * edge * (3 - 2 * edge);
 }
 
 } // namespace shoal::game

@@ -15,9 +15,6 @@ void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
     view.joints = hand.fingers.shown;
     view.holds = hand.grasp.holds;
     view.touching = hand.touching;
-    view.lastMiss = hand.lastMiss;
-    view.sinceMiss_s = hand.sinceMiss_s;
-    view.stung_s = hand.stung_s;
     view.holdProgress = view.holds < 0 ? 0 : std::min(1.0f, fish[view.holds].hold.time_s / kHoldToCatch_s);
 }
 
@@ -86,7 +83,6 @@ void Dive::snapshot(Snapshot& out) const {
         CreatureView& view = show(i, fish, fish.species);
         view.heldBy = fish.heldBy;
         view.catchable = fish.catchable;
-        view.catchableBy = fish.catchableBy;
         view.hidden = in.hides(fish.position);
     }
     if (s.shark.present) show(s.fish.size(), s.shark, s.shark.species);

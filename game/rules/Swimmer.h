@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shoal::game {
 
@@ -71,6 +72,16 @@ constexpr glm::vec3 kUp(0, 1, 0);
 inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
     const float squared = glm::dot(v, v);
     return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
+}
+
+constexpr float kNever = std::numeric_limits<float>::max(); // cost of what is no candidate
+
+// Returns the index of the item with the least cost below the limit, the first of equal ones; -1: none.
+template <class Items, class CostOf> int leastCost(const Items& items, float limit, CostOf costOf) {
+    int best = -1;
+    for (size_t i = 0; i < items.size(); ++i)
+        if (const float cost = costOf(items[i]); cost < limit) limit = cost, best = static_cast<int>(i);
+    return best;
 }
 
 // Position relative to the vertical axis through the player.

@@ -3,6 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
+#include "game/rules/Intent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,8 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
             if (!holds) mouse.closeTo = trigger;
         }
         wasDown_ = down;
-        mouse.reach_m = reach_.update(shown, species_, rayThroughCursor(mouse), hands_.distance_m());
+        mouse.reach_m =
+            game::reachHelp(shown, species_, rayThroughCursor(mouse), hands_.distance_m(), reachTarget_);
         mouse.reachHelp = options.reachHelp;
     }
     poses_ = hands_.update(mouse, dt_s);

@@ -7,7 +7,6 @@
 #include "engine/sim/Recording.h"
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
-#include "game/rules/ReachHelp.h"
 #include "game/session/Controls.h"
 #include "game/settings/PlayOptions.h"
 #include "input/hands/HandSourceSelector.h"
@@ -41,7 +40,7 @@ class MouseSource {
   private:
     hands::MouseHands hands_;
     game::SpeciesTable species_;
-    game::ReachHelp reach_;
+    int reachTarget_ = -1; // see reachHelp()
     std::array<hands::HandPose, 2> poses_{};
     LookAngles look_;
     float turning_radps_ = 0;

@@ -1,8 +1,7 @@
 // Parts of the simulation one by one, each given its inputs by hand.
 #include "Fixture.h"
 #include "engine/core/WriteFile.h"
-#include "game/rules/DiveState.h"
-#include "game/rules/ReachHelp.h"
+#include "game/rules/Intent.h"
 #include "tests/Recorded.h"
 #include "tests/unit/Heap.h"
 
@@ -217,11 +216,11 @@ TEST(ReachHelp, FindsTheFishUnderTheCursor) {
     now.creatures[0].position = {0.2f, 0, -0.8f};
     const glm::vec3 ray = glm::normalize(now.creatures[0].position);
     now.creatures[0].velocity = glm::vec3(0);
-    ReachHelp help;
-    const auto reach_m = help.update(now, cove().species, ray, 0.5f);
+    int target = -1;
+    const auto reach_m = reachHelp(now, cove().species, ray, 0.5f, target);
     ASSERT_TRUE(reach_m);
     EXPECT_NEAR(*reach_m, glm::length(now.creatures[0].position), 1e-5f);
-    EXPECT_FALSE(help.update(now, cove().species, {-1, 0, 0}, 0.5f));
+    EXPECT_FALSE(reachHelp(now, cove().species, {-1, 0, 0}, 0.5f, target));
 }
 
 // A tick takes no memory from the heap once its scratch memory has its size.
