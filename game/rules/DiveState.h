@@ -9,7 +9,6 @@
 #include "engine/scene/HandPose.h"
 #include "game/rules/FilmSpace.h"
 #include "game/rules/Swimmer.h"
-#include "game/rules/TickInput.h"
 
 #include <algorithm>
 #include <array>
@@ -251,6 +250,17 @@ struct Viewpoint {
     glm::vec3 headWorld{0}; // between the eyes
 
     glm::vec3 ahead() const { return worldFromView * glm::vec3(0, 0, -1); }
+};
+
+constexpr float kHeadReach_m = 10; // a head position farther out, or not finite, is ignored
+
+// All input of one tick. Nothing else enters the simulation from outside.
+struct TickInput {
+    std::array<hands::HandPose, 2> hands{}; // left, right; viewer's frame
+    glm::quat worldFromView{1, 0, 0, 0};
+    glm::vec3 headWorld{0}; // between the eyes; within kHeadReach_m of the origin
+    bool pause = false;     // held: the tick changes nothing but `paused`
+    bool restart = false;   // on the tick it becomes true: a new dive with the next seed
 };
 
 // Updates view and hands from the tick's input. Values that are not finite or not plausible are ignored: the
