@@ -427,7 +427,7 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     ++tick_;
 }
 
-void ScriptRun::observe(const Events& events, uint64_t stateHash, const Snapshot& after) {
+void ScriptRun::observe(std::span<const Event> events, uint64_t stateHash, const Snapshot& after) {
     hash_.add(stateHash);
     for (const Event& event : events) occurred_.push_back({event.kind, static_cast<float>(tick_) * kDt});
     for (const CreatureView& creature : after.creatures)

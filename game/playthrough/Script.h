@@ -7,6 +7,7 @@
 #include "input/hands/MouseHands.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -111,7 +112,7 @@ class ScriptRun {
     // Makes the input of the next tick, from the snapshot after the last one.
     void next(const Snapshot&, TickInput& out);
     // Takes the events of the tick just stepped, the state's hash, and the snapshot after it.
-    void observe(const Events&, uint64_t stateHash, const Snapshot&);
+    void observe(std::span<const Event>, uint64_t stateHash, const Snapshot&);
 
     bool finished() const { return finished_; }
     // Returns success, or the first step that timed out or expectation that failed, once finished().

@@ -1,7 +1,6 @@
 #include "game/rules/Dive.h"
 
 #include "engine/core/Hash.h"
-#include "game/rules/Grasping.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
 
@@ -177,7 +176,6 @@ static_assert(std::endian::native == std::endian::little, "recordings are little
 
 // Visits every field but the flags of the last byte, in the order of the file.
 template <class Input, class Visit> void visit(Input& input, Visit&& io) {
-    const auto vector = [&](auto& v) { io(v.x), io(v.y), io(v.z); };
     const auto quaternion = [&](auto& q) { io(q.w), io(q.x), io(q.y), io(q.z); };
     for (auto& hand : input.hands) {
         io(hand.tracked);
@@ -187,13 +185,13 @@ template <class Input, class Visit> void visit(Input& input, Visit&& io) {
         io(hand.pinch);
         io(hand.time_us);
         for (auto& joint : hand.joints) {
-            vector(joint.position);
+            io(joint.position);
             quaternion(joint.orientation);
             io(joint.radius);
         }
     }
     quaternion(input.worldFromView);
-    vector(input.headWorld);
+    io(input.headWorld);
 }
 
 constexpr const char* kFilmSpace = "film_space"; // key in a recording's settings
@@ -246,19 +244,14 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
         return Error{"the recording", "holds inputs of another kind than this version of the game takes"};
     DiveRules rules;
     for (const auto& [name, value] : header.settings) {
-        const bool on = value == "on";
-        bool known = on || value == "off";
-        if (name == "assist") {
-            const auto assist = enumNamed<Assist>(value);
-            known = assist.has_value();
-            rules.assist = assist.value_or(Assist::None);
-        } else if (name == "free_swim")
-            rules.freeSwim = on;
-        else if (name == "seated")
-            rules.seated = on;
-        else
-            continue; // a setting of the program, no rule
-        if (!known) return Error{"the recording", "has an unknown value: " + name + " = " + value};
+        bool* flag = name == "free_swim" ? &rules.freeSwim : name == "seated" ? &rules.seated : nullptr;
+        const auto assist = enumNamed<Assist>(value);
+        if (name == "assist" && assist)
+            rules.assist = *assist;
+        else if (flag && (value == "on" || value == "off"))
+            *flag = value == "on";
+        else if (flag || name == "assist") // others are settings of the program, no rules
+            return Error{"the recording", "has an unknown value: " + name + " = " + value};
     }
     return rules;
 }

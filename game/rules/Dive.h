@@ -5,7 +5,7 @@
 #include "engine/sim/Recording.h"
 #include "game/rules/DiveState.h"
 #include "game/rules/FishBehaviour.h"
-#include "game/rules/HandContacts.h"
+#include "game/rules/Grasping.h"
 #include "game/rules/Snapshot.h"
 
 #include <span>

@@ -1,6 +1,5 @@
 // Makes the snapshots of a dive and interpolates between them.
 #include "game/rules/Dive.h"
-#include "game/rules/Grasping.h"
 
 #include <algorithm>
 #include <cmath>

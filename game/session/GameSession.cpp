@@ -28,7 +28,7 @@ Result<HandSourceChoice> parseHandSource(const std::string& text) {
 HandSource makeSource(const SessionConfig& config) {
     if (config.script)
         return game::ScriptRun(*config.script, config.rig, config.species, config.dive.space != nullptr);
-    if (config.replay) return ReplaySource(*config.replay);
+    if (config.replay) return ReplaySource{*config.replay};
     if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
     return MouseSource(config.rig, config.species);
 }
@@ -127,16 +127,15 @@ void GameSession::tick(float share, float ago_s) {
             return;
         }
     }
-    tickEvents_.clear();
-    dive.step(input, tickEvents_);
+    const size_t firstEvent = events.size();
+    dive.step(input, events);
     const uint64_t hash = recording_ || !playedByAPerson(source) ? dive.stateHash() : 0;
     std::swap(before, after);
     dive.snapshot(after);
     ++ticks;
-    events.insert(events.end(), tickEvents_.begin(), tickEvents_.end());
     if (recording_) addToRecording(input, hash);
     if (auto* script = std::get_if<game::ScriptRun>(&source)) {
-        script->observe(tickEvents_, hash, after);
+        script->observe(std::span(events).subspan(firstEvent), hash, after);
         if (script->finished()) {
             ended = true;
             verdict = script->verdict();
@@ -165,10 +164,9 @@ void GameSession::addToRecording(const game::TickInput& input, uint64_t hash) {
 }
 
 Status GameSession::endRecording() {
-    if (!recording_) return recorded_;
-    const Status finished = recording_->finish();
+    if (recording_) recorded_ = recording_->finish();
     recording_.reset();
-    return finished;
+    return recorded_;
 }
 
 void GameSession::advance(double elapsed_s) {
@@ -184,22 +182,11 @@ void GameSession::advance(double elapsed_s) {
     if (tracked) tracked->showElbows(shown);
 }
 
-void DiveRunner::beginFrame(std::optional<double> display_s) {
-    clock.beginFrame();
-    elapsed_s = clock.elapsed_s(display_s) * static_cast<double>(options_.speed);
-}
-
 void DiveRunner::moveMouse(const Controls* controls, glm::ivec2 size) {
     const glm::vec2 shape = glm::max(size, 1);
     if (auto* mouse = std::get_if<MouseSource>(&session.source))
         mouse->frame(controls, options_.controls, session.shown, static_cast<float>(elapsed_s),
                      glm::radians(options_.fov_deg), shape.x / shape.y);
-}
-
-float DiveRunner::advance_ms() {
-    const auto began = std::chrono::steady_clock::now();
-    session.advance(elapsed_s);
-    return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
 bool DiveRunner::isOver() const {

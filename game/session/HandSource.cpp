@@ -103,7 +103,6 @@ void MouseSource::idle(float dt_s, float yaw_radps) {
 }
 
 void MouseSource::next(game::TickInput& out) const {
-    out = {};
     out.hands = poses_;
     out.worldFromView = look_.worldFromView();
 }
@@ -153,11 +152,6 @@ void TrackedHands::tick(game::TickInput& input, float ago_s) {
 void TrackedHands::showElbows(game::Snapshot& shown) const {
     for (size_t side = 0; side < 2; ++side)
         shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
-}
-
-bool TrackedHands::look(ImageRgba8& out) {
-    hands::CameraPreview* preview = tracker_->preview();
-    return preview && preview->look(out);
 }
 
 std::optional<float> TrackedHands::openHand_m() const {

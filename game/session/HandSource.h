@@ -54,8 +54,6 @@ class MouseSource {
 
 // The inputs of a recording; compares its states with those that the inputs lead to now.
 struct ReplaySource {
-    explicit ReplaySource(sim::RecordingReader from) : recording(std::move(from)) {}
-
     // Reads the next input; false: there is none.
     bool next(game::TickInput& input);
     void compare(uint64_t stateHash); // compares the state after that input
@@ -90,7 +88,7 @@ class TrackedHands {
 
     // Replaces `out` if the device's camera has a newer picture, and returns whether it has. To be called
     // once a frame while the picture is shown.
-    bool look(ImageRgba8& out);
+    bool look(ImageRgba8& out) { return hasCamera() && tracker_->preview()->look(out); }
     bool hasCamera() const { return tracker_->preview() != nullptr; }
 
     // Returns the distance in metres from the camera to the palm if exactly one hand is seen and it is open,

@@ -88,15 +88,16 @@ TEST(HandTracking, ALostHandStaysForATenthOfASecondAndAJumpGivesNoSpeed) {
 TEST(FingerWrap, FingersPressOnWhatLiesInTheFistFromBothSides) {
     TickInput input;
     Viewpoint view;
-    Hands hands;
+    DiveState state;
+    Hands& hands = state.hands;
     input.hands[1] = handAt(kPlace, 1);
     trackHands(input, view, hands);
     const physics::Capsule fish{kPlace - glm::vec3(0.03f, 0, 0), kPlace + glm::vec3(0.03f, 0, 0), 0.024f};
     wrapFingers(fish, hands[1]);
     EXPECT_GT(hands[1].fingers.pressCount, 2);
     hands[1].grasp.encloses = 4;
-    EXPECT_GT(holdOn(4, hands, {}, glm::vec3(0)).margin_N, 0);
-    EXPECT_EQ(holdOn(5, hands, {}, glm::vec3(0)).margin_N, 0) << "another fish is not pressed";
+    EXPECT_GT(holdOn(4, state, glm::vec3(0)).margin_N, 0);
+    EXPECT_EQ(holdOn(5, state, glm::vec3(0)).margin_N, 0) << "another fish is not pressed";
 }
 
 TEST(Script, NamesADiveFileBesideIt) {
