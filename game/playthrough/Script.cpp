@@ -164,12 +164,6 @@ bool isFree(const CreatureView& creature, const ScriptStep& step, const SpeciesT
     return asked && creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
 }
 
-bool isNear(const Snapshot& now, glm::vec3 place, float near_m, const SpeciesTable& species) {
-    return std::ranges::any_of(now.creatures, [&](const CreatureView& creature) {
-        return isCatchable(species[creature.species]) && glm::distance(creature.position, place) < near_m;
-    });
-}
-
 // Returns the window's pixel of a place in front of the viewer, viewer's frame.
 glm::vec2 pixelOf(glm::vec3 view) {
     const float half = 0.5f * kWindowFov, focal_px = kHalfWindow_px.y * math::cosine(half) / math::sine(half);
@@ -269,8 +263,11 @@ bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s)
 
 bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s) const {
     if (step.phase) return now.phase == *step.phase;
-    if (step.near_m > 0)
-        return spent_s >= step.seconds && isNear(now, hands_[step.hand].graspWorld, step.near_m, species_);
+    const auto isNear = [&](const CreatureView& creature) {
+        return isCatchable(species_[creature.species]) &&
+               glm::distance(creature.position, hands_[step.hand].graspWorld) < step.near_m;
+    };
+    if (step.near_m > 0) return spent_s >= step.seconds && std::ranges::any_of(now.creatures, isNear);
     if (!step.until) return spent_s >= step.seconds;
     return std::ranges::count(std::span(occurred_).subspan(occurredAtStep_), *step.until, &Occurred::kind) >
            0;

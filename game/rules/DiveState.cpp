@@ -1,7 +1,5 @@
 #include "game/rules/DiveState.h"
 
-#include <bit>
-
 namespace shoal::game {
 
 // Fish and shark as a dive begins.
@@ -195,26 +193,7 @@ void trackHands(const TickInput& input, Viewpoint& view, Hands& hands) {
     for (size_t i = 0; i < hands.size(); ++i) trackHand(input.hands[i], view, hands[i]);
 }
 
-// Points and goals.
-
-int Score::combo() const { return std::min(std::popcount(run), kMaxCombo); }
-
-int Score::countCatch(int kind, int kindPoints) {
-    const uint64_t bit = uint64_t{1} << kind;
-    run = (run & bit) != 0 ? bit : run | bit;
-    bestCombo = std::max(bestCombo, combo());
-    ++caught;
-    ++species[kind].caught;
-    const int given = kindPoints * combo();
-    points += given;
-    return given;
-}
-
-void Score::countLoss(int kind) {
-    ++lost;
-    ++species[kind].lost;
-    run = 0;
-}
+// Goals.
 
 int progressOf(const Goal& goal, const Score& score) {
     const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));

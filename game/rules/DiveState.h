@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -133,7 +134,6 @@ struct Shark : Swimmer {
         state = next;
         state_s = 0;
     }
-    glm::vec3 mouthPosition(float length_m) const { return position + forward * (0.46f * length_m); }
 };
 
 // The giant of the dive's encounter (a whale), which swims past once.
@@ -278,9 +278,22 @@ struct Score {
     std::vector<SpeciesTally> species; // by index into the species table
     std::vector<bool> reached;         // by index into DiveFile::goals
 
-    int combo() const;                       // of the last catch; 0: no run
-    int countCatch(int species, int points); // returns the points that it gave
-    void countLoss(int species);
+    int combo() const { return std::min(std::popcount(run), kMaxCombo); } // of the last catch; 0: no run
+    int countCatch(int kind, int kindPoints) {                            // returns the points that it gave
+        const uint64_t bit = uint64_t{1} << kind;
+        run = (run & bit) != 0 ? bit : run | bit;
+        bestCombo = std::max(bestCombo, combo());
+        ++caught;
+        ++species[kind].caught;
+        const int given = kindPoints * combo();
+        points += given;
+        return given;
+    }
+    void countLoss(int kind) {
+        ++lost;
+        ++species[kind].lost;
+        run = 0;
+    }
 };
 
 // Returns how far a goal has been reached, 0 to Goal::count.

@@ -170,14 +170,6 @@ float FilmSpace::lookUp(const std::vector<uint16_t>& grid, const Moment& moment,
     return 0.001f * (before + (after - before) * moment.share);
 }
 
-float FilmSpace::surface_m(const Moment& moment, glm::vec3 dir) const {
-    return lookUp(surface_mm_, moment, dir);
-}
-
-float FilmSpace::room_m(const Moment& moment, glm::vec3 dir, Room of) const {
-    return lookUp(room_mm_[static_cast<size_t>(of)], moment, dir);
-}
-
 float FilmMoment::gap_m(glm::vec3 place) const {
     const float distance = glm::length(place);
     return space_->room_m(moment_, distance > 1e-4f ? place : kUp, of_) - distance;

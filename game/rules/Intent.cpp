@@ -98,14 +98,6 @@ void moveBack(Hand& hand) {
 
 } // namespace
 
-float graspGap(const Fish& f, const Species& kind, const Hand& hand) {
-    return physics::separation({hand.graspCentre, hand.graspCentre, 0}, capsuleOf(f, kind));
-}
-
-bool onPalmSide(const Fish& f, const Hand& hand) {
-    return glm::dot(f.position - hand.palm().position, hand.outOfPalm()) > 0;
-}
-
 void readIntents(Hands& hands, std::span<Fish> fish, const DiveContext& in) {
     std::array<int, 2> meant{};
     for (int h = 0; h < 2; ++h) {
@@ -145,8 +137,6 @@ void helpClosing(Fish& f, Hand& hand, const DiveContext& in) {
 bool isClosing(const Hand& hand) {
     return hand.grasp.window > 0 || (hand.intent.closing_Hz > kClosing_Hz && hand.grip > kBegun);
 }
-
-bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.intent.fish == fish; }
 
 Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     constexpr float kCone = 0.12f, kBeside_m = 0.12f; // cone around the line of sight: tangent, radius at eye

@@ -20,8 +20,12 @@ namespace shoal::game {
 constexpr float kGraspRadius_m = 0.075f; // closing fingers draw in fish this near to hands::graspCentre
 
 // Returns the distance from the hand's grasp centre to the body's surface, metres.
-float graspGap(const Fish&, const Species&, const Hand&);
-bool onPalmSide(const Fish&, const Hand&);
+inline float graspGap(const Fish& f, const Species& kind, const Hand& hand) {
+    return physics::separation({hand.graspCentre, hand.graspCentre, 0}, capsuleOf(f, kind));
+}
+inline bool onPalmSide(const Fish& f, const Hand& hand) {
+    return glm::dot(f.position - hand.palm().position, hand.outOfPalm()) > 0;
+}
 
 // Updates each hand's intent and how catchable that makes each fish; called every tick before anything moves.
 // A hand or a fish that the film hides takes no part.
@@ -38,7 +42,7 @@ void helpClosing(Fish&, Hand&, const DiveContext&);
 bool isClosing(const Hand&);
 
 // Returns whether the hand is being helped to that fish, which therefore is not frightened by it.
-bool helpedTo(const Hand&, int fish);
+inline bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.intent.fish == fish; }
 
 constexpr float kFastHand_mps = 1.2f;
 

@@ -33,7 +33,7 @@ float futureOpenRadius(glm::vec3 place, const DiveContext& in) {
 }
 
 glm::vec3 mouthOf(const Shark& shark, const DiveContext& in) {
-    return shark.mouthPosition(in.kindOf(shark).length_m);
+    return shark.position + shark.forward * (0.46f * in.kindOf(shark).length_m);
 }
 
 float fromMouth(const Shark& shark, const Hand& hand, const DiveContext& in) {

@@ -97,16 +97,6 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
     poses_ = hands_.update(mouse, dt_s);
 }
 
-void MouseSource::idle(float dt_s, float yaw_radps) {
-    look_.turnBy({yaw_radps * dt_s, 0});
-    poses_ = {};
-}
-
-void MouseSource::next(game::TickInput& out) const {
-    out.hands = poses_;
-    out.worldFromView = look_.worldFromView();
-}
-
 TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& options,
                            const hands::HandRig& rig, bool live)
     : asked_(source.kind != HandSourceKind::Auto),
@@ -143,15 +133,6 @@ void TrackedHands::frame(double elapsed_s) {
     }
     state_ = stream.state();
     if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
-}
-
-void TrackedHands::tick(game::TickInput& input, float ago_s) {
-    choice_.tick(hands_, input.hands, ago_s, static_cast<float>(sim::kTick_s));
-}
-
-void TrackedHands::showElbows(game::Snapshot& shown) const {
-    for (size_t side = 0; side < 2; ++side)
-        shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
 }
 
 std::optional<float> TrackedHands::openHand_m() const {

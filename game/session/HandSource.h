@@ -29,10 +29,16 @@ class MouseSource {
     void frame(const Controls* controls, const ControlOptions& options, const game::Snapshot& shown,
                float dt_s, float verticalFov, float aspect);
     // Hides the hands and turns the head by itself, while nobody plays. yaw: radians a second, to the right.
-    void idle(float dt_s, float yaw_radps);
+    void idle(float dt_s, float yaw_radps) {
+        look_.turnBy({yaw_radps * dt_s, 0});
+        poses_ = {};
+    }
     // Keeps hands and view as they are while a menu is open; the press that ends the menu closes no hand.
     void release() { awaitsOpen_ = true; }
-    void next(game::TickInput& out) const;
+    void next(game::TickInput& out) const {
+        out.hands = poses_;
+        out.worldFromView = look_.worldFromView();
+    }
     void recentre() { look_ = {}; }
     // Speed at which the player turns the view, radians a second, smoothed: for the comfort setting vignette.
     float turning_radps() const { return turning_radps_; }
@@ -78,10 +84,13 @@ class TrackedHands {
 
     // Replaces the mouse's hands in `input` by those of the device, if it sees hands; once a tick, which lies
     // ago_s before the frame's time.
-    void tick(game::TickInput& input, float ago_s);
+    void tick(game::TickInput& input, float ago_s) { choice_.tick(hands_, input.hands, ago_s, sim::kTick_s); }
 
     // Sets the elbow directions that the device sees, for arms in the picture; they are not recorded.
-    void showElbows(game::Snapshot& shown) const;
+    void showElbows(game::Snapshot& shown) const {
+        for (size_t side = 0; side < 2; ++side)
+            shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
+    }
 
     // Returns the hands that the device sees now, viewer's frame; the others are not tracked.
     std::array<hands::HandPose, 2> seen() const;
