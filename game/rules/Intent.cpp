@@ -142,32 +142,25 @@ Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in)
     constexpr float kCone = 0.12f, kBeside_m = 0.12f; // cone around the line of sight: tangent, radius at eye
     constexpr float kFarthestMeant_m = 3;
     const glm::vec3 sight = normalizedOr(hand.graspCentre - in.head(), {0, 0, -1});
-    const Fish* meant = nullptr;
-    float nearest = 1, depth = 0; // depth: distance beyond the hand, metres
-    glm::vec3 beside(0);
-    for (const Fish& f : fish) {
-        if (!f.free() || f.uncatchable_s > 0) continue;
-        const glm::vec3 fromHead = f.position - in.head();
-        const float along = glm::dot(fromHead, sight);
-        if (along < 0.2f || along > kFarthestMeant_m) continue;
-        const glm::vec3 across = fromHead - along * sight;
-        const float room = kBeside_m + 0.5f * in.kindOf(f).length_m + kCone * along;
-        const float beyond = along - glm::distance(hand.graspCentre, in.head());
+    const auto along = [&](const Fish& f) { return glm::dot(f.position - in.head(), sight); };
+    const auto across = [&](const Fish& f) { return f.position - in.head() - along(f) * sight; };
+    const auto beyond = [&](const Fish& f) { return along(f) - glm::distance(hand.graspCentre, in.head()); };
+    const int id = leastCost(fish, 1, [&](const Fish& f) {
+        if (!f.free() || f.uncatchable_s > 0 || in.hides(f.position)) return kNever;
+        if (along(f) < 0.2f || along(f) > kFarthestMeant_m) return kNever;
+        const float room = kBeside_m + 0.5f * in.kindOf(f).length_m + kCone * along(f);
+        const float beside = glm::length(across(f));
         // Depth counts a little: of two fish beside the line the nearer one was meant.
-        const float cost = glm::length(across) / room + 0.15f * std::fabs(beyond);
-        if (cost >= nearest || glm::length(across) > room) continue;
-        if (in.hides(f.position)) continue;
-        nearest = cost;
-        meant = &f;
-        depth = beyond;
-        beside = across;
-    }
-    if (!meant) return Miss::Nothing;
-    if (hand.intent.fastest_mps > kFastHand_mps || meant->state == Fish::State::Dart) return Miss::TooFast;
-    const float reach = kGraspRadius_m + in.kindOf(*meant).bodyRadius_m;
+        return beside > room ? kNever : beside / room + 0.15f * std::fabs(beyond(f));
+    });
+    if (id < 0) return Miss::Nothing;
+    const Fish& meant = fish[id];
+    if (hand.intent.fastest_mps > kFastHand_mps || meant.state == Fish::State::Dart) return Miss::TooFast;
+    const float depth = beyond(meant); // distance beyond the hand, metres
+    const float reach = kGraspRadius_m + in.kindOf(meant).bodyRadius_m;
     if (depth > reach) return Miss::TooFar;
-    const bool leaves = glm::dot(meant->velocity, beside) > 0;
-    if (depth < -reach || (leaves && glm::length(beside) > reach)) return Miss::Behind;
+    const bool leaves = glm::dot(meant.velocity, across(meant)) > 0;
+    if (depth < -reach || (leaves && glm::length(across(meant)) > reach)) return Miss::Behind;
     return Miss::TooEarly;
 }
 

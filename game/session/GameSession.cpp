@@ -12,19 +12,6 @@ namespace shoal::app {
 
 namespace {
 
-// Parses "KIND" or "KIND:ARGUMENT".
-Result<HandSourceChoice> parseHandSource(const std::string& text) {
-    const size_t colon = text.find(':');
-    const bool hasArgument = colon != std::string::npos;
-    if (const auto kind = enumNamed<HandSourceKind>(text.substr(0, colon))) {
-        const bool needsArgument = *kind == HandSourceKind::Script || *kind == HandSourceKind::Replay;
-        if (hasArgument == needsArgument || *kind == HandSourceKind::Webcam)
-            return HandSourceChoice{*kind, hasArgument ? text.substr(colon + 1) : ""};
-    }
-    return Error{"--hands " + text,
-                 "is not auto, mouse, leap, webcam[:FILE or number], openxr, script:FILE or replay:FILE"};
-}
-
 HandSource makeSource(const SessionConfig& config) {
     if (config.script)
         return game::ScriptRun(*config.script, config.rig, config.species, config.dive.space != nullptr);
@@ -34,15 +21,6 @@ HandSource makeSource(const SessionConfig& config) {
 }
 
 } // namespace
-
-Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
-    const std::string& text = options.hands.source;
-    if (options.xr && (text.empty() || text == "auto")) return HandSourceChoice{HandSourceKind::OpenXr, {}};
-    auto choice = parseHandSource(!text.empty() ? text : options.headless ? "mouse" : "auto");
-    if (choice && choice->kind == HandSourceKind::OpenXr && !options.xr)
-        return Error{"--hands openxr", "needs --xr: these hands are tracked by a headset"};
-    return choice;
-}
 
 uint64_t drawnSeed() {
     std::random_device device;
@@ -74,8 +52,6 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
         diveName = recording->header().dive;
         config.seed = recording->header().seed;
         config.replay = std::move(*recording);
-    } else if (Status there = checkHandSource(config.handSource); !there) {
-        return there.error();
     }
     auto files = config.script ? game::loadDiveFiles(*config.script) : game::loadDiveFiles(diveName);
     if (!files) return files.error();

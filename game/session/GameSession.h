@@ -38,9 +38,6 @@ struct SessionConfig {
 // Returns a random seed of six digits, so that it can be read out and typed.
 uint64_t drawnSeed();
 
-// Returns the options' hand source, with the defaults that depend on other options.
-Result<HandSourceChoice> handSourceFor(const PlayOptions& options);
-
 // Reads the files that the options name. A script or replay brings its own dive and seed.
 Result<SessionConfig> makeSessionConfig(const PlayOptions& options);
 

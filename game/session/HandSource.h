@@ -19,6 +19,10 @@
 
 namespace shoal::app {
 
+// Returns the options' hand source, with the defaults that depend on other options. Fails if it is a clip
+// that does not exist.
+Result<HandSourceChoice> handSourceFor(const PlayOptions& options);
+
 // Input by mouse, keys and gamepad. Poses change once a frame and are the same for all its ticks.
 class MouseSource {
   public:
@@ -123,9 +127,6 @@ class TrackedHands {
     std::optional<game::Notice> announcement_;
     double played_s_ = 0, announcedAt_s_ = 0;
 };
-
-// Fails if the source is a clip that does not exist.
-Status checkHandSource(const HandSourceChoice& source);
 
 // Hands that a headset tracks, predicted for the display time of its next frame; see HeadsetDisplay.
 class OpenXrSource {
