@@ -4,7 +4,6 @@
 #include "game/rules/Swimmer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shoal::game {

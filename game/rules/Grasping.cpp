@@ -5,8 +5,6 @@
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Intent.h"
 
-#include <algorithm>
-
 namespace shoal::game {
 
 namespace {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "engine/core/Result.h"
-#include "engine/platform/Window.h"
 #include "engine/sim/Recording.h"
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
