@@ -269,8 +269,8 @@ bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s)
     };
     if (step.near_m > 0) return spent_s >= step.seconds && std::ranges::any_of(now.creatures, isNear);
     if (!step.until) return spent_s >= step.seconds;
-    return std::ranges::count(std::span(occurred_).subspan(occurredAtStep_), *step.until, &Occurred::kind) >
-           0;
+    const auto inStep = std::span(occurred_).subspan(occurredAtStep_);
+    return std::ranges::count(inStep, *step.until, &Occurred::kind) > 0;
 }
 
 // Moves the pointer as a person does: at most two half windows a second, slower near the goal.
@@ -381,8 +381,8 @@ void ScriptRun::performStep(const Snapshot& now, TickInput& out) {
     const ScriptStep& step = script_.steps[step_];
     const float spent_s = static_cast<float>(tick_ - stepBegan_) * kDt;
     if (step.what == ScriptStep::Do::Again) {
-        const bool over = step.unless && std::ranges::count(occurred_, *step.unless, &Occurred::kind) > 0;
-        const bool repeat = repeats_[step_] < step.times && !over;
+        const bool stops = step.unless && std::ranges::count(occurred_, *step.unless, &Occurred::kind) > 0;
+        const bool repeat = repeats_[step_] < step.times && !stops;
         if (repeat) ++repeats_[step_];
         advance(repeat ? static_cast<size_t>(step.from - 1) : step_ + 1);
     } else if (perform(step, now, out)) {

@@ -197,9 +197,9 @@ void trackHands(const TickInput& input, Viewpoint& view, Hands& hands) {
 
 int progressOf(const Goal& goal, const Score& score) {
     const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));
-    const std::array progress = {goal.species < 0 ? score.caught : score.species[goal.species].caught,
-                                 different, score.points, score.lost == 0 ? goal.count : 0,
-                                 score.bestCombo}; // by GoalKind
+    const std::array<int, kGoalNames.size()> progress = {
+        goal.species < 0 ? score.caught : score.species[goal.species].caught, different, score.points,
+        score.lost == 0 ? goal.count : 0, score.bestCombo}; // by GoalKind
     return std::min(progress[static_cast<size_t>(goal.kind)], goal.count);
 }
 

@@ -278,8 +278,10 @@ struct Score {
     std::vector<SpeciesTally> species; // by index into the species table
     std::vector<bool> reached;         // by index into DiveFile::goals
 
-    int combo() const { return std::min(std::popcount(run), kMaxCombo); } // of the last catch; 0: no run
-    int countCatch(int kind, int kindPoints) {                            // returns the points that it gave
+    // Returns the combo of the last catch; 0: no run.
+    int combo() const { return std::min(std::popcount(run), kMaxCombo); }
+    // Counts a catch; returns the points that it gave.
+    int countCatch(int kind, int kindPoints) {
         const uint64_t bit = uint64_t{1} << kind;
         run = (run & bit) != 0 ? bit : run | bit;
         bestCombo = std::max(bestCombo, combo());

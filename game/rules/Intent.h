@@ -53,11 +53,11 @@ Miss missOf(const Hand&, std::span<const Fish>, const DiveContext&);
 
 EventKind eventOf(Miss);
 
-// Helps a hand that a pointer moves with depth: returns the distance from the eye, metres, that a hand on the
-// ray should have, which is that of the fish near it, predicted a short time ahead; empty if no catchable
-// fish is near the ray. rayView: unit, viewer's frame; hand_m: the hand's distance now; target: id of the
-// fish, -1 none, which stays until the pointer is clearly nearer to another; each pointer has its own, and it
-// is no part of the simulation's state. Called once a frame.
+// Returns the distance from the eye, metres, that a pointer's hand on the ray should have: that of the fish
+// near it, predicted a short time ahead; empty if no catchable fish is near the ray. rayView: unit, viewer's
+// frame; hand_m: the hand's distance now. target: id of the fish, -1 none; it stays until the pointer is
+// clearly nearer to another. Each pointer has its own, which is no part of the simulation's state. Called
+// once a frame.
 std::optional<float> reachHelp(const Snapshot&, const SpeciesTable&, glm::vec3 rayView, float hand_m,
                                int& target);
 
