@@ -8,9 +8,6 @@
 
 #include "engine/audio/Audio.h"
 
-#ifndef AL_ALEXT_PROTOTYPES
-#define AL_ALEXT_PROTOTYPES // OpenAL Soft exports its extensions
-#endif
 #include <AL/al.h>
 #include <AL/alext.h>
 
