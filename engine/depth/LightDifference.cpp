@@ -36,25 +36,13 @@ LightDifference::rays() {
     return made;
 }
 
-const std::vector<glm::vec3>& LightDifference::fineDirections() {
-    static const auto made = [] {
-        std::vector<glm::vec3> directions;
-        for (int cell = 0; cell < kFine * kFine; ++cell)
-            directions.push_back(math::octahedralDirection(cell, kFine));
-        return directions;
-    }();
-    return made;
-}
-
 void LightDifference::make(const ImageRgbF& radianceLin, const DepthMap& map) {
     inverse_perM_.resize(kFine * kFine);
-    near_.resize(kFine * kFine);
     radiance_.assign(kCoarse * kCoarse, glm::vec3(0));
-    for (size_t cell = 0; cell < near_.size(); ++cell) {
-        const glm::vec3& dir = fineDirections()[cell];
-        inverse_perM_[cell] = map.inverse_perM(dir);
-        near_[cell] = glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[cell]);
-        radiance_[static_cast<size_t>(coarseOf(static_cast<int>(cell)))] +=
+    for (int cell = 0; cell < kFine * kFine; ++cell) {
+        const glm::vec3 dir = math::octahedralDirection(cell, kFine);
+        inverse_perM_[static_cast<size_t>(cell)] = map.inverse_perM(dir);
+        radiance_[static_cast<size_t>(coarseOf(cell))] +=
             light::lookUp(radianceLin, dir) * (1.0f / (kAcross * kAcross));
     }
 }
@@ -67,7 +55,7 @@ int LightDifference::firstMet(const glm::vec3& place, const glm::vec3& dir) cons
         if (square == 0) return false; // at the camera
         cell = math::octahedralCell(there, kFine);
         const float inverse = inverse_perM_[static_cast<size_t>(cell)];
-        return square * inverse * inverse >= 1 && near_[static_cast<size_t>(cell)] > 0;
+        return square * inverse * inverse >= 1 && inverse > 1 / kFar_m;
     };
     constexpr int kHalvings = 3;
     int cell = 0, met = -1;
@@ -93,8 +81,10 @@ LightHarmonics LightDifference::at(const glm::vec3& placeEnv) const {
     for (size_t i = 0; i < all.size(); ++i) {
         const int met = firstMet(placeEnv, all[i].dir);
         if (met < 0) continue;
-        const glm::vec3 change = (radiance_[static_cast<size_t>(coarseOf(met))] - radiance_[i]) *
-                                 (within * near_[static_cast<size_t>(met)]);
+        const float nearness =
+            glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[static_cast<size_t>(met)]);
+        const glm::vec3 change =
+            (radiance_[static_cast<size_t>(coarseOf(met))] - radiance_[i]) * (within * nearness);
         for (size_t k = 0; k < beyond.size(); ++k) beyond[k] += all[i].basis[k] * change;
     }
     return beyond;
