@@ -5,9 +5,11 @@
 #include "engine/media/Ffmpeg.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -30,10 +32,8 @@ class PacketQueue {
     // Takes over the packet's data. Returns false once stopped or interrupted.
     bool push(AVPacket& packet, double arrived_s) {
         std::unique_lock lock(mutex_);
-        if (wait_)
-            changed_.wait(lock,
-                          [&] { return interrupted_ || stopped_ || packets_.size() < kWaitingPackets; });
-        if (interrupted_ || stopped_) return false;
+        if (wait_) changed_.wait(lock, [&] { return stopped() || packets_.size() < kWaitingPackets; });
+        if (stopped()) return false;
         const bool key = packet.flags & AV_PKT_FLAG_KEY;
         const auto size = static_cast<size_t>(packet.size);
         if (!wait_ && (packets_.size() == kMaxPackets || bytes_ + size > kMaxBytes)) {
@@ -64,8 +64,7 @@ class PacketQueue {
     // Returns false if stopped or interrupted meanwhile.
     bool sleep(double seconds) {
         std::unique_lock lock(mutex_);
-        return !changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                                  [&] { return interrupted_ || stopped_; });
+        return !changed_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stopped(); });
     }
 
     // --- The decoder's thread
@@ -118,6 +117,8 @@ class PacketQueue {
         changed_.notify_all();
     }
 
+    bool stopped() const { return stopped_ || interrupted_; }
+
     static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{32} << 20, kWaitingPackets = 4;
 
   private:
@@ -133,7 +134,8 @@ class PacketQueue {
     std::condition_variable changed_;
     std::deque<Popped> packets_;
     size_t bytes_ = 0;
-    bool wait_ = false, closed_ = false, stopped_ = false, interrupted_ = false, needsKey_ = false;
+    bool wait_ = false, closed_ = false, needsKey_ = false;
+    std::atomic<bool> stopped_{false}, interrupted_{false}; // changed with the lock held
     int dropped_ = 0;
     std::string reason_;
 };
@@ -148,12 +150,6 @@ class TokenBucket {
 
     // Returns the seconds that a packet stamped stamp_s, which came at now_s, has to wait.
     double wait_s(double stamp_s, double now_s) {
-        if (!began_) {
-            began_ = true;
-            stamp_s_ = stamp_s;
-            now_s_ = now_s;
-            return 0;
-        }
         // Senders' clocks run faster than ours by less than this.
         constexpr double kDrift = 1e-3;
         left_s_ = std::min(left_s_ + (now_s - now_s_) * (1 + kDrift), max_s_);
@@ -167,8 +163,9 @@ class TokenBucket {
   private:
     static constexpr double kJump_s = 10;
     double max_s_, left_s_;
-    bool began_ = false;
-    double stamp_s_ = 0, now_s_ = 0;
+    // Of the packet before. Before the first the bucket is full, and no duration is known.
+    double stamp_s_ = std::numeric_limits<double>::quiet_NaN();
+    double now_s_ = -std::numeric_limits<double>::infinity();
 };
 
 } // namespace shoal::media
