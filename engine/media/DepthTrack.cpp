@@ -2,9 +2,10 @@
 
 #include "engine/core/Hash.h"
 #include "engine/core/Number.h"
-#include "engine/media/Ffmpeg.h"
+#include "engine/media/PictureDecoder.h"
 
 #include <fmt/core.h>
+#include <opencv2/core.hpp>
 
 extern "C" {
 #include <libavutil/crc.h>
@@ -32,12 +33,11 @@ static bool isWhole(const AVPacket& packet) {
 
 bool isDepthTrack(const DepthTrackInfo& info) {
     constexpr int kMinWidth = 16, kMaxWidth = 4096;
-    constexpr double kMaxFps = 240; // frames need time stamps of their own, which are whole milliseconds
     constexpr double kMaxDuration_s = 1e6;
     const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height == info.width / 2;
     return fits && std::has_single_bit(static_cast<unsigned>(info.width)) && info.frameCount > 0 &&
            info.duration_s > 0 && info.duration_s <= kMaxDuration_s &&
-           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0);
+           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0); // stamps are whole milliseconds
 }
 
 Path depthTrackOf(const Path& film) {
@@ -58,9 +58,8 @@ Result<std::string> filmIdentity(const Path& film) {
 struct DepthTrack::Impl {
     DepthTrackInfo info;
     Input input;
-    Codec codec;
+    PictureDecoder decoder;
     Packet packet = makePacket();
-    Frame frame = makeFrame();
     int next = 0; // number of the packet that is read next without a seek
 
     int numberOf(const AVPacket& from) const {
@@ -115,12 +114,8 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     info.width = coded.width, info.height = coded.height;
     if (coded.codec_id != AV_CODEC_ID_FFV1 || !isDepthTrack(info))
         return failed("is damaged: its header makes no sense");
-    const AVCodec* decoder = avcodec_find_decoder(coded.codec_id);
-    impl->codec.reset(avcodec_alloc_context3(decoder));
-    if (avcodec_parameters_to_context(impl->codec.get(), &coded) < 0) return failed("cannot be decoded");
-    impl->codec->thread_count = 1;
-    impl->codec->err_recognition = AV_EF_EXPLODE;
-    if (avcodec_open2(impl->codec.get(), decoder, nullptr) < 0) return failed("cannot be decoded");
+    if (!impl->decoder.open(coded, input.streams[0]->time_base, FrameThreading::None, 1))
+        return failed("cannot be decoded");
     if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
     return DepthTrack(std::move(impl));
 }
@@ -137,22 +132,18 @@ int DepthTrack::frameAt(double time_s) const {
 bool DepthTrack::read(int number, DepthFrame& out) {
     Impl& track = *impl_;
     if (number < 0 || number >= track.info.frameCount || !track.readPacket(number)) return false;
-    AVFrame& frame = *track.frame;
     if (!isWhole(*track.packet)) return false;
-    avcodec_flush_buffers(track.codec.get());
-    if (avcodec_send_packet(track.codec.get(), track.packet.get()) < 0 ||
-        avcodec_receive_frame(track.codec.get(), &frame) < 0 || frame.format != kDepthPixels ||
-        frame.width != track.info.width || frame.height != track.info.height)
+    track.decoder.flush();
+    track.decoder.send(track.packet.get());
+    const AVFrame& frame = track.decoder.frame();
+    if (!track.decoder.receive() || frame.format != kDepthPixels || frame.width != track.info.width ||
+        frame.height != track.info.height)
         return false;
     out.width = frame.width, out.height = frame.height;
     const auto plane = [&](int index, int width, int height, std::vector<uint16_t>& codes) {
         codes.resize(static_cast<size_t>(width) * height);
-        for (int y = 0; y < height; ++y) {
-            const auto* row = reinterpret_cast<const uint16_t*>(
-                frame.data[index] + static_cast<ptrdiff_t>(y) * frame.linesize[index]);
-            std::transform(row, row + width, codes.begin() + static_cast<ptrdiff_t>(y) * width,
-                           [](uint16_t code) { return std::min<uint16_t>(code, kMaxDepthCode); });
-        }
+        cv::min(cv::Mat(height, width, CV_16U, frame.data[index], static_cast<size_t>(frame.linesize[index])),
+                double{kMaxDepthCode}, cv::Mat(height, width, CV_16U, codes.data()));
     };
     plane(0, frame.width, frame.height, out.inverse);
     plane(1, frame.width / 2, frame.height / 2, out.confidence);

@@ -79,14 +79,15 @@ Factors factorsOf(ColourMatrix matrix, bool fullRange) {
 
 } // namespace
 
-void toBgr(const YuvPicture& yuv, ImageRgb8& bgr) {
-    const Factors factors = factorsOf(yuv.matrix, yuv.fullRange);
+void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>& strides,
+           int rowsPerDifference, ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
+    const Factors factors = factorsOf(matrix, fullRange);
     const int width = bgr.width, pairs = (width + 1) / 2;
     std::vector<int16_t> add(static_cast<size_t>(6 * pairs));
     std::vector<uint8_t> values(static_cast<size_t>(3 * width));
     for (int y = 0; y < bgr.height; ++y) {
-        const auto row = [&](size_t plane, int at) { return yuv.planes[plane] + at * yuv.strides[plane]; };
-        const int differences = y / yuv.rowsPerDifference;
+        const auto row = [&](size_t plane, int at) { return planes[plane] + ptrdiff_t{at} * strides[plane]; };
+        const int differences = y / rowsPerDifference;
         addends(row(1, differences), row(2, differences), pairs, factors, add.data(), &add[2 * pairs],
                 &add[4 * pairs]);
         cv::Mat channels[3];
@@ -167,12 +168,10 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
         return convertBySwscale(matrix, fullRange, bgr);
     // Uses our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND
     // SWS_FULL_CHR_H_INT) or up to 3 of 255 levels off, where ours is within 0.6.
-    toBgr({{frame_->data[0], frame_->data[1], frame_->data[2]},
-           {frame_->linesize[0], frame_->linesize[1], frame_->linesize[2]},
-           chromaTexels().y,
-           matrix,
-           fullRange},
-          bgr);
+    const auto& data = frame_->data;
+    const auto& linesize = frame_->linesize;
+    toBgr({data[0], data[1], data[2]}, {linesize[0], linesize[1], linesize[2]}, chromaTexels().y, matrix,
+          fullRange, bgr);
     return Done{};
 }
 

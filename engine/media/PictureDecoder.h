@@ -33,18 +33,12 @@ struct Luma {
 };
 Luma lumaOf(ColourMatrix matrix);
 
-// A picture in planes: luma, blue and red difference. Each difference stands for two pixels of a row, the
-// last one of an odd width for one.
-struct YuvPicture {
-    std::array<const uint8_t*, 3> planes;
-    std::array<ptrdiff_t, 3> strides; // bytes
-    int rowsPerDifference;            // 1 or 2
-    ColourMatrix matrix;
-    bool fullRange; // luma 0 to 255, differences span 255; else 16 to 235 and 224 (BT.601 and 709)
-};
-
-// Writes a picture of the size that bgr has. Values are within 0.6 of the formula's, clamped to 0 .. 255.
-void toBgr(const YuvPicture& yuv, ImageRgb8& bgr);
+// Converts a picture in planes (luma, blue and red difference), which are `strides` bytes a row, to the size
+// that bgr has. Each difference stands for two pixels of a row, the last one of an odd width for one, and for
+// rowsPerDifference rows, 1 or 2. fullRange: luma 0 to 255, differences span 255; else 16 to 235 and 224
+// (BT.601 and 709). Values are within 0.6 of the formula's, clamped to 0 .. 255.
+void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>& strides,
+           int rowsPerDifference, ColourMatrix matrix, bool fullRange, ImageRgb8& bgr);
 
 // ByThreads: each thread decodes its own picture, which is faster but delays pictures by one for each thread.
 enum class FrameThreading { None, ByThreads };
