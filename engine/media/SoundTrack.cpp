@@ -29,6 +29,7 @@ constexpr int kMaxBlock = 1 << 16; // samples of one decoded block
 constexpr int kMaxBadPackets = 64; // in a row; fewer are skipped
 // A time stamp is believed if it differs from the expected frame by more than this; less is rounding.
 constexpr int64_t kHole = kSoundRate_Hz / 50;
+constexpr int64_t kEnd = INT64_MAX; // in place of a frame
 
 // Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time.
 class SoundDecoder {
@@ -83,26 +84,18 @@ class SoundDecoder {
         return true;
     }
 
-    // Replaces stereo by the next samples and returns the frame of the first; -1 at the end, or if nothing
-    // more can be decoded. At most some tenths of a second at a time.
+    // Replaces stereo by the next samples and returns the frame of the first; none, and kEnd, at the end or
+    // if nothing more can be decoded. At most some tenths of a second at a time.
     int64_t next(std::vector<int16_t>& stereo) {
-        stereo.clear();
         for (int bad = 0; bad < kMaxBadPackets;) {
             const int got = avcodec_receive_frame(codec_.get(), block_.get());
             if (got == 0) {
-                const int64_t begins = convert(stereo);
-                // Sound before the first picture is dropped: mostly the priming of a codec.
-                const auto count = static_cast<int64_t>(stereo.size() / 2);
-                if (begins + count > 0 && count > 0) {
-                    if (begins >= 0) return begins;
-                    stereo.erase(stereo.begin(), stereo.begin() + static_cast<ptrdiff_t>(-begins) * 2);
-                    return 0;
-                }
-                stereo.clear();
+                const int64_t first = convert(stereo);
+                if (!stereo.empty()) return first;
                 ++bad;
                 continue;
             }
-            if (got == AVERROR_EOF || draining_) return -1;
+            if (got == AVERROR_EOF || draining_) break;
             if (got != AVERROR(EAGAIN)) ++bad;
             if (av_read_frame(input_.get(), packet_.get()) < 0) {
                 draining_ = true;
@@ -113,14 +106,17 @@ class SoundDecoder {
                 ++bad;
             av_packet_unref(packet_.get());
         }
-        return -1;
+        stereo.clear();
+        return kEnd;
     }
 
   private:
     SoundDecoder() = default;
 
-    // Converts the decoded block to samples; returns their first frame, or -1 if the block is invalid.
+    // Converts the decoded block to samples and returns the frame of the first; none if the block is invalid,
+    // or ends before the first picture.
     int64_t convert(std::vector<int16_t>& stereo) {
+        stereo.clear();
         AVFrame& block = *block_;
         if (block.sample_rate < kMinRate_Hz || block.sample_rate > kMaxRate_Hz || block.nb_samples < 1 ||
             block.nb_samples > kMaxBlock || block.ch_layout.nb_channels < 1 ||
@@ -129,9 +125,8 @@ class SoundDecoder {
         // Some decoders know only the number of channels.
         if (block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
             av_channel_layout_default(&block.ch_layout, block.ch_layout.nb_channels);
-        int64_t begins = follows_;
-        const bool stamped = block.best_effort_timestamp != AV_NOPTS_VALUE;
-        if (stamped) {
+        int64_t begins = std::max<int64_t>(follows_, 0);
+        if (block.best_effort_timestamp != AV_NOPTS_VALUE) {
             const double seconds =
                 static_cast<double>(block.best_effort_timestamp) * av_q2d(codec_->pkt_timebase) - begins_s_;
             if (!(std::abs(seconds) < 1e7)) return -1;
@@ -139,7 +134,7 @@ class SoundDecoder {
             const int64_t waiting =
                 swr_is_initialized(converter_.get()) ? swr_get_delay(converter_.get(), kSoundRate_Hz) : 0;
             const int64_t stated = std::llround(seconds * kSoundRate_Hz) - waiting;
-            if (follows_ < 0 || std::llabs(stated - follows_) > kHole) begins = stated;
+            begins = follows_ < 0 || std::llabs(stated - follows_) > kHole ? stated : follows_;
         }
         AVFrame& out = *converted_;
         av_frame_unref(&out);
@@ -152,11 +147,12 @@ class SoundDecoder {
             error = swr_convert_frame(converter_.get(), &out, &block);
         }
         if (error < 0) return -1;
-        const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
-        stereo.assign(samples, samples + ptrdiff_t{2} * out.nb_samples);
-        if (begins < 0 && follows_ < 0 && !stamped) begins = 0;
         follows_ = begins + out.nb_samples;
-        return begins;
+        // Sound before the first picture is dropped: mostly the priming of a codec.
+        const int64_t early = std::clamp<int64_t>(-begins, 0, out.nb_samples);
+        const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
+        stereo.assign(samples + 2 * early, samples + ptrdiff_t{2} * out.nb_samples);
+        return begins + early;
     }
 
     Input input_;
@@ -212,7 +208,6 @@ struct SoundTrack::Impl {
         while (decoder.seek(at)) {
             while (at < pass) {
                 const int64_t first = decoder.next(samples);
-                if (first < 0) break;
                 const auto frames = static_cast<int64_t>(samples.size() / 2);
                 const int64_t hole = std::clamp<int64_t>(first - at, 0, pass - at);
                 const int64_t past = std::clamp<int64_t>(at - first, 0, frames); // before `at`
@@ -222,7 +217,6 @@ struct SoundTrack::Impl {
                 if (!put(ending, samples.data() + 2 * past, some, mine)) return;
                 at += some;
             }
-            if (!put(ending, nullptr, pass - at, mine)) return;
             at = 0;
         }
         const std::lock_guard lock(mutex);
