@@ -76,27 +76,23 @@ class VoicePool {
                 voice.loudness = 0;
             }
         }
+        const auto play = [&](const Sound& sound, Use use, Voice* playing) {
+            Voice* voice = playing ? playing : voiceFor(loudnessOf(sound, listener));
+            if (!voice) return;
+            voice->sound = sound;
+            voice->use = use;
+            voice->since_s = now_s;
+            place(*voice, listener, 0);
+            if (!playing) start(*voice, clips);
+        };
         for (const Sound& emitter : emitters) {
-            const auto playing = std::find_if(voices_.begin(), voices_.end(), [&](const Voice& voice) {
+            const auto playing = std::ranges::find_if(voices_, [&](const Voice& voice) {
                 return (voice.use == Use::Emitter || voice.use == Use::Ending) &&
                        voice.sound.id == emitter.id && voice.sound.clip == emitter.clip;
             });
-            Voice* voice = playing != voices_.end() ? &*playing : voiceFor(loudnessOf(emitter, listener));
-            if (!voice) continue;
-            voice->sound = emitter;
-            voice->use = Use::Emitter;
-            place(*voice, listener, 0);
-            if (playing == voices_.end()) start(*voice, clips, true);
+            play(emitter, Use::Emitter, playing != voices_.end() ? &*playing : nullptr);
         }
-        for (const Sound& shot : shots) {
-            Voice* voice = voiceFor(loudnessOf(shot, listener));
-            if (!voice) continue;
-            voice->sound = shot;
-            voice->use = Use::OneShot;
-            voice->since_s = now_s;
-            place(*voice, listener, 0);
-            start(*voice, clips, false);
-        }
+        for (const Sound& shot : shots) play(shot, Use::OneShot, nullptr);
     }
 
     // Sets the reverberation. enclosure: from 0, open water where only ground and surface reflect, to 1, a
@@ -200,7 +196,8 @@ class VoicePool {
         voice.loudness = loudnessOf(shot, listener);
     }
 
-    void start(Voice& voice, const Clips& clips, bool loop) {
+    void start(Voice& voice, const Clips& clips) {
+        const bool loop = voice.use == Use::Emitter;
         const auto clip = static_cast<size_t>(voice.sound.clip);
         assert(clip < clips.buffers.size());
         const bool stereo = clips.clips[clip].channels == 2;

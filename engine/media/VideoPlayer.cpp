@@ -22,10 +22,6 @@ constexpr double kSeekAhead_s = 3;
 // While catching up, newest() shows at least one of this many frames.
 constexpr int64_t kMaxSkip = 16;
 constexpr double kBackwardSlack_s = 0.5;
-// Number and share of stated frames that a pass may lack without counting as damaged: containers also count
-// frames that their edit list or a missing key frame hides.
-constexpr int64_t kMissingFrames = 4;
-constexpr double kMissingShare = 0.02;
 
 struct VideoPlayer::Impl {
     Path file;
@@ -141,10 +137,8 @@ struct VideoPlayer::Impl {
     // Handles the end of a pass that began at index `pass` and gave only `count` frames. Needs the lock.
     void ended(int64_t pass, int64_t count) {
         const int64_t stated = passLength > 0 ? passLength : info.frameCount;
-        const int64_t missing =
-            std::max(kMissingFrames, static_cast<int64_t>(kMissingShare * static_cast<double>(stated)));
         // A known pass length was counted, so fewer frames mean that the file has changed.
-        if (made >= 0 && passLength == 0 && count >= stated - missing) {
+        if (made >= 0 && passLength == 0 && count >= leastFrames(stated)) {
             passLength = count;
             return;
         }

@@ -7,6 +7,10 @@
 
 namespace shoal::media {
 
+// Returns how many of the frames that a file states it must have, else it counts as damaged: containers also
+// count frames that their edit list or a missing key frame hides.
+constexpr int64_t leastFrames(int64_t stated) { return stated - std::max<int64_t>(4, stated / 50); }
+
 class VideoSource {
   public:
     // Checks the kind of file and its stated size before any decoder sees it. Layout::Auto is detected from

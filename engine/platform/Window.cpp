@@ -72,9 +72,9 @@ Result<Window> Window::open(const WindowOptions& options) {
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     const int width = mode ? mode->width : options.width, height = mode ? mode->height : options.height;
     state->restoreSize = {options.width, options.height};
-    for (const GlVersion version : kGlVersions) {
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
+    for (const auto& [major, minor] : kGlVersions) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         state->window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
         if (state->window) break;
     }
