@@ -161,7 +161,7 @@ void Audio::update(const Listener& listener, std::span<const Sound> emitters, st
         return s.voices.setPaused(true);
     }
     s.voices.setEnclosure(listener.enclosure);
-    s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots, s.played_s() - s.pausedFor_s);
+    s.voices.update(s.clips, s.buffers, listener.position, emitters, shots, s.played_s() - s.pausedFor_s);
 }
 
 void Audio::setTrack(TrackSource sound) {

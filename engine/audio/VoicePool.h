@@ -51,15 +51,10 @@ class VoicePool {
         }
     }
 
-    // Clips and their OpenAL buffers, indexed by Sound::clip.
-    struct Clips {
-        std::span<const ALuint> buffers;
-        std::span<const Clip> clips;
-    };
-
-    // Starts, moves and ends sounds, once a frame. now_s: the device's clock, minus the time paused.
-    void update(const Clips& clips, const glm::vec3& listener, std::span<const Sound> emitters,
-                std::span<const Sound> shots, double now_s) {
+    // Starts, moves and ends sounds, once a frame. clips and their OpenAL buffers: by Sound::clip. now_s: the
+    // device's clock, minus the time paused.
+    void update(std::span<const Clip> clips, std::span<const ALuint> buffers, const glm::vec3& listener,
+                std::span<const Sound> emitters, std::span<const Sound> shots, double now_s) {
         for (Voice& voice : voices_) {
             if (voice.use == Use::Free) continue;
             if (!plays(voice.source)) {
@@ -83,7 +78,10 @@ class VoicePool {
             voice->use = use;
             voice->since_s = now_s;
             place(*voice, listener, 0);
-            if (!playing) start(*voice, clips);
+            if (playing) return;
+            const auto clip = static_cast<size_t>(sound.clip);
+            assert(clip < buffers.size());
+            start(*voice, clips[clip], buffers[clip]);
         };
         for (const Sound& emitter : emitters) {
             const auto playing = std::ranges::find_if(voices_, [&](const Voice& voice) {
@@ -196,19 +194,16 @@ class VoicePool {
         voice.loudness = loudnessOf(shot, listener);
     }
 
-    void start(Voice& voice, const Clips& clips) {
-        const bool loop = voice.use == Use::Emitter;
-        const auto clip = static_cast<size_t>(voice.sound.clip);
-        assert(clip < clips.buffers.size());
-        const bool stereo = clips.clips[clip].channels == 2;
-        alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(clips.buffers[clip]));
+    static void start(const Voice& voice, const Clip& clip, ALuint buffer) {
+        const bool loop = voice.use == Use::Emitter, stereo = clip.channels == 2;
+        alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(buffer));
         alSourcei(voice.source, AL_LOOPING, loop ? AL_TRUE : AL_FALSE);
         // Stereo goes to the ears directly, not through the HRTF of two loudspeakers.
         alSourcei(voice.source, AL_DIRECT_CHANNELS_SOFT, stereo ? AL_TRUE : AL_FALSE);
         if (loop) {
             // Each emitter starts at another place in its loop, so that two of one clip do not coincide; and
             // OpenAL Soft fades in sounds that do not start at 0.
-            const auto frames = static_cast<uint32_t>(clips.clips[clip].samples.size() / (stereo ? 2 : 1));
+            const auto frames = static_cast<uint32_t>(clip.samples.size() / (stereo ? 2 : 1));
             const uint32_t offset = frames > 1 ? 1 + (voice.sound.id * 2654435761u >> 8) % (frames - 1) : 0;
             alSourcei(voice.source, AL_SAMPLE_OFFSET, static_cast<ALint>(offset));
         }

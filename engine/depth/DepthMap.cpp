@@ -341,8 +341,7 @@ void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView
     enlarge(depth, out);
     const int scale = mapWidth_ / coarse_.width;
     if (scale < 2 || film.width < mapWidth_ || film.height < mapWidth_ / 2) return;
-    if (placedScale_ != scale) placeTexels(scale);
-    placedScale_ = scale;
+    placeTexels(scale);
     wanted_.fit(coarse_.width, coarse_.height);
     std::ranges::fill(wanted_.pixels, uint8_t{0});
     edges_.clear();

@@ -2,7 +2,7 @@
 
 #include "engine/core/Hash.h"
 #include "engine/core/Number.h"
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 
 #include <fmt/core.h>
 #include <opencv2/core.hpp>
@@ -57,14 +57,12 @@ Result<std::string> filmIdentity(const Path& film) {
 
 struct DepthTrack::Impl {
     DepthTrackInfo info;
-    Input input;
-    PictureDecoder decoder;
-    Packet packet = makePacket();
+    FileDecoder in{.stream = 0};
     int next = 0; // number of the packet that is read next without a seek
 
     int numberOf(const AVPacket& from) const {
         if (from.pts == AV_NOPTS_VALUE) return -1;
-        const double time_s = static_cast<double>(from.pts) * av_q2d(input->streams[0]->time_base);
+        const double time_s = static_cast<double>(from.pts) * av_q2d(in.opened().time_base);
         const double number = std::round(time_s * info.frameCount / info.duration_s);
         return number >= 0 && number < info.frameCount ? static_cast<int>(number) : -1;
     }
@@ -73,14 +71,14 @@ struct DepthTrack::Impl {
         constexpr int kReadOn = 32; // packets; a seek costs more
         if (number < next || number > next + kReadOn) {
             const double time_s = number * info.duration_s / info.frameCount;
-            const auto stamp = static_cast<int64_t>(time_s / av_q2d(input->streams[0]->time_base));
-            if (av_seek_frame(input.get(), 0, stamp, AVSEEK_FLAG_BACKWARD) < 0) return false;
+            const auto stamp = static_cast<int64_t>(time_s / av_q2d(in.opened().time_base));
+            if (!in.seek(stamp)) return false;
         }
         next = -1 - kReadOn; // unknown until the packet is found
         for (;;) {
-            av_packet_unref(packet.get());
-            if (av_read_frame(input.get(), packet.get()) < 0) return false;
-            const int found = numberOf(*packet);
+            av_packet_unref(in.packet.get());
+            if (av_read_frame(in.input.get(), in.packet.get()) < 0) return false;
+            const int found = numberOf(*in.packet);
             if (found > number) return false;
             if (found < number) continue;
             next = number + 1;
@@ -94,9 +92,10 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
     if (const auto begin = readFileBegin(file, 16); !begin) return begin.error();
     auto impl = makeHidden<Impl>();
-    impl->input = openInput(file, "matroska");
-    if (!impl->input || tagOf(*impl->input, depth_tags::kVersion).empty()) return failed("is no depth track");
-    const AVFormatContext& input = *impl->input;
+    impl->in.input = openInput(file, "matroska");
+    if (!impl->in.input || tagOf(*impl->in.input, depth_tags::kVersion).empty())
+        return failed("is no depth track");
+    const AVFormatContext& input = *impl->in.input;
     if (tagOf(input, depth_tags::kVersion) != depth_tags::kVersionValue ||
         tagOf(input, depth_tags::kLayout) != depth_tags::kLayoutValue)
         return failed("is a depth track of another version");
@@ -114,7 +113,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     info.width = coded.width, info.height = coded.height;
     if (coded.codec_id != AV_CODEC_ID_FFV1 || !isDepthTrack(info))
         return failed("is damaged: its header makes no sense");
-    if (!impl->decoder.open(coded, input.streams[0]->time_base, FrameThreading::None, 1))
+    if (!impl->in.decoder.open(coded, impl->in.opened().time_base, FrameThreading::None, 1))
         return failed("cannot be decoded");
     if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
     return DepthTrack(std::move(impl));
@@ -132,11 +131,12 @@ int DepthTrack::frameAt(double time_s) const {
 bool DepthTrack::read(int number, DepthFrame& out) {
     Impl& track = *impl_;
     if (number < 0 || number >= track.info.frameCount || !track.readPacket(number)) return false;
-    if (!isWhole(*track.packet)) return false;
-    track.decoder.flush();
-    track.decoder.send(track.packet.get());
-    const AVFrame& frame = track.decoder.frame();
-    if (!track.decoder.receive() || frame.format != kDepthPixels || frame.width != track.info.width ||
+    if (!isWhole(*track.in.packet)) return false;
+    Decoder& decoder = track.in.decoder;
+    decoder.flush();
+    decoder.send(track.in.packet.get());
+    const AVFrame& frame = decoder.frame();
+    if (!decoder.receive() || frame.format != kDepthPixels || frame.width != track.info.width ||
         frame.height != track.info.height)
         return false;
     out.width = frame.width, out.height = frame.height;

@@ -2,8 +2,6 @@
 
 #include "engine/core/Number.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -87,23 +85,15 @@ Size radianceSize(ByteSpan b) {
 // Returns whether a value has the size of its type: the library reads as many bytes as the type has, whatever
 // size is stated, and takes what follows for the next attribute.
 bool exrSizeFits(std::string_view type, ByteSpan value) {
-    static constexpr std::pair<size_t, std::string_view> kTypesBySize[] = {
-        {1, " compression deepImageState envmap lineOrder "},
-        {4, " float int "},
-        {8, " double rational timecode v2f v2i "},
-        {9, " tiledesc "},
-        {12, " v3f v3i "},
-        {16, " box2f box2i v2d "},
-        {24, " v3d "},
-        {28, " keycode "},
-        {32, " chromaticities "},
-        {36, " m33f "},
-        {64, " m44f "},
-        {72, " m33d "},
-        {128, " m44d "}};
-    const std::string word = fmt::format(" {} ", type);
-    for (const auto& [size, types] : kTypesBySize)
-        if (types.find(word) != types.npos) return value.size() == size;
+    using Type = std::pair<std::string_view, size_t>;
+    static constexpr Type kTypes[] = {
+        {"compression", 1}, {"deepImageState", 1}, {"envmap", 1},   {"lineOrder", 1}, {"float", 4},
+        {"int", 4},         {"double", 8},         {"rational", 8}, {"timecode", 8},  {"v2f", 8},
+        {"v2i", 8},         {"tiledesc", 9},       {"v3f", 12},     {"v3i", 12},      {"box2f", 16},
+        {"box2i", 16},      {"v2d", 16},           {"v3d", 24},     {"keycode", 28},  {"chromaticities", 32},
+        {"m33f", 36},       {"m44f", 64},          {"m33d", 72},    {"m44d", 128}};
+    const auto* known = std::ranges::find(kTypes, type, &Type::first);
+    if (known != std::end(kTypes)) return value.size() == known->second;
     if (type == "chlist") { // "name\0" and 16 bytes each, up to an empty name
         size_t at = 0;
         while (at < value.size() && value[at] != 0) {

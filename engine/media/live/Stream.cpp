@@ -1,5 +1,5 @@
 #include "engine/core/ThreadPool.h"
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/live/LiveFeed.h"
 #include "engine/media/live/PacketQueue.h"
 
@@ -289,7 +289,7 @@ class Stream final : public LiveFeed {
     std::thread reader_;
 
     // Used by the decoder's thread:
-    PictureDecoder decoder_;
+    Decoder decoder_;
     double lastShown_s_ = 0;
     bool ended_ = false;
 };

@@ -1,5 +1,5 @@
 #include "engine/core/Random.h"
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/VideoPlayer.h"
 #include "tests/unit/media/TestFiles.h"
 

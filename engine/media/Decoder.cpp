@@ -1,4 +1,4 @@
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 
 #include "engine/core/Vectorise.h"
 
@@ -126,8 +126,8 @@ const char* nameOf(ColourMatrix matrix) {
     return matrix == ColourMatrix::Bt709 ? "BT.709" : matrix == ColourMatrix::Bt601 ? "BT.601" : "BT.2020";
 }
 
-Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase,
-                            FrameThreading threading, int threads, int64_t maxPixels) {
+Status Decoder::open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
+                     int threads, int64_t maxPixels) {
     const AVCodec* kind = avcodec_find_decoder(parameters.codec_id);
     codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
     if (!codec_ || avcodec_parameters_to_context(codec_.get(), &parameters) < 0)
@@ -143,19 +143,39 @@ Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational time
     return Done{};
 }
 
-void PictureDecoder::send(const AVPacket* packet, bool hurry) {
+void Decoder::send(const AVPacket* packet, bool hurry) {
     codec_->skip_frame = hurry ? AVDISCARD_NONREF : AVDISCARD_DEFAULT;
     avcodec_send_packet(codec_.get(), packet);
 }
 
-bool PictureDecoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
+bool Decoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
 
-glm::ivec2 PictureDecoder::chromaTexels() const {
+bool FileDecoder::next(int maxPackets) {
+    for (int sent = 0; !decoder.receive();) {
+        if (drained || sent == maxPackets) return false;
+        av_packet_unref(packet.get());
+        drained =
+            av_read_frame(input.get(), packet.get()) < 0; // the decoder returns the frames it still holds
+        if (!drained && packet->stream_index != stream) continue;
+        decoder.send(drained ? nullptr : packet.get());
+        ++sent;
+    }
+    return true;
+}
+
+bool FileDecoder::seek(int64_t stamp, int flags) {
+    if (av_seek_frame(input.get(), stream, stamp, flags) < 0) return false;
+    decoder.flush();
+    drained = false;
+    return true;
+}
+
+glm::ivec2 Decoder::chromaTexels() const {
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format));
     return format ? glm::ivec2(1 << format->log2_chroma_w, 1 << format->log2_chroma_h) : glm::ivec2(1);
 }
 
-Status PictureDecoder::convert(ImageRgb8& bgr) {
+Status Decoder::convert(ImageRgb8& bgr) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     bgr.fit(width, height);
@@ -176,7 +196,7 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
 }
 
 // Converts by swscale into memory of its own, because swscale writes beyond the ends of rows.
-Status PictureDecoder::convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
+Status Decoder::convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
     const Error unknown{"", "its picture is of an unknown form"};
     const int width = frame_->width, height = frame_->height;
     scaler_.reset(sws_getCachedContext(
