@@ -126,13 +126,12 @@ const char* nameOf(ColourMatrix matrix) {
     return matrix == ColourMatrix::Bt709 ? "BT.709" : matrix == ColourMatrix::Bt601 ? "BT.601" : "BT.2020";
 }
 
-Status Decoder::open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
-                     int threads, int64_t maxPixels) {
-    const AVCodec* kind = avcodec_find_decoder(parameters.codec_id);
+Status Decoder::open(const AVStream& stream, FrameThreading threading, int threads, int64_t maxPixels) {
+    const AVCodec* kind = avcodec_find_decoder(stream.codecpar->codec_id);
     codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
-    if (!codec_ || avcodec_parameters_to_context(codec_.get(), &parameters) < 0)
+    if (!codec_ || avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0)
         return Error{"", "is of a codec that is not installed"};
-    codec_->pkt_timebase = timeBase;
+    codec_->pkt_timebase = stream.time_base;
     codec_->thread_count = threads;
     if (threading == FrameThreading::None) {
         codec_->thread_type = FF_THREAD_SLICE; // threads share a picture

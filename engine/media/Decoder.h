@@ -49,8 +49,8 @@ class Decoder {
   public:
     // Fails if no such codec is installed or it does not start. threads: at least 1. maxPixels: larger
     // pictures are skipped like damaged ones.
-    Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
-                int threads, int64_t maxPixels = kMaxPixels);
+    Status open(const AVStream& stream, FrameThreading threading, int threads,
+                int64_t maxPixels = kMaxPixels);
 
     // Sends a packet; null drains the decoder. Skips damaged packets; hurry: non-reference pictures too.
     void send(const AVPacket* packet, bool hurry = false);

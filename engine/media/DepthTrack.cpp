@@ -113,7 +113,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     info.width = coded.width, info.height = coded.height;
     if (coded.codec_id != AV_CODEC_ID_FFV1 || !isDepthTrack(info))
         return failed("is damaged: its header makes no sense");
-    if (!impl->in.decoder.open(coded, impl->in.opened().time_base, FrameThreading::None, 1))
+    if (!impl->in.decoder.open(impl->in.opened(), FrameThreading::None, 1))
         return failed("cannot be decoded");
     if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
     return DepthTrack(std::move(impl));

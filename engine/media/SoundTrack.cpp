@@ -53,8 +53,7 @@ class SoundDecoder {
         const AVStream& first = *input->streams[picture >= 0 ? picture : d.in_.stream];
         if (first.start_time != AV_NOPTS_VALUE)
             d.begins_s_ = static_cast<double>(first.start_time) * av_q2d(first.time_base);
-        const AVStream& sound = d.in_.opened();
-        if (!d.in_.decoder.open(*sound.codecpar, sound.time_base, FrameThreading::ByThreads, 1))
+        if (!d.in_.decoder.open(d.in_.opened(), FrameThreading::ByThreads, 1))
             return failed("has a sound that cannot be decoded");
         return d;
     }

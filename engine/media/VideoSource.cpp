@@ -76,8 +76,7 @@ Status VideoSource::reopen() {
     const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
     const int threads = static_cast<int>(
         std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMaxThreads)));
-    if (!in_.decoder.open(coded, in_.opened().time_base, FrameThreading::ByThreads, threads))
-        return undecodable;
+    if (!in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads)) return undecodable;
     return Done{};
 }
 

@@ -21,7 +21,7 @@ struct LivePlayer::Impl {
     std::shared_ptr<LiveFeed> feed;
     LiveOptions options;
 
-    mutable std::mutex mutex;
+    std::mutex mutex;
     std::condition_variable changed;
     // Guarded by mutex:
     FrameSlots slots; // the decode thread owns the one being filled
@@ -130,9 +130,24 @@ struct LivePlayer::Impl {
         changed.notify_all();
     }
 
-    // --- Frame's thread, with the lock held ----------------------------------------------------------------
+    // --- Frame's thread ------------------------------------------------------------------------------------
 
-    // Shows the ready frame; returns false if there is none.
+    // Ends the thread, or leaves it behind if the feed cannot be interrupted.
+    void end() {
+        std::unique_lock lock(mutex);
+        stop = true;
+        changed.notify_all();
+        lock.unlock();
+        feed->interrupt();
+        lock.lock();
+        changed.wait_for(lock, kJoinTimeout, [&] { return finished; });
+        changed.wait(lock, [&] { return finished || inFeed; });
+        const bool joins = finished;
+        lock.unlock();
+        joins ? thread.join() : thread.detach();
+    }
+
+    // Shows the ready frame; needs the lock. Returns false if there is none.
     bool takeReady() {
         Slot* ready = slots.find(State::Ready);
         if (!ready) return false;
@@ -141,6 +156,7 @@ struct LivePlayer::Impl {
         return true;
     }
 
+    // Needs the lock.
     void updateState() {
         const LiveState now = lost                                      ? LiveState::Lost
                               : options.now_s() - lastMade_s > kStill_s ? LiveState::Stopped
@@ -164,12 +180,12 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     impl->options = std::move(options);
     // The thread shares ownership, in case it is left behind.
     impl->thread = std::thread([impl] { impl->run(); });
-    LivePlayer player(impl);
+    LivePlayer player(Owner(impl.get(), [impl](Impl*) { impl->end(); }));
 
     const double last_s = liveNow_s() + impl->options.firstPicture_s;
     std::unique_lock lock(impl->mutex);
     const auto failed = [&](std::string why) {
-        lock.unlock(); // the player's destructor locks it
+        lock.unlock(); // the end of the player locks it
         return Error{impl->feed->name, std::move(why)};
     };
     for (;;) {
@@ -184,26 +200,6 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     }
     lock.unlock();
     return player;
-}
-
-LivePlayer& LivePlayer::operator=(LivePlayer&& other) noexcept {
-    std::swap(impl_, other.impl_);
-    return *this;
-}
-
-LivePlayer::~LivePlayer() {
-    if (!impl_) return;
-    std::unique_lock lock(impl_->mutex);
-    impl_->stop = true;
-    impl_->changed.notify_all();
-    lock.unlock();
-    impl_->feed->interrupt();
-    lock.lock();
-    impl_->changed.wait_for(lock, kJoinTimeout, [&] { return impl_->finished; });
-    impl_->changed.wait(lock, [&] { return impl_->finished || impl_->inFeed; });
-    const bool finished = impl_->finished;
-    lock.unlock();
-    finished ? impl_->thread.join() : impl_->thread.detach();
 }
 
 const VideoFrame* LivePlayer::newest() {

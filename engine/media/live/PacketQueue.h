@@ -23,17 +23,17 @@ class PacketQueue {
         const std::lock_guard lock(mutex_);
         drop(packets_.size());
         wait_ = wait;
-        closed_ = stopped_ = needsKey_ = false;
+        closed_ = needsKey_ = false;
         dropped_ = 0;
     }
 
     // --- The reader's thread
 
-    // Takes over the packet's data. Returns false once stopped or interrupted.
+    // Takes over the packet's data. Returns false once closed or interrupted.
     bool push(AVPacket& packet, double arrived_s) {
         std::unique_lock lock(mutex_);
-        if (wait_) changed_.wait(lock, [&] { return stopped() || packets_.size() < kWaitingPackets; });
-        if (stopped()) return false;
+        if (wait_) changed_.wait(lock, [&] { return ended() || packets_.size() < kWaitingPackets; });
+        if (ended()) return false;
         const bool key = packet.flags & AV_PKT_FLAG_KEY;
         const auto size = static_cast<size_t>(packet.size);
         if (!wait_ && (packets_.size() == kMaxPackets || bytes_ + size > kMaxBytes)) {
@@ -53,7 +53,8 @@ class PacketQueue {
         return true;
     }
 
-    // Ends the queue for this reason. Packets in it can still be popped.
+    // Ends the queue for this reason, until reset(): the reader's calls return false. Packets in it can still
+    // be popped. Any thread.
     void close(std::string reason) {
         const std::lock_guard lock(mutex_);
         closed_ = true;
@@ -61,10 +62,10 @@ class PacketQueue {
         changed_.notify_all();
     }
 
-    // Returns false if stopped or interrupted meanwhile.
+    // Returns false if closed or interrupted meanwhile.
     bool sleep(double seconds) {
         std::unique_lock lock(mutex_);
-        return !changed_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stopped(); });
+        return !changed_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return ended(); });
     }
 
     // --- The decoder's thread
@@ -77,7 +78,7 @@ class PacketQueue {
     // Blocks until there is a packet.
     Popped pop() {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return !packets_.empty() || closed_ || interrupted_; });
+        changed_.wait(lock, [&] { return !packets_.empty() || ended(); });
         if (packets_.empty() || interrupted_) return {};
         // Nothing before the newest key frame is needed to decode it.
         size_t first = wait_ ? 0 : packets_.size() - 1;
@@ -89,13 +90,6 @@ class PacketQueue {
         bytes_ -= static_cast<size_t>(popped.packet->size);
         changed_.notify_all();
         return popped;
-    }
-
-    // Makes the reader's calls return false until reset().
-    void stop() {
-        const std::lock_guard lock(mutex_);
-        stopped_ = true;
-        changed_.notify_all();
     }
 
     size_t count() const {
@@ -117,7 +111,7 @@ class PacketQueue {
         changed_.notify_all();
     }
 
-    bool stopped() const { return stopped_ || interrupted_; }
+    bool ended() const { return closed_ || interrupted_; }
 
     static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{32} << 20, kWaitingPackets = 4;
 
@@ -134,8 +128,8 @@ class PacketQueue {
     std::condition_variable changed_;
     std::deque<Popped> packets_;
     size_t bytes_ = 0;
-    bool wait_ = false, closed_ = false, needsKey_ = false;
-    std::atomic<bool> stopped_{false}, interrupted_{false}; // changed with the lock held
+    bool wait_ = false, needsKey_ = false;
+    std::atomic<bool> closed_{false}, interrupted_{false}; // changed with the lock held
     int dropped_ = 0;
     std::string reason_;
 };

@@ -62,8 +62,7 @@ class Stream final : public LiveFeed {
         stopReader();
         if (Status connected = connect(); !connected) return connected;
         const auto threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
-        const Status opened = decoder_.open(*video().codecpar, video().time_base, FrameThreading::None,
-                                            threads, kMaxLivePixels);
+        const Status opened = decoder_.open(video(), FrameThreading::None, threads, kMaxLivePixels);
         if (!opened) return opened;
         queue_.reset(stored_);
         lastShown_s_ = liveNow_s();
@@ -106,7 +105,7 @@ class Stream final : public LiveFeed {
     void interrupt() override { queue_.interrupt(); }
 
   private:
-    bool givesUp() const { return queue_.stopped() || tooMuch_ || liveNow_s() > deadline_s_; }
+    bool givesUp() const { return queue_.ended() || tooMuch_ || liveNow_s() > deadline_s_; }
 
     // Called by FFmpeg while it waits: returns whether to give up.
     static int watch(void* self) {
@@ -178,7 +177,7 @@ class Stream final : public LiveFeed {
         if (error >= 0) return Done{};
         format_.reset();
         if (tooMuch_) return Error{"", "sends too much for one picture"};
-        if (!queue_.stopped() && liveNow_s() > deadline_s_)
+        if (!queue_.ended() && liveNow_s() > deadline_s_)
             return Error{"", "did not answer within " + seconds(timeouts_.open_s)};
         if (error == AVERROR_INVALIDDATA || error == AVERROR(EIO) || error == AVERROR_EOF)
             return Error{
@@ -267,7 +266,7 @@ class Stream final : public LiveFeed {
 
     void stopReader() {
         if (!reader_.joinable()) return;
-        queue_.stop();
+        queue_.close("was stopped");
         reader_.join();
     }
 

@@ -88,7 +88,7 @@ TEST(PacketQueue, LeftOrInterruptedNobodyWaits) {
         while (queue.push(*packetOf(0, true), 0)) {
         }
     });
-    queue.stop();
+    queue.close("was stopped");
     writer.join();
     EXPECT_FALSE(queue.sleep(1e6));
     Queue empty;
