@@ -63,8 +63,7 @@ class VoicePool {
                 place(voice, listener, now_s - voice.since_s);
             } else if (voice.use == Use::Ending) {
                 if (now_s - voice.since_s > kGlide_s) release(voice);
-            } else if (std::none_of(emitters.begin(), emitters.end(),
-                                    [&](const Sound& e) { return e.id == voice.sound.id; })) {
+            } else if (std::ranges::find(emitters, voice.sound.id, &Sound::id) == emitters.end()) {
                 alSourcef(voice.source, AL_GAIN, 0);
                 voice.use = Use::Ending;
                 voice.since_s = now_s;

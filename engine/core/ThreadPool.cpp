@@ -19,7 +19,6 @@ ThreadPool::~ThreadPool() {
         next_ = parts_;
     }
     called_.notify_all();
-    for (std::thread& helper : helpers_) helper.join();
 }
 
 // Runs parts until none is left; call it with the lock held. Locking costs little beside a part's work.

@@ -13,28 +13,38 @@
 
 namespace shoal::depth {
 
+namespace {
+
+// Cells of an octahedron unfolded to a square (math/Octahedron.h), along a side: rays, and distances.
+constexpr int kCoarse = 12, kFine = 48, kAcross = kFine / kCoarse;
+
+int coarseOf(int fine) { return fine / kFine / kAcross * kCoarse + fine % kFine / kAcross; }
+
+struct Ray {
+    glm::vec3 dir;
+    std::array<float, 9> basis; // times the ray's solid angle
+};
+
 // An octahedron's cell has a solid angle proportional to the inverse cube of its distance from the middle.
-const std::array<LightDifference::Ray, LightDifference::kCoarse * LightDifference::kCoarse>&
-LightDifference::rays() {
-    static const auto made = [] {
-        std::array<Ray, kCoarse * kCoarse> rays;
-        std::array<double, kCoarse * kCoarse> shares;
-        double all = 0;
-        for (size_t i = 0; i < rays.size(); ++i) {
-            rays[i].dir = math::octahedralDirection(static_cast<int>(i), kCoarse);
-            const auto sum = static_cast<double>(std::abs(rays[i].dir.x) + std::abs(rays[i].dir.y) +
-                                                 std::abs(rays[i].dir.z));
-            all += shares[i] = sum * sum * sum;
-        }
-        for (size_t i = 0; i < rays.size(); ++i) {
-            const math::ShBasis basis = math::shBasis(glm::dvec3(rays[i].dir));
-            for (size_t k = 0; k < 9; ++k)
-                rays[i].basis[k] = static_cast<float>(basis[k] * 4 * std::numbers::pi * shares[i] / all);
-        }
-        return rays;
-    }();
-    return made;
+std::array<Ray, kCoarse * kCoarse> makeRays() {
+    std::array<Ray, kCoarse * kCoarse> rays;
+    std::array<double, kCoarse * kCoarse> shares;
+    double all = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        rays[i].dir = math::octahedralDirection(static_cast<int>(i), kCoarse);
+        const auto sum =
+            static_cast<double>(std::abs(rays[i].dir.x) + std::abs(rays[i].dir.y) + std::abs(rays[i].dir.z));
+        all += shares[i] = sum * sum * sum;
+    }
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const math::ShBasis basis = math::shBasis(glm::dvec3(rays[i].dir));
+        for (size_t k = 0; k < 9; ++k)
+            rays[i].basis[k] = static_cast<float>(basis[k] * 4 * std::numbers::pi * shares[i] / all);
+    }
+    return rays;
 }
+
+} // namespace
 
 void LightDifference::make(const ImageRgbF& radianceLin, const DepthMap& map) {
     inverse_perM_.resize(kFine * kFine);
@@ -77,15 +87,15 @@ LightHarmonics LightDifference::at(const glm::vec3& placeEnv) const {
     LightHarmonics beyond{};
     const float within = 1 - glm::smoothstep(kFar_m, 1.5f * kFar_m, glm::length(placeEnv));
     if (radiance_.empty() || within == 0) return beyond;
-    const auto& all = rays();
-    for (size_t i = 0; i < all.size(); ++i) {
-        const int met = firstMet(placeEnv, all[i].dir);
+    static const std::array<Ray, kCoarse* kCoarse> rays = makeRays();
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const int met = firstMet(placeEnv, rays[i].dir);
         if (met < 0) continue;
         const float nearness =
             glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[static_cast<size_t>(met)]);
         const glm::vec3 change =
             (radiance_[static_cast<size_t>(coarseOf(met))] - radiance_[i]) * (within * nearness);
-        for (size_t k = 0; k < beyond.size(); ++k) beyond[k] += all[i].basis[k] * change;
+        for (size_t k = 0; k < beyond.size(); ++k) beyond[k] += rays[i].basis[k] * change;
     }
     return beyond;
 }

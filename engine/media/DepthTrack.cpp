@@ -17,8 +17,6 @@ extern "C" {
 
 namespace shoal::media {
 
-constexpr size_t kIdentityBytes = 1 << 20;
-
 static std::string tagOf(const AVFormatContext& input, const char* name) {
     const AVDictionaryEntry* tag = av_dict_get(input.metadata, name, nullptr, 0);
     return tag ? tag->value : "";
@@ -48,7 +46,7 @@ Path depthTrackOf(const Path& film) {
 }
 
 Result<std::string> filmIdentity(const Path& film) {
-    const auto begin = readFileBegin(film, kIdentityBytes);
+    const auto begin = readFileBegin(film, 1 << 20);
     if (!begin) return begin.error();
     Hash hash;
     hash.bytes(begin->data(), begin->size());

@@ -53,7 +53,7 @@ static Result<const Codecs*> load() {
         if (file == built && std::filesystem::exists(there, code)) file = there;
     }
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    const void* found = library ? dlsym(library, kCodecsName) : nullptr;
+    const void* found = library ? dlsym(library, "shoalCodecs") : nullptr;
     if (!found) {
         const char* why = dlerror();
         return Error{"", std::string("pictures and cameras need a library of this program: ") +

@@ -92,9 +92,7 @@ void VideoSource::readInfo() {
                                                     : std::round(in_.length_s() * rate_);
     info_.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
     // An edit list may show fewer frames than are stored.
-    const double shown_s = in_.opened().duration > 0
-                               ? static_cast<double>(in_.opened().duration) * av_q2d(in_.opened().time_base)
-                               : 0;
+    const double shown_s = static_cast<double>(in_.opened().duration) * av_q2d(in_.opened().time_base);
     const double shown = std::round(shown_s * info_.fps);
     if (shown >= 1 && shown < static_cast<double>(info_.frameCount))
         info_.frameCount = static_cast<int64_t>(shown);

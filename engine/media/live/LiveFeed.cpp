@@ -14,9 +14,6 @@ namespace shoal::media {
 
 namespace {
 
-// The camera gives the nearest size that it has.
-constexpr int kRequestedWidth = 3840, kRequestedHeight = 1920;
-
 class Camera final : public LiveFeed {
   public:
     explicit Camera(int index) : LiveFeed("camera:" + std::to_string(index), "camera"), index_(index) {}
@@ -30,8 +27,8 @@ class Camera final : public LiveFeed {
         try {
             reader_ = nullptr;
             // The queue is short, because pictures grow old in it.
-            reader_ = (*with)->openCamera(
-                index_, {.width = kRequestedWidth, .height = kRequestedHeight, .jpeg = true, .waiting = 2});
+            reader_ =
+                (*with)->openCamera(index_, {.width = 3840, .height = 1920, .jpeg = true, .waiting = 2});
             if (!reader_) return Error{"", "cannot be opened, or is in use elsewhere"};
         } catch (const std::exception&) {
             return Error{"", "cannot be opened"};
@@ -76,8 +73,6 @@ class Camera final : public LiveFeed {
 constexpr std::pair<const char*, const char*> kStreams[] = {
     {"rtsp", "tcp"}, {"http", "http,tcp"}, {"https", "https,tls,tcp"}, {"tcp", "tcp"}, {"udp", "udp"}};
 
-constexpr size_t kMaxLength = 2048;
-
 // Returns the text before "://", if that can be a scheme.
 static std::string_view schemeOf(std::string_view text) {
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-.";
@@ -92,6 +87,7 @@ Result<std::optional<LiveAddress>> liveAddress(const std::string& text) {
         return std::optional<LiveAddress>(LiveAddress{.camera = *number});
     }
     if (const std::string_view scheme = schemeOf(text); !scheme.empty()) {
+        constexpr size_t kMaxLength = 2048;
         if (text.size() > kMaxLength) return Error{withoutPassword(text.substr(0, 80)), "is too long a URL"};
         std::string known;
         for (const auto& [name, protocols] : kStreams) {

@@ -69,19 +69,6 @@ struct LivePlayer::Impl {
         if (layout == Layout::Auto) layout = layoutOf(picture);
     }
 
-    void publish(Slot& slot, const LivePicture& picture) {
-        if (Slot* unseen = slots.find(State::Ready)) {
-            unseen->state = State::Free;
-            ++counts.passedOver;
-        }
-        slot.state = State::Ready;
-        counts.passedOver += picture.passedOver;
-        ++counts.made;
-        lastMade_s = options.now_s();
-        lost = false;
-        changed.notify_all();
-    }
-
     // Reads until no more pictures come; returns the reason.
     Error play(std::unique_lock<std::mutex>& lock) {
         while (!stop) {
@@ -103,7 +90,16 @@ struct LivePlayer::Impl {
             lock.unlock();
             slots.prepare(slot, options);
             lock.lock();
-            publish(slot, *picture);
+            if (Slot* unseen = slots.find(State::Ready)) {
+                unseen->state = State::Free;
+                ++counts.passedOver;
+            }
+            slot.state = State::Ready;
+            counts.passedOver += picture->passedOver;
+            ++counts.made;
+            lastMade_s = options.now_s();
+            lost = false;
+            changed.notify_all();
         }
         return Error{};
     }
