@@ -13,11 +13,9 @@ ThreadPool::ThreadPool(int helpers) {
 }
 
 ThreadPool::~ThreadPool() {
-    {
-        const std::lock_guard lock(mutex_);
-        stop_ = true;
-        next_ = parts_;
-    }
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    next_ = parts_;
     called_.notify_all();
 }
 

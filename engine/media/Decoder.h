@@ -18,8 +18,6 @@ extern "C" {
 
 namespace shoal::media {
 
-constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
-
 // Fails if pictures of that size are not played.
 Status checkPictureSize(int width, int height);
 
@@ -50,7 +48,7 @@ class Decoder {
     // Fails if no such codec is installed or it does not start. threads: at least 1. maxPixels: larger
     // pictures are skipped like damaged ones.
     Status open(const AVStream& stream, FrameThreading threading, int threads,
-                int64_t maxPixels = kMaxPixels);
+                int64_t maxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide);
 
     // Sends a packet; null drains the decoder. Skips damaged packets; hurry: non-reference pictures too.
     void send(const AVPacket* packet, bool hurry = false);

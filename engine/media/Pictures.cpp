@@ -28,10 +28,7 @@ namespace {
 constexpr uint64_t kMaxFileBytes = 512u << 20;
 constexpr uint64_t kMaxHdrFileBytes = 2048ull << 20; // 16384 x 8192 floats are 1.5 GiB
 
-struct PictureFile {
-    std::vector<uint8_t> bytes;
-    PictureHeader header;
-};
+using PictureFile = std::pair<std::vector<uint8_t>, PictureHeader>;
 
 // Reads a file of the wanted kind whose stated size is within the limits.
 Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits limits) {

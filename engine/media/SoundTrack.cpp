@@ -215,11 +215,9 @@ Result<SoundTrack> SoundTrack::open(const Path& file, double passLength_s) {
 int64_t SoundTrack::passLength() const { return impl_->pass; }
 
 void SoundTrack::seek(int64_t frame) {
-    {
-        const std::lock_guard lock(impl_->mutex);
-        impl_->wanted = std::max<int64_t>(frame, 0);
-        impl_->ready.clear();
-    }
+    const std::lock_guard lock(impl_->mutex);
+    impl_->wanted = std::max<int64_t>(frame, 0);
+    impl_->ready.clear();
     impl_->changed.notify_all();
 }
 

@@ -81,18 +81,19 @@ Status VideoSource::reopen() {
 }
 
 void VideoSource::readInfo() {
-    const AVCodecParameters& coded = *in_.opened().codecpar;
-    quarterTurns_ = quarterTurnsOf(in_.opened());
+    const AVStream& stream = in_.opened();
+    const AVCodecParameters& coded = *stream.codecpar;
+    quarterTurns_ = quarterTurnsOf(stream);
     info_.width = quarterTurns_ % 2 ? coded.height : coded.width;
     info_.height = quarterTurns_ % 2 ? coded.width : coded.height;
-    rate_ = rateOf(in_.opened().avg_frame_rate);
-    if (rate_ == 0) rate_ = rateOf(in_.opened().r_frame_rate);
+    rate_ = rateOf(stream.avg_frame_rate);
+    if (rate_ == 0) rate_ = rateOf(stream.r_frame_rate);
     info_.fps = rate_ >= kMinFps && rate_ <= kMaxFps ? rate_ : kFallbackFps;
-    const double count = in_.opened().nb_frames > 0 ? static_cast<double>(in_.opened().nb_frames)
-                                                    : std::round(in_.length_s() * rate_);
+    const double count =
+        stream.nb_frames > 0 ? static_cast<double>(stream.nb_frames) : std::round(in_.length_s() * rate_);
     info_.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
     // An edit list may show fewer frames than are stored.
-    const double shown_s = static_cast<double>(in_.opened().duration) * av_q2d(in_.opened().time_base);
+    const double shown_s = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
     const double shown = std::round(shown_s * info_.fps);
     if (shown >= 1 && shown < static_cast<double>(info_.frameCount))
         info_.frameCount = static_cast<int64_t>(shown);
