@@ -87,7 +87,7 @@ LightHarmonics LightDifference::at(const glm::vec3& placeEnv) const {
     LightHarmonics beyond{};
     const float within = 1 - glm::smoothstep(kFar_m, 1.5f * kFar_m, glm::length(placeEnv));
     if (radiance_.empty() || within == 0) return beyond;
-    static const std::array<Ray, kCoarse* kCoarse> rays = makeRays();
+    static const auto rays = makeRays();
     for (size_t i = 0; i < rays.size(); ++i) {
         const int met = firstMet(placeEnv, rays[i].dir);
         if (met < 0) continue;

@@ -153,8 +153,7 @@ bool FileDecoder::next(int maxPackets) {
     for (int sent = 0; !decoder.receive();) {
         if (drained || sent == maxPackets) return false;
         av_packet_unref(packet.get());
-        drained =
-            av_read_frame(input.get(), packet.get()) < 0; // the decoder returns the frames it still holds
+        drained = av_read_frame(input.get(), packet.get()) < 0; // the decoder may hold frames still
         if (!drained && packet->stream_index != stream) continue;
         decoder.send(drained ? nullptr : packet.get());
         ++sent;
