@@ -53,7 +53,7 @@ class SoundDecoder {
         const AVStream& first = *input->streams[picture >= 0 ? picture : d.in_.stream];
         if (first.start_time != AV_NOPTS_VALUE)
             d.begins_s_ = static_cast<double>(first.start_time) * av_q2d(first.time_base);
-        if (!d.in_.decoder.open(d.in_.opened(), FrameThreading::ByThreads, 1))
+        if (!d.in_.decoder.open(d.in_.opened(), FrameThreading::ByThreads, 1)) // there is little work
             return failed("has a sound that cannot be decoded");
         return d;
     }
