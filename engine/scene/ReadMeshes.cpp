@@ -235,8 +235,7 @@ void addTangents(GltfFile& file, const Material& material, Primitive& primitive,
 
 bool movesAny(const std::array<UvSource, 2>& sets) {
     for (int k = 0; k < 2; ++k)
-        if (const UvSource& set = sets[k]; set.texCoord >= 0 && set != UvSource{k, TextureTransform{}})
-            return true;
+        if (const UvSource& set = sets[k]; set.texCoord >= 0 && set != UvSource{k}) return true;
     return false;
 }
 
@@ -246,7 +245,7 @@ void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
     const std::vector<glm::vec2> given[2] = {primitive.texCoords[0], primitive.texCoords[1]};
     for (size_t k = 0; k < 2; ++k) {
         if (sets[k].texCoord < 0) continue;
-        const TextureTransform& by = sets[k].transform;
+        const UvSource& by = sets[k];
         const float c = std::cos(by.rotation), s = std::sin(by.rotation);
         primitive.texCoords[k] = given[sets[k].texCoord];
         for (glm::vec2& uv : primitive.texCoords[k]) {
