@@ -57,13 +57,15 @@ std::vector<const char*> Actions::extensions() {
 }
 
 Actions Actions::make(const Instance& connection, XrSession session) {
-    const XrInstance instance = connection.handle.name();
+    const XrInstance instance = connection.handle.get();
     Actions made;
     for (size_t i = 0; i < 2; ++i) made.hands_[i] = pathOf(instance, kHands[i]);
     XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO};
     std::strncpy(setInfo.actionSetName, "dive", sizeof setInfo.actionSetName - 1);
     std::strncpy(setInfo.localizedActionSetName, "Dive", sizeof setInfo.localizedActionSetName - 1);
-    SHOAL_XR(xrCreateActionSet(instance, &setInfo, made.set_.fresh()));
+    XrActionSet set = XR_NULL_HANDLE;
+    SHOAL_XR(xrCreateActionSet(instance, &setInfo, &set));
+    made.set_.reset(set);
 
     struct Row {
         XrAction* action;
@@ -82,7 +84,7 @@ Actions Actions::make(const Instance& connection, XrSession session) {
         info.actionType = row.type;
         info.countSubactionPaths = static_cast<uint32_t>(made.hands_.size());
         info.subactionPaths = made.hands_.data();
-        SHOAL_XR(xrCreateAction(made.set_.name(), &info, row.action));
+        SHOAL_XR(xrCreateAction(set, &info, row.action));
     }
 
     for (const InteractionProfile& profile : kProfiles) {
@@ -110,16 +112,17 @@ Actions Actions::make(const Instance& connection, XrSession session) {
     for (size_t i = 0; i < 2; ++i) {
         const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, made.grip_,
                                            made.hands_[i], poseTo({})};
-        SHOAL_XR(xrCreateActionSpace(session, &info, made.gripSpaces_[i].fresh()));
+        XrSpace space = XR_NULL_HANDLE;
+        SHOAL_XR(xrCreateActionSpace(session, &info, &space));
+        made.gripSpaces_[i].reset(space);
     }
-    const XrActionSet set = made.set_.name();
     const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
     SHOAL_XR(xrAttachSessionActionSets(session, &attach));
     return made;
 }
 
 void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const {
-    const XrActiveActionSet active{set_.name(), XR_NULL_PATH};
+    const XrActiveActionSet active{set_.get(), XR_NULL_PATH};
     const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
     const XrResult synced = SHOAL_XR(xrSyncActions(session, &sync));
     for (size_t i = 0; i < 2; ++i) {
@@ -132,7 +135,7 @@ void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<C
         controller.active = held.isActive == XR_TRUE;
         if (!controller.active) continue;
         XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-        SHOAL_XR(xrLocateSpace(gripSpaces_[i].name(), world, time, &location));
+        SHOAL_XR(xrLocateSpace(gripSpaces_[i].get(), world, time, &location));
         controller.worldFromGrip = poseFrom(location.pose);
         controller.gripValid = valid(location.locationFlags) && believable(controller.worldFromGrip);
         for (const auto& [action, value] :
