@@ -4,7 +4,6 @@
 #include "engine/core/Log.h"
 #include "engine/xr/NewerOpenXr.h"
 #include "engine/xr/OpenXr.h"
-#include "engine/xr/Tracked.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -65,8 +64,8 @@ class Swapchain {
         SHOAL_XR(xrCreateSwapchain(session, &info, &swapchain));
         handle_.reset(swapchain);
         const auto list = [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
-            return xrEnumerateSwapchainImages(swapchain, capacity, count,
-                                              reinterpret_cast<XrSwapchainImageBaseHeader*>(items));
+            auto* const given = reinterpret_cast<XrSwapchainImageBaseHeader*>(items);
+            return xrEnumerateSwapchainImages(swapchain, capacity, count, given);
         };
         for (const auto& image : enumerate(XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
                                            "xrEnumerateSwapchainImages", list)) {
@@ -116,6 +115,8 @@ class Swapchain {
     glm::ivec2 size_{0};
 };
 
+constexpr auto kMeasured = XR_SPACE_LOCATION_POSITION_TRACKED_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
+
 // Hands without controllers, tracked through XR_EXT_hand_tracking.
 class HandTrackers {
   public:
@@ -150,8 +151,6 @@ class HandTrackers {
         return made;
     }
     void locate(XrSpace world, XrTime time, std::array<hands::HandPose, 2>& out) const {
-        constexpr XrSpaceLocationFlags kMeasured =
-            XR_SPACE_LOCATION_POSITION_TRACKED_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
         for (size_t i = 0; i < trackers_.size(); ++i) {
             hands::HandPose& hand = out[i];
             hand = {};
@@ -277,31 +276,24 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
 }
 
 Status Headset::poll() {
-    return state_->guard([&] {
+    State& s = *state_;
+    return s.guard([&] {
         for (;;) {
             XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-            if (SHOAL_XR(xrPollEvent(state_->instance.handle.get(), &event)) == XR_EVENT_UNAVAILABLE) return;
-            // Also sent when the session begins to run. Not in the switch: older headers lack the enumerator.
-            if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT && state_->instance.sensesWearer) {
-                state_->worn =
-                    reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;
-                continue;
-            }
-            switch (event.type) {
-            case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
-                state_->enter(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state);
-                break;
-            case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+            if (SHOAL_XR(xrPollEvent(s.instance.handle.get(), &event)) == XR_EVENT_UNAVAILABLE) return;
+            if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) {
+                s.enter(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state);
+            } else if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) {
                 throw Failure("the headset's runtime is going away", true);
-            case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
+            } else if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT &&
+                       s.instance.sensesWearer) {
+                // Also sent when the session begins to run.
+                s.worn = reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;
+            } else if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
                 // The floor's space is located anew in every frame.
                 const auto& change = reinterpret_cast<XrEventDataReferenceSpaceChangePending&>(event);
                 if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL)
-                    state_->recentresAt_ns = change.changeTime;
-                break;
-            }
-            default:
-                break;
+                    s.recentresAt_ns = change.changeTime;
             }
         }
     });
@@ -432,31 +424,25 @@ Status Headset::end(const Shown& shown) {
         depths[i].subImage.swapchain = s.picture(i == 0 ? Picture::LeftDepth : Picture::RightDepth).name();
         views[i].next = &depths[i];
     }
+    constexpr XrCompositionLayerFlags kByAlpha = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+    const XrCompositionLayerFlags flags = shown.room ? kByAlpha : 0;
     const XrCompositionLayerProjection projection{
-        XR_TYPE_COMPOSITION_LAYER_PROJECTION,
-        nullptr,
-        shown.room ? XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT : XrCompositionLayerFlags{0},
-        s.world.get(),
-        2,
-        views.data()};
-    Swapchain& text = s.picture(Picture::Panel);
+        XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, flags, s.world.get(), 2, views.data()};
+    const Swapchain& text = s.picture(Picture::Panel);
     const XrCompositionLayerQuad panel{XR_TYPE_COMPOSITION_LAYER_QUAD,
                                        nullptr,
-                                       XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT,
+                                       kByAlpha,
                                        s.world.get(),
                                        XR_EYE_VISIBILITY_BOTH,
                                        {text.name(), {{0, 0}, {text.size().x, text.size().y}}, 0},
                                        poseTo(shown.worldFromPanel),
                                        {shown.panelSize_m.x, shown.panelSize_m.y}};
+    const auto blend = shown.room ? XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND : s.instance.blend;
     std::array<const XrCompositionLayerBaseHeader*, 2> layers{};
     uint32_t count = 0;
     if (shown.eyes) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection);
     if (shown.panel) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&panel);
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,
-                              nullptr,
-                              s.frame.display_ns,
-                              shown.room ? XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND : s.instance.blend,
-                              count,
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,         nullptr, s.frame.display_ns, blend, count,
                               count ? layers.data() : nullptr};
     return s.guard([&] { SHOAL_XR(xrEndFrame(s.session.get(), &info)); });
 }
