@@ -1,9 +1,5 @@
 #include "engine/xr/OpenXr.h"
 
-#include "engine/xr/Tracked.h"
-
-#include <cstring>
-
 namespace shoal::xr {
 
 // Bindings of a controller: squeeze closes the hand, trigger bends the index finger, menu pauses. A
@@ -60,32 +56,22 @@ Actions Actions::make(const Instance& connection, XrSession session) {
     const XrInstance instance = connection.handle.get();
     Actions made;
     for (size_t i = 0; i < 2; ++i) made.hands_[i] = pathOf(instance, kHands[i]);
-    XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO};
-    std::strncpy(setInfo.actionSetName, "dive", sizeof setInfo.actionSetName - 1);
-    std::strncpy(setInfo.localizedActionSetName, "Dive", sizeof setInfo.localizedActionSetName - 1);
+    const XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "dive", "Dive"};
     XrActionSet set = XR_NULL_HANDLE;
     SHOAL_XR(xrCreateActionSet(instance, &setInfo, &set));
     made.set_.reset(set);
 
-    struct Row {
-        XrAction* action;
-        XrActionType type;
-        const char* name;
-        const char* shown;
+    const XrPath* const hands = made.hands_.data();
+    constexpr auto kType = XR_TYPE_ACTION_CREATE_INFO;
+    const auto create = [&](XrAction& action, const XrActionCreateInfo& info) {
+        SHOAL_XR(xrCreateAction(set, &info, &action));
     };
-    for (const Row& row : {Row{&made.grip_, XR_ACTION_TYPE_POSE_INPUT, "hand", "Hand"},
-                           Row{&made.squeeze_, XR_ACTION_TYPE_FLOAT_INPUT, "close", "Close the hand"},
-                           Row{&made.trigger_, XR_ACTION_TYPE_FLOAT_INPUT, "index", "Bend the index finger"},
-                           Row{&made.menu_, XR_ACTION_TYPE_BOOLEAN_INPUT, "pause", "Pause"},
-                           Row{&made.haptic_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "feel", "Feel"}}) {
-        XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-        std::strncpy(info.actionName, row.name, sizeof info.actionName - 1);
-        std::strncpy(info.localizedActionName, row.shown, sizeof info.localizedActionName - 1);
-        info.actionType = row.type;
-        info.countSubactionPaths = static_cast<uint32_t>(made.hands_.size());
-        info.subactionPaths = made.hands_.data();
-        SHOAL_XR(xrCreateAction(set, &info, row.action));
-    }
+    create(made.grip_, {kType, nullptr, "hand", XR_ACTION_TYPE_POSE_INPUT, 2, hands, "Hand"});
+    create(made.squeeze_, {kType, nullptr, "close", XR_ACTION_TYPE_FLOAT_INPUT, 2, hands, "Close the hand"});
+    create(made.trigger_,
+           {kType, nullptr, "index", XR_ACTION_TYPE_FLOAT_INPUT, 2, hands, "Bend the index finger"});
+    create(made.menu_, {kType, nullptr, "pause", XR_ACTION_TYPE_BOOLEAN_INPUT, 2, hands, "Pause"});
+    create(made.haptic_, {kType, nullptr, "feel", XR_ACTION_TYPE_VIBRATION_OUTPUT, 2, hands, "Feel"});
 
     for (const InteractionProfile& profile : kProfiles) {
         if (profile.extension && !connection.uses(profile.extension)) continue;

@@ -13,10 +13,6 @@ namespace shoal::xr {
 
 namespace {
 
-template <size_t kSize> void copyText(char (&to)[kSize], const char* from) {
-    std::strncpy(to, from, kSize - 1);
-}
-
 template <size_t kSize> std::string textOf(const char (&from)[kSize]) {
     return std::string(from, strnlen(from, kSize));
 }
@@ -123,11 +119,7 @@ Instance Instance::open(bool withHeadset) {
         for (const char* name : Actions::extensions()) enable(name);
     }
     XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
-    copyText(info.applicationInfo.applicationName, "Shoal");
-    info.applicationInfo.applicationVersion = 1;
-    copyText(info.applicationInfo.engineName, "Shoal");
-    info.applicationInfo.engineVersion = 1;
-    info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
+    info.applicationInfo = {"Shoal", 1, "Shoal", 1, XR_CURRENT_API_VERSION}; // application and engine
     info.enabledExtensionCount = static_cast<uint32_t>(instance.enabled.size());
     info.enabledExtensionNames = instance.enabled.data();
     XrInstance handle = XR_NULL_HANDLE;
