@@ -18,11 +18,6 @@ size_t componentBytes(int componentType) {
     return static_cast<size_t>(std::max(bytes, 0));
 }
 
-// Returns the size of one element. Matrices whose columns would be padded to 4 bytes are never read.
-size_t elementBytes(const tinygltf::Accessor& accessor) {
-    return componentCount(accessor) * componentBytes(accessor.componentType);
-}
-
 // Returns the first of `count` pieces of `bytes`, one every `stride` bytes of a bufferView; faults if they do
 // not fit into it. All numbers are below 2^31 (checkSchema), so nothing here overflows 64 bits.
 const uint8_t* piecesOf(const tinygltf::Model& gltf, int bufferView, size_t byteOffset, size_t count,
@@ -65,7 +60,8 @@ template <class T> T loadComponent(const uint8_t* from, int componentType, bool 
 template <class Put> void forEachElement(const tinygltf::Model& gltf, int index, Put&& put) {
     const std::string who = element("accessors", index);
     const tinygltf::Accessor& a = gltf.accessors[index];
-    const size_t bytes = elementBytes(a);
+    // Matrices whose columns would be padded to 4 bytes are never read.
+    const size_t bytes = componentCount(a) * componentBytes(a.componentType);
     if (a.bufferView >= 0) {
         const size_t viewStride = gltf.bufferViews[a.bufferView].byteStride;
         if (viewStride != 0 && viewStride < bytes)

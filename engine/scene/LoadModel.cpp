@@ -286,8 +286,8 @@ void checkRestPose(const Model& model) {
 
 std::string quoted(const std::string& untrusted, size_t maxLength) {
     std::string shown = untrusted.substr(0, maxLength);
-    for (char& c : shown)
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return c < 32 || c == 127; }, '?');
     return untrusted.size() > maxLength ? shown + "..." : shown;
 }
 

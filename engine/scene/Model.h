@@ -63,7 +63,7 @@ struct Material {
 };
 
 struct MorphTarget { // deltas; each empty or one per vertex
-    std::vector<glm::vec3> positions, normals, tangents;
+    std::vector<glm::vec3> positions, normals;
 };
 
 struct Primitive { // triangles
@@ -160,8 +160,7 @@ struct LoadLimits {
 // the glTF element that is wrong. Each warning (odd, but drawable) is logged once.
 Result<Model> loadModel(const Path& file, const LoadLimits& limits = {});
 
-// Gives each primitive its material of this variant. Materials that no primitive uses then lose their
-// textures, so that these are not uploaded. False if there is no such variant.
+// Gives each primitive its material of this variant. False if there is no such variant.
 bool applyVariant(Model&, const std::string& variant);
 
 // The pose of a model at one moment. Reused between frames; nothing allocates after the first use.

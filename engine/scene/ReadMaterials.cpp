@@ -257,15 +257,11 @@ bool applyVariant(Model& model, const std::string& variant) {
     const auto found = std::find(model.variants.begin(), model.variants.end(), variant);
     if (found == model.variants.end()) return false;
     const auto index = found - model.variants.begin();
-    std::vector<bool> isUsed(model.materials.size(), false);
     for (Mesh& mesh : model.meshes)
         for (Primitive& primitive : mesh.primitives) {
             const int material = primitive.variantMaterials.empty() ? -1 : primitive.variantMaterials[index];
             if (material >= 0) primitive.material = material;
-            if (primitive.material >= 0) isUsed[primitive.material] = true;
         }
-    for (size_t m = 0; m < isUsed.size(); ++m)
-        if (!isUsed[m]) model.materials[m] = Material{.name = model.materials[m].name};
     return true;
 }
 

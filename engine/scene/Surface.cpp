@@ -39,7 +39,7 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
         surface.normals.push_back(safeNormalize(glm::dvec3(side * (cofactor * normal)), {0, 1, 0}));
         surface.nodesOf.push_back(mover);
     }
-    const bool opaque = !isBlended(model, primitive);
+    const bool opaque = model.materialOf(primitive).alphaMode != AlphaMode::Blend;
     for (const uint32_t i : primitive.indices) {
         surface.indices.push_back(first + i);
         if (opaque) surface.opaque.push_back(first + i);
@@ -97,10 +97,6 @@ Bounds posedBounds(const Model& model, const Pose& pose) {
         bounds.high = glm::max(bounds.high, p);
     }
     return bounds;
-}
-
-bool isBlended(const Model& model, const Primitive& primitive) {
-    return model.materialOf(primitive).alphaMode == AlphaMode::Blend;
 }
 
 glm::vec3 meanBaseColour(const Model& model) {
