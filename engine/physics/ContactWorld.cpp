@@ -112,13 +112,12 @@ bool begin(const Pair& pair, Contact& c) {
 
 void collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
              std::span<const Contact> last, std::vector<Contact>& out) {
-    const auto byKey = [](const Contact& l, const Contact& r) { return key(l) < key(r); };
     out.clear();
     for (const Body& body : bodies)
         for (const Mover& mover : movers) {
             const Pair pair(mover, body);
             Contact c{.body = body.id, .group = mover.group, .tag = mover.tag};
-            const auto before = std::lower_bound(last.begin(), last.end(), c, byKey);
+            const auto before = std::ranges::lower_bound(last, key(c), {}, key);
             const bool lasted =
                 before != last.end() && key(*before) == key(c) && before->lasting && !pair.jumped;
             if (lasted)
@@ -128,7 +127,7 @@ void collide(std::span<const Body> bodies, std::span<const Mover> movers, float 
             if (complete(pair, dt_s, c)) out.push_back(c);
         }
     // A total order, so the result does not depend on the callers' order.
-    std::sort(out.begin(), out.end(), byKey);
+    std::ranges::sort(out, {}, key);
 }
 
 namespace {

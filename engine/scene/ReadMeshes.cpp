@@ -171,8 +171,7 @@ std::vector<uint32_t> readIndices(GltfFile& file, const tinygltf::Primitive& fro
         fault(name, " does not hold single unsigned integers");
     file.indices.spend(accessor.count * perIndex, who);
     std::vector<uint32_t> indices = readIntegers(file.gltf, from.indices);
-    const auto wrong =
-        std::find_if(indices.begin(), indices.end(), [&](uint32_t index) { return index >= vertices; });
+    const auto wrong = std::ranges::find_if(indices, [&](uint32_t index) { return index >= vertices; });
     if (wrong != indices.end())
         fault(name, ": number ", wrong - indices.begin(), " is ", *wrong, ", but there are ", vertices,
               " vertices");
@@ -297,16 +296,6 @@ Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, co
     return mesh;
 }
 
-void checkNodeWeights(const Model& model) {
-    for (size_t n = 0; n < model.nodes.size(); ++n) {
-        const Node& node = model.nodes[n];
-        const size_t targets = node.mesh < 0 ? 0 : model.meshes[node.mesh].morphWeights.size();
-        if (!node.morphWeights.empty() && node.morphWeights.size() != targets)
-            fault(element("nodes", n), " has ", node.morphWeights.size(), " weights for ", targets,
-                  " morph targets");
-    }
-}
-
 // Checks that joints are in range of every skin that the mesh is drawn with; without one they are removed.
 void checkJoints(Model& model) {
     constexpr size_t kNoSkin = std::numeric_limits<size_t>::max();
@@ -336,7 +325,6 @@ void readMeshes(GltfFile& file, Model& model) {
     model.variants = file.variants;
     for (const tinygltf::Mesh& mesh : file.gltf.meshes)
         model.meshes.push_back(readMesh(file, model, mesh, element("meshes", model.meshes.size())));
-    checkNodeWeights(model);
     checkJoints(model);
 }
 

@@ -71,6 +71,11 @@ Node readNode(GltfFile& file, const tinygltf::Node& from, const std::string& who
     node.mesh = from.mesh;
     node.skin = from.skin;
     for (const double weight : from.weights) node.morphWeights.push_back(static_cast<float>(weight));
+    size_t targets = 0;
+    if (node.mesh >= 0 && !file.gltf.meshes[node.mesh].primitives.empty())
+        targets = file.gltf.meshes[node.mesh].primitives[0].targets.size();
+    if (!from.weights.empty() && from.weights.size() != targets)
+        fault(who, " has ", from.weights.size(), " weights for ", targets, " morph targets");
     if (from.matrix.empty()) {
         node.parentFromNode = readTransform(from, who);
     } else {

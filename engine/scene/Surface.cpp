@@ -130,20 +130,19 @@ glm::vec3 meanBaseColour(const Model& model) {
 
 namespace {
 
-// Returns the minimum of a channel, 0 to 1, ignoring the smallest hundredth of its values.
-float minOf(const ImageRgba8& texels, size_t channel) {
+// Minimum, ignoring the smallest hundredth of the values, and mean of a channel, 0 to 1.
+struct ChannelRange {
+    float minimum, mean;
+};
+ChannelRange rangeOf(const ImageRgba8& texels, size_t channel) {
     std::array<size_t, 256> counts{};
-    for (size_t i = channel; i < texels.pixels.size(); i += 4) ++counts[texels.pixels[i]];
+    double sum = 0;
+    for (size_t i = channel; i < texels.pixels.size(); i += 4)
+        ++counts[texels.pixels[i]], sum += texels.pixels[i];
     size_t below = 0, value = 0;
     while (value < 255 && (below += counts[value]) * 100 <= texels.pixels.size() / 4) ++value;
-    return static_cast<float>(value) / 255.0f;
-}
-
-float meanOf(const ImageRgba8& texels, size_t channel) {
-    double sum = 0;
-    for (size_t i = channel; i < texels.pixels.size(); i += 4) sum += texels.pixels[i];
-    return static_cast<float>(sum * 4 /
-                              (255.0 * static_cast<double>(std::max<size_t>(texels.pixels.size(), 4))));
+    const auto bytes = static_cast<double>(std::max<size_t>(texels.pixels.size(), 4));
+    return {static_cast<float>(value) / 255.0f, static_cast<float>(sum * 4 / (255.0 * bytes))};
 }
 
 } // namespace
@@ -151,13 +150,14 @@ float meanOf(const ImageRgba8& texels, size_t channel) {
 Gloss glossOf(const Model& model, const Material& material) {
     float least = material.roughness, roughness = material.roughness, metallic = material.metallic;
     if (const ImageRgba8* texels = model.imageOf(material.metallicRoughness)) {
-        least *= minOf(*texels, 1);
-        roughness *= meanOf(*texels, 1);
-        metallic *= meanOf(*texels, 2);
+        const ChannelRange rough = rangeOf(*texels, 1);
+        least *= rough.minimum;
+        roughness *= rough.mean;
+        metallic *= rangeOf(*texels, 2).mean;
     }
     if (material.clearcoat > 0) {
         const ImageRgba8* texels = model.imageOf(material.coatRoughness);
-        least = std::min(least, material.clearcoatRoughness * (texels ? minOf(*texels, 1) : 1));
+        least = std::min(least, material.clearcoatRoughness * (texels ? rangeOf(*texels, 1).minimum : 1));
     }
     return {least, roughness, metallic};
 }

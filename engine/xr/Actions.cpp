@@ -145,7 +145,8 @@ void Actions::vibrate(XrSession session, int hand, float amplitude, float freque
         SHOAL_XR(xrStopHapticFeedback(session, &info));
         return;
     }
-    const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, kVibration_ns, frequency_Hz,
+    constexpr XrDuration kLongest_ns = 100'000'000; // more than a frame; it ends soon if the game dies
+    const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, kLongest_ns, frequency_Hz,
                                       std::min(amplitude, 1.0f)};
     SHOAL_XR(xrApplyHapticFeedback(session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
 }

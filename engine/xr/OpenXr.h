@@ -116,17 +116,13 @@ inline bool valid(XrSpaceLocationFlags flags) {
 // Input and vibration of controllers: OpenXR's actions, bound for the common controllers.
 class Actions {
   public:
-    Actions() = default;
     // Extensions for controllers, to be enabled if the runtime has them.
     static std::vector<const char*> extensions();
     static Actions make(const Instance& instance, XrSession session);
 
     void locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const;
-    // Vibrates until the next call, but for kVibration_ns at most. amplitude: 0 to 1; 0 stops.
+    // Vibrates until the next call, but for a tenth of a second at most. amplitude: 0 to 1; 0 stops.
     void vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const;
-
-    // Longest vibration: longer than a frame, to be continuous; short, so that it ends if the game dies.
-    static constexpr XrDuration kVibration_ns = 100'000'000;
 
   private:
     Handle<XrActionSet, xrDestroyActionSet> set_;
