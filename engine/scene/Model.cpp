@@ -141,10 +141,6 @@ glm::quat sampledRotation(const Channel& channel, const Moment& at) {
                                     sampled(channel, at, 4, 1), sampled(channel, at, 4, 2)));
 }
 
-glm::vec3 sampled3(const Channel& channel, const Moment& at) {
-    return {sampled(channel, at, 3, 0), sampled(channel, at, 3, 1), sampled(channel, at, 3, 2)};
-}
-
 } // namespace
 
 void animate(const Model& model, int animation, float time_s, Pose& pose, float weight) {
@@ -152,25 +148,17 @@ void animate(const Model& model, int animation, float time_s, Pose& pose, float 
     for (const Channel& channel : model.animations[animation].channels) {
         const Moment at = momentAt(channel.times_s, time_s);
         Transform& local = pose.local[channel.node];
-        switch (channel.target) {
-        case Channel::Target::Translation:
-            local.translation = glm::mix(local.translation, sampled3(channel, at), weight);
-            break;
-        case Channel::Target::Scale:
-            local.scale = glm::mix(local.scale, sampled3(channel, at), weight);
-            break;
-        case Channel::Target::Rotation: {
-            const glm::quat rotation = sampledRotation(channel, at);
-            local.rotation =
-                weight == 1 ? rotation : glm::normalize(glm::slerp(local.rotation, rotation, weight));
-            break;
-        }
-        case Channel::Target::Weights: {
+        if (channel.target == Channel::Target::Weights) {
             std::vector<float>& weights = pose.morphWeights[channel.node];
             for (size_t i = 0; i < weights.size(); ++i)
                 weights[i] = glm::mix(weights[i], sampled(channel, at, weights.size(), i), weight);
-            break;
-        }
+        } else if (channel.target == Channel::Target::Rotation) {
+            const glm::quat rotation = sampledRotation(channel, at);
+            local.rotation =
+                weight == 1 ? rotation : glm::normalize(glm::slerp(local.rotation, rotation, weight));
+        } else {
+            glm::vec3& moved = channel.target == Channel::Target::Scale ? local.scale : local.translation;
+            for (int i = 0; i < 3; ++i) moved[i] = glm::mix(moved[i], sampled(channel, at, 3, i), weight);
         }
     }
 }

@@ -73,7 +73,7 @@ struct Primitive { // triangles
     std::vector<glm::vec2> texCoords[2]; // empty if absent
     std::vector<glm::vec4> coloursLin;   // empty if absent
     std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
-    std::vector<glm::vec4> weights;      // sum 1; empty if absent
+    std::vector<glm::vec4> weights;      // heaviest first, sum 1; empty if absent
     // Self-occlusion at rest, in the mesh's frame: at a vertex the body occludes the share w + dot(xyz, d) of
     // the light from direction d. Empty without self-occlusion.
     std::vector<glm::vec4> selfOcclusion;
