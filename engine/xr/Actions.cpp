@@ -52,26 +52,25 @@ std::vector<const char*> Actions::extensions() {
     return names;
 }
 
-Actions Actions::make(const Instance& connection, XrSession session) {
+Actions::Actions(const Instance& connection, XrSession session) {
     const XrInstance instance = connection.handle.get();
-    Actions made;
-    for (size_t i = 0; i < 2; ++i) made.hands_[i] = pathOf(instance, kHands[i]);
+    for (size_t i = 0; i < 2; ++i) hands_[i] = pathOf(instance, kHands[i]);
     const XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "dive", "Dive"};
     XrActionSet set = XR_NULL_HANDLE;
     SHOAL_XR(xrCreateActionSet(instance, &setInfo, &set));
-    made.set_.reset(set);
+    set_.reset(set);
 
-    const XrPath* const hands = made.hands_.data();
+    const XrPath* const hands = hands_.data();
     constexpr auto kType = XR_TYPE_ACTION_CREATE_INFO;
     const auto create = [&](XrAction& action, const XrActionCreateInfo& info) {
         SHOAL_XR(xrCreateAction(set, &info, &action));
     };
-    create(made.grip_, {kType, nullptr, "hand", XR_ACTION_TYPE_POSE_INPUT, 2, hands, "Hand"});
-    create(made.squeeze_, {kType, nullptr, "close", XR_ACTION_TYPE_FLOAT_INPUT, 2, hands, "Close the hand"});
-    create(made.trigger_,
+    create(grip_, {kType, nullptr, "hand", XR_ACTION_TYPE_POSE_INPUT, 2, hands, "Hand"});
+    create(squeeze_, {kType, nullptr, "close", XR_ACTION_TYPE_FLOAT_INPUT, 2, hands, "Close the hand"});
+    create(trigger_,
            {kType, nullptr, "index", XR_ACTION_TYPE_FLOAT_INPUT, 2, hands, "Bend the index finger"});
-    create(made.menu_, {kType, nullptr, "pause", XR_ACTION_TYPE_BOOLEAN_INPUT, 2, hands, "Pause"});
-    create(made.haptic_, {kType, nullptr, "feel", XR_ACTION_TYPE_VIBRATION_OUTPUT, 2, hands, "Feel"});
+    create(menu_, {kType, nullptr, "pause", XR_ACTION_TYPE_BOOLEAN_INPUT, 2, hands, "Pause"});
+    create(haptic_, {kType, nullptr, "feel", XR_ACTION_TYPE_VIBRATION_OUTPUT, 2, hands, "Feel"});
 
     for (const InteractionProfile& profile : kProfiles) {
         if (profile.extension && !connection.uses(profile.extension)) continue;
@@ -81,11 +80,11 @@ Actions Actions::make(const Instance& connection, XrSession session) {
                 bindings.push_back({action, pathOf(instance, std::string(kHands[hand]) + below)});
             };
             const std::string input = "/input/";
-            bind(made.grip_, "/input/grip/pose");
-            bind(made.squeeze_, input + profile.squeeze);
-            bind(made.trigger_, input + profile.trigger);
-            if (profile.vibrates) bind(made.haptic_, "/output/haptic");
-            if (profile.menu && (hand == 0 || profile.menuOnRight)) bind(made.menu_, input + profile.menu);
+            bind(grip_, "/input/grip/pose");
+            bind(squeeze_, input + profile.squeeze);
+            bind(trigger_, input + profile.trigger);
+            if (profile.vibrates) bind(haptic_, "/output/haptic");
+            if (profile.menu && (hand == 0 || profile.menuOnRight)) bind(menu_, input + profile.menu);
         }
         const XrInteractionProfileSuggestedBinding suggested{
             XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
@@ -96,15 +95,14 @@ Actions Actions::make(const Instance& connection, XrSession session) {
             check(result, "xrSuggestInteractionProfileBindings");
     }
     for (size_t i = 0; i < 2; ++i) {
-        const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, made.grip_,
-                                           made.hands_[i], poseTo({})};
+        const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip_, hands_[i],
+                                           poseTo({})};
         XrSpace space = XR_NULL_HANDLE;
         SHOAL_XR(xrCreateActionSpace(session, &info, &space));
-        made.gripSpaces_[i].reset(space);
+        gripSpaces_[i].reset(space);
     }
     const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
     SHOAL_XR(xrAttachSessionActionSets(session, &attach));
-    return made;
 }
 
 void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const {

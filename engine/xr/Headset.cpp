@@ -121,14 +121,13 @@ constexpr auto kMeasured = XR_SPACE_LOCATION_POSITION_TRACKED_BIT | XR_SPACE_LOC
 class HandTrackers {
   public:
     // Hands are never active without the extension.
-    static HandTrackers make(const Instance& instance, XrSession session) {
-        HandTrackers made;
-        if (!instance.properties.bareHands) return made;
+    HandTrackers(const Instance& instance, XrSession session) {
+        if (!instance.properties.bareHands) return;
         const XrInstance name = instance.handle.get();
         const auto create = functionOf<PFN_xrCreateHandTrackerEXT>(name, "xrCreateHandTrackerEXT");
         const auto destroy = functionOf<PFN_xrDestroyHandTrackerEXT>(name, "xrDestroyHandTrackerEXT");
-        made.locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
-        if (!create || !destroy || !made.locate_)
+        locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
+        if (!create || !destroy || !locate_)
             throw Failure("the runtime promises XR_EXT_hand_tracking and lacks its functions");
         // Joints that a runtime makes up for a hand with a controller are not wanted: see Controller.
         auto bare = XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
@@ -146,9 +145,8 @@ class HandTrackers {
                 created = create(session, &info, &tracker);
             }
             check(created, "xrCreateHandTrackerEXT");
-            made.trackers_.emplace_back(tracker, destroy);
+            trackers_.emplace_back(tracker, destroy);
         }
-        return made;
     }
     void locate(XrSpace world, XrTime time, std::array<hands::HandPose, 2>& out) const {
         for (size_t i = 0; i < trackers_.size(); ++i) {
@@ -202,11 +200,12 @@ void askForRefreshRate(const Instance& instance, XrSession session) {
 
 struct Headset::State {
     // Members use the members before them, so they are destroyed before those.
-    Instance instance;
-    SessionHandle session;
-    Space local, world, floor;
-    HandTrackers hands;
-    Actions actions;
+    Instance instance = Instance::open(true);
+    SessionHandle session = createSession(instance);
+    Space local = makeSpace(session.get(), {}), world = makeSpace(session.get(), {});
+    Space floor = makeFloor(session.get());
+    HandTrackers hands{instance, session.get()};
+    Actions actions{instance, session.get()};
     std::array<Swapchain, 5> pictures; // by Picture
 
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
@@ -243,33 +242,26 @@ bool Headset::isThere() {
 }
 
 Result<Headset> Headset::open(glm::ivec2 panelSize) {
-    auto state = std::make_unique<State>();
-    State& s = *state;
+    std::unique_ptr<State> state;
     Status opened = statusOf([&] {
-        s.instance = Instance::open(true);
-        s.session = createSession(s.instance);
-        const XrSession session = s.session.get();
-        Properties& properties = s.instance.properties;
-        askForRefreshRate(s.instance, session);
-        s.local = makeSpace(session, {});
-        s.world = makeSpace(session, {});
-        s.floor = makeFloor(session);
-        s.hands = HandTrackers::make(s.instance, session);
-        s.actions = Actions::make(s.instance, session);
+        state = std::make_unique<State>();
+        const XrSession session = state->session.get();
+        Properties& properties = state->instance.properties;
+        askForRefreshRate(state->instance, session);
         // The first format tells the runtime that the picture is display-coded; it is written unchanged
         // (GL_FRAMEBUFFER_SRGB stays off). Some runtimes take the second for linear, most for coded.
         const int64_t colours = formatOf(session, {GL_SRGB8_ALPHA8, GL_RGBA8});
         if (colours == 0)
             throw Failure("the headset's runtime takes no pictures of 8 bits a colour (GL_SRGB8_ALPHA8)");
         for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
-            s.picture(p) = Swapchain(session, p == Picture::Panel ? panelSize : properties.eyeSize, colours,
-                                     GL_COLOR_ATTACHMENT0);
+            state->picture(p) = Swapchain(session, p == Picture::Panel ? panelSize : properties.eyeSize,
+                                          colours, GL_COLOR_ATTACHMENT0);
         // 16 bits are too coarse for depths from a hand to the far plane.
         const int64_t depths = formatOf(session, {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F});
         properties.takesDepth &= depths != 0;
         for (const Picture p : {Picture::LeftDepth, Picture::RightDepth})
             if (properties.takesDepth)
-                s.picture(p) = Swapchain(session, properties.eyeSize, depths, GL_DEPTH_ATTACHMENT);
+                state->picture(p) = Swapchain(session, properties.eyeSize, depths, GL_DEPTH_ATTACHMENT);
     });
     if (!opened) return opened.error();
     return Headset(std::move(state));

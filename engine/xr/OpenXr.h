@@ -118,7 +118,7 @@ class Actions {
   public:
     // Extensions for controllers, to be enabled if the runtime has them.
     static std::vector<const char*> extensions();
-    static Actions make(const Instance& instance, XrSession session);
+    Actions(const Instance& instance, XrSession session);
 
     void locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const;
     // Vibrates until the next call, but for a tenth of a second at most. amplitude: 0 to 1; 0 stops.
