@@ -116,12 +116,12 @@ void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<C
         XrActionStatePose held{XR_TYPE_ACTION_STATE_POSE};
         const XrActionStateGetInfo askPose = infoOf(grip_, hands_[i]);
         SHOAL_XR(xrGetActionStatePose(session, &askPose, &held));
-        controller.active = held.isActive == XR_TRUE;
-        if (!controller.active) continue;
+        if (!held.isActive) continue;
         XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
         SHOAL_XR(xrLocateSpace(gripSpaces_[i].get(), world, time, &location));
-        controller.worldFromGrip = poseFrom(location.pose);
-        controller.gripValid = valid(location.locationFlags) && believable(controller.worldFromGrip);
+        const Pose worldFromGrip = poseFrom(location.pose);
+        if (valid(location.locationFlags) && believable(worldFromGrip))
+            controller.worldFromGrip = worldFromGrip;
         for (const auto& [action, value] :
              {std::pair(squeeze_, &controller.squeeze), std::pair(trigger_, &controller.trigger)}) {
             XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};

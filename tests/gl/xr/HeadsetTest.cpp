@@ -359,15 +359,15 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     ASSERT_TRUE(now.hands[1].tracked);
     EXPECT_NEAR(now.hands[1].joints[25].position.x, 0.25f, 1e-6f);
     EXPECT_EQ(now.hands[1].confidence, 1);
-    EXPECT_TRUE(now.controllers[0].active && now.controllers[0].gripValid && now.controllers[0].menu);
+    ASSERT_TRUE(now.controllers[0].worldFromGrip && now.controllers[0].menu);
     EXPECT_EQ(now.controllers[0].squeeze, 0.7f);
     EXPECT_EQ(now.controllers[0].trigger, 0.2f);
-    EXPECT_NEAR(now.controllers[0].worldFromGrip.position.z, -0.5f, 1e-6f);
-    EXPECT_FALSE(now.controllers[1].active);
+    EXPECT_NEAR(now.controllers[0].worldFromGrip->position.z, -0.5f, 1e-6f);
+    EXPECT_FALSE(now.controllers[1].worldFromGrip);
 
     fake.say(XR_SESSION_STATE_VISIBLE); // a menu of the runtime: what is pressed there is not ours
     emptyFrame(headset);
-    EXPECT_FALSE(headset.tracking().controllers[0].active);
+    EXPECT_FALSE(headset.tracking().controllers[0].worldFromGrip);
 }
 
 // The fake runtime knows what the registry says that each has, and complains of all else.
