@@ -237,14 +237,12 @@ void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
 std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const tinygltf::Primitive& from,
                                        const std::string& who) {
     if (from.mode > TINYGLTF_MODE_TRIANGLE_FAN) fault(who, ".mode is ", from.mode, ", none of glTF");
-    if (from.mode < TINYGLTF_MODE_TRIANGLES) {
-        file.warn(who, " is points or lines, which are not drawn");
+    const auto leftOut = [&](const char* reason) {
+        file.warn(who, reason);
         return std::nullopt;
-    }
-    if (!from.attributes.contains("POSITION")) {
-        file.warn(who, " has no positions and is not drawn");
-        return std::nullopt;
-    }
+    };
+    if (from.mode < TINYGLTF_MODE_TRIANGLES) return leftOut(" is points or lines, which are not drawn");
+    if (!from.attributes.contains("POSITION")) return leftOut(" has no positions and is not drawn");
     Primitive primitive = readAttributes(file, from, who);
     primitive.material = from.material;
     primitive.indices = readIndices(file, from, primitive.positions.size(), who);
@@ -253,10 +251,7 @@ std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const
         file.warn(who, " ends in the middle of a triangle");
         primitive.indices.resize(primitive.indices.size() / 3 * 3);
     }
-    if (primitive.indices.empty()) {
-        file.warn(who, " has no triangles");
-        return std::nullopt;
-    }
+    if (primitive.indices.empty()) return leftOut(" has no triangles");
     if (primitive.normals.empty()) {
         file.vertices.spend(primitive.indices.size() * (1 + primitive.morphTargets.size()), who);
         makeFlatNormals(primitive);

@@ -101,21 +101,17 @@ struct Checker {
             if (!value.is_number()) fault(where, " is not a number");
             if (!std::isfinite(value.get<float>())) fault(where, " is not finite");
         } else {
-            const uint64_t number = countOf(value, where);
+            if (!value.is_number_integer()) fault(where, " is not a whole number");
+            if (!value.is_number_unsigned() && value.get<int64_t>() < 0) fault(where, " is negative");
+            const uint64_t number = value.get<uint64_t>();
+            if (number > std::numeric_limits<int32_t>::max())
+                fault(where, " is ", number, ", more than can be");
             if (shape == "count") return;
             const std::string into = shape.substr(1);
             const auto list = document.find(into);
             const size_t size = list != document.end() && list->is_array() ? list->size() : 0;
             if (number >= size) fault(where, " is ", number, ", but there are ", size, " ", into);
         }
-    }
-
-    static uint64_t countOf(const Json& value, const std::string& where) {
-        if (!value.is_number_integer()) fault(where, " is not a whole number");
-        if (!value.is_number_unsigned() && value.get<int64_t>() < 0) fault(where, " is negative");
-        const uint64_t number = value.get<uint64_t>();
-        if (number > std::numeric_limits<int32_t>::max()) fault(where, " is ", number, ", more than can be");
-        return number;
     }
 };
 

@@ -74,6 +74,21 @@ void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere
     all.push_back({node, middle, kWider * radius});
 }
 
+// Minimum, ignoring the smallest hundredth of the values, and mean of a channel, 0 to 1.
+struct ChannelRange {
+    float minimum, mean;
+};
+ChannelRange rangeOf(const ImageRgba8& texels, size_t channel) {
+    std::array<size_t, 256> counts{};
+    double sum = 0;
+    for (size_t i = channel; i < texels.pixels.size(); i += 4)
+        ++counts[texels.pixels[i]], sum += texels.pixels[i];
+    size_t below = 0, value = 0;
+    while (value < 255 && (below += counts[value]) * 100 <= texels.pixels.size() / 4) ++value;
+    const auto bytes = static_cast<double>(std::max<size_t>(texels.pixels.size(), 4));
+    return {static_cast<float>(value) / 255.0f, static_cast<float>(sum * 4 / (255.0 * bytes))};
+}
+
 } // namespace
 
 Surface posedSurface(const Model& model, const Pose& pose) {
@@ -121,25 +136,6 @@ glm::vec3 meanBaseColour(const Model& model) {
         }
     return all > 0 ? glm::vec3(sum / all) : glm::vec3(0);
 }
-
-namespace {
-
-// Minimum, ignoring the smallest hundredth of the values, and mean of a channel, 0 to 1.
-struct ChannelRange {
-    float minimum, mean;
-};
-ChannelRange rangeOf(const ImageRgba8& texels, size_t channel) {
-    std::array<size_t, 256> counts{};
-    double sum = 0;
-    for (size_t i = channel; i < texels.pixels.size(); i += 4)
-        ++counts[texels.pixels[i]], sum += texels.pixels[i];
-    size_t below = 0, value = 0;
-    while (value < 255 && (below += counts[value]) * 100 <= texels.pixels.size() / 4) ++value;
-    const auto bytes = static_cast<double>(std::max<size_t>(texels.pixels.size(), 4));
-    return {static_cast<float>(value) / 255.0f, static_cast<float>(sum * 4 / (255.0 * bytes))};
-}
-
-} // namespace
 
 Gloss glossOf(const Model& model, const Material& material) {
     float least = material.roughness, roughness = material.roughness, metallic = material.metallic;

@@ -65,6 +65,10 @@ Mapping mappingOf(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec
     return {alongU, flat ? kFlat : twiceArea > 0 ? kTurnsWith : kTurnsAgainst};
 }
 
+constexpr size_t kMinTriangles = 24;                               // of a level of detail
+constexpr float kLargestError = 0.1f;                              // of the primitive's extent
+constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.25f; // reported share: a quarter from 0.20 on
+
 } // namespace
 
 glm::vec3 safeNormalize(const glm::dvec3& v, const glm::vec3& otherwise) {
@@ -169,14 +173,6 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
         result.indices.push_back(place[indices[corner]][handAt(corner)]);
     return result;
 }
-
-namespace {
-
-constexpr size_t kMinTriangles = 24;
-constexpr float kLargestError = 0.1f;                              // of the primitive's extent
-constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.25f; // reported share: a quarter from 0.20 on
-
-} // namespace
 
 std::vector<Lod> makeLods(const Primitive& primitive) {
     std::vector<Lod> lods;
