@@ -85,7 +85,6 @@ struct Primitive { // triangles
 };
 
 struct Mesh {
-    std::string name;
     std::vector<Primitive> primitives;
     std::vector<float> morphWeights; // defaults; one per target
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -120,8 +121,7 @@ void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primi
                     fault(attributes.where("WEIGHTS_0"), ": vertex ", v, " has a negative weight");
                 influences.emplace_back(set.weights[v][k], set.joints[4 * v + k]);
             }
-        std::stable_sort(influences.begin(), influences.end(),
-                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::ranges::stable_sort(influences, std::greater(), [](const auto& each) { return each.first; });
         double sum = 0;
         for (int k = 0; k < 4; ++k) sum += influences[k].first;
         if (sum == 0) file.warn(attributes.where("WEIGHTS_0"), " holds vertices without any weight");
@@ -263,7 +263,6 @@ std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const
 
 Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, const std::string& who) {
     Mesh mesh;
-    mesh.name = from.name;
     if (from.primitives.empty()) fault(who, ".primitives is empty");
     const size_t targets = from.primitives[0].targets.size();
     for (size_t p = 0; p < from.primitives.size(); ++p) {
