@@ -27,16 +27,17 @@ class Attributes {
         return file_.gltf.accessors[names_.at(name)];
     }
 
-    // Returns the attribute's vectors; empty if the primitive does not have it. orShares: the attribute may
-    // also hold unsigned integers, normalised to 0 .. 1. KHR_mesh_quantization allows integers of 8 and 16
-    // bits in any attribute.
-    template <class Vector> std::vector<Vector> vectors(const char* name, bool orShares = false) const {
+    // Returns the attribute's vectors; empty if the primitive does not have it. mayBeNormalized: the
+    // attribute may also hold unsigned integers, normalised to 0 .. 1. KHR_mesh_quantization allows integers
+    // of 8 and 16 bits in any attribute.
+    template <class Vector>
+    std::vector<Vector> vectors(const char* name, bool mayBeNormalized = false) const {
         if (!has(name)) return {};
         const tinygltf::Accessor& a = accessor(name);
         static_assert(TINYGLTF_TYPE_VEC2 == 2 && TINYGLTF_TYPE_VEC3 == 3 && TINYGLTF_TYPE_VEC4 == 4);
         check(name, Vector::length(),
               a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || (file_.quantized && isShort(a)) ||
-                  (orShares && a.normalized && isUnsignedShort(a)));
+                  (mayBeNormalized && a.normalized && isUnsignedShort(a)));
         const std::vector<float> numbers = readFloats(file_.gltf, names_.at(name));
         std::vector<Vector> vectors(vertices_);
         std::memcpy(vectors.data(), numbers.data(), numbers.size() * sizeof(float));

@@ -75,10 +75,10 @@ void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere
 }
 
 // Minimum, ignoring the smallest hundredth of the values, and mean of a channel, 0 to 1.
-struct ChannelRange {
+struct ChannelStatistics {
     float minimum, mean;
 };
-ChannelRange rangeOf(const ImageRgba8& texels, size_t channel) {
+ChannelStatistics statisticsOf(const ImageRgba8& texels, size_t channel) {
     std::array<size_t, 256> counts{};
     double sum = 0;
     for (size_t i = channel; i < texels.pixels.size(); i += 4)
@@ -140,14 +140,15 @@ glm::vec3 meanBaseColour(const Model& model) {
 Gloss glossOf(const Model& model, const Material& material) {
     float least = material.roughness, roughness = material.roughness, metallic = material.metallic;
     if (const ImageRgba8* texels = model.imageOf(material.metallicRoughness)) {
-        const ChannelRange rough = rangeOf(*texels, 1);
+        const ChannelStatistics rough = statisticsOf(*texels, 1);
         least *= rough.minimum;
         roughness *= rough.mean;
-        metallic *= rangeOf(*texels, 2).mean;
+        metallic *= statisticsOf(*texels, 2).mean;
     }
     if (material.clearcoat > 0) {
         const ImageRgba8* texels = model.imageOf(material.coatRoughness);
-        least = std::min(least, material.clearcoatRoughness * (texels ? rangeOf(*texels, 1).minimum : 1));
+        least =
+            std::min(least, material.clearcoatRoughness * (texels ? statisticsOf(*texels, 1).minimum : 1));
     }
     return {least, roughness, metallic};
 }
