@@ -36,8 +36,8 @@ HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead) 
 
 HandPose handFromController(const HandRig& rig, Side side, const xr::Controller& controller,
                             const xr::Pose& worldFromHead) {
-    if (!controller.active || !controller.gripValid) return {};
-    const xr::Pose headFromGrip = xr::inverse(worldFromHead) * controller.worldFromGrip;
+    if (!controller.worldFromGrip) return {};
+    const xr::Pose headFromGrip = xr::inverse(worldFromHead) * *controller.worldFromGrip;
     const auto bend = [](float pressed) {
         return kRelaxed + (0.95f - kRelaxed) * std::clamp(pressed, 0.0f, 1.0f);
     };
