@@ -1,12 +1,13 @@
 #include "engine/light/CentroidChain.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
+#include <cstring>
 
 namespace shoal::light {
 
@@ -23,9 +24,18 @@ void mixRows(const std::array<const float*, 4>& rows, const std::array<float, 4>
 // Halves a row. One texel before `in` and one texel and a float after its end must be readable.
 SHOAL_VECTORISE
 void halveRow(const float* __restrict in, int width, float* __restrict out) {
-    halveColumns(in, width, out, [](const float* two) {
-        return 0.125f * (texelAt(two - 3) + texelAt(two + 6)) + 0.375f * (texelAt(two) + texelAt(two + 3));
-    });
+    using Texel4 = float __attribute__((vector_size(16))); // a texel, and the first float of the next one
+    const auto texelAt = [in](int x) {
+        Texel4 texel;
+        std::memcpy(&texel, in + 3 * x, sizeof texel);
+        return texel;
+    };
+    for (int x = 0; x < width; ++x) {
+        const Texel4 texel = 0.125f * (texelAt(2 * x - 1) + texelAt(2 * x + 2)) +
+                             0.375f * (texelAt(2 * x) + texelAt(2 * x + 1));
+        // The next texel overwrites the extra float.
+        std::memcpy(out + 3 * x, &texel, x + 1 < width ? sizeof texel : 3 * sizeof(float));
+    }
 }
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // weights of rows 2 y - 1 .. 2 y + 2

@@ -1,6 +1,6 @@
 #include "engine/light/ClippedLight.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
@@ -42,6 +42,24 @@ inline float luminance(float red, float green, float blue) {
     return 0.2126f * red + 0.7152f * green + 0.0722f * blue; // Rec. 709
 }
 
+// Returns each channel's sum over interleaved values. 16 partial sums let compilers vectorise the loop.
+template <size_t kChannels> std::array<float, kChannels> sumsOf(const float* values, size_t count) {
+    std::array<float, 16 * kChannels> parts{};
+    size_t at = 0;
+    for (; at + parts.size() <= count; at += parts.size())
+        for (size_t i = 0; i < parts.size(); ++i) parts[i] += values[at + i];
+    for (size_t i = 0; at + i < count; ++i) parts[i] += values[at + i];
+    for (size_t half = 8 * kChannels; half >= kChannels; half /= 2)
+        for (size_t i = 0; i < half; ++i) parts[i] += parts[half + i];
+    std::array<float, kChannels> sums;
+    std::copy_n(parts.begin(), kChannels, sums.begin());
+    return sums;
+}
+
+SHOAL_VECTORISE float sumOf(const float* values, int count) {
+    return sumsOf<1>(values, static_cast<size_t>(count))[0];
+}
+
 SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
     const auto [red, green, blue] = sumsOf<3>(row, 3 * static_cast<size_t>(width));
     return luminance(red, green, blue);
@@ -52,10 +70,18 @@ struct Ground {
     float seen = 0, light = 0;
 };
 
-// Linear values from which a texel begins to count as ground, and from which it no longer does as clipped.
-struct Seen {
-    float first, perRise, last, perFall;
+// Linear values: from `first` on the largest channel makes a texel count, at `white` a channel is clipped.
+struct Ramps {
+    float first, perRise, white, perFall;
 };
+
+// Returns the ramps that rise between two coded values and fall from the last unclipped one on.
+Ramps rampsOf(int lastWithout, int firstWhole) {
+    const std::array<float, 256>& linear = math::linearOfByte();
+    const float first = linear[static_cast<size_t>(lastWithout)];
+    return {first, 1 / (linear[static_cast<size_t>(firstWhole)] - first), kWhite,
+            1 / (kWhite - linear[kLastUnclipped])};
+}
 
 // Clamps to 0 .. 1 without a branch, so that loops are vectorised.
 inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
@@ -63,7 +89,7 @@ inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value
 constexpr int kTexels = 512; // texels of one pass
 
 // most: greatest luminance; brighter texels are clamped to it.
-SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, float most) {
+SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Ramps& by, float most) {
     std::array<float, kTexels> light, seen;
     Ground ground;
     for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
@@ -72,7 +98,7 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, flo
             const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
             const float largest = std::max(std::max(red, green), blue);
             const float part =
-                ramp(std::min((largest - by.first) * by.perRise, (by.last - largest) * by.perFall));
+                ramp(std::min((largest - by.first) * by.perRise, (by.white - largest) * by.perFall));
             seen[static_cast<size_t>(x)] = part;
             light[static_cast<size_t>(x)] = part * std::min(luminance(red, green, blue), most);
         }
@@ -82,18 +108,13 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, flo
     return ground;
 }
 
-// Linear values: from `first` on the largest channel makes a texel bright, at `white` a channel is clipped.
-struct Bright {
-    float first, perRise, white, perFall;
-};
-
 // Sums over a row's texels.
 struct RowColours {
     std::array<float, 3> unclipped; // texels that are not clipped in any channel
     std::array<float, 3> bright;    // bright texels that are not clipped in all channels
 };
 
-SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& by) {
+SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Ramps& by) {
     std::array<float, 3 * kTexels> unclipped, bright;
     RowColours colours{};
     for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
@@ -164,9 +185,6 @@ void ClippedDensity::begin(int width, int height) {
         width_ = width, height_ = height;
         columns_ = static_cast<size_t>(std::min(width, kDensityColumns));
         rows_ = static_cast<size_t>(std::min(height, kDensityColumns / 2));
-        starts_.clear();
-        for (size_t x = 0; x <= columns_; ++x)
-            starts_.push_back(static_cast<int>((x * static_cast<size_t>(width) + columns_ - 1) / columns_));
         sums_.assign(columns_ * rows_, 0), density_.resize(sums_.size()), across_.resize(sums_.size());
         counts_.resize(rows_), anything_.assign(rows_, false);
     }
@@ -179,11 +197,11 @@ void ClippedDensity::begin(int width, int height) {
 void ClippedDensity::addRow(int y, const float* clipped) {
     const size_t row = cellRow(y);
     ++counts_[row];
-    if (sumsOf<1>(clipped, static_cast<size_t>(width_))[0] == 0) return; // the usual case
+    if (sumOf(clipped, width_) == 0) return; // the usual case
     anything_[row] = true;
     float* sums = &sums_[row * columns_];
     for (size_t x = 0; x < columns_; ++x)
-        for (int i = starts_[x]; i < starts_[x + 1]; ++i) sums[x] += clipped[i];
+        for (size_t i = start(x); i < start(x + 1); ++i) sums[x] += clipped[i];
 }
 
 void ClippedDensity::finish() {
@@ -191,7 +209,7 @@ void ClippedDensity::finish() {
         if (!anything_[y]) continue;
         float* sums = &sums_[y * columns_];
         for (size_t x = 0; x < columns_; ++x)
-            sums[x] /= static_cast<float>(counts_[y] * (starts_[x + 1] - starts_[x]));
+            sums[x] /= static_cast<float>(counts_[y] * (start(x + 1) - start(x)));
         const double ring =
             std::sin(std::numbers::pi * (static_cast<double>(y) + 0.5) / static_cast<double>(rows_));
         const auto radius = static_cast<size_t>(std::lround(1 / ring));
@@ -207,18 +225,17 @@ void ClippedDensity::finish() {
     }
 }
 
-void ClippedDensity::weigh(int y, float* clipped) const {
+float ClippedDensity::weigh(int y, float* clipped) const {
     const size_t row = cellRow(y);
-    if (!anything_[row]) return;
+    if (!anything_[row]) return 0;
     const float* density = &density_[row * columns_];
     for (size_t x = 0; x < columns_; ++x)
-        for (int i = starts_[x]; i < starts_[x + 1]; ++i) clipped[i] *= density[x];
+        for (size_t i = start(x); i < start(x + 1); ++i) clipped[i] *= density[x];
+    return sumOf(clipped, width_);
 }
 
 ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
-    const std::array<float, 256>& linear = math::linearOfByte();
-    const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), kWhite,
-                     1 / (kWhite - linear[kLastUnclipped])};
+    const Ramps by = rampsOf(kLastBlack, kFirstSeen);
     const int above = (decoded.height + 1) / 2;
     const auto weightOf = [&](int y) { return levelIrradiance(y, decoded.width, decoded.height); };
     double fromAbove = 0; // irradiance of a level plane
@@ -247,10 +264,8 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
 }
 
 glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
-    const std::array<float, 256>& linear = math::linearOfByte();
     constexpr int kBright = 230; // coded
-    const Bright by = {linear[kBright], 1 / (linear[kLastUnclipped] - linear[kBright]), kWhite,
-                       1 / (kWhite - linear[kLastUnclipped])};
+    const Ramps by = rampsOf(kBright, kLastUnclipped);
     constexpr double kGrey = 1e-4; // steradians of white added, so that a few texels give no tint
     glm::dvec3 whole(kGrey), bright(kGrey);
     const int step = rowStep(decoded.height);

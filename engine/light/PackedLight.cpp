@@ -1,7 +1,7 @@
 #include "engine/light/PackedLight.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/light/Pyramid.h"
-#include "engine/light/Vectorise.h"
 
 #include <algorithm>
 #include <bit>

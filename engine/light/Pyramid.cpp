@@ -1,7 +1,7 @@
 #include "engine/light/Pyramid.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/light/BlockMeans.h"
-#include "engine/light/Vectorise.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
@@ -59,9 +59,6 @@ int decodeClippedRow(const uint8_t* __restrict bytes, int width, float unit, flo
 }
 
 SHOAL_VECTORISE
-float sumOf(const float* values, int count) { return sumsOf<1>(values, static_cast<size_t>(count))[0]; }
-
-SHOAL_VECTORISE
 void addClippedBlocks(const float* __restrict clipped, const glm::vec3& white, int width,
                       float* __restrict out) {
     for (int x = 0; x < width; ++x)
@@ -95,13 +92,13 @@ SHOAL_VECTORISE
 void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
               float bottomWeight, int width, float* __restrict out) {
     constexpr int kTexels = 128; // output texels of one pass
-    float mixed[6 * kTexels + 1];
+    float mixed[6 * kTexels];
     for (int first = 0; first < width; first += kTexels) {
         const int count = std::min(kTexels, width - first);
         for (int i = 0; i < 6 * count; ++i)
             mixed[i] = topWeight * top[6 * first + i] + bottomWeight * bottom[6 * first + i];
-        halveColumns(mixed, count, out + 3 * first,
-                     [](const float* two) { return texelAt(two) + texelAt(two + 3); });
+        for (int x = 0; x < count; ++x)
+            for (int c = 0; c < 3; ++c) out[3 * (first + x) + c] = mixed[6 * x + c] + mixed[6 * x + 3 + c];
     }
 }
 
@@ -224,11 +221,9 @@ glm::vec3 PyramidMaker::measureClipped(int width, int height, const ImageRgbF& d
     for (int y = 0; y < above; ++y) density_.addRow(y, clippedRow(y));
     density_.finish();
     double irradiance = 0;
-    for (int y = 0; y < above; ++y) {
-        float* const row = clippedRow(y);
-        density_.weigh(y, row);
-        irradiance += levelIrradiance(y, width, height) * static_cast<double>(sumOf(row, width));
-    }
+    for (int y = 0; y < above; ++y)
+        irradiance +=
+            levelIrradiance(y, width, height) * static_cast<double>(density_.weigh(y, clippedRow(y)));
     clippedGain_ = clippedGainOf(decoded, irradiance);
     return clippedTintOf(decoded);
 }

@@ -1,6 +1,6 @@
 #include "engine/light/ZonalFilter.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/Brdf.h"
 
 #include <algorithm>
@@ -36,35 +36,14 @@ constexpr size_t kSignals = 6; // three channels at frequencies k and width - k,
 #define SHOAL_FLOATS 4
 #include "engine/light/CombineRows.inl"
 
-using Four = float __attribute__((vector_size(16)));
-
-// Transposes and scales a 4 x 4 square, and clamps it to 0 from below. strides: floats from row to row.
-inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_t outStride, float scale) {
-    Four a, b, c, d;
-    std::memcpy(&a, in, sizeof a);
-    std::memcpy(&b, in + inStride, sizeof b);
-    std::memcpy(&c, in + 2 * inStride, sizeof c);
-    std::memcpy(&d, in + 3 * inStride, sizeof d);
-    const Four abFirst = __builtin_shufflevector(a, b, 0, 4, 1, 5),
-               abLast = __builtin_shufflevector(a, b, 2, 6, 3, 7),
-               cdFirst = __builtin_shufflevector(c, d, 0, 4, 1, 5),
-               cdLast = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    const Four rows[4] = {__builtin_shufflevector(abFirst, cdFirst, 0, 1, 4, 5),
-                          __builtin_shufflevector(abFirst, cdFirst, 2, 3, 6, 7),
-                          __builtin_shufflevector(abLast, cdLast, 0, 1, 4, 5),
-                          __builtin_shufflevector(abLast, cdLast, 2, 3, 6, 7)};
-    for (int i = 0; i < 4; ++i) {
-        const Four scaled = rows[i] * scale, bounded = scaled > 0 ? scaled : Four{};
-        std::memcpy(out + i * outStride, &bounded, sizeof bounded);
-    }
-}
-
-// Writes out[x][y] = max(0, scale * in[y][x]).
+// Writes out[x][y] = max(0, scale * in[y][x]), by bands of rows that stay in the cache. height: a multiple of
+// kRows.
 SHOAL_VECTORISE
 void transpose(const float* in, int width, int height, float scale, float* out) {
-    for (int y = 0; y < height; y += 4)
-        for (int x = 0; x < width; x += 4)
-            turnSquare(in + y * width + x, width, out + x * height + y, height, scale);
+    for (int top = 0; top < height; top += kRows)
+        for (int x = 0; x < width; ++x)
+            for (int y = top; y < top + kRows; ++y)
+                out[x * height + y] = std::max(0.0f, scale * in[y * width + x]);
 }
 
 double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
