@@ -255,11 +255,9 @@ void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
 }
 
 void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from) {
-    if (from == FrameRadiance::Thesis) return makeBlockMeans(frame, blockRows_, blocks);
-    if (from == FrameRadiance::Linear)
-        return makeLinearBlockMeans(frame, blockRows_, {}, blocks, clippedBlocks_);
-    clippedBlocks_.fit(blocks.width, blocks.height);
-    makeLinearBlockMeans(frame, blockRows_, clippedShares_, blocks, clippedBlocks_);
+    if (from == FrameRadiance::Auto) clippedBlocks_.fit(blocks.width, blocks.height);
+    makeBlockMeans(frame, from, blockRows_, blocks, fastestBlockLoop(), clippedShares_, &clippedBlocks_);
+    if (from != FrameRadiance::Auto) return;
     const glm::vec3 tint =
         measureClipped(blocks.width, blocks.height, blocks, [&](int y) { return clippedBlocks_.at(0, y); });
     for (int y = 0; y < (blocks.height + 1) / 2; ++y)
