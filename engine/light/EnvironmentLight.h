@@ -3,6 +3,7 @@
 
 #include "engine/core/Image.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace shoal::light {
@@ -12,6 +13,9 @@ namespace shoal::light {
 // the sphere.
 struct RadiancePyramid {
     std::vector<ImageRgbF> levels;
+
+    // Returns the level of this width in texels, which must exist.
+    const ImageRgbF& ofWidth(int width) const { return *std::ranges::find(levels, width, &ImageRgbF::width); }
 };
 
 // Radiance filtered by a GGX lobe of this perceptual roughness (glTF's; alpha = roughness^2) around each
