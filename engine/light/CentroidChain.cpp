@@ -40,11 +40,6 @@ void halveRow(const float* __restrict in, int width, float* __restrict out) {
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // weights of rows 2 y - 1 .. 2 y + 2
 
-// Returns the row of the map that `row` is on the sphere; a row beyond a pole is mirrored at it.
-int rowOnSphere(int row, int height) {
-    return row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
-}
-
 } // namespace
 
 CentroidChain::CentroidChain(int baseWidth, int minWidth) {

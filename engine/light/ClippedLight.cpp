@@ -23,20 +23,14 @@ constexpr int kLastBlack = 4, kFirstSeen = 12;
 
 constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
-constexpr float kMinTrust = 0.1f; // groundTrust() at the horizon
+// Exponent of the ground's gain for clipped light at the horizon; it rises to 1 at the zenith. 1 minus it is
+// the exponent of the usual gain.
+constexpr float kMinTrust = 0.1f;
 
 // Irradiance added to that of clipped pixels, so that the gain does not jump where few of them are left.
 constexpr double kFewClipped = 0.015;
 
 constexpr double kMaxOfMean = 1.75; // times the ground's mean luminance; brighter texels are clamped
-
-// Returns the sine of the elevation; row: counted from the zenith, whole numbers are upper edges of rows.
-double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
-
-// Returns a texel's integral of the sine over the solid angle between two edges, given by their sines.
-double irradianceBetween(double top, double bottom, int width) {
-    return std::numbers::pi / width * std::abs(top * top - bottom * bottom);
-}
 
 inline float luminance(float red, float green, float blue) {
     return 0.2126f * red + 0.7152f * green + 0.0722f * blue; // Rec. 709
@@ -164,21 +158,22 @@ void blurRow(const float* in, size_t count, size_t radius, float* out) {
 } // namespace
 
 float clippedShare(int row, int height) {
-    return std::clamp(static_cast<float>(sineAt(row + 0.5, height)) / kFullHeight, 0.0f, 1.0f);
+    return std::clamp(static_cast<float>(sineOfRow(row + 0.5, height)) / kFullHeight, 0.0f, 1.0f);
 }
 
 double levelIrradiance(int row, int width, int height) {
-    return irradianceBetween(sineAt(row, height), sineAt(row + 1, height), width);
+    const double top = sineOfRow(row, height), bottom = sineOfRow(row + 1, height);
+    return std::numbers::pi / width * std::abs(top * top - bottom * bottom);
 }
 
-float groundTrust(float sine) { return kMinTrust + (1 - kMinTrust) * std::clamp(sine, 0.0f, 1.0f); }
-
 float ClippedGain::at(float sine) const {
-    const float trust = seen * groundTrust(sine);
+    const float trust = seen * (kMinTrust + (1 - kMinTrust) * std::clamp(sine, 0.0f, 1.0f));
     return std::pow(kUsualGain, 1 - trust) * std::pow(byGround, trust);
 }
 
-float ClippedGain::of(int row, int height) const { return at(static_cast<float>(sineAt(row + 0.5, height))); }
+float ClippedGain::of(int row, int height) const {
+    return at(static_cast<float>(sineOfRow(row + 0.5, height)));
+}
 
 void ClippedDensity::begin(int width, int height) {
     if (width != width_ || height != height_) {

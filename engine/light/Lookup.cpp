@@ -4,6 +4,7 @@
 #include "engine/math/LatLong.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +21,9 @@ glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
     const auto texel = [&](int column, int row) {
-        const bool beyond = row < 0 || row >= map.height; // beyond a pole lies the same row, half a turn away
-        if (beyond) column += map.width / 2;
-        const float* t =
-            map.at((column % map.width + map.width) % map.width, row < 0  ? -1 - row
-                                                                 : beyond ? 2 * map.height - 1 - row
-                                                                          : row);
-        return glm::vec3(t[0], t[1], t[2]);
+        const int known = rowOnSphere(row, map.height);
+        if (known != row) column += map.width / 2;
+        return glm::make_vec3(map.at((column % map.width + map.width) % map.width, known));
     };
     const glm::vec3 top = texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx;
     const glm::vec3 bottom = texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx;

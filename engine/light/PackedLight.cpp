@@ -31,11 +31,6 @@ void packRow(const float* __restrict rgb, int width, float factor, uint16_t* __r
     }
 }
 
-void packMirror(const ImageRgbF& map, float factor, HalfImage& out) {
-    out.fit(map.width, map.height);
-    packRow(map.pixels.data(), map.width * map.height, factor, out.pixels.data());
-}
-
 float brightest(const ImageRgbF& map) {
     return map.empty() ? 0 : *std::max_element(map.pixels.begin(), map.pixels.end());
 }
@@ -95,8 +90,11 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
 
     out.mirrorRoughness.clear();
     for (size_t k = 0; k <= unfiltered; ++k) out.mirrorRoughness.push_back(light.glossy[k].roughness);
-    for (size_t k = 0; k < out.mirrors.size(); ++k)
-        packMirror(light.radiance.levels[k], factor, out.mirrors[k]);
+    for (size_t k = 0; k < out.mirrors.size(); ++k) {
+        const ImageRgbF& map = light.radiance.levels[k];
+        out.mirrors[k].fit(map.width, map.height);
+        packRow(map.pixels.data(), map.width * map.height, factor, out.mirrors[k].pixels.data());
+    }
 }
 
 } // namespace shoal::light

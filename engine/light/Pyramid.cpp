@@ -102,10 +102,6 @@ void halveRow(const float* __restrict top, const float* __restrict bottom, float
     }
 }
 
-// Returns the sine of the latitude of a row's edge, row counted from the top; a band's share of the sphere is
-// half the difference of its edges' sines.
-double edgeSine(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
-
 // Clamps a value to 0 .. kMaxRadianceIn; infinity becomes kMaxHalf, NaN 0. Returns whether it changed.
 bool repair(float& value) {
     if (value >= 0 && value <= kMaxRadianceIn) return false;
@@ -172,7 +168,7 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
     sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
 
     makeShares(
-        sourceHeight, height, [&](double row) { return edgeSine(row, height); }, rows_);
+        sourceHeight, height, [&](double row) { return sineOfRow(row, height); }, rows_);
     makeShares(
         sourceWidth, width, [](double column) { return -column; }, columns_);
     for (auto* plane : {&red_, &green_, &blue_}) plane->resize(static_cast<size_t>(sourceWidth));

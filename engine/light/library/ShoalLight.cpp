@@ -7,6 +7,8 @@
 #include "engine/light/PackedLight.h"
 #include "engine/math/Brdf.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -113,8 +115,6 @@ bool canBeLookedUp(const ShoalLight* light, const float* direction) {
 void put(const glm::vec3& colour, float* out) {
     for (int c = 0; c < 3; ++c) out[c] = colour[c];
 }
-
-glm::vec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
 
 } // namespace
 
@@ -241,21 +241,22 @@ ShoalLightStatus shoalLightSurfaceTable(int32_t size, float* scaleBias) {
 }
 
 void shoalLightDiffuse(const ShoalLight* light, const float normal[3], float radiance[3]) {
-    put(canBeLookedUp(light, normal) ? light::lookUp(light->made.diffuse, vec(normal)) : glm::vec3(0),
+    put(canBeLookedUp(light, normal) ? light::lookUp(light->made.diffuse, glm::make_vec3(normal))
+                                     : glm::vec3(0),
         radiance);
 }
 
 void shoalLightGlossy(const ShoalLight* light, const float direction[3], float roughness, float radiance[3]) {
     const float known = roughness > 0 ? std::min(roughness, 1.0f) : 0; // NaN: 0
-    put(canBeLookedUp(light, direction) ? light::lookUpGlossy(light->made, vec(direction), known)
+    put(canBeLookedUp(light, direction) ? light::lookUpGlossy(light->made, glm::make_vec3(direction), known)
                                         : glm::vec3(0),
         radiance);
 }
 
 void shoalLightRadianceFromDisplay(const float display[3], float radiance[3]) {
-    put(light::radianceFromDisplay(vec(display)), radiance);
+    put(light::radianceFromDisplay(glm::make_vec3(display)), radiance);
 }
 
 void shoalLightDisplayFromRadiance(const float radiance[3], float display[3]) {
-    put(light::displayFromRadiance(vec(radiance)), display);
+    put(light::displayFromRadiance(glm::make_vec3(radiance)), display);
 }
