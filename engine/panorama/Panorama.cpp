@@ -121,9 +121,7 @@ cv::Mat seamWeights(const cv::Mat& picture, const ProtectedColumns& columns) {
 }
 
 Progress within(const Progress& progress, double from, double to) {
-    return [&progress, from, to](double share) {
-        if (progress) progress(from + (to - from) * share);
-    };
+    return [&progress, from, to](double share) { progress(from + (to - from) * share); };
 }
 
 // Widens columns first to last (exclusive) to `count` and appends them to the map: the means of their source
@@ -160,15 +158,9 @@ std::vector<float> insertSideways(const cv::Mat& patch, const LightInPatch& ligh
 // Returns the patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
 // transposed.
 cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& column) {
-    cv::Mat columns(patch.rows, kMapWidth / 4, CV_32F), rows(columns.size(), CV_32F), out, turned;
-    for (int y = 0; y < columns.rows; ++y)
-        for (int x = 0; x < columns.cols; ++x) {
-            columns.at<float>(y, x) = column[static_cast<size_t>(4 * x + 2)];
-            rows.at<float>(y, x) = static_cast<float>(y);
-        }
-    cv::remap(patch, out, columns, rows, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-    cv::transpose(out, turned);
-    return turned;
+    return resampled(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR, [&](int x, int y) {
+        return cv::Vec2f(column[static_cast<size_t>(4 * y + 2)], static_cast<float>(x));
+    });
 }
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
@@ -236,17 +228,14 @@ cv::Mat patchOf(const cv::Mat& photo, const Lens& lens) {
         return std::max(4, static_cast<int>(std::lround(radians / kRadiansPerDegree * kMapPixelsPerDegree)));
     };
     const cv::Size size(std::min(pixels(2 * lens.longitude), kMapWidth), pixels(2 * lens.latitude));
-    cv::Mat small, patch, column(size, CV_32F), row(size, CV_32F);
+    cv::Mat small;
     cv::resize(photo, small, size, 0, 0, cv::INTER_AREA);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            const double lon = ((x + 0.5) / size.width * 2 - 1) * lens.longitude;
-            const double lat = (1 - (y + 0.5) / size.height * 2) * lens.latitude;
-            column.at<float>(y, x) = static_cast<float>(lens.columnOf(lon) / lens.width * small.cols - 0.5);
-            row.at<float>(y, x) = static_cast<float>(lens.rowOf(lon, lat) / lens.height * small.rows - 0.5);
-        }
-    cv::remap(small, patch, column, row, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-    return patch;
+    return resampled(small, size, cv::INTER_LINEAR, [&](int x, int y) {
+        const double lon = ((x + 0.5) / size.width * 2 - 1) * lens.longitude;
+        const double lat = (1 - (y + 0.5) / size.height * 2) * lens.latitude;
+        return cv::Vec2f(static_cast<float>(lens.columnOf(lon) / lens.width * small.cols - 0.5),
+                         static_cast<float>(lens.rowOf(lon, lat) / lens.height * small.rows - 0.5));
+    });
 }
 
 // Scales a map of the ring's columns or rows to its full size. Returns positions in the patch, -1 to 1.
@@ -326,13 +315,11 @@ cv::Mat resample(const cv::Mat& photo, const cv::Mat& column, const cv::Mat& row
         const cv::Mat columns = column * (static_cast<double>(from.cols) / levels[0].cols) - 0.5;
         cv::Mat read;
         cv::remap(from, read, columns, rows, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
-        for (int y = 0; y < out.rows; ++y) {
-            const float* at = level.ptr<float>(y);
+        for (int y = 0; y < out.rows; ++y)
             for (int x = 0; x < out.cols; ++x) {
-                const float share = std::max(0.0f, 1 - std::abs(at[x] - static_cast<float>(k)));
+                const float share = 1 - std::abs(level.at<float>(y, x) - static_cast<float>(k));
                 if (share > 0) out.at<cv::Vec3f>(y, x) += share * read.at<cv::Vec3f>(y, x);
             }
-        }
     }
     // A cubic kernel overshoots at edges: beside a sun it would be brighter than the sun.
     double darkest = 0, brightest = 0;
@@ -382,9 +369,6 @@ cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) 
 
 // photo: 3 coded floats, bounded; the panorama is coded alike.
 Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width, const Progress& progress) {
-    const auto done = [&](double fraction) {
-        if (progress) progress(fraction);
-    };
     const MainLight light = findMainLight(photo);
     const Lens lens = Lens::make(photo.cols, photo.rows, fov);
     const cv::Mat patch = patchOf(photo, lens);
@@ -395,20 +379,16 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
                                light.radius_px / photo.cols * patch.cols};
     const RingMap map =
         makeRingMap(patch, lens, inPatch, kBand_deg * kRadiansPerDegree, within(progress, 0, 0.7));
-    done(0.75);
+    progress(0.75);
     cv::Mat ring = ringOf(photo, map, lens, patch.size(), width);
-    done(0.85);
+    progress(0.85);
     blendWrapAround(ring);
-    const WrapDiscontinuity steps = wrapDiscontinuity(ring);
-    done(0.9);
+    const WrapDiscontinuity seam = wrapDiscontinuity(ring);
+    progress(0.9);
     const double lightColumn = ringColumn(map.column, inPatch.column) / kMapWidth * width;
     const cv::Mat sphere = sphereFrom(ring, map.top, lightColumn);
-    done(1);
-    return {sphere,
-            {light.place.x, light.place.y},
-            lightLat / kRadiansPerDegree,
-            steps.wrapStep,
-            steps.usualStep};
+    progress(1);
+    return {sphere, {light.place.x, light.place.y}, lightLat / kRadiansPerDegree, seam};
 }
 
 // --- Completing a part
@@ -461,11 +441,12 @@ Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const Panorama
         std::tan(kDefaultFov_deg / 2 * kRadiansPerDegree) * photo.width / std::max(photo.width, photo.height);
     const double fov = options.fov_deg ? *options.fov_deg * kRadiansPerDegree : 2 * std::atan(usual);
     const int detailed = static_cast<int>(photo.width * 2 * std::numbers::pi / fov);
-    const Panorama<cv::Mat> made =
-        panoramaFromCoded(coded, fov, std::clamp(detailed / 64 * 64, 512, 4096), options.progress);
+    const Panorama<cv::Mat> made = panoramaFromCoded(
+        coded, fov, std::clamp(detailed / 64 * 64, 512, 4096),
+        options.progress ? options.progress : [](double) {});
     return Panorama<Picture>{pictureFromCoded<Picture>(made.latLong),
                              made.lightInPhoto * (photo.width * 1.0 / coded.cols), made.lightLatitude_deg,
-                             made.wrapStep, made.usualStep};
+                             made.seam};
 }
 
 template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part) {

@@ -27,6 +27,17 @@ cv::Mat columnNumbers(const cv::Size& size) {
     return numbers;
 }
 
+// Removes one pixel a row, in the matrix' own memory.
+void removeSeam(cv::Mat& image, const std::vector<int>& seam) {
+    const size_t pixel = image.elemSize();
+    for (int y = 0; y < image.rows; ++y) {
+        const int x = seam[static_cast<size_t>(y)];
+        uint8_t* at = image.ptr(y, x);
+        std::memmove(at, at + pixel, static_cast<size_t>(image.cols - 1 - x) * pixel);
+    }
+    image = image.colRange(0, image.cols - 1);
+}
+
 // Marks the pixels of the `count` seams that are successively the cheapest to remove.
 cv::Mat seamsToDouble(const Widened& now, int count, const std::function<void()>& found) {
     cv::Mat colours = now.colours.clone(), weight = now.weight.clone();
@@ -111,16 +122,6 @@ std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight) {
     return seam;
 }
 
-void removeSeam(cv::Mat& image, const std::vector<int>& seam) {
-    const size_t pixel = image.elemSize();
-    for (int y = 0; y < image.rows; ++y) {
-        const int x = seam[static_cast<size_t>(y)];
-        uint8_t* at = image.ptr(y, x);
-        std::memmove(at, at + pixel, static_cast<size_t>(image.cols - 1 - x) * pixel);
-    }
-    image = image.colRange(0, image.cols - 1);
-}
-
 cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
                          const Progress& progress) {
     assert(columns >= colours.cols && weight.size() == colours.size());
@@ -133,12 +134,10 @@ cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int colu
     int done = 0;
     while (done < wanted) {
         const int count = std::min(wanted - done, std::max(1, now.colours.cols / 10));
-        const cv::Mat chosen = seamsToDouble(now, count, [&, k = 0]() mutable {
-            if (progress) progress(static_cast<double>(done + ++k) / wanted);
-        });
+        const cv::Mat chosen =
+            seamsToDouble(now, count, [&] { progress(static_cast<double>(++done) / wanted); });
         cv::add(now.weight, doubledWeight, now.weight, chosen);
         for (cv::Mat* each : {&now.colours, &now.weight, &now.source}) *each = doubled(*each, chosen, count);
-        done += count;
     }
     return now.source;
 }

@@ -5,7 +5,6 @@
 #include "engine/panorama/SeamInsertion.h"
 
 #include <glm/common.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,10 +16,10 @@ namespace shoal::panorama {
 // --- Light
 
 MainLight findMainLight(const cv::Mat& photo) {
-    constexpr int kMaxWidth = 1024, kMinSide = 8;
+    constexpr int kMaxWidth = 1024, kMinHeight = 8;
     cv::Mat small = photo;
     if (photo.cols > kMaxWidth)
-        cv::resize(photo, small, {kMaxWidth, std::max(kMinSide, photo.rows * kMaxWidth / photo.cols)}, 0, 0,
+        cv::resize(photo, small, {kMaxWidth, std::max(kMinHeight, photo.rows * kMaxWidth / photo.cols)}, 0, 0,
                    cv::INTER_AREA);
     cv::Mat radiance(small.size(), CV_32F), spread;
     std::transform(small.begin<cv::Vec3f>(), small.end<cv::Vec3f>(), radiance.begin<float>(),
@@ -90,15 +89,11 @@ float fade(double distance, double reach) {
 void alignRows(cv::Mat& ring) {
     const std::vector<float> lower = offsets(ring);
     const double reach = ring.cols / 6.0;
-    cv::Mat column(ring.size(), CV_32F), row(ring.size(), CV_32F), out;
-    for (int x = 0; x < ring.cols; ++x) {
+    const cv::Mat out = resampled(ring, ring.size(), cv::INTER_CUBIC, [&](int x, int y) {
         const float share = 0.5f * (x < ring.cols / 2 ? fade(x, reach) : -fade(ring.cols - 1 - x, reach));
-        for (int y = 0; y < ring.rows; ++y) {
-            column.at<float>(y, x) = static_cast<float>(x);
-            row.at<float>(y, x) = static_cast<float>(y) + share * lower[static_cast<size_t>(y)];
-        }
-    }
-    cv::remap(ring, out, column, row, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+        return cv::Vec2f(static_cast<float>(x),
+                         static_cast<float>(y) + share * lower[static_cast<size_t>(y)]);
+    });
     double darkest = 0, brightest = 0;
     cv::minMaxLoc(ring.reshape(1), &darkest, &brightest);
     ring = cv::min(cv::max(out, darkest), brightest);
