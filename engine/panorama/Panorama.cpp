@@ -158,7 +158,7 @@ std::vector<float> insertSideways(const cv::Mat& patch, const LightInPatch& ligh
 // Returns the patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
 // transposed.
 cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& column) {
-    return resampled(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR, [&](int x, int y) {
+    return remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR, [&](int x, int y) {
         return cv::Vec2f(column[static_cast<size_t>(4 * y + 2)], static_cast<float>(x));
     });
 }
@@ -230,7 +230,7 @@ cv::Mat patchOf(const cv::Mat& photo, const Lens& lens) {
     const cv::Size size(std::min(pixels(2 * lens.longitude), kMapWidth), pixels(2 * lens.latitude));
     cv::Mat small;
     cv::resize(photo, small, size, 0, 0, cv::INTER_AREA);
-    return resampled(small, size, cv::INTER_LINEAR, [&](int x, int y) {
+    return remapped(small, size, cv::INTER_LINEAR, [&](int x, int y) {
         const double lon = ((x + 0.5) / size.width * 2 - 1) * lens.longitude;
         const double lat = (1 - (y + 0.5) / size.height * 2) * lens.latitude;
         return cv::Vec2f(static_cast<float>(lens.columnOf(lon) / lens.width * small.cols - 0.5),

@@ -89,7 +89,7 @@ float fade(double distance, double reach) {
 void alignRows(cv::Mat& ring) {
     const std::vector<float> lower = offsets(ring);
     const double reach = ring.cols / 6.0;
-    const cv::Mat out = resampled(ring, ring.size(), cv::INTER_CUBIC, [&](int x, int y) {
+    const cv::Mat out = remapped(ring, ring.size(), cv::INTER_CUBIC, [&](int x, int y) {
         const float share = 0.5f * (x < ring.cols / 2 ? fade(x, reach) : -fade(ring.cols - 1 - x, reach));
         return cv::Vec2f(static_cast<float>(x),
                          static_cast<float>(y) + share * lower[static_cast<size_t>(y)]);

@@ -52,7 +52,7 @@ inline constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 // Returns a picture of this size that shows at (x, y) the column and row from(x, y) of `picture`, both
 // counted from the middle of the first pixel. Beyond the edges the last pixel repeats.
 template <class From>
-cv::Mat resampled(const cv::Mat& picture, const cv::Size& size, int filter, From&& from) {
+cv::Mat remapped(const cv::Mat& picture, const cv::Size& size, int filter, From&& from) {
     cv::Mat2f places(size);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) places(y, x) = from(x, y);
