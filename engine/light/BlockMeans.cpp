@@ -34,15 +34,10 @@ constexpr std::array<uint8_t, 16> kSlope = {17,  63,  83,  94,  102, 109, 115, 1
                                             126, 131, 136, 141, 145, 149, 153, 157};
 constexpr float kLinearUnit = 1 / (29342.0f + 15 * 157);
 
-constexpr int scaleOfSrgb(int coded) {
-    const auto line = static_cast<size_t>(coded / 16);
-    return kStart[line] + kSlope[line] * (coded % 16);
-}
-
 constexpr std::array<int16_t, 256> kScaleOfSrgb = [] {
     std::array<int16_t, 256> scales{};
     for (int coded = 0; coded < 256; ++coded)
-        scales[static_cast<size_t>(coded)] = static_cast<int16_t>(scaleOfSrgb(coded));
+        scales[coded] = static_cast<int16_t>(kStart[coded / 16] + kSlope[coded / 16] * (coded % 16));
     return scales;
 }();
 
@@ -90,15 +85,14 @@ template <FrameRadiance kFrom> void meansPlain(const BlockRow& row, int first, i
     for (int x = first; x < end; ++x) {
         std::array<int32_t, 3> sums{};
         int32_t clipped = 0;
-        for (size_t y = 0; y < kBlock; ++y) {
-            const uint8_t* p = row.pixels + static_cast<ptrdiff_t>(y) * row.stride + 3 * kBlock * x;
+        for (int y = 0; y < kBlock; ++y) {
+            const uint8_t* p = row.pixels + y * row.stride + 3 * kBlock * x;
             for (int i = 0; i < kBlock; ++i, p += 3) {
                 const int thesis =
                     kFrom == FrameRadiance::Thesis ? thesisScale(p[channels[0]], p[1], p[channels[2]]) : 0;
                 for (size_t c = 0; c < 3; ++c) {
                     const int colour = p[channels[c]];
-                    const int scale =
-                        kFrom == FrameRadiance::Thesis ? thesis : kScaleOfSrgb[static_cast<size_t>(colour)];
+                    const int scale = kFrom == FrameRadiance::Thesis ? thesis : kScaleOfSrgb[colour];
                     sums[c] += ((scale * row.weights[y] + (1 << 14)) >> 15) * colour;
                 }
                 if (kFrom == FrameRadiance::Auto) clipped += clippedSteps(p) * row.clippedWeights[y];
@@ -310,7 +304,7 @@ void makeBlockMeans(const FrameView& frame, FrameRadiance from, std::span<const 
     assert(from != FrameRadiance::Auto || (clippedWeights.size() == rowWeights.size() &&
                                            clipped->width == out.width && clipped->height == out.height));
     for (int y = 0; y < out.height; ++y) {
-        BlockRow row{frame.pixels + kBlock * y * frame.rowStride, frame.rowStride, frame.bgr, out.at(0, y)};
+        BlockRow row{frame.row(kBlock * y), frame.rowStride, frame.bgr, out.at(0, y)};
         row.weigh(rowWeights.data() + kBlock * y, from == FrameRadiance::Thesis ? kThesisUnit : kLinearUnit);
         if (from == FrameRadiance::Auto && row.weighClipped(clippedWeights.data() + kBlock * y)) {
             row.clipped = clipped->at(0, y);

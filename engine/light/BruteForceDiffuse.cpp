@@ -42,8 +42,7 @@ BruteForceDiffuse::BruteForceDiffuse(int width) : width_(width) {
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
             const auto d = texelDirection<double>(column, row, width, height);
-            for (int c = 0; c < 3; ++c)
-                directions_[static_cast<size_t>(c)].push_back(static_cast<float>(d[c]));
+            for (int c = 0; c < 3; ++c) directions_[c].push_back(static_cast<float>(d[c]));
             solidAngleOverPi_.push_back(
                 static_cast<float>(texelSolidAngle(row, width, height) * std::numbers::inv_pi));
         }

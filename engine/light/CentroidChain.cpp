@@ -55,8 +55,7 @@ CentroidChain::CentroidChain(int baseWidth, int minWidth) {
         for (int y = 0; y < height / 2; ++y) {
             double flux = 0;
             for (int i = 0; i < 4; ++i)
-                flux += 2 * kShares[static_cast<size_t>(i)] *
-                        wide.rowFlux[static_cast<size_t>(rowOnSphere(2 * y - 1 + i, height))];
+                flux += 2 * kShares[i] * wide.rowFlux[rowOnSphere(2 * y - 1 + i, height)];
             half.rowFlux.push_back(flux);
         }
         levels_.emplace_back(half.width, half.width / 2);
@@ -78,15 +77,13 @@ void CentroidChain::make(const ImageRgbF& base) {
             std::array<float, 4> weights;
             for (int i = 0; i < 4; ++i) {
                 const int at = 2 * y - 1 + i, row = rowOnSphere(at, in.height);
-                const auto n = static_cast<size_t>(i);
-                rows[n] = in.at(0, row);
+                rows[i] = in.at(0, row);
                 if (row != at) { // beyond the pole
-                    std::rotate_copy(rows[n], rows[n] + count / 2, rows[n] + count, overPole_.data());
-                    rows[n] = overPole_.data();
+                    std::rotate_copy(rows[i], rows[i] + count / 2, rows[i] + count, overPole_.data());
+                    rows[i] = overPole_.data();
                 }
-                weights[n] =
-                    static_cast<float>(2 * kShares[n] * samplings_[k].rowFlux[static_cast<size_t>(row)] /
-                                       samplings_[k + 1].rowFlux[static_cast<size_t>(y)]);
+                weights[i] = static_cast<float>(2 * kShares[i] * samplings_[k].rowFlux[row] /
+                                                samplings_[k + 1].rowFlux[y]);
             }
             float* mixed = row_.data() + 3;
             mixRows(rows, weights, count, mixed);

@@ -72,9 +72,8 @@ struct Ramps {
 // Returns the ramps that rise between two coded values and fall from the last unclipped one on.
 Ramps rampsOf(int lastWithout, int firstWhole) {
     const std::array<float, 256>& linear = math::linearOfByte();
-    const float first = linear[static_cast<size_t>(lastWithout)];
-    return {first, 1 / (linear[static_cast<size_t>(firstWhole)] - first), kWhite,
-            1 / (kWhite - linear[kLastUnclipped])};
+    const float first = linear[lastWithout];
+    return {first, 1 / (linear[firstWhole] - first), kWhite, 1 / (kWhite - linear[kLastUnclipped])};
 }
 
 // Clamps to 0 .. 1 without a branch, so that loops are vectorised.
@@ -93,8 +92,8 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Ramps& by, fl
             const float largest = std::max(std::max(red, green), blue);
             const float part =
                 ramp(std::min((largest - by.first) * by.perRise, (by.white - largest) * by.perFall));
-            seen[static_cast<size_t>(x)] = part;
-            light[static_cast<size_t>(x)] = part * std::min(luminance(red, green, blue), most);
+            seen[x] = part;
+            light[x] = part * std::min(luminance(red, green, blue), most);
         }
         ground.light += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
         ground.seen += sumsOf<1>(seen.data(), static_cast<size_t>(count))[0];
@@ -269,8 +268,8 @@ glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
         const double weight = step * texelSolidAngle(y, decoded.width, decoded.height);
         const double above = weight * static_cast<double>(clippedShare(y, decoded.height));
         for (int c = 0; c < 3; ++c) {
-            whole[c] += weight * static_cast<double>(row.unclipped[static_cast<size_t>(c)]);
-            bright[c] += above * static_cast<double>(row.bright[static_cast<size_t>(c)]);
+            whole[c] += weight * static_cast<double>(row.unclipped[c]);
+            bright[c] += above * static_cast<double>(row.bright[c]);
         }
     }
     const glm::dvec3 a = glm::log(ofLuminanceOne(whole)), b = glm::log(ofLuminanceOne(bright));

@@ -120,7 +120,7 @@ void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRg
     for (int y = first; y <= last; ++y) {
         const float solid = solidAngle(level, y);
         for (int x = 0; x < level.width; ++x) {
-            const glm::vec3& direction = fineDirections_[static_cast<size_t>(y * kFine + x)];
+            const glm::vec3& direction = fineDirections_[y * kFine + x];
             if (glm::dot(direction, middle) > cosReach)
                 addIfBright(direction, luminanceAt(level, x, y), solid, near_);
         }
@@ -227,8 +227,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
                 static_cast<double>(solid) * static_cast<double>(luminance) * static_cast<double>(luminance);
             upward += glm::make_vec3(coarse.at(x, y));
         }
-        out.groundIrradiance +=
-            solid * std::max(directions_[static_cast<size_t>(y * coarse.width)].y, 0.0f) * upward;
+        out.groundIrradiance += solid * std::max(directions_[y * coarse.width].y, 0.0f) * upward;
     }
     const ImageRgbF& thumb = radiance.ofWidth(kThumbWidth);
     for (size_t i = 0; i < out.thumb.size(); ++i)

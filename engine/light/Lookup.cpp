@@ -79,8 +79,7 @@ std::array<PhongRing, kPhongRings> phongRings(double roughness) {
     for (int i = 0; i < kPhongRings; ++i) {
         const double part = (i % 3 + 0.5) / 3;
         const double left = i < 3 ? 1 - part * (1 - outside) : (1 - part) * outside;
-        rings[static_cast<size_t>(i)] = {std::acos(std::pow(left, 1 / (exponent + 1))),
-                                         (i < 3 ? 1 - outside : outside) / 3};
+        rings[i] = {std::acos(std::pow(left, 1 / (exponent + 1))), (i < 3 ? 1 - outside : outside) / 3};
     }
     return rings;
 }

@@ -187,11 +187,10 @@ void PyramidMaker::narrowRow() {
     }
     std::ranges::fill(narrow_, 0.0f);
     for (const Share& share : columns_) {
-        const auto from = static_cast<size_t>(share.from);
         float* out = narrow_.data() + 3 * share.to;
-        out[0] += share.weight * red_[from];
-        out[1] += share.weight * green_[from];
-        out[2] += share.weight * blue_[from];
+        out[0] += share.weight * red_[share.from];
+        out[1] += share.weight * green_[share.from];
+        out[2] += share.weight * blue_[share.from];
     }
 }
 
@@ -227,10 +226,9 @@ glm::vec3 PyramidMaker::measureClipped(int width, int height, const ImageRgbF& d
 void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
     // Decodes a row into the red plane, a fully clipped pixel as `white`; returns whether any is clipped.
     const auto decode = [&](int y, float white) {
-        return decodeClippedRow(frame.pixels + y * frame.rowStride, frame.width, white / kClippedSteps,
-                                red_.data()) > 0;
+        return decodeClippedRow(frame.row(y), frame.width, white / kClippedSteps, red_.data()) > 0;
     };
-    const auto share = [&](int y) { return clippedShares_[static_cast<size_t>(y)]; };
+    const auto share = [&](int y) { return clippedShares_[y]; };
     const glm::vec3 tint = measureClipped(frame.width, frame.height, base, [&](int y) {
         decode(y, share(y));
         return red_.data();
@@ -298,8 +296,7 @@ void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid&
     const auto decode = from == FrameRadiance::Thesis ? decodeRow : decodeLinearRow;
     addRows(
         [&](int y) {
-            decode(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
-                   green_.data(), blue_.data());
+            decode(frame.row(y), frame.width, frame.bgr ? 2 : 0, red_.data(), green_.data(), blue_.data());
             return true;
         },
         base);

@@ -211,19 +211,18 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
                     sharp[j] = here[j] + kSide * (above[j] - 2 * here[j] + below[j]);
                 for (int in = 0; in < kRows; ++in) {
                     const double* row = sharp.data() + (in + 1) * frequencies;
-                    const double flux = sampling.rowFlux[static_cast<size_t>(first + in)];
+                    const double flux = sampling.rowFlux[first + in];
                     for (int d = 0; d < frequencies; ++d) {
                         const double bent = row[d - frequencies] - 2 * row[d] + row[d + frequencies];
                         const auto value = static_cast<float>((row[d] + spread * bent) * flux);
-                        tile[static_cast<size_t>(d * kRows + in)] = value;
-                        tile[static_cast<size_t>((width_ - d) % width_ * kRows + in)] = value;
+                        tile[d * kRows + in] = value;
+                        tile[(width_ - d) % width_ * kRows + in] = value;
                     }
                 }
                 hartley_.transform(tile.data(), kRows);
                 for (int m = 0; m < frequencies; ++m)
                     for (int in = 0; in < kRows; ++in)
-                        lobes[static_cast<size_t>((m * height_ + first + in) * kRows + out)] =
-                            tile[static_cast<size_t>(m * kRows + in)];
+                        lobes[(m * height_ + first + in) * kRows + out] = tile[m * kRows + in];
             }
         }
         appendBlock(block, lobes, gains, kernel);
@@ -250,7 +249,7 @@ void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const 
         }
 
     for (int m = 0; m <= width_ / 2; ++m) {
-        const auto share = [&, gain = gains[static_cast<size_t>(m)]](int in, size_t out) {
+        const auto share = [&, gain = gains[m]](int in, size_t out) {
             const double value = lobe(m, in, out);
             return std::abs(value) > kNegligible * whole[out] ? static_cast<float>(gain * value / kept[out])
                                                               : 0.0f;
@@ -265,7 +264,7 @@ void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const 
         while (last > first && !reaches(last)) --last;
         if (first == height_) first = 0, last = -1;
         const Range range{first, last + 1 - first, kernel.values.size()};
-        kernel.ranges[static_cast<size_t>(m * blocks_ + block)] = range;
+        kernel.ranges[m * blocks_ + block] = range;
         for (int in = first; in <= last; ++in)
             for (size_t out = 0; out < kRows; ++out) kernel.values.push_back(share(in, out));
     }
@@ -274,7 +273,7 @@ void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const 
 void ZonalFilter::filter(const Kernel& kernel) {
     for (int block = 0; block < blocks_; ++block)
         for (int m = 0; m <= width_ / 2; ++m) {
-            const Range& range = kernel.ranges[static_cast<size_t>(m * blocks_ + block)];
+            const Range& range = kernel.ranges[m * blocks_ + block];
             const float* weights = kernel.values.data() + range.kernel;
             const int north = block * kRows, south = height_ - kRows - north;
             std::array<const float*, kSignals> northIn, southIn;

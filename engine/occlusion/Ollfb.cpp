@@ -130,19 +130,19 @@ void fit(std::span<const Fragment> fragments, const std::array<int, 16>& chosen,
     glm::vec2 asideSum(0);
     float depthSum = 0, count = 0;
     for (int s = 0; s < 16; ++s) {
-        const int i = chosen[static_cast<size_t>(s)];
+        const int i = chosen[s];
         if (i < 0) continue;
-        asideSum += sampleOffset(s), depthSum += fragments[static_cast<size_t>(i)].depth, ++count;
+        asideSum += sampleOffset(s), depthSum += fragments[i].depth, ++count;
     }
     const glm::vec2 middle = asideSum / count;
     const float depth = depthSum / count;
     float xx = kPull, xy = 0, yy = kPull;
     glm::vec2 rises(0);
     for (int s = 0; s < 16; ++s) {
-        const int i = chosen[static_cast<size_t>(s)];
+        const int i = chosen[s];
         if (i < 0) continue;
         const glm::vec2 aside = sampleOffset(s) - middle;
-        const float rise = fragments[static_cast<size_t>(i)].depth - depth - glm::dot(plane.slope, aside);
+        const float rise = fragments[i].depth - depth - glm::dot(plane.slope, aside);
         xx += aside.x * aside.x, xy += aside.x * aside.y, yy += aside.y * aside.y;
         rises += aside * rise;
     }
@@ -170,8 +170,8 @@ Plane takePlane(std::span<Fragment> rest) {
     std::array<int, 16> chosen;
     std::array<float, 16> apart;
     chosen.fill(-1);
-    for (int i = 0; i < static_cast<int>(rest.size()) && rest[static_cast<size_t>(i)].depth <= beyond; ++i) {
-        const Fragment& f = rest[static_cast<size_t>(i)];
+    for (int i = 0; i < static_cast<int>(rest.size()) && rest[i].depth <= beyond; ++i) {
+        const Fragment& f = rest[i];
         if (f.sample == kTaken || f.towards != seed.towards) continue;
         const glm::vec2 aside = sampleOffset(f.sample) - sampleOffset(seed.sample);
         const float off = std::abs(f.depth - seed.depth - glm::dot(seedSlope, aside));
@@ -184,14 +184,14 @@ Plane takePlane(std::span<Fragment> rest) {
     for (size_t s = 0; s < 16; ++s) {
         if (chosen[s] < 0) continue;
         plane.coverage = static_cast<uint16_t>(plane.coverage | 1u << s);
-        plane.normal += rest[static_cast<size_t>(chosen[s])].normal;
+        plane.normal += rest[chosen[s]].normal;
     }
     const float length = glm::length(plane.normal);
     plane.normal = layBack(length > 0 ? plane.normal / length : seed.normal, seed.towards);
     plane.slope = slopeOf(plane.normal);
     fit(rest, chosen, seed.towards, plane);
     for (const int i : chosen)
-        if (i >= 0) rest[static_cast<size_t>(i)].sample = kTaken;
+        if (i >= 0) rest[i].sample = kTaken;
     return plane;
 }
 

@@ -105,8 +105,7 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
         const glm::dvec3 all = solidAngle * radiance;
         rest.add(dir, solidAngle, (1 - share) * radiance);
         smooth[0] += all / (4 * std::numbers::pi);
-        for (int k = 0; k < 3; ++k)
-            smooth[static_cast<size_t>(k + 1)] += 3 * dir[k] / (4 * std::numbers::pi) * all;
+        for (int k = 0; k < 3; ++k) smooth[k + 1] += 3 * dir[k] / (4 * std::numbers::pi) * all;
         flux += share * all;
         weight += solidAngle * bright;
         centre += solidAngle * bright * dir;

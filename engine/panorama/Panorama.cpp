@@ -158,9 +158,8 @@ std::vector<float> insertSideways(const cv::Mat& patch, const LightInPatch& ligh
 // Returns the patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
 // transposed.
 cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& column) {
-    return remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR, [&](int x, int y) {
-        return cv::Vec2f(column[static_cast<size_t>(4 * y + 2)], static_cast<float>(x));
-    });
+    return remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR,
+                    [&](int x, int y) { return cv::Vec2f(column[4 * y + 2], static_cast<float>(x)); });
 }
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
@@ -245,7 +244,7 @@ std::vector<double> scaledUp(const std::vector<float>& map, int size, int patchS
                {size, 1}, 0, 0, cv::INTER_LINEAR);
     std::vector<double> shares(static_cast<size_t>(size));
     for (int k = 0; k < size; ++k)
-        shares[static_cast<size_t>(k)] =
+        shares[k] =
             std::clamp((static_cast<double>(large.at<float>(k)) + 0.5) / patchSize * 2 - 1, -1.0, 1.0);
     return shares;
 }
@@ -257,8 +256,8 @@ void photoFromRing(const RingMap& map, const Lens& lens, const cv::Size& patch, 
     const std::vector<double> down = scaledUp(map.row, column.rows, patch.height);
     for (int y = 0; y < column.rows; ++y)
         for (int x = 0; x < column.cols; ++x) {
-            const double lon = across[static_cast<size_t>(x)] * lens.longitude;
-            const double lat = -down[static_cast<size_t>(y)] * lens.latitude;
+            const double lon = across[x] * lens.longitude;
+            const double lat = -down[y] * lens.latitude;
             column.at<float>(y, x) = static_cast<float>(lens.columnOf(lon));
             row.at<float>(y, x) = static_cast<float>(lens.rowOf(lon, lat));
         }
@@ -311,7 +310,7 @@ cv::Mat resample(const cv::Mat& photo, const cv::Mat& column, const cv::Mat& row
     cv::Mat out = cv::Mat::zeros(column.size(), CV_32FC3);
     const cv::Mat rows = row - 0.5;
     for (int k = static_cast<int>(minimum); k <= static_cast<int>(std::ceil(maximum)); ++k) {
-        const cv::Mat& from = levels[static_cast<size_t>(k)];
+        const cv::Mat& from = levels[k];
         const cv::Mat columns = column * (static_cast<double>(from.cols) / levels[0].cols) - 0.5;
         cv::Mat read;
         cv::remap(from, read, columns, rows, cv::INTER_CUBIC, cv::BORDER_REPLICATE);

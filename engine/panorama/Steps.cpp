@@ -75,8 +75,7 @@ std::vector<float> offsets(const cv::Mat& ring) {
         }
     const std::vector<int> seam = minSeam(none, cost);
     cv::Mat found(rows, 1, CV_32F);
-    for (int y = 0; y < rows; ++y)
-        found.at<float>(y) = static_cast<float>(seam[static_cast<size_t>(y)] - maximum);
+    for (int y = 0; y < rows; ++y) found.at<float>(y) = static_cast<float>(seam[y] - maximum);
     cv::GaussianBlur(found, found, {}, 0.1, std::max(1.0, ring.cols / 360.0), cv::BORDER_REPLICATE);
     return {found.begin<float>(), found.end<float>()};
 }
@@ -91,8 +90,7 @@ void alignRows(cv::Mat& ring) {
     const double reach = ring.cols / 6.0;
     const cv::Mat out = remapped(ring, ring.size(), cv::INTER_CUBIC, [&](int x, int y) {
         const float share = 0.5f * (x < ring.cols / 2 ? fade(x, reach) : -fade(ring.cols - 1 - x, reach));
-        return cv::Vec2f(static_cast<float>(x),
-                         static_cast<float>(y) + share * lower[static_cast<size_t>(y)]);
+        return cv::Vec2f(static_cast<float>(x), static_cast<float>(y) + share * lower[y]);
     });
     double darkest = 0, brightest = 0;
     cv::minMaxLoc(ring.reshape(1), &darkest, &brightest);

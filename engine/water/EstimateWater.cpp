@@ -84,8 +84,7 @@ void WaterEstimator::sample(const light::FrameView& frame) {
     cellsLin_.assign(static_cast<size_t>(kRows * kSectors), glm::vec3(0));
     const int first = frame.bgr ? 2 : 0, last = 2 - first;
     for (int row = rowAt(kVeilTop_deg); row < rowAt(-kVeilBottom_deg); ++row) {
-        const uint8_t* line =
-            frame.pixels + (static_cast<int64_t>(2 * row + 1) * frame.height / (2 * kRows)) * frame.rowStride;
+        const uint8_t* line = frame.row(static_cast<int64_t>(2 * row + 1) * frame.height / (2 * kRows));
         for (int sector = 0; sector < kSectors; ++sector) {
             glm::vec3 sum(0);
             for (int i = 0; i < kPerSector; ++i) {
@@ -94,15 +93,14 @@ void WaterEstimator::sample(const light::FrameView& frame) {
                 const uint8_t* pixel = line + 3 * column;
                 sum += glm::vec3(table[pixel[first]], table[pixel[1]], table[pixel[last]]);
             }
-            cellsLin_[static_cast<size_t>(row * kSectors + sector)] = sum / static_cast<float>(kPerSector);
+            cellsLin_[row * kSectors + sector] = sum / static_cast<float>(kPerSector);
         }
     }
 }
 
 glm::vec3 WaterEstimator::meanLin(int sector, int firstRow, int lastRow) const {
     glm::vec3 sum(0);
-    for (int row = firstRow; row < lastRow; ++row)
-        sum += cellsLin_[static_cast<size_t>(row * kSectors + sector)];
+    for (int row = firstRow; row < lastRow; ++row) sum += cellsLin_[row * kSectors + sector];
     return sum / static_cast<float>(lastRow - firstRow);
 }
 

@@ -62,7 +62,7 @@ template <class Work> ShoalLightStatus guarded(const Work& work) {
 // Returns the size of a pixel; 0 for an unknown format.
 int bytesPerPixel(int32_t format) {
     constexpr std::array kBytes = {3, 3, 4, 4, 12, 16}; // by ShoalLightFormat
-    return format < 0 || format > SHOAL_LIGHT_RGBA32F ? 0 : kBytes[static_cast<size_t>(format)];
+    return format < 0 || format > SHOAL_LIGHT_RGBA32F ? 0 : kBytes[format];
 }
 
 const uint8_t* rowOf(const ShoalLightFrame& frame, ptrdiff_t rowBytes, int y) {
@@ -225,7 +225,7 @@ int32_t shoalLightSources(const ShoalLight* light, ShoalLightSource* sources, in
     if (!light || !sources) return 0;
     const auto count = std::min(static_cast<int32_t>(light->found.count), std::max(room, 0));
     for (int32_t i = 0; i < count; ++i) {
-        const light::FoundLight& found = light->found.lights[static_cast<size_t>(i)];
+        const light::FoundLight& found = light->found.lights[i];
         put(found.direction, sources[i].direction);
         put(found.irradiance, sources[i].irradiance);
         sources[i].radius = found.radius;
