@@ -94,15 +94,8 @@ void CentroidChain::make(const ImageRgbF& base) {
     }
 }
 
-size_t CentroidChain::indexOf(int width) const {
-    const auto found = std::find_if(samplings_.begin(), samplings_.end(),
-                                    [&](const Sampling& each) { return each.width == width; });
-    assert(found != samplings_.end());
-    return static_cast<size_t>(found - samplings_.begin());
-}
-
 const ImageRgbF& CentroidChain::level(int width) const {
-    const size_t index = indexOf(width);
+    const int index = indexOf(width);
     return index ? levels_[index - 1] : *base_;
 }
 

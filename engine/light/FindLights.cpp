@@ -223,8 +223,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
             const float luminance = luminanceAt(coarse, x, y);
             luminance_[i] = luminance;
             sum += static_cast<double>(solid * luminance);
-            squares +=
-                static_cast<double>(solid) * static_cast<double>(luminance) * static_cast<double>(luminance);
+            squares += double{solid} * double{luminance} * double{luminance};
             upward += glm::make_vec3(coarse.at(x, y));
         }
         out.groundIrradiance += solid * std::max(directions_[y * coarse.width].y, 0.0f) * upward;

@@ -114,7 +114,7 @@ void halveAll(RadiancePyramid& pyramid) {
 } // namespace
 
 int baseWidthFor(int sourceWidth, int askedWidth) {
-    const int maximum = std::max({1, std::min(sourceWidth, askedWidth), kMinBaseWidth});
+    const int maximum = std::max(std::min(sourceWidth, askedWidth), kMinBaseWidth);
     return static_cast<int>(std::bit_floor(static_cast<unsigned>(maximum)));
 }
 
@@ -135,8 +135,8 @@ void halve(const ImageRgbF& in, ImageRgbF& out) {
 // target), source edges are multiples of `target`, and target edges of `source`. edge(position): a decreasing
 // function whose difference between two target edges is the measure of the band between them.
 template <class Edge>
-void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares) {
-    shares.clear();
+std::vector<PyramidMaker::Share> PyramidMaker::sharesOf(int source, int target, Edge&& edge) {
+    std::vector<Share> shares;
     for (int from = 0; from < source; ++from) {
         const int64_t begin = int64_t{from} * target, end = begin + target;
         for (int64_t at = begin; at < end;) {
@@ -149,6 +149,7 @@ void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<S
         }
     }
     assert(shares.back().to == target - 1);
+    return shares;
 }
 
 void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out) {
@@ -158,10 +159,8 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
     if (sourceWidth == sourceWidth_ && sourceHeight == sourceHeight_ && width == baseWidth_) return;
     sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
 
-    makeShares(
-        sourceHeight, height, [&](double row) { return sineOfRow(row, height); }, rows_);
-    makeShares(
-        sourceWidth, width, [](double column) { return -column; }, columns_);
+    rows_ = sharesOf(sourceHeight, height, [&](double row) { return sineOfRow(row, height); });
+    columns_ = sharesOf(sourceWidth, width, [](double column) { return -column; });
     row_.resize(static_cast<size_t>(sourceWidth) * 3);
     clippedRow_.resize(sourceWidth);
     narrow_.resize(static_cast<size_t>(width) * 3);
@@ -203,8 +202,7 @@ glm::vec3 PyramidMaker::measureClipped(int width, int height, const ImageRgbF& d
     density_.finish();
     double irradiance = 0;
     for (int y = 0; y < above; ++y)
-        irradiance +=
-            levelIrradiance(y, width, height) * static_cast<double>(density_.weigh(y, clippedRow(y)));
+        irradiance += levelIrradiance(y, width, height) * double{density_.weigh(y, clippedRow(y))};
     clippedGain_ = clippedGainOf(decoded, irradiance);
     return clippedTintOf(decoded);
 }

@@ -49,8 +49,7 @@ class PyramidMaker {
         int from = 0, to = 0;
         float weight = 0;
     };
-    template <class Edge>
-    static void makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares);
+    template <class Edge> static std::vector<Share> sharesOf(int source, int target, Edge&& edge);
 
     bool makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out, FrameRadiance from);
     void makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from);

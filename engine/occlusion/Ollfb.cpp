@@ -27,8 +27,7 @@ struct Frame {
 void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Frame& frame) {
     const glm::mat3 upright = lookingAlong(axis, 0);
     frame.corners.resize(mesh.positions.size());
-    std::transform(mesh.positions.begin(), mesh.positions.end(), frame.corners.begin(),
-                   [&](const glm::vec3& p) { return upright * p; });
+    for (size_t i = 0; i < frame.corners.size(); ++i) frame.corners[i] = upright * mesh.positions[i];
     float minimum = INFINITY, turn = 0;
     for (int i = 0; i < kTurns; ++i) {
         const float angle = std::numbers::pi_v<float> / 2 * static_cast<float>(i) / kTurns;
