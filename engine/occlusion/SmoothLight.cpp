@@ -51,14 +51,10 @@ class Spread {
     void add(const glm::dvec3& d, double solidAngle, const glm::dvec3& radiance) {
         std::array<double, 2 * kAxisCount> shares{};
         double sum = 0;
-        for (size_t k = 0; k < kAxisCount; ++k) {
-            const double along = glm::dot(d, glm::dvec3(kAxes[k]));
-            for (const double side : {1.0, -1.0}) {
-                const double apart2 = (2 - 2 * side * along) / kCell2;
-                if (apart2 > 4) continue;
-                double& share = shares[side > 0 ? k : kAxisCount + k];
-                sum += share = std::exp(-2 * apart2);
-            }
+        for (size_t k = 0; k < shares.size(); ++k) {
+            const double along = glm::dot(d, glm::dvec3(kAxes[k % kAxisCount]));
+            const double apart2 = (2 - 2 * (k < kAxisCount ? along : -along)) / kCell2;
+            if (apart2 <= 4) sum += shares[k] = std::exp(-2 * apart2);
         }
         for (size_t k = 0; k < shares.size(); ++k) {
             const double weight = solidAngle * shares[k] / sum;

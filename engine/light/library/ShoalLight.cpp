@@ -65,41 +65,30 @@ int bytesPerPixel(int32_t format) {
     return format < 0 || format > SHOAL_LIGHT_RGBA32F ? 0 : kBytes[format];
 }
 
-const uint8_t* rowOf(const ShoalLightFrame& frame, ptrdiff_t rowBytes, int y) {
-    return static_cast<const uint8_t*>(frame.pixels) + rowBytes * y;
-}
-
-void makeFromFloats(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff_t rowBytes,
+void makeFromFloats(ShoalLightMaker& maker, const light::FrameView& frame, int pixelBytes,
                     light::EnvironmentLight& out) {
     maker.radianceLin.fit(frame.width, frame.height);
-    const int step = bytesPerPixel(frame.format);
-    for (int y = 0; y < frame.height; ++y) {
-        const uint8_t* row = rowOf(frame, rowBytes, y);
+    for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x)
-            std::memcpy(maker.radianceLin.at(x, y), row + static_cast<ptrdiff_t>(step) * x,
-                        3 * sizeof(float));
-    }
+            std::memcpy(maker.radianceLin.at(x, y), frame.row(y) + pixelBytes * x, 3 * sizeof(float));
     maker.maker.makeFromHdr(maker.radianceLin, out);
 }
 
-void makeFromBytes(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff_t rowBytes,
+void makeFromBytes(ShoalLightMaker& maker, light::FrameView frame, int pixelBytes,
                    light::EnvironmentLight& out) {
-    const bool bgr = frame.format == SHOAL_LIGHT_BGR8 || frame.format == SHOAL_LIGHT_BGRA8;
-    if (bytesPerPixel(frame.format) == 3) {
-        maker.maker.make({rowOf(frame, rowBytes, 0), frame.width, frame.height, rowBytes, bgr}, out);
-        return;
+    if (pixelBytes == 4) {
+        const auto width = static_cast<size_t>(frame.width);
+        maker.threeBytes.resize(3 * width * static_cast<size_t>(frame.height));
+        for (int y = 0; y < frame.height; ++y) {
+            const uint8_t* from = frame.row(y);
+            uint8_t* to = maker.threeBytes.data() + 3 * width * static_cast<size_t>(y);
+            // Copies four bytes at once; the next pixel overwrites the fourth.
+            for (size_t x = 0; x + 1 < width; ++x) std::memcpy(to + 3 * x, from + 4 * x, 4);
+            std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
+        }
+        frame.pixels = maker.threeBytes.data(), frame.rowStride = 3 * frame.width;
     }
-    const auto width = static_cast<size_t>(frame.width);
-    maker.threeBytes.resize(3 * width * static_cast<size_t>(frame.height));
-    for (int y = 0; y < frame.height; ++y) {
-        const uint8_t* from = rowOf(frame, rowBytes, y);
-        uint8_t* to = maker.threeBytes.data() + 3 * width * static_cast<size_t>(y);
-        // Copies four bytes at once; the next pixel overwrites the fourth.
-        for (size_t x = 0; x + 1 < width; ++x) std::memcpy(to + 3 * x, from + 4 * x, 4);
-        std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
-    }
-    maker.maker.make(
-        {maker.threeBytes.data(), frame.width, frame.height, static_cast<ptrdiff_t>(3 * width), bgr}, out);
+    maker.maker.make(frame, out);
 }
 
 ShoalLightTexture textureOf(const light::HalfImage& image) {
@@ -186,11 +175,14 @@ ShoalLightStatus shoalLightMake(ShoalLightMaker* maker, const ShoalLightFrame* f
     const ptrdiff_t rowBytes = frame->rowBytes == 0 ? tight : frame->rowBytes;
     if (rowBytes > -tight && rowBytes < tight)
         return bad("the frame's rowBytes are fewer than its pixels take");
+    const bool bgr = frame->format == SHOAL_LIGHT_BGR8 || frame->format == SHOAL_LIGHT_BGRA8;
+    const light::FrameView view{static_cast<const uint8_t*>(frame->pixels), frame->width, frame->height,
+                                rowBytes, bgr};
     const ShoalLightStatus status = guarded([&] {
         if (pixelBytes > 4)
-            makeFromFloats(*maker, *frame, rowBytes, light->made);
+            makeFromFloats(*maker, view, pixelBytes, light->made);
         else
-            makeFromBytes(*maker, *frame, rowBytes, light->made);
+            makeFromBytes(*maker, view, pixelBytes, light->made);
         light::packLight(light->made, maker->mirrors, light->packed, maker->tooBright);
         light->found = {};
         if (maker->finder) maker->finder->find(light->made.radiance, light->found);
