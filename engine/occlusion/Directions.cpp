@@ -19,9 +19,8 @@ Axes::Axes(int count) {
         const glm::vec2 square = place * (2.0f / kTableWidth) - 1.0f;
         const glm::vec2 flat = glm::vec2(square.x + square.y, square.x - square.y) / 2.0f;
         const glm::vec3 middle = glm::normalize(glm::vec3(flat, 1.0f - std::abs(flat.x) - std::abs(flat.y)));
-        const auto nearest = std::max_element(axes.begin(), axes.end(), [&](const auto& p, const auto& q) {
-            return std::abs(glm::dot(p, middle)) < std::abs(glm::dot(q, middle));
-        });
+        const auto nearest = std::ranges::max_element(
+            axes, {}, [&](const glm::vec3& axis) { return std::abs(glm::dot(axis, middle)); });
         table[c] = static_cast<uint16_t>(nearest - axes.begin());
     }
 }
