@@ -179,6 +179,9 @@ void ClippedDensity::begin(int width, int height) {
         width_ = width, height_ = height;
         columns_ = static_cast<size_t>(std::min(width, kDensityColumns));
         rows_ = static_cast<size_t>(std::min(height, kDensityColumns / 2));
+        starts_.clear();
+        for (size_t x = 0; x <= columns_; ++x)
+            starts_.push_back(static_cast<int>((x * static_cast<size_t>(width) + columns_ - 1) / columns_));
         sums_.assign(columns_ * rows_, 0), density_.resize(sums_.size()), across_.resize(sums_.size());
         counts_.resize(rows_), anything_.assign(rows_, false);
     }
@@ -195,7 +198,7 @@ void ClippedDensity::addRow(int y, const float* clipped) {
     anything_[row] = true;
     float* sums = &sums_[row * columns_];
     for (size_t x = 0; x < columns_; ++x)
-        for (size_t i = start(x); i < start(x + 1); ++i) sums[x] += clipped[i];
+        for (int i = starts_[x]; i < starts_[x + 1]; ++i) sums[x] += clipped[i];
 }
 
 void ClippedDensity::finish() {
@@ -203,7 +206,7 @@ void ClippedDensity::finish() {
         if (!anything_[y]) continue;
         float* sums = &sums_[y * columns_];
         for (size_t x = 0; x < columns_; ++x)
-            sums[x] /= static_cast<float>(counts_[y] * (start(x + 1) - start(x)));
+            sums[x] /= static_cast<float>(counts_[y] * (starts_[x + 1] - starts_[x]));
         const double ring =
             std::sin(std::numbers::pi * (static_cast<double>(y) + 0.5) / static_cast<double>(rows_));
         const auto radius = static_cast<size_t>(std::lround(1 / ring));
@@ -224,7 +227,7 @@ float ClippedDensity::weigh(int y, float* clipped) const {
     if (!anything_[row]) return 0;
     const float* density = &density_[row * columns_];
     for (size_t x = 0; x < columns_; ++x)
-        for (size_t i = start(x); i < start(x + 1); ++i) clipped[i] *= density[x];
+        for (int i = starts_[x]; i < starts_[x + 1]; ++i) clipped[i] *= density[x];
     return sumOf(clipped, width_);
 }
 

@@ -72,12 +72,11 @@ class ClippedDensity {
 
   private:
     size_t cellRow(int y) const { return static_cast<size_t>(y) * rows_ / static_cast<size_t>(height_); }
-    // Returns the first pixel of a cell in a row; for cell `columns_` the row's end.
-    size_t start(size_t x) const { return (x * static_cast<size_t>(width_) + columns_ - 1) / columns_; }
 
     int width_ = 0, height_ = 0;        // of the frame
     size_t columns_ = 0, rows_ = 0;     // of cells, on the whole sphere
-    std::vector<size_t> counts_;        // by row of cells: rows of the frame in it
+    std::vector<int> starts_;           // first pixel of each cell in a row, and the last one's end
+    std::vector<int> counts_;           // by row of cells: rows of the frame in it
     std::vector<char> anything_;        // by row of cells: whether anything is clipped in it
     std::vector<float> sums_, density_; // columns_ x rows_
     std::vector<float> across_;         // scratch: columns_ x rows_

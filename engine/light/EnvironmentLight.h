@@ -4,6 +4,7 @@
 #include "engine/core/Image.h"
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace shoal::light {
@@ -15,7 +16,11 @@ struct RadiancePyramid {
     std::vector<ImageRgbF> levels;
 
     // Returns the level of this width in texels, which must exist.
-    const ImageRgbF& ofWidth(int width) const { return *std::ranges::find(levels, width, &ImageRgbF::width); }
+    const ImageRgbF& ofWidth(int width) const {
+        const auto level = std::ranges::find(levels, width, &ImageRgbF::width);
+        assert(level != levels.end());
+        return *level;
+    }
 };
 
 // Radiance filtered by a GGX lobe of this perceptual roughness (glTF's; alpha = roughness^2) around each

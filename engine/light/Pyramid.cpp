@@ -15,15 +15,12 @@ namespace {
 
 // Decodes a row of bytes to linear RGB with the arithmetic of radianceFromDisplay().
 SHOAL_VECTORISE
-void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict rgb) {
-    for (int x = 0; x < width; ++x) { // a separate loop, so that the next one is vectorised
-        rgb[3 * x] = static_cast<float>(bytes[3 * x + redAt]);
-        rgb[3 * x + 1] = static_cast<float>(bytes[3 * x + 1]);
-        rgb[3 * x + 2] = static_cast<float>(bytes[3 * x + 2 - redAt]);
-    }
+void decodeRow(const uint8_t* __restrict bytes, int width, bool bgr, float* __restrict rgb) {
     constexpr float kUnit = 1.0f / 255.0f;
-    for (int x = 0; x < width; ++x) {
-        const float r = rgb[3 * x] * kUnit, g = rgb[3 * x + 1] * kUnit, b = rgb[3 * x + 2] * kUnit;
+    for (int i = 0; i < 3 * width; ++i) rgb[i] = static_cast<float>(bytes[i]) * kUnit;
+    for (int x = 0; x < width; ++x) { // a separate loop, and no address from bgr: both are vectorised
+        const float first = rgb[3 * x], g = rgb[3 * x + 1], last = rgb[3 * x + 2];
+        const float r = bgr ? last : first, b = bgr ? first : last;
         const float l = 0.30f * r + 0.59f * g + 0.11f * b;
         const float l2 = l * l;
         const float l4 = l2 * l2;
@@ -35,8 +32,9 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
 }
 
 // Decodes a row of sRGB bytes to linear RGB.
-void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict rgb) {
+void decodeLinearRow(const uint8_t* __restrict bytes, int width, bool bgr, float* __restrict rgb) {
     const std::array<float, 256>& linear = math::linearOfByte();
+    const int redAt = bgr ? 2 : 0;
     for (int x = 0; x < width; ++x) {
         rgb[3 * x] = linear[bytes[3 * x + redAt]];
         rgb[3 * x + 1] = linear[bytes[3 * x + 1]];
@@ -277,7 +275,7 @@ void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid&
     const auto decode = from == FrameRadiance::Thesis ? decodeRow : decodeLinearRow;
     addRows(
         [&](int y) {
-            decode(frame.row(y), frame.width, frame.bgr ? 2 : 0, row_.data());
+            decode(frame.row(y), frame.width, frame.bgr, row_.data());
             return true;
         },
         base);

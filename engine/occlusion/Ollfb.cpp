@@ -129,9 +129,8 @@ void fit(const std::array<Fragment*, 16>& chosen, bool towards, Plane& plane) {
     constexpr float kFits = 0.3f; // pixels of depth per pixel
     glm::vec2 asideSum(0);
     float depthSum = 0, count = 0;
-    for (int s = 0; s < 16; ++s) {
+    for (int s = 0; s < 16; ++s)
         if (chosen[s]) asideSum += sampleOffset(s), depthSum += chosen[s]->depth, ++count;
-    }
     const glm::vec2 middle = asideSum / count;
     const float depth = depthSum / count;
     float xx = kPull, xy = 0, yy = kPull;
