@@ -52,12 +52,12 @@ bool isLatLong(const ImageRgbF& picture) {
 
 // Returns a clause that says whether the seam between a grown environment's two ends is visible. It is not if
 // its step is at most one level of 8 bits, or no larger than the picture's usual steps.
-template <class Picture> std::string seamClause(const panorama::Panorama<Picture>& grown) {
-    const bool hidden = grown.wrapStep <= std::max(grown.usualStep, 1 / 255.0);
+std::string seamClause(const panorama::WrapDiscontinuity& seam) {
+    const bool hidden = seam.wrapStep <= std::max(seam.usualStep, 1 / 255.0);
     return fmt::format(
         "the seam where its ends meet can{} be seen: its largest step is {:.2f} % of white, and "
         "a tenth of the picture's own steps are above {:.2f} %",
-        hidden ? "not" : "", grown.wrapStep * 100, grown.usualStep * 100);
+        hidden ? "not" : "", seam.wrapStep * 100, seam.usualStep * 100);
 }
 
 } // namespace
@@ -92,7 +92,7 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
         fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
                     "middle; {}",
                     grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
-                    seamClause(*grown))};
+                    seamClause(grown->seam))};
 }
 
 template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,
