@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -97,18 +98,15 @@ HandCompleter::Fit HandCompleter::fitTips(const PartialHand& hand, Side side) co
     Fit best;
     best.cost = std::numeric_limits<float>::max();
     for (unsigned chosen = 0; chosen < 1u << kFingerCount; ++chosen) {
+        if (std::popcount(chosen) != count) continue;
         Fit fit;
-        int t = 0;
-        for (int f = 0; f < kFingerCount; ++f) {
+        for (int f = 0, t = 0; f < kFingerCount; ++f) {
             if (!(chosen >> f & 1u)) continue;
-            if (t < count) {
-                const float apart = tips[t].first - fingers[f];
-                fit.cost += apart * apart;
-                fit.fingerOfTip[tips[t].second] = f;
-            }
-            ++t;
+            const float apart = tips[t].first - fingers[f];
+            fit.cost += apart * apart;
+            fit.fingerOfTip[tips[t++].second] = f;
         }
-        if (t == count && fit.cost < best.cost) best = fit;
+        if (fit.cost < best.cost) best = fit;
     }
     return best;
 }
