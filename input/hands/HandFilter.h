@@ -120,12 +120,8 @@ class GestureLatch {
     bool begun_ = false;
 };
 
-struct Palm {
-    glm::vec3 position{0};
-    glm::quat turn{1, 0, 0, 0};
-};
 // Moves a whole hand as its palm moves.
-HandPose carried(const HandPose& hand, const Palm& from, const Palm& to);
+HandPose carried(const HandPose& hand, const JointPose& from, const JointPose& to);
 
 // Filter of one hand. The palm is filtered in the viewer's frame and every other joint in the palm's, so that
 // fingers do not trail behind a moving hand; bones keep the length that the device gave them.
@@ -144,7 +140,7 @@ class HandFilter {
     float interval_s() const { return interval_s_; }
 
     // Predicts the palm at that time after the hand was last seen, without the filter's lag.
-    Palm palm(float after_s) const;
+    JointPose palm(float after_s) const;
 
   private:
     HandPose pose_, raw_;

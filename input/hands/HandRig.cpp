@@ -88,7 +88,7 @@ Result<HandRig> HandRig::load(const Path& file) {
     return rig;
 }
 
-HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist) const {
+HandPose HandRig::pose(Side side, const HandShape& shape, const JointPose& wrist) const {
     HandPose hand{.tracked = true, .confidence = 1};
     const auto place = [&](int i) { // of a right hand with its wrist at the origin
         Joint& joint = hand.joints[i];

@@ -115,7 +115,7 @@ void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>
         }
         const HandFilter& seen = device.hand(side);
         const float age_s = device.age_s(side) - ago_s;
-        const Palm palm = seen.palm(age_s);
+        const JointPose palm = seen.palm(age_s);
         const Joint& filtered = seen.pose().joints[kPalmJoint];
         const HandPose newest = carried(seen.pose(), {filtered.position, filtered.orientation}, palm);
         const bool isNew = seen.pose().time_us != hand.target.time_us;

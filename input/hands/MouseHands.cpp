@@ -48,7 +48,7 @@ HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float clos
     // Fingers point along the forearm and slightly up; the hand's back faces outwards, up and the player.
     const glm::vec3 fingers = glm::normalize(glm::normalize(grasp - shoulder) + glm::vec3(0, 0.35f, 0));
     const glm::vec3 back = glm::vec3(sign * 0.65f, 0.6f, 0.35f);
-    WristPose wrist;
+    JointPose wrist;
     wrist.orientation = glm::normalize(glm::quatLookAt(fingers, back));
 
     const float smooth = closed * closed * (3 - 2 * closed);

@@ -47,7 +47,7 @@ HandPose handFromController(const HandRig& rig, Side side, const xr::Controller&
     shape.curl[static_cast<size_t>(Finger::Index)] = bend(controller.trigger);
     for (const Finger finger : {Finger::Middle, Finger::Ring, Finger::Little})
         shape.curl[static_cast<size_t>(finger)] = bend(controller.squeeze);
-    WristPose wrist;
+    JointPose wrist;
     wrist.orientation = glm::normalize(headFromGrip.orientation * gripFromWrist(side));
     // The grip pose lies on the palm's surface; the palm's place depends on the wrist, not on the fingers.
     HandPose hand = rig.pose(side, shape, wrist);

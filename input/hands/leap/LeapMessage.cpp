@@ -80,11 +80,7 @@ std::optional<PartialHand> readHand(const json& from) {
     if (!identity || !palm || !normal || !direction) return std::nullopt;
     const float sine = glm::length(glm::cross(glm::normalize(*normal), glm::normalize(*direction)));
     if (!(sine > 4e-3f)) return std::nullopt; // NaN too
-    PartialHand hand;
-    hand.identity = *identity;
-    hand.palm = *palm;
-    hand.normal = *normal;
-    hand.direction = *direction;
+    PartialHand hand{.identity = *identity, .palm = *palm, .normal = *normal, .direction = *direction};
     const std::string type = words(from, "type");
     if (type == "left") hand.side = Side::Left;
     if (type == "right") hand.side = Side::Right;
@@ -102,9 +98,7 @@ std::optional<PartialHand> readHand(const json& from) {
 // model: what it calls carp and mcp is one point, our metacarpal.
 void readPointable(const json& from, std::vector<PartialHand>& hands) {
     if (yes(from, "tool")) return;
-    const auto owner = whole(from, "handId");
-    const auto hand = std::find_if(hands.begin(), hands.end(),
-                                   [&](const PartialHand& h) { return owner && h.identity == *owner; });
+    const auto hand = std::ranges::find(hands, whole(from, "handId"), &PartialHand::identity);
     if (hand == hands.end()) return;
     const auto bone = point(from, "btipPosition"), tip = bone ? bone : point(from, "tipPosition");
     const auto mcp = point(from, "mcpPosition"), pip = point(from, "pipPosition"),

@@ -27,7 +27,7 @@ TEST(HandRig, RestIsTheFilesOwnPose) {
     // The wrist's -Z points to middle_proximal in the file.
     const glm::vec3 z = -glm::normalize(glm::vec3(-0.004f, 0.004f, -0.096f));
     const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
-    const WristPose wrist{{0, 0, 0}, glm::quat_cast(glm::mat3(x, glm::cross(z, x), z))};
+    const JointPose wrist{{0, 0, 0}, glm::quat_cast(glm::mat3(x, glm::cross(z, x), z))};
     const HandPose hand = rig().pose(Side::Right, shape(0), wrist);
     EXPECT_NEAR(glm::distance(hand.joints[0].position, glm::vec3(-0.004f, -0.004f, -0.060f)), 0, kTol);
     EXPECT_NEAR(glm::distance(hand.joints[15].position, glm::vec3(-0.004f, 0.001f, -0.191f)), 0, kTol);
@@ -41,7 +41,7 @@ TEST(HandRig, BonesKeepTheirLengthAndJointsTheirConvention) {
     for (Side side : {Side::Left, Side::Right})
         for (float curl : {0.0f, 0.3f, 0.7f, 1.0f})
             for (float spread : {-1.0f, 0.0f, 1.0f}) {
-                const WristPose wrist{{0.1f, -0.2f, -0.5f},
+                const JointPose wrist{{0.1f, -0.2f, -0.5f},
                                       glm::normalize(glm::quat(0.8f, 0.1f, -0.5f, 0.3f))};
                 const HandPose pose = hand.pose(side, shape(curl, spread), wrist);
                 ASSERT_TRUE(plausible(pose));
