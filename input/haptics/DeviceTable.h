@@ -31,8 +31,7 @@ struct Driver {
     void (*seal)(Report&, uint8_t sequence) = nullptr;
     std::vector<Report> initialReports; // written first, sealed likewise
 
-    Report sealed(const HapticFrame& frame, uint8_t sequence) const {
-        Report report = encode(frame);
+    Report sealed(Report report, uint8_t sequence) const {
         if (seal) seal(report, sequence);
         return report;
     }

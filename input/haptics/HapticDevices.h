@@ -6,7 +6,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -89,7 +88,6 @@ class HapticOutput {
         HapticFrame frame;
         Clock::time_point when{};
     };
-    std::optional<Submitted> wait(const std::stop_token& ending, double max_s);
     void run(const std::stop_token& ending, const HidBus& bus);
 
     std::mutex mutex_; // guards newest_ and fresh_; held for a copy of one frame at a time
