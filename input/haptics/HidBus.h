@@ -41,7 +41,7 @@ struct HidBus {
     std::function<std::unique_ptr<HidDevice>(const std::string& path)> open; // null: it may not be opened
 };
 
-// Makes hidapi's bus. One thread at a time; lives until the last copy goes.
+// Makes hidapi's bus, for one thread at a time.
 HidBus hidapiBus();
 
 // Returns the bus with gamepads appended that rumble through the kernel's own drivers: force feedback of
