@@ -43,9 +43,8 @@ class MouseHands {
 
   private:
     struct Hand {
-        glm::vec3 grasp{0}; // viewer's frame
-        float closed = 0;   // 0 open to 1
-        bool placed = false;
+        std::optional<glm::vec3> grasp; // viewer's frame; empty before the first update
+        float closed = 0;               // 0 open to 1
     };
     void followReach(const MouseInput&, float dt_s);
 

@@ -125,11 +125,9 @@ bool HapticDevices::allStopped() const {
     return std::ranges::all_of(devices_, [](const Device& each) { return each.sent == each.stopped; });
 }
 
-void HapticDevices::stop() {
+HapticDevices::~HapticDevices() {
     for (Device& device : devices_)
         if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
-    devices_.clear();
-    found_s_ = -1e9; // the next step looks for devices
 }
 
 std::vector<HapticDevices::Listed> HapticDevices::list() const {

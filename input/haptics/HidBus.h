@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace shoal::haptics {
@@ -53,16 +53,13 @@ HidBus withForceFeedback(HidBus bus);
 // A helper process that stops a device's motors when the program dies, however it dies.
 class CrashStop {
   public:
-    // Starts a shell that writes the report to the device's file when this process has ended, unless this
-    // object was destroyed before. Without a shell nothing is guarded.
+    // Starts a shell that writes the report to the device's file, whose path has no quotation mark, when this
+    // process has ended, unless this object was destroyed before. Without a shell nothing is guarded.
     CrashStop(const std::string& file, std::span<const uint8_t> stop);
     ~CrashStop();
-    CrashStop(const CrashStop&) = delete;
-    CrashStop& operator=(const CrashStop&) = delete;
 
   private:
-    int pipe_ = -1;
-    pid_t shell_ = -1;
+    std::unique_ptr<FILE, int (*)(FILE*)> shell_{nullptr, pclose}; // which reads from the file
 };
 
 } // namespace shoal::haptics

@@ -158,8 +158,8 @@ Fit moved(Fit fit, const Step& by) {
     return fit;
 }
 
-// rest: the flat hand of this side, wrist at the origin.
-HandPose fitted(const HandRig& rig, const HandPose& rest, const Seen& seen, Side side) {
+HandPose fitted(const HandRig& rig, const Seen& seen, Side side) {
+    const HandPose rest = rig.pose(side, {}, {});
     std::array<glm::vec3, kLandmarkCount> restAt;
     for (size_t i = 0; i < kLandmarkCount; ++i) restAt[i] = rest.joints[kJointAt[i]].position;
     Fit fit = firstFit(seen, restAt);
@@ -194,11 +194,11 @@ HandPose fitted(const HandRig& rig, const HandPose& rest, const Seen& seen, Side
 } // namespace
 
 LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
-    : nets_(std::move(nets)), completer_(rig),
-      rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {
+    : nets_(std::move(nets)), completer_(rig), rig_(rig) {
     tracks_.reserve(2);
+    const HandPose rest = rig.pose(Side::Right, {}, {});
     for (const auto& [a, b] : kPalmBones)
-        palmBones_m_ += glm::distance(landmarkOf(rest_[1], a), landmarkOf(rest_[1], b));
+        palmBones_m_ += glm::distance(landmarkOf(rest, a), landmarkOf(rest, b));
 }
 
 void LandmarkFinder::follow(const cv::Mat& bgr) {
@@ -254,7 +254,7 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
         seen.ray[i] = rayTo(hand.at[i]);
         seen.shape[i] = turn * (hand.shape[i] * glm::vec3(scale, -scale, -scale));
     }
-    const HandPose fit = fitted(rig_, rest_[track.side == Side::Left ? 0 : 1], seen, track.side);
+    const HandPose fit = fitted(rig_, seen, track.side);
     PartialHand partial;
     for (size_t i = 0; i < kLandmarkCount; ++i) {
         const auto joint = static_cast<size_t>(kJointAt[i]);

@@ -48,9 +48,8 @@ class LandmarkFinder {
     HandNets nets_;
     HandCompleter completer_;
     HandRig rig_;
-    std::array<HandPose, 2> rest_; // left, right: flat, wrist at the origin
-    float palmBones_m_ = 0;        // the rig's sum of kPalmBones
-    std::vector<Track> tracks_;    // two at most, the older first
+    float palmBones_m_ = 0;     // the rig's sum of kPalmBones
+    std::vector<Track> tracks_; // two at most, the older first
     std::vector<cv::Point2f> marks_;
     cv::Mat brightened_;
     int64_t identities_ = 0, pictures_ = 0;
