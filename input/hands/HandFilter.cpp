@@ -107,11 +107,6 @@ HandPose carried(const HandPose& hand, const JointPose& from, const JointPose& t
     return pose;
 }
 
-HandFilter::HandFilter()
-    : palm_(kPosition), palmTurn_(kOrientation), palmMotion_(kPalmVelocity), palmSpin_(kPalmSpin),
-      palmFromJoint_(kJointCount, OneEuroPoint(kFinger)),
-      palmFromJointTurn_(kJointCount, OneEuroTurn(kOrientation)) {}
-
 JointPose HandFilter::palm(float after_s) const {
     return {palmMotion_.ahead(palm_.value(), after_s + palm_.lag_s()),
             palmSpin_.ahead(palmTurn_.value(), after_s + palmTurn_.lag_s())};

@@ -127,8 +127,6 @@ HandPose carried(const HandPose& hand, const JointPose& from, const JointPose& t
 // fingers do not trail behind a moving hand; bones keep the length that the device gave them.
 class HandFilter {
   public:
-    HandFilter();
-
     // Takes a frame of the device; a hand that is not plausible() counts as not seen.
     void step(const HandPose& seen, int64_t identity, int64_t time_us);
 
@@ -144,12 +142,12 @@ class HandFilter {
 
   private:
     HandPose pose_, raw_;
-    OneEuroPoint palm_;
-    OneEuroTurn palmTurn_;
-    DeadReckoning<glm::vec3> palmMotion_;
-    DeadReckoning<glm::quat> palmSpin_;
-    std::vector<OneEuroPoint> palmFromJoint_; // by joint
-    std::vector<OneEuroTurn> palmFromJointTurn_;
+    OneEuroPoint palm_{tuning::kPosition};
+    OneEuroTurn palmTurn_{tuning::kOrientation};
+    DeadReckoning<glm::vec3> palmMotion_{tuning::kPalmVelocity};
+    DeadReckoning<glm::quat> palmSpin_{tuning::kPalmSpin};
+    std::vector<OneEuroPoint> palmFromJoint_{kJointCount, OneEuroPoint(tuning::kFinger)}; // by joint
+    std::vector<OneEuroTurn> palmFromJointTurn_{kJointCount, OneEuroTurn(tuning::kOrientation)};
     GestureLatch latch_;
     Gesture gesture_ = Gesture::Open;
     int64_t identity_ = 0;

@@ -22,8 +22,7 @@ bool DeviceHands::due(HandStream& stream, HandFrame& frame) {
         silent_ = !stream.take(next, silent_ ? std::chrono::milliseconds(0) : kPatience);
         if (silent_) return false;
         // When a device's clock starts or restarts, its time is matched to the game's present time.
-        if (!begun_ || next.time_us < last_us_) gameFromDevice_us_ = game_us_ - next.time_us;
-        begun_ = true;
+        if (next.time_us < last_us_) gameFromDevice_us_ = game_us_ - next.time_us;
         last_us_ = next.time_us;
         ahead_ = next;
     }

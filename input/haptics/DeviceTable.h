@@ -37,15 +37,8 @@ struct Driver {
     }
 };
 
-// The device that a driver is made for.
-struct DeviceContext {
-    uint16_t product;
-    bool bluetooth;
-    HidDevice& device;
-};
-
-// Functions that make the drivers.
-using MakeDriver = Driver(const DeviceContext&);
+// Functions that make the driver of an open device.
+using MakeDriver = Driver(const HidInfo&, HidDevice&);
 MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia, makeSwitch, makeGlove, makeForceFeedback;
 
 struct DeviceRow {

@@ -27,12 +27,12 @@ void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
 
 // Returns whether the newer bit enables vibration: from firmware 2.21 on, and on every DualSense Edge.
 // Feature report 0x20 holds the firmware's version.
-bool hasNewVibration(const DeviceContext& given) {
+bool hasNewVibration(const HidInfo& info, HidDevice& device) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;
-    if (given.product == kEdge) return true;
+    if (info.product == kEdge) return true;
     std::array<uint8_t, 64> bytes{0x20};
-    return given.device.readFeature(bytes) == bytes.size() &&
+    return device.readFeature(bytes) == bytes.size() &&
            (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
 }
 
@@ -120,9 +120,10 @@ void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
 // Bytes: id; over Bluetooth also sequence number and 0x10 (for the controller itself, not its audio); enable
 // 1 (bit 0: vibration, bit 1: haptics instead of audio); enable 2; right motor; left motor. Enable 3 (bit 2:
 // vibration with new firmware) lies 38 bytes after enable 1.
-Driver makeDualSense(const DeviceContext& device) {
-    const auto encode = [bluetooth = device.bluetooth,
-                         newVibration = hasNewVibration(device)](const HapticFrame& frame) {
+Driver makeDualSense(const HidInfo& info, HidDevice& device) {
+    const bool bluetooth = info.transport == Transport::Bluetooth,
+               newVibration = hasNewVibration(info, device);
+    const auto encode = [=](const HapticFrame& frame) {
         const Motors motors = motorsOf(frame);
         Report report{.size = bluetooth ? 78u : 48u};
         const size_t at = bluetooth ? 3 : 1;
@@ -134,13 +135,14 @@ Driver makeDualSense(const DeviceContext& device) {
         if (newVibration) report.bytes[at + 38] = 0x04;
         return report;
     };
-    return {encode, device.bluetooth ? sealDualSenseBluetooth : nullptr};
+    return {encode, bluetooth ? sealDualSenseBluetooth : nullptr};
 }
 
 // Bytes: id; over Bluetooth also 0xC0 (HID report with a checksum) and an unused one; enable (bit 0: rumble);
 // two unused; right motor; left motor. The light and its blinking are not enabled.
-Driver makeDualShock4(const DeviceContext& device) {
-    const auto encode = [bluetooth = device.bluetooth](const HapticFrame& frame) {
+Driver makeDualShock4(const HidInfo& info, HidDevice&) {
+    const bool bluetooth = info.transport == Transport::Bluetooth;
+    const auto encode = [=](const HapticFrame& frame) {
         const Motors motors = motorsOf(frame);
         Report report{.size = bluetooth ? 78u : 32u};
         const size_t at = bluetooth ? 3 : 1;
@@ -151,12 +153,12 @@ Driver makeDualShock4(const DeviceContext& device) {
         report.bytes[at + 4] = scaled(motors.strong, 255);
         return report;
     };
-    return {encode, device.bluetooth ? addSonyChecksum : nullptr};
+    return {encode, bluetooth ? addSonyChecksum : nullptr};
 }
 
-Driver makeXbox(const DeviceContext&) { return {.encode = xbox}; }
-Driver makeStadia(const DeviceContext&) { return {.encode = stadia}; }
-Driver makeForceFeedback(const DeviceContext&) { return {.encode = forceFeedback}; }
+Driver makeXbox(const HidInfo&, HidDevice&) { return {.encode = xbox}; }
+Driver makeStadia(const HidInfo&, HidDevice&) { return {.encode = stadia}; }
+Driver makeForceFeedback(const HidInfo&, HidDevice&) { return {.encode = forceFeedback}; }
 
 // The table's amplitudes grow by a constant factor in each of three ranges of the index: 2^(1/4) below 16,
 // 2^(1/16) below 32, 2^(1/32) above; 119.6, 17.03 and 8.7 fit their entries to the last place.
@@ -184,13 +186,13 @@ std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation&
             static_cast<uint8_t>(0x40 + lowIndex / 2)};
 }
 
-Driver makeSwitch(const DeviceContext& device) {
-    const size_t size = device.bluetooth ? 49 : 64;
+Driver makeSwitch(const HidInfo& info, HidDevice&) {
+    const size_t size = info.transport == Transport::Bluetooth ? 49 : 64;
     return {.encode = [=](const HapticFrame& frame) { return tones(frame, size); },
             .seal = sealSwitch,
             .initialReports = {enable(size)}};
 }
 
-Driver makeGlove(const DeviceContext&) { return {.encode = gloveReport, .seal = sealGlove}; }
+Driver makeGlove(const HidInfo&, HidDevice&) { return {.encode = gloveReport, .seal = sealGlove}; }
 
 } // namespace shoal::haptics

@@ -55,7 +55,7 @@ std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double
     Device device{.listed = {describe(row, info), info.path, row.motors, ""},
                   .physical = info.device,
                   .row = &row,
-                  .driver = row.driver({row.product, info.transport == Transport::Bluetooth, *open}),
+                  .driver = row.driver(info, *open),
                   .open = std::move(open)};
     device.stopped = device.driver.encode({});
     device.open->stopAtCrash(device.driver.sealed(device.stopped, 0).view());

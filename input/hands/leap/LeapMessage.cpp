@@ -1,6 +1,5 @@
 #include "input/hands/leap/LeapMessage.h"
 
-#include "engine/core/JsonBounds.h"
 #include "engine/core/Number.h"
 
 #include <glm/geometric.hpp>
@@ -144,9 +143,7 @@ glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
 
 Result<LeapMessage> readLeapMessage(std::string_view text) {
     const Error tooLarge{"", "is larger or deeper than any frame of hands"};
-    if (text.size() > kLeapMessageBytes) return tooLarge;
-    const JsonBounds bounds{kLeapMessageDepth, kLeapMessageValues, kLeapMessageValues};
-    if (!exceededBound(text, bounds).empty()) return tooLarge;
+    if (text.size() > kLeapMessageBytes || !exceededBound(text, kLeapMessageBounds).empty()) return tooLarge;
     const json message = json::parse(text, nullptr, false);
     if (!message.is_object()) return Error{"", "is no JSON object"};
     if (message.contains("hands") || message.contains("pointables") || message.contains("timestamp"))

@@ -95,12 +95,12 @@ Result<HandNets> HandNets::load(const Path& folder) {
     auto landmarks = loadNet(folder / "hand_landmark_full.tflite",
                              "8c026882c9ec059ce0f8e75266bee5a9a23c341a40e0000df755374d3d1b9b68");
     if (!landmarks) return landmarks.error();
-    return HandNets(std::move(*palms), std::move(*landmarks));
-}
-
-HandNets::HandNets(NeuralNet palms, NeuralNet landmarks)
-    : palms_(std::move(palms)), landmarks_(std::move(landmarks)), anchors_(makeAnchors()) {
-    found_.reserve(kAnchors);
+    HandNets nets;
+    nets.palms_ = std::move(*palms);
+    nets.landmarks_ = std::move(*landmarks);
+    nets.anchors_ = makeAnchors();
+    nets.found_.reserve(kAnchors);
+    return nets;
 }
 
 // Fills a network's input, red first, 0 to 1, with the part of the picture that the affine map takes to it.

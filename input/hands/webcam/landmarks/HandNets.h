@@ -72,7 +72,7 @@ class HandNets {
     Landmarks findLandmarks(const cv::Mat& bgr, const Crop& crop);
 
   private:
-    HandNets(NeuralNet palms, NeuralNet landmarks);
+    HandNets() = default;
     void takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPicture, int size, int border,
                      NeuralNet& net);
 

@@ -133,13 +133,12 @@ Residuals residuals(const HandRig& rig, const Fit& fit, const Seen& seen, Side s
     constexpr float kAcross_m = 0.003f, kWristAcross_m = 0.01f, kDepth_m = 0.3f, kSpread = 2, kCurl = 0.3f;
     const HandPose pose = rig.pose(side, fit.hand, {fit.wrist, fit.turn});
     Residuals out;
-    for (int i = 0; i < kLandmarkCount; ++i) {
-        const auto at = static_cast<size_t>(i);
-        const glm::vec3 p = landmarkOf(pose, at);
-        const float across_m = at == kWrist ? kWristAcross_m : kAcross_m;
-        out(3 * i) = (p.x + seen.ray[at].x * p.z) / across_m;
-        out(3 * i + 1) = (p.y + seen.ray[at].y * p.z) / across_m;
-        out(3 * i + 2) = (p.z - fit.wrist.z - seen.shape[at].z + seen.shape[kWrist].z) / kDepth_m;
+    for (size_t i = 0; i < kLandmarkCount; ++i) {
+        const glm::vec3 p = landmarkOf(pose, i);
+        const float across_m = i == kWrist ? kWristAcross_m : kAcross_m;
+        out.val[3 * i] = (p.x + seen.ray[i].x * p.z) / across_m;
+        out.val[3 * i + 1] = (p.y + seen.ray[i].y * p.z) / across_m;
+        out.val[3 * i + 2] = (p.z - fit.wrist.z - seen.shape[i].z + seen.shape[kWrist].z) / kDepth_m;
     }
     out(3 * kLandmarkCount) = fit.hand.spread / kSpread;
     for (int finger = 0; finger < kFingerCount; ++finger)
@@ -196,9 +195,6 @@ HandPose fitted(const HandRig& rig, const Seen& seen, Side side) {
 LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
     : nets_(std::move(nets)), completer_(rig), rig_(rig) {
     tracks_.reserve(2);
-    const HandPose rest = rig.pose(Side::Right, {}, {});
-    for (const auto& [a, b] : kPalmBones)
-        palmBones_m_ += glm::distance(landmarkOf(rest, a), landmarkOf(rest, b));
 }
 
 void LandmarkFinder::follow(const cv::Mat& bgr) {
@@ -244,9 +240,13 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
     const auto rayTo = [&](const cv::Point2f& p) {
         return glm::vec3((p.x + 0.5f - middle.x) / focal_px, (middle.y - p.y - 0.5f) / focal_px, -1);
     };
-    float bones = 0;
-    for (const auto& [a, b] : kPalmBones) bones += glm::distance(hand.shape[a], hand.shape[b]);
-    const float scale = palmBones_m_ / std::max(bones, 1e-3f);
+    const HandPose rest = rig_.pose(Side::Right, {}, {});
+    float bones = 0, bonesOfRig_m = 0;
+    for (const auto& [a, b] : kPalmBones) {
+        bones += glm::distance(hand.shape[a], hand.shape[b]);
+        bonesOfRig_m += glm::distance(landmarkOf(rest, a), landmarkOf(rest, b));
+    }
+    const float scale = bonesOfRig_m / std::max(bones, 1e-3f);
     // The network sees a crop as if its middle were straight ahead.
     const glm::quat turn(glm::vec3(0, 0, -1), glm::normalize(rayTo(palmOf(hand))));
     Seen seen;

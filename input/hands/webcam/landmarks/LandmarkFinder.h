@@ -48,7 +48,6 @@ class LandmarkFinder {
     HandNets nets_;
     HandCompleter completer_;
     HandRig rig_;
-    float palmBones_m_ = 0;     // the rig's sum of kPalmBones
     std::vector<Track> tracks_; // two at most, the older first
     std::vector<cv::Point2f> marks_;
     cv::Mat brightened_;
