@@ -70,12 +70,9 @@ float HandCompleter::sizeOf(const PartialHand& hand) const {
         measured += glm::distance(*at[i], *at[parent]);
         rigs += rig_.boneLength(i);
     }
-    float size = 1;
-    if (rigs > 0)
-        size = measured / rigs;
-    else if (hand.palmWidth_m)
-        size = *hand.palmWidth_m / 0.085f; // the rig's, between the outer edges of its knuckles
-    return std::clamp(size, kSizeMin, kSizeMax);
+    constexpr float kRigWidth_m = 0.085f; // between the outer edges of its knuckles
+    const float byPalm = hand.palmWidth_m.value_or(kRigWidth_m) / kRigWidth_m;
+    return std::clamp(rigs > 0 ? measured / rigs : byPalm, kSizeMin, kSizeMax);
 }
 
 // Assigns the loose fingertips to fingers, in the same order across the hand: to those whose angles, seen
@@ -90,13 +87,11 @@ HandCompleter::Fit HandCompleter::fitTips(const PartialHand& hand, Side side) co
         fingers[f] = angle(glm::conjugate(rest.joints[kPalmJoint].orientation) *
                            (rest.joints[kFingerJoints[f].tip].position - rest.joints[kPalmJoint].position));
     std::array<std::pair<float, int>, kFingerCount> tips;
-    tips.fill({-std::numeric_limits<float>::infinity(), -1});
     const int count = hand.looseTipCount;
     for (int t = 0; t < count; ++t) tips[t] = {angle(palmFromDevice * (hand.looseTips[t] - hand.palm)), t};
-    std::sort(tips.begin(), tips.end(), std::greater<>()); // the thumb's side first
+    std::sort(tips.begin(), tips.begin() + count, std::greater<>()); // the thumb's side first
 
-    Fit best;
-    best.cost = std::numeric_limits<float>::max();
+    Fit best{.cost = std::numeric_limits<float>::max()};
     for (unsigned chosen = 0; chosen < 1u << kFingerCount; ++chosen) {
         if (std::popcount(chosen) != count) continue;
         Fit fit;

@@ -135,7 +135,7 @@ void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
     const glm::quat palmFromView = glm::conjugate(palm.orientation);
     if (!goesOn) {
         ++stretch_;
-        latch_.reset();
+        latch_ = {};
         palmMotion_.reset();
         palmSpin_.reset();
     }

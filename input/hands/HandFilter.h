@@ -110,7 +110,6 @@ enum class Gesture { Open, Pinch, Fist };
 // Decides with hysteresis which gesture a hand makes, from the strengths that a tracker measures.
 class GestureLatch {
   public:
-    void reset() { *this = {}; }
     // Keeps the strength of the decided gesture at kClosedMin or above, and the others at kOpenMax or below.
     Gesture step(float& grip, float& pinch, float dt_s);
 

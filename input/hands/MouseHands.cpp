@@ -97,8 +97,7 @@ const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float
             *hand.grasp += (goal - *hand.grasp) * math::followShare(dt_s, active ? kFollow_s : kSwap_s);
         else
             hand.grasp = goal;
-        const float closedGoal =
-            active ? (input.close ? input.closeTo : 0.0f) : (hand.closed > 0.5f ? 1.0f : 0.0f);
+        const float closedGoal = active ? input.close : (hand.closed > 0.5f ? 1.0f : 0.0f);
         const float step = dt_s / kCloseTime_s;
         hand.closed += std::clamp(closedGoal - hand.closed, -step, step);
         poses_[i] = reachingHand(rig_, side, *hand.grasp, hand.closed);

@@ -97,9 +97,8 @@ Report enable(size_t size) {
 
 void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
 
-// The fingertip glove of content/glove/GLOVE.md.
-// Bytes: 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The body's vibration, for
-// which a glove has no actuator, goes to both palms.
+// Bytes of the fingertip glove: 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The
+// body's vibration, for which a glove has no actuator, goes to both palms.
 Report gloveReport(const HapticFrame& frame) {
     Report report{.size = 1 + glove::kReportBytes};
     for (size_t i = 0; i < kActuatorCount; ++i) {

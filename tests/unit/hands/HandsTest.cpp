@@ -196,13 +196,13 @@ TEST(MouseHands, ClosesInAboutTheSameTimeAtAnyFrameRate) {
         MouseHands mouse(rig());
         MouseInput input = pointing(0, 0);
         settle(mouse, input);
-        input.close = true;
+        input.close = 1;
         float elapsed = 0;
         while (mouse.update(input, 1.0f / static_cast<float>(fps))[1].grip < 0.9f && elapsed < 1)
             elapsed += 1.0f / static_cast<float>(fps);
         EXPECT_GT(elapsed, 0.05f) << fps;
         EXPECT_LT(elapsed, 0.13f) << fps;
-        input.close = false;
+        input.close = 0;
         EXPECT_LT(settle(mouse, input)[1].grip, 0.2f);
     }
 }
@@ -230,12 +230,12 @@ TEST(MouseHands, HelpWithDepthIsTakenWhileOpenAndOverruledByTheWheel) {
     settle(mouse, input);
     EXPECT_NEAR(mouse.distance_m(), 1.1f, 1e-3f);
     input.reach_m.reset();
-    input.close = true;
+    input.close = 1;
     settle(mouse, input);
     input.reach_m = 0.4f;
     settle(mouse, input);
     EXPECT_NEAR(mouse.distance_m(), 1.1f, 1e-3f) << "a closed hand stays where it closed";
-    input.close = false;
+    input.close = 0;
     input.wheel = 1;
     mouse.update(input, 1.0f / 60);
     input.wheel = 0;
