@@ -136,33 +136,21 @@ class LeapTracker final : public HandTracker {
     }
 
     int callback(lws* wsi, lws_callback_reasons reason, void* in, size_t length) {
-        switch (reason) {
-        case LWS_CALLBACK_CLIENT_RECEIVE:
-            receive(static_cast<const char*>(in), length);
-            break;
-        case LWS_CALLBACK_CLIENT_WRITEABLE:
-            if (!unsent_.empty()) {
-                const size_t count = std::strlen(unsent_.front());
-                std::array<unsigned char, LWS_PRE + 32> buffer;
-                std::memcpy(buffer.data() + LWS_PRE, unsent_.front(), count);
-                if (lws_write(wsi, buffer.data() + LWS_PRE, count, LWS_WRITE_TEXT) < 0) return -1;
-                unsent_.erase(unsent_.begin());
-                if (!unsent_.empty()) lws_callback_on_writable(wsi);
-            }
-            break;
-        case LWS_CALLBACK_WS_PEER_INITIATED_CLOSE:
-            if (length >= 2) {
-                const auto* code = static_cast<const unsigned char*>(in);
-                closeCode_ = static_cast<uint16_t>(code[0] << 8 | code[1]);
-            }
-            break;
-        case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
-        case LWS_CALLBACK_CLIENT_CLOSED:
-            disconnected();
-            break;
-        default:
-            break;
+        if (reason == LWS_CALLBACK_CLIENT_RECEIVE) receive(static_cast<const char*>(in), length);
+        if (reason == LWS_CALLBACK_CLIENT_WRITEABLE && !unsent_.empty()) {
+            const size_t count = std::strlen(unsent_.front());
+            std::array<unsigned char, LWS_PRE + 32> buffer;
+            std::memcpy(buffer.data() + LWS_PRE, unsent_.front(), count);
+            if (lws_write(wsi, buffer.data() + LWS_PRE, count, LWS_WRITE_TEXT) < 0) return -1;
+            unsent_.erase(unsent_.begin());
+            if (!unsent_.empty()) lws_callback_on_writable(wsi);
         }
+        if (reason == LWS_CALLBACK_WS_PEER_INITIATED_CLOSE && length >= 2) {
+            const auto* code = static_cast<const unsigned char*>(in);
+            closeCode_ = static_cast<uint16_t>(code[0] << 8 | code[1]);
+        }
+        if (reason == LWS_CALLBACK_CLIENT_CONNECTION_ERROR || reason == LWS_CALLBACK_CLIENT_CLOSED)
+            disconnected();
         return 0;
     }
 
