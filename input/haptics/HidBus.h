@@ -59,7 +59,7 @@ class CrashStop {
     ~CrashStop();
 
   private:
-    std::unique_ptr<FILE, int (*)(FILE*)> shell_{nullptr, pclose}; // which reads from the file
+    std::unique_ptr<FILE, int (*)(FILE*)> shell_{nullptr, pclose}; // its standard input; null: none
 };
 
 } // namespace shoal::haptics
