@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <ranges>
 #include <span>
 
 namespace shoal::hands {
@@ -26,10 +25,10 @@ const json& member(const json& object, const char* key) {
     return found == object.end() ? none : *found;
 }
 
-// Returns an array's entries; none of another value.
-std::span<const json> entries(const json& object, const char* key) {
+// Returns an array's first entries; none of another value.
+std::span<const json> entries(const json& object, const char* key, size_t most) {
     const auto* array = member(object, key).get_ptr<const json::array_t*>();
-    return array ? std::span(*array) : std::span<const json>();
+    return array ? std::span(*array).first(std::min(array->size(), most)) : std::span<const json>();
 }
 
 std::optional<double> number(const json& object, const char* key) {
@@ -56,7 +55,7 @@ std::string words(const json& object, const char* key) {
 }
 
 std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double maximum) {
-    const std::span<const json> array = entries(object, key);
+    const std::span<const json> array = entries(object, key, 4); // one more than it may have
     if (array.size() != 3) return std::nullopt;
     glm::vec3 v(0);
     for (int i = 0; i < 3; ++i) {
@@ -122,10 +121,9 @@ void readPointable(const json& from, std::vector<PartialHand>& hands) {
 LeapFrame readFrame(const json& from) {
     LeapFrame frame;
     frame.time_us = whole(from, "timestamp");
-    for (const json& entry : entries(from, "hands") | std::views::take(kMaxHands))
+    for (const json& entry : entries(from, "hands", kMaxHands))
         if (auto hand = readHand(entry)) frame.hands.push_back(*hand);
-    for (const json& entry : entries(from, "pointables") | std::views::take(kMaxPointables))
-        readPointable(entry, frame.hands);
+    for (const json& entry : entries(from, "pointables", kMaxPointables)) readPointable(entry, frame.hands);
     return frame;
 }
 
