@@ -251,7 +251,7 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
         return point(step, now);
     case Do::Press:
     case Do::Release:
-        mouseInput_.close = step.what == Do::Press ? 1.0f : 0.0f;
+        mouseInput_.close = step.what == Do::Press;
         return true;
     case Do::Again:
         return true; // performStep() handles it

@@ -27,7 +27,7 @@ class AtTheMouse {
         mouse.aspect = kHalfScreen_px.x / kHalfScreen_px.y;
         mouse.fovY = 2 * std::atan(kTanHalfFov);
         mouse.cursor = action.cursor_px / kHalfScreen_px;
-        mouse.close = action.close ? 1.0f : 0.0f;
+        mouse.close = action.close;
         const glm::vec3 ray = glm::normalize(glm::vec3(action.cursor_px / kFocal_px, -1));
         mouse.reach_m = reach_.update(shown, species_, ray, hands_.distance_m());
         mouse.reachHelp = reachHelp_;
