@@ -111,10 +111,9 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         const bool down = pressed && !awaitsOpen_;
         if (options.closing == Closing::Toggle) {
             toggled_ = toggled_ != (down && !wasDown_);
-            mouse.close = toggled_;
-        } else {
-            mouse.close = down;
-            if (!holds) mouse.closeTo = trigger;
+            mouse.close = toggled_ ? 1.0f : 0.0f;
+        } else if (down) {
+            mouse.close = holds ? 1.0f : trigger;
         }
         wasDown_ = down;
         mouse.reach_m =
