@@ -116,7 +116,7 @@ glm::vec3 WaterEstimator::medianLin(int sectors, int firstRow, int lastRow) cons
     const auto count = static_cast<size_t>(sectors);
     glm::vec3 median;
     for (int c = 0; c < 3; ++c) {
-        std::array<float, kSectors> values;
+        std::array<float, kSectors> values{};
         for (size_t i = 0; i < count; ++i) values[i] = meanLin(byOpenness_[i], firstRow, lastRow)[c];
         std::sort(values.begin(), values.begin() + sectors);
         median[c] = 0.5f * (values[(count - 1) / 2] + values[count / 2]);
