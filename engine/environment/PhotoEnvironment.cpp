@@ -13,31 +13,6 @@ namespace shoal::environment {
 
 namespace {
 
-// Display of the progress: a line that is overwritten on a terminal, or one log line without a terminal.
-class ProgressLine {
-  public:
-    explicit ProgressLine(const Path& file) : watched_(isatty(STDERR_FILENO) == 1) {
-        if (!watched_) log::info("growing {} to a full environment", file.string());
-    }
-    ~ProgressLine() {
-        if (watched_) std::fputs("\r\033[K", stderr);
-    }
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
-
-    void show(double share) {
-        const int percent = static_cast<int>(share * 100);
-        if (!watched_ || percent == shown_) return;
-        shown_ = percent;
-        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
-        std::fflush(stderr);
-    }
-
-  private:
-    bool watched_;
-    int shown_ = -1;
-};
-
 // Returns whether the picture is lat-long, mono or stereo. Squares and 4:1 strips have the shape of stereo
 // pictures, but are as often ordinary photos, so their content must look like a stereo pair.
 bool isLatLong(const ImageRgb8& picture) {
@@ -48,16 +23,6 @@ bool isLatLong(const ImageRgb8& picture) {
 }
 bool isLatLong(const ImageRgbF& picture) {
     return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
-}
-
-// Returns a clause that says whether the seam between a grown environment's two ends is visible. It is not if
-// its step is at most one level of 8 bits, or no larger than the picture's usual steps.
-template <class Picture> std::string seamClause(const panorama::Panorama<Picture>& grown) {
-    const bool hidden = grown.wrapStep <= std::max(grown.usualStep, 1 / 255.0);
-    return fmt::format(
-        "the seam where its ends meet can{} be seen: its largest step is {:.2f} % of white, and "
-        "a tenth of the picture's own steps are above {:.2f} %",
-        hidden ? "not" : "", grown.wrapStep * 100, grown.usualStep * 100);
 }
 
 } // namespace
@@ -81,18 +46,31 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
     if (placement || (!fov_deg && isLatLong(photo)))
         return PhotoEnvironment<Picture>{std::move(photo), "a full environment already, kept as it is"};
 
-    ProgressLine line(file);
-    auto grown = panorama::panoramaFromPhoto(photo, {.fov_deg = fov_deg, .progress = [&](double share) {
-                                                         line.show(share);
-                                                         if (progress) progress(share);
-                                                     }});
+    // The progress overwrites a line on a terminal; elsewhere it is one line of the log.
+    const bool watched = isatty(STDERR_FILENO) == 1;
+    if (!watched) log::info("growing {} to a full environment", file.string());
+    int shown = -1;
+    const auto show = [&](double share) {
+        if (progress) progress(share);
+        const int percent = static_cast<int>(share * 100);
+        if (!watched || percent == shown) return;
+        shown = percent;
+        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
+        std::fflush(stderr);
+    };
+    auto grown = panorama::panoramaFromPhoto(photo, {.fov_deg = fov_deg, .progress = show});
+    if (watched) std::fputs("\r\033[K", stderr);
     if (!grown) return Error{file.string(), grown.error().reason};
+    // The seam where the ends meet is hidden if its step is at most one level of 8 bits, or no larger than
+    // the picture's usual steps.
+    const bool hidden = grown->wrapStep <= std::max(grown->usualStep, 1 / 255.0);
     return PhotoEnvironment<Picture>{
         std::move(grown->latLong),
         fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
-                    "middle; {}",
+                    "middle; the seam where its ends meet can{} be seen: its largest step is {:.2f} % of "
+                    "white, and a tenth of the picture's own steps are above {:.2f} %",
                     grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
-                    seamClause(*grown))};
+                    hidden ? "not" : "", grown->wrapStep * 100, grown->usualStep * 100)};
 }
 
 template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,

@@ -5,6 +5,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -12,6 +13,15 @@
 namespace shoal::environment {
 
 namespace {
+
+// Maximum width of the map for mirror reflections. For a video a quarter of the usual 2048: fish are rough
+// and small, and show nothing finer. A still is analysed once, at its full resolution.
+constexpr int kVideoLightWidth = 512;
+constexpr int kStillLightWidth = 4096;
+
+constexpr int kBesideWidth = 64;         // greatest width of the map for light beside the camera
+constexpr int kSmoothWidth = 32;         // greatest width of the map for light in occlusion
+constexpr int kCameraResponseEvery = 24; // frames between estimates: a camera hardly changes
 
 // Returns the left eye's picture. Its light serves both eyes: theirs differ by less than the light's error.
 light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bgr) {
@@ -90,7 +100,7 @@ Status Player::openPhoto(const Wait& wait) {
     if (grow) layout_ = media::layoutOf(*picture);
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(leftEyeOf(*picture, layout_, false), frames_[0].found);
+    analyse(leftEyeOf(*picture, layout_, false), frames_[0].found);
     light_ms_ = millisecondsSince(began);
     media::toBgra(*picture, false, frames_[0].picture);
     follow(0);
@@ -103,7 +113,8 @@ Status Player::openHdr() {
     hdr_ = true;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(picture->radianceLin, frames_[0].found);
+    lightMaker_.makeFromHdr(picture->radianceLin, made_);
+    pack(light::TooBright::Scale, frames_[0].found);
     light_ms_ = millisecondsSince(began);
     if (const std::string repairs = picture->repairs(); !repairs.empty())
         log::warn("{}: {}", setup_.source.env, repairs);
@@ -113,11 +124,12 @@ Status Player::openHdr() {
 }
 
 void Player::prepareFor(light::LightQuality quality, size_t slots) {
-    setup_.analysis.quality = quality;
-    setup_.analysis.frames = setup_.source.light;
-    setup_.analysis.lights =
-        setup_.analysis.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
-    analysis_.emplace(setup_.analysis);
+    AnalysisOptions& wanted = setup_.analysis;
+    wanted.quality = quality;
+    wanted.lights = wanted.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
+    lightMaker_ =
+        light::LightMaker({quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
+                           wanted.minRoughness, quality, setup_.source.light});
     frames_.resize(slots);
     shown_ = frames_.data();
 }
@@ -131,7 +143,7 @@ void Player::openDepth() {
         log::warn("{}; the film is shown without depth", s.error().message());
 }
 
-// Refines the depth of a frame; on the decode thread.
+// Refines the depth of a frame.
 void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye) {
     const int number = depthTrack_->frameAt(frame.time_s);
     if (number != trackFrameNumber_ && depthTrack_->read(number, trackFrame_)) trackFrameNumber_ = number;
@@ -143,14 +155,56 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
     made.lightDifference.make(made.found.radianceLin, made.depth);
 }
 
-// Analyses a frame; on the decode thread.
 void Player::prepare(const media::VideoFrame& frame) {
     const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
     Frame& made = frames_[frame.slot];
-    analysis_->analyse(leftEye, made.found);
+    analyse(leftEye, made.found);
     if (depthTrack_ && setup_.drawsDepth) prepareDepth(frame, leftEye);
     made.found.cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, made.picture);
+}
+
+void Player::analyse(const light::FrameView& frame, FrameFindings& out) {
+    makeLight(frame, out);
+    if (!setup_.analysis.cameraResponse) return;
+    if (sinceResponse_++ % kCameraResponseEvery == 0) lastResponse_ = responseEstimator_.estimate(frame);
+    out.cameraResponse = lastResponse_;
+    glare_.make(frame, out.glare);
+}
+
+void Player::makeLight(const light::FrameView& frame, FrameFindings& out) {
+    const int every = lightEvery_.load(std::memory_order_relaxed);
+    if (++sinceLight_ < every && !newest_.light.places.empty()) {
+        out = newest_;
+        return;
+    }
+    sinceLight_ = 0;
+    lightMaker_.make(frame, made_);
+    pack(light::TooBright::Cut, out);
+    if (setup_.analysis.water) out.water = waterEstimator_.estimate(frame);
+    if (setup_.analysis.lights) lightFinder_.find(made_.radiance, out.lights);
+    if (every > 1) newest_ = out;
+}
+
+// Packs made_ into out. The map of roughness 1 is the diffuse map too.
+void Player::pack(light::TooBright tooBright, FrameFindings& out) {
+    const AnalysisOptions& wanted = setup_.analysis;
+    if (wanted.diffuse == light::DiffuseMethod::Thesis) {
+        thesisDiffuse_.make(made_.radiance, made_.diffuse);
+        made_.glossy.back().radianceLin = made_.diffuse;
+    }
+    light::packLight(made_,
+                     wanted.pyramid                                       ? light::MirrorMaps::Pyramid
+                     : wanted.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                          : light::MirrorMaps::None,
+                     out.light, tooBright);
+    const auto levelOf = [&](int width) {
+        return std::ranges::find_if(made_.radiance.levels,
+                                    [=](const ImageRgbF& level) { return level.width <= width; });
+    };
+    const auto none = made_.radiance.levels.end();
+    if (const auto small = levelOf(kSmoothWidth); small != none) out.smooth = occlusion::smoothLight(*small);
+    if (const auto small = levelOf(kBesideWidth); small != none) out.radianceLin = *small;
 }
 
 bool Player::update(double time_s, bool exact) {

@@ -2,14 +2,20 @@
 // thread uses it; a video's frames are analysed on the decode thread.
 #pragma once
 
+#include "engine/camera/CameraResponse.h"
 #include "engine/core/Files.h"
 #include "engine/depth/DepthMap.h"
 #include "engine/depth/LightDifference.h"
-#include "engine/environment/FrameAnalysis.h"
+#include "engine/light/BruteForceDiffuse.h"
 #include "engine/light/FindLights.h"
+#include "engine/light/MakeLight.h"
+#include "engine/light/PackedLight.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
+#include "engine/occlusion/SmoothLight.h"
+#include "engine/water/EstimateWater.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +37,18 @@ struct Source {
 // picture, else video. An empty name leaves all three empty.
 void setFile(Source& source, const std::string& file);
 
+struct AnalysisOptions {
+    bool pyramid = false;   // keep the radiance pyramid too, for the thesis' glossy lookup
+    float minRoughness = 0; // least roughness drawn: no light is made for smoother surfaces
+    light::LightQuality quality = light::LightQuality::Video; // Still for stills
+    light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    bool water = false;
+    bool lights = false; // directions of the light sources, for shadows
+    bool cameraResponse = false;
+
+    bool operator==(const AnalysisOptions&) const = default;
+};
+
 struct Setup {
     Source source;
     bool drawsDepth = true;     // false: only the game's rules use the video's distances
@@ -47,6 +65,17 @@ using Wait = std::function<bool(float)>;
 
 // Trouble that leaves the last good picture shown. Damaged: a film's file. Stopped, Lost: media::LiveState.
 enum class Trouble { None, Damaged, Stopped, Lost };
+
+struct FrameFindings {
+    light::PackedLight light;
+    occlusion::SmoothLight smooth; // for occlusion between bodies
+    ImageRgbF radianceLin;         // small map, for the light at places beside the camera
+    // The members below are empty unless AnalysisOptions asks for them:
+    water::WaterEstimate water;
+    light::FoundLights lights;
+    camera::CameraResponseEstimate cameraResponse;
+    camera::Glare glare;
+};
 
 // A frame and its analysis.
 struct Frame {
@@ -93,8 +122,8 @@ class Player {
     double length_s() const { return player_ ? player_->info().duration_s : 0; }
     const media::LivePlayer* live() const { return live_ ? &*live_ : nullptr; } // null: a file
 
-    // Makes light once in this many frames of the video; the frames between keep the last.
-    void setLightEvery(int frames) { analysis_->setLightEvery(frames); }
+    // Makes light (and water and light sources) once in this many frames of the video; others keep the last.
+    void setLightEvery(int frames) { lightEvery_.store(frames, std::memory_order_relaxed); }
 
   private:
     explicit Player(const Setup& setup) : setup_(setup) {}
@@ -106,17 +135,32 @@ class Player {
     Status openHdr();
     void prepareFor(light::LightQuality quality, size_t slots);
     void openDepth();
+    // On the decode thread, for the frames in the order of the video; allocate nothing once buffers have
+    // grown.
     void prepare(const media::VideoFrame& frame);
     void prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye);
+    void analyse(const light::FrameView& frame, FrameFindings& out);
+    void makeLight(const light::FrameView& frame, FrameFindings& out);
+    void pack(light::TooBright tooBright, FrameFindings& out);
     void follow(double time_s);
     bool show(const media::VideoFrame& frame, double time_s);
 
     Setup setup_;
     bool hdr_ = false;
     media::Layout layout_ = media::Layout::Mono;
-    std::optional<FrameAnalysis> analysis_;
-    // Filled on the decode thread, one for each slot, and handed over with the video's frame. Declared before
-    // the players, so that they outlive the players' threads, which write them.
+    // State of the analysis. It and the frames are declared before the players, whose threads write them.
+    light::LightMaker lightMaker_;
+    light::BruteForceDiffuse thesisDiffuse_;
+    water::WaterEstimator waterEstimator_;
+    light::LightFinder lightFinder_;
+    camera::CameraResponseEstimator responseEstimator_;
+    camera::GlareFilter glare_;
+    light::EnvironmentLight made_; // light before packing
+    FrameFindings newest_;         // last findings, while light is not made for every frame
+    camera::CameraResponseEstimate lastResponse_;
+    int sinceLight_ = 0, sinceResponse_ = 0;
+    std::atomic<int> lightEvery_ = 1;
+    // Filled on the decode thread, one for each slot, and handed over with the video's frame.
     std::vector<Frame> frames_;
     const Frame* shown_ = nullptr;
     std::optional<media::DepthTrack> depthTrack_;

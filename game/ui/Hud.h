@@ -5,7 +5,7 @@
 #include "engine/core/Result.h"
 #include "engine/gl/PassTimers.h"
 #include "engine/render/View.h"
-#include "game/feedback/SoundCues.h"
+#include "game/feedback/Feedback.h"
 #include "game/rules/DiveFile.h"
 #include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
