@@ -5,6 +5,7 @@
 #include "input/hands/OpenXrHands.h"
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 
 namespace shoal::app {

@@ -3,6 +3,7 @@
 
 #include "engine/core/Log.h"
 
+#include <chrono>
 #include <utility>
 #include <variant>
 
@@ -78,7 +79,7 @@ Status Application::enterHeadset() {
         options_.xr = false;
         return opened;
     }
-    headsetReturn_.forget();
+    askForHeadset_s_.reset();
     screens_.showError({});
     if (std::holds_alternative<MouseSource>(play_->session.source)) takeHandsFrom(HandSourceKind::OpenXr);
     return Done{};
@@ -105,17 +106,25 @@ void Application::leaveHeadset(const Error& why) {
     play_->session.head.reset(); // only a headset feeds it
     play_->session.paused = true;
     screens_.facts.headsetLost = true;
-    headsetReturn_.await();
+    askForHeadset_s_ = kAskEvery_s; // a runtime that shuts down still answers for a while
     play_->states.update();
     screens_.showError(why.message());
 }
 
-// Reopens a lost headset once it is back, unless the dive goes on without it.
+// Reopens a lost headset once it is back, unless the dive goes on without it. The runtime may take seconds to
+// answer, so a thread of its own asks it.
 void Application::awaitHeadset() {
-    if (photo_) return;
-    if (play_->states.state() != ProgramStates::State::Paused) return headsetReturn_.forget();
-    if (!headsetReturn_.step(static_cast<float>(play_->elapsed_s))) return;
-    if (Status entered = enterHeadset(); !entered) log::debug("{}", entered.error().message());
+    if (photo_ || !askForHeadset_s_) return;
+    if (play_->states.state() != ProgramStates::State::Paused) return askForHeadset_s_.reset();
+    if (headsetAnswer_.valid()) {
+        if (headsetAnswer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        askForHeadset_s_ = kAskEvery_s;
+        if (!headsetAnswer_.get()) return;
+        if (Status entered = enterHeadset(); !entered) log::debug("{}", entered.error().message());
+        return;
+    }
+    *askForHeadset_s_ -= static_cast<float>(play_->elapsed_s);
+    if (*askForHeadset_s_ <= 0) headsetAnswer_ = std::async(std::launch::async, &xr::Headset::isThere);
 }
 
 // Sets the source of hands of this session and the next ones; all else of the session stays.

@@ -11,6 +11,12 @@
 
 namespace shoal::app {
 
+Look lookOf(const PlayOptions& options, const Environment& environment, float dive_ev) {
+    return {.exposure = environment.exposure(options.look.tone, dive_ev + options.look.exposure_ev),
+            .glossy = options.look.glossy,
+            .particles = options.snow && !options.reducedMotion};
+}
+
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();

@@ -7,6 +7,7 @@
 #include "engine/render/FloorShadowPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
+#include "game/settings/PlayOptions.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 
@@ -35,6 +36,9 @@ struct Look {
     render::Glossy glossy = render::Glossy::Prefiltered;
     bool particles = true; // particles drift in the water, if there is water
 };
+
+// Returns the look that the options ask for. dive_ev: exposure of the dive.
+Look lookOf(const PlayOptions& options, const Environment& environment, float dive_ev);
 
 class SceneRenderer final : private render::CompositorScene {
   public:
