@@ -47,7 +47,6 @@ Status Application::answer(const Request& request) {
         return applySettings();
     case Request::Kind::Quit:
         leaving_ = true;
-        return Done{};
     }
     return Done{};
 }

@@ -70,7 +70,7 @@ struct ScreenFacts {
     DiveScores scores;            // scores of this dive, before the last one
     std::vector<std::string> met; // names of the species that the player has touched
     game::Snapshot results;       // when the present program state began
-    bool freeSwim = false, firstSteps = false;
+    Mode mode = Mode::Dive;
     bool webcam = false;                     // a webcam tracks the hands
     std::optional<game::Notice> handsNeed{}; // TrackedHands::needs()
     hands::HandSizing handSizing{};          // measurement on the page HandSize

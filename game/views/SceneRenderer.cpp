@@ -60,12 +60,10 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     passes_.objects.upload(environment.envFromWorld());
 }
 
-bool SceneRenderer::castsShadows() const {
-    return passes_.compositor.drawsObjects() && setup_.skip != render::SkippedPass::Shadows;
-}
-
 // Returns the light that casts shadows; none if no light stands out.
 std::optional<render::CastingLight> SceneRenderer::castingLight() const {
+    if (!passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows)
+        return std::nullopt;
     constexpr float kWidest = 0.75f; // radians; limit of the light's angular radius
     const light::ShadowLight& found = environment_->player().shadowLight();
     render::CastingLight light;
@@ -81,8 +79,7 @@ std::optional<render::CastingLight> SceneRenderer::castingLight() const {
 // Casts shadows on the film, but not on one without distances, where they would hang in the water.
 void SceneRenderer::castShadows() {
     const depth::DepthMap* map = environment_->depth();
-    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room || !castsShadows())
-        return;
+    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room) return;
     const auto light = castingLight();
     if (!light) return;
     const gl::PassTimers::Scope scope(timers_, "shadows");
@@ -109,7 +106,7 @@ void SceneRenderer::castShadows() {
 // Casts the creatures' shadows on the room's floor; the player's hands cast their own.
 void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
     if (std::exchange(floorIsShaded_, true)) return; // a headset's eyes are drawn one by one
-    if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m || !castsShadows()) return;
+    if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m) return;
     const auto light = castingLight();
     if (!light) return;
     const render::NearBodies& bodies = passes_.objects.bodies();

@@ -88,7 +88,6 @@ class SceneRenderer final : private render::CompositorScene {
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
-    bool castsShadows() const;
     std::optional<render::CastingLight> castingLight() const;
     void castShadows();
     void castOnFloor(std::optional<float> floor_m);
