@@ -85,7 +85,6 @@ class Viewer {
   private:
     Status draw(const gl::Target& target);
     void pose();
-    void uploadMorphed();
     Status seeLayers();
     Status followPose(bool moving);
     void aim();
@@ -110,13 +109,11 @@ class Viewer {
     Orbit orbit_;
 };
 
+// Poses the model, whose meshes have been uploaded.
 void Viewer::pose() {
     scene::restPose(model_, pose_);
     if (clip_.animation >= 0) scene::animate(model_, clip_.animation, clip_.time_s, pose_);
     scene::updateGlobals(model_, pose_);
-}
-
-void Viewer::uploadMorphed() {
     for (size_t n = 0; n < model_.nodes.size(); ++n) {
         const int mesh = model_.nodes[n].mesh;
         if (mesh >= 0 && !pose_.morphWeights[n].empty())
@@ -185,7 +182,6 @@ Status Viewer::open() {
     if (!environment) return environment.error();
     environment_ = std::move(*environment);
     environment_->update(static_cast<double>(options_.at_s), true);
-    pose();
     if (options_.look.occlusion == Occlusion::Ellipsoids) occlusionOf(options_.model, model_);
     if (options_.look.occlusion != Occlusion::Off) {
         body_.albedo = scene::meanBaseColour(model_);
@@ -193,7 +189,7 @@ Status Viewer::open() {
             body_.albedo = glm::pow(body_.albedo, glm::vec3(1 / 2.2f));
     }
     gpu_ = render::uploadModel(model_, reflectanceIn(options_.environment));
-    uploadMorphed();
+    pose();
     if (Status s = render::BackgroundPass::make(options_.look.backend, false).moveTo(background_); !s)
         return s;
     if (Status s = render::ObjectPass::make(render::Detail::Full, options_.look.occlusion != Occlusion::Off,
@@ -276,16 +272,11 @@ Status Viewer::writePicture() {
 // Rebuilds the layers for a still pose. This takes up to a second, so a moving body is shown without layers.
 Status Viewer::followPose(bool moving) {
     if (!wantsLayers() || (!moving && layers_)) return Done{};
-    const std::string title = "Shoal: " + options_.model;
-    if (moving) {
-        window_->setTitle(title +
-                          " (reflections and shadows of itself are rebuilt when the animation pauses: "
-                          "space)");
-        layers_.reset();
-        return Done{};
-    }
-    window_->setTitle(title);
-    return seeLayers();
+    window_->setTitle(
+        "Shoal: " + options_.model +
+        (moving ? " (reflections and shadows of itself are rebuilt when the animation pauses: space)" : ""));
+    layers_.reset();
+    return moving ? Done{} : seeLayers();
 }
 
 Status Viewer::showWindow() {
@@ -317,7 +308,6 @@ Status Viewer::showWindow() {
             clip_.time_s =
                 duration > 0 ? static_cast<float>(std::fmod(glfwGetTime() - clipStart, duration)) : 0;
             pose();
-            uploadMorphed();
         }
         if (Status shown = followPose(moving && clip_.animation >= 0); !shown) return shown;
         const bool relit = environment_->update(glfwGetTime() + static_cast<double>(options_.at_s), false);
