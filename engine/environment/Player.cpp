@@ -75,7 +75,7 @@ Status Player::openVideo(const Wait& wait) {
     const auto address = media::liveAddress(name);
     if (!address) return address.error();
     if (!*address && setup_.source.depth) openDepth();
-    prepareFor(setup_.analysis.quality, media::kFrameSlots);
+    prepareFor(setup_.quality, media::kFrameSlots);
     media::PlayerOptions options{.layout = setup_.source.layout, .keepPixels = false};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
     if (*address)
@@ -119,17 +119,16 @@ Status Player::openHdr() {
     if (const std::string repairs = picture->repairs(); !repairs.empty())
         log::warn("{}: {}", setup_.source.env, repairs);
     frames_[0].radianceLin = std::move(picture->radianceLin);
-    if (setup_.analysis.lights) casting_ = lights_.follow(frames_[0].found.lights, 0);
+    if (setup_.lights) casting_ = lights_.follow(frames_[0].found.lights, 0);
     return Done{};
 }
 
 void Player::prepareFor(light::LightQuality quality, size_t slots) {
-    AnalysisOptions& wanted = setup_.analysis;
-    wanted.quality = quality;
-    wanted.lights = wanted.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
+    setup_.quality = quality;
+    setup_.lights = setup_.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
     lightMaker_ =
         light::LightMaker({quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
-                           wanted.minRoughness, quality, setup_.source.light});
+                           setup_.minRoughness, quality, setup_.source.light});
     frames_.resize(slots);
     shown_ = frames_.data();
 }
@@ -166,7 +165,7 @@ void Player::prepare(const media::VideoFrame& frame) {
 
 void Player::analyse(const light::FrameView& frame, FrameFindings& out) {
     makeLight(frame, out);
-    if (!setup_.analysis.cameraResponse) return;
+    if (!setup_.cameraResponse) return;
     if (sinceResponse_++ % kCameraResponseEvery == 0) lastResponse_ = responseEstimator_.estimate(frame);
     out.cameraResponse = lastResponse_;
     glare_.make(frame, out.glare);
@@ -181,21 +180,20 @@ void Player::makeLight(const light::FrameView& frame, FrameFindings& out) {
     sinceLight_ = 0;
     lightMaker_.make(frame, made_);
     pack(light::TooBright::Cut, out);
-    if (setup_.analysis.water) out.water = waterEstimator_.estimate(frame);
-    if (setup_.analysis.lights) lightFinder_.find(made_.radiance, out.lights);
+    if (setup_.water) out.water = waterEstimator_.estimate(frame);
+    if (setup_.lights) lightFinder_.find(made_.radiance, out.lights);
     if (every > 1) newest_ = out;
 }
 
 // Packs made_ into out. The map of roughness 1 is the diffuse map too.
 void Player::pack(light::TooBright tooBright, FrameFindings& out) {
-    const AnalysisOptions& wanted = setup_.analysis;
-    if (wanted.diffuse == light::DiffuseMethod::Thesis) {
+    if (setup_.diffuse == light::DiffuseMethod::Thesis) {
         thesisDiffuse_.make(made_.radiance, made_.diffuse);
         made_.glossy.back().radianceLin = made_.diffuse;
     }
     light::packLight(made_,
-                     wanted.pyramid                                       ? light::MirrorMaps::Pyramid
-                     : wanted.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
+                     setup_.pyramid                                       ? light::MirrorMaps::Pyramid
+                     : setup_.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
                                                                           : light::MirrorMaps::None,
                      out.light, tooBright);
     const auto levelOf = [&](int width) {
@@ -243,13 +241,12 @@ bool Player::show(const media::VideoFrame& frame, double time_s) {
 
 // Smooths the findings over time; called for every drawn picture, so that light is smoother than the video.
 void Player::follow(double time_s) {
-    const AnalysisOptions& wanted = setup_.analysis;
     const FrameFindings& now = shown_->found;
     const auto dt_s = static_cast<float>(time_s - lastUpdate_s_);
     lastUpdate_s_ = time_s;
-    if (wanted.water) water_.follow(now.water, setup_.waterIsCertain ? 1 : now.water.evidence, dt_s);
-    if (wanted.lights) casting_ = lights_.follow(now.lights, dt_s);
-    if (wanted.cameraResponse) {
+    if (setup_.water) water_.follow(now.water, setup_.waterIsCertain ? 1 : now.water.evidence, dt_s);
+    if (setup_.lights) casting_ = lights_.follow(now.lights, dt_s);
+    if (setup_.cameraResponse) {
         cameraResponse_.follow(now.cameraResponse, dt_s);
         cameraResponse_.followGlare(now.glare.maxShare, dt_s);
     }

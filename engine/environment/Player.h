@@ -37,24 +37,18 @@ struct Source {
 // picture, else video. An empty name leaves all three empty.
 void setFile(Source& source, const std::string& file);
 
-struct AnalysisOptions {
-    bool pyramid = false;   // keep the radiance pyramid too, for the thesis' glossy lookup
-    float minRoughness = 0; // least roughness drawn: no light is made for smoother surfaces
-    light::LightQuality quality = light::LightQuality::Video; // Still for stills
-    light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
-    bool water = false;
-    bool lights = false; // directions of the light sources, for shadows
-    bool cameraResponse = false;
-
-    bool operator==(const AnalysisOptions&) const = default;
-};
-
 struct Setup {
     Source source;
     bool drawsDepth = true;     // false: only the game's rules use the video's distances
     bool roomIsSeen = false;    // the room shows: shadows may fall on its floor even without a depth track
     bool waterIsCertain = true; // take the estimated water as it is; false: weight it by its evidence
-    AnalysisOptions analysis;
+    bool pyramid = false;       // keep the radiance pyramid too, for the thesis' glossy lookup
+    float minRoughness = 0;     // least roughness drawn: no light is made for smoother surfaces
+    light::LightQuality quality = light::LightQuality::Video; // Still for stills
+    light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    bool water = false;
+    bool lights = false; // directions of the light sources, for shadows
+    bool cameraResponse = false;
 
     bool operator==(const Setup&) const = default;
 };
@@ -70,7 +64,7 @@ struct FrameFindings {
     light::PackedLight light;
     occlusion::SmoothLight smooth; // for occlusion between bodies
     ImageRgbF radianceLin;         // small map, for the light at places beside the camera
-    // The members below are empty unless AnalysisOptions asks for them:
+    // The members below are empty unless the setup asks for them:
     water::WaterEstimate water;
     light::FoundLights lights;
     camera::CameraResponseEstimate cameraResponse;

@@ -173,10 +173,10 @@ Status Viewer::open() {
         if (Status can = occlusion::canKeepLayers(); !can) return Error{"--occlusion", can.error().message()};
     auto environment = Environment::open(
         {.player = {.source = options_.environment.orOwn(dataRoot() / "content/video/reef.mp4"),
-                    .analysis = {.pyramid = options_.look.glossy == render::Glossy::PhongRings,
-                                 .minRoughness = scene::minGloss(model_).minRoughness,
-                                 .quality = light::LightQuality::Still,
-                                 .diffuse = options_.diffuse}},
+                    .pyramid = options_.look.glossy == render::Glossy::PhongRings,
+                    .minRoughness = scene::minGloss(model_).minRoughness,
+                    .quality = light::LightQuality::Still,
+                    .diffuse = options_.diffuse},
          .yaw_deg = options_.environment.envYaw_deg},
         [this](float) { return !window_ || !window_->poll().closing; });
     if (!environment) return environment.error();

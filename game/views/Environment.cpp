@@ -51,8 +51,7 @@ void Environment::upload() {
         }
         if (!frame.depth.inverse.empty()) on.setDepth(&frame.depth, &frame.widened, &frame.depthRange);
         on.uploadLight(frame.found.light, frame.found.smooth);
-        if (setup_.player.analysis.cameraResponse && !player_->isHdr())
-            on.uploadScattered(frame.found.glare.spread);
+        if (setup_.player.cameraResponse && !player_->isHdr()) on.uploadScattered(frame.found.glare.spread);
     }
     upload_ms_ = std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }

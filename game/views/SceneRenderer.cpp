@@ -30,10 +30,10 @@ Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup
     return passes;
 }
 
-Result<SceneRenderer> SceneRenderer::make(CreatureModels creatureModels, const SceneRendererSetup& setup) {
+Result<SceneRenderer> SceneRenderer::make(CreatureModels& creatureModels, const SceneRendererSetup& setup) {
     auto passes = makePasses(setup);
     if (!passes) return passes.error();
-    return SceneRenderer(std::move(creatureModels), setup, std::move(*passes));
+    return SceneRenderer(creatureModels, setup, std::move(*passes));
 }
 
 Status SceneRenderer::reloadShaders() {
@@ -56,7 +56,7 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     animalLight_.follow(
         snapshot, bounces && environment.depth() ? &environment.player().frame().lightDifference : nullptr,
         environment.envFromWorld());
-    creatureModels_.show(snapshot, animalLight_, passes_.objects);
+    creatureModels_->show(snapshot, animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }
 
