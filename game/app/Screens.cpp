@@ -92,12 +92,12 @@ bool Screens::showsCamera() const {
     if (stack_.empty() || !facts.webcam) return false;
     const Level& level = stack_.back();
     return level.screen == Screen::HandSize ||
-           (level.screen == Screen::SettingsGroup && level.group == SettingsPage::Hands);
+           (level.screen == Screen::SettingsGroup && level.index == static_cast<size_t>(SettingsPage::Hands));
 }
 
-void Screens::push(Screen screen, SettingsPage group) {
+void Screens::push(Screen screen, size_t index) {
     if (!stack_.empty()) stack_.back().focus = menu_.focus();
-    stack_.push_back({.screen = screen, .group = group});
+    stack_.push_back({.screen = screen, .index = index});
     message_.clear();
     error_.clear();
     show(0);
@@ -240,21 +240,22 @@ MenuPage Screens::filmsPage() {
 
 MenuPage Screens::settingsPage() {
     for (size_t i = 0; i < kGroups.size(); ++i)
-        button(kGroups[i], [this, i] { push(Screen::SettingsGroup, static_cast<SettingsPage>(i + 1)); });
+        button(kGroups[i], [this, i] { push(Screen::SettingsGroup, i + 1); });
     button("Keys and buttons", [this] { push(Screen::Bindings); });
     backButton();
     return {.title = in("Settings"), .layout = PageLayout::Side};
 }
 
 MenuPage Screens::groupPage() {
-    const SettingsPage group = stack_.back().group;
+    const size_t index = stack_.back().index;
+    const auto group = static_cast<SettingsPage>(index);
     const bool isMuted = group == SettingsPage::Sound && options_.mute; // nothing would be heard
     for (size_t row = 0; row < table_.rows.size() && !isMuted; ++row)
         if (table_.rows[row].page == group) settingEntry(row);
     if (group == SettingsPage::Hands && facts.webcam)
         button("Measure my hand", [this] { push(Screen::HandSize); });
     backButton();
-    MenuPage page{.title = in(kGroups[static_cast<size_t>(group) - 1])};
+    MenuPage page{.title = in(kGroups[index - 1])};
     if (group == SettingsPage::Hands && facts.handsNeed) page.text = {facts.handsNeed->in(language())};
     return page;
 }
@@ -358,11 +359,8 @@ MenuPage Screens::guidePage() {
     for (size_t species = 0; species < all.size(); ++species) {
         const bool known = std::ranges::find(facts.met, all[species].name) != facts.met.end();
         met += known;
-        itemButton(known ? animalName(all[species], 1, language()) : "?", [this, species] {
-            push(Screen::Animal);
-            stack_.back().species = species;
-            show(0);
-        });
+        itemButton(known ? animalName(all[species], 1, language()) : "?",
+                   [this, species] { push(Screen::Animal, species); });
         items_.back().enabled = known;
     }
     backButton();
@@ -374,7 +372,7 @@ MenuPage Screens::guidePage() {
 }
 
 MenuPage Screens::animalPage() {
-    const game::Species& animal = (*facts.species)[stack_.back().species];
+    const game::Species& animal = (*facts.species)[stack_.back().index];
     backButton();
     return {.title = animalName(animal, 1, language()),
             .picture = "guide/" + animal.name + ".png",

@@ -111,11 +111,10 @@ class Screens {
   private:
     struct Level { // one page of the stack
         Screen screen;
-        SettingsPage group = SettingsPage::None;
-        size_t species = 0; // for the page Animal
+        size_t index = 0; // the SettingsPage, or the animal's index in the table of species
         size_t focus = 0;
     };
-    void push(Screen screen, SettingsPage group = SettingsPage::None);
+    void push(Screen screen, size_t index = 0);
     void back();
     void ask(Request::Kind kind, std::string name = {}) { request_ = Request{kind, std::move(name)}; }
     void show(size_t focus);

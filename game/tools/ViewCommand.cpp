@@ -83,7 +83,7 @@ class Viewer {
     Status showWindow();
 
   private:
-    Status draw(const gl::Target& target);
+    Status draw(const gl::Target& target, bool withLayers = true);
     void pose();
     Status seeLayers();
     Status followPose(bool moving);
@@ -105,7 +105,6 @@ class Viewer {
     std::unique_ptr<render::BackgroundPass> background_;
     std::optional<render::ObjectPass> objects_;
     std::optional<occlusion::LayersGpu> layers_; // layers of the pose while it is still
-    bool withLayers_ = true;
     Orbit orbit_;
 };
 
@@ -157,9 +156,7 @@ Status Viewer::open() {
     if (Status s = scene::loadModel(options_.model).moveTo(model_); !s) return s;
     if (!options_.variant.empty() && !scene::applyVariant(model_, options_.variant))
         return Error{options_.model, "has no variant named " + options_.variant};
-    auto clip = findClip(model_, options_.animation, options_.model);
-    if (!clip) return clip.error();
-    clip_ = *clip;
+    if (Status s = findClip(model_, options_.animation, options_.model).moveTo(clip_); !s) return s;
     if (!options_.out.empty()) {
         if (Status s = platform::Headless::open().moveTo(headless_); !s) return s;
     } else {
@@ -201,7 +198,7 @@ Status Viewer::open() {
     return Done{};
 }
 
-Status Viewer::draw(const gl::Target& target) {
+Status Viewer::draw(const gl::Target& target, bool withLayers) {
     target.bind();
     glClearColor(0, 0, 0, 0);
     glDepthMask(GL_TRUE);
@@ -210,7 +207,7 @@ Status Viewer::draw(const gl::Target& target) {
         orbit_.view(glm::radians(options_.fov_deg),
                     static_cast<float>(target.width()) / static_cast<float>(target.height()));
     const render::Exposure exposure = environment_->exposure(options_.look.tone, options_.look.exposure_ev);
-    objects_->setLayers(layers_ && withLayers_ ? &*layers_ : nullptr);
+    objects_->setLayers(layers_ && withLayers ? &*layers_ : nullptr);
     objects_->begin();
     objects_->add({.model = model_,
                    .gpu = gpu_,
@@ -317,9 +314,9 @@ Status Viewer::showWindow() {
             if (resized) target = gl::Target(size.x, size.y, options_.samples);
             const bool turns = input.leftButton || input.rightButton || input.wheel != 0;
             // A software renderer takes seconds for a picture's rays: it draws them once the camera rests.
-            withLayers_ = !(turns && gl::rendersInSoftware());
+            const bool withLayers = !(turns && gl::rendersInSoftware());
             if (turns || turned || moving || relit || resized || !input.keysPressed.empty())
-                if (Status drawn = draw(target); !drawn) return drawn;
+                if (Status drawn = draw(target, withLayers); !drawn) return drawn;
             turned = turns;
             target.blitTo(0, 0, size.x, size.y);
         }
