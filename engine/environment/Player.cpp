@@ -1,14 +1,17 @@
 #include "engine/environment/Player.h"
 
 #include "engine/core/Log.h"
-#include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Pictures.h"
+#include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
+#include "engine/panorama/Panorama.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <future>
+#include <unistd.h>
 
 namespace shoal::environment {
 
@@ -33,6 +36,18 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
+// Returns whether the picture is lat-long, mono or stereo. Squares and 4:1 strips have the shape of stereo
+// pictures, but are as often ordinary photos, so their content must look like a stereo pair.
+bool isLatLong(const ImageRgb8& picture) {
+    const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
+    if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
+    const media::Layout content = media::layoutFromContent(picture);
+    return content == media::Layout::TopBottom || content == media::Layout::LeftRight;
+}
+bool isLatLong(const ImageRgbF& picture) {
+    return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
+}
+
 // Reads a photo on a thread of its own. grow: extrapolates it to a panorama unless it is one already.
 Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
     std::atomic<float> share = 0;
@@ -50,6 +65,57 @@ Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
 }
 
 } // namespace
+
+template <class Picture>
+Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
+                                                  std::optional<double> fov_deg,
+                                                  const std::function<void(double)>& progress) {
+    const auto placement = fov_deg ? std::nullopt : media::panoramaPlacement(file);
+    if (placement && (placement->width < placement->fullWidth || placement->height < placement->fullHeight)) {
+        const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
+        auto placed = panorama::completePanorama(
+            photo,
+            {share(placement->left, placement->fullWidth), share(placement->top, placement->fullHeight),
+             share(placement->left + placement->width, placement->fullWidth),
+             share(placement->top + placement->height, placement->fullHeight)});
+        if (!placed) return Error{file.string(), placed.error().reason};
+        return PhotoEnvironment<Picture>{
+            std::move(*placed), "put where its metadata (GPano) says that it belongs, and completed"};
+    }
+    if (placement || (!fov_deg && isLatLong(photo)))
+        return PhotoEnvironment<Picture>{std::move(photo), "a full environment already, kept as it is"};
+
+    // The progress overwrites a line on a terminal; elsewhere it is one line of the log.
+    const bool watched = isatty(STDERR_FILENO) == 1;
+    if (!watched) log::info("growing {} to a full environment", file.string());
+    int shown = -1;
+    const auto show = [&](double share) {
+        if (progress) progress(share);
+        const int percent = static_cast<int>(share * 100);
+        if (!watched || percent == shown) return;
+        shown = percent;
+        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
+        std::fflush(stderr);
+    };
+    auto grown = panorama::panoramaFromPhoto(photo, {.fov_deg = fov_deg, .progress = show});
+    if (watched) std::fputs("\r\033[K", stderr);
+    if (!grown) return Error{file.string(), grown.error().reason};
+    // The seam where the ends meet is hidden if its step is at most one level of 8 bits, or no larger than
+    // the picture's usual steps.
+    const bool hidden = grown->wrapStep <= std::max(grown->usualStep, 1 / 255.0);
+    return PhotoEnvironment<Picture>{
+        std::move(grown->latLong),
+        fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
+                    "middle; the seam where its ends meet can{} be seen: its largest step is {:.2f} % of "
+                    "white, and a tenth of the picture's own steps are above {:.2f} %",
+                    grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
+                    hidden ? "not" : "", grown->wrapStep * 100, grown->usualStep * 100)};
+}
+
+template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,
+                                                             const std::function<void(double)>&);
+template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>,
+                                                             const std::function<void(double)>&);
 
 void setFile(Source& source, const std::string& file) {
     source.video = source.photo = source.env = {};
@@ -74,7 +140,11 @@ Status Player::openVideo(const Wait& wait) {
     const std::string& name = setup_.source.video;
     const auto address = media::liveAddress(name);
     if (!address) return address.error();
-    if (!*address && setup_.source.depth) openDepth();
+    const Path track = media::depthTrackOf(name);
+    std::error_code missing;
+    if (!*address && setup_.source.depth && std::filesystem::exists(track, missing))
+        if (Status s = media::DepthTrack::open(track, name).moveTo(depthTrack_); !s)
+            log::warn("{}; the film is shown without depth", s.error().message());
     prepareFor(setup_.quality, media::kFrameSlots);
     media::PlayerOptions options{.layout = setup_.source.layout, .keepPixels = false};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
@@ -131,15 +201,6 @@ void Player::prepareFor(light::LightQuality quality, size_t slots) {
                            setup_.minRoughness, quality, setup_.source.light});
     frames_.resize(slots);
     shown_ = frames_.data();
-}
-
-// Opens the film's depth track. The depth stays unknown if the track is missing or broken.
-void Player::openDepth() {
-    const Path film = setup_.source.video, file = media::depthTrackOf(film);
-    std::error_code missing;
-    if (!std::filesystem::exists(file, missing)) return;
-    if (Status s = media::DepthTrack::open(file, film).moveTo(depthTrack_); !s)
-        log::warn("{}; the film is shown without depth", s.error().message());
 }
 
 // Refines the depth of a frame.

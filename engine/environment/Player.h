@@ -1,9 +1,10 @@
-// Player of an environment (video, live video, photo or HDR picture), with the analysis of its frames. One
-// thread uses it; a video's frames are analysed on the decode thread.
+// Player of an environment (video, live video, photo or HDR picture), with the analysis of its frames; and
+// full environments of ordinary photos.
 #pragma once
 
 #include "engine/camera/CameraResponse.h"
 #include "engine/core/Files.h"
+#include "engine/core/Image.h"
 #include "engine/depth/DepthMap.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/light/BruteForceDiffuse.h"
@@ -23,6 +24,20 @@
 #include <vector>
 
 namespace shoal::environment {
+
+template <class Picture> struct PhotoEnvironment {
+    Picture picture;  // lat-long; unchanged if the photo was one
+    std::string what; // description of what was done: one clause, for a message to the user
+};
+
+// Returns the photo as an environment. A partial panorama, whose metadata (GPano) give its place, is put
+// there and completed; a photo that is lat-long (mono or stereo) by its shape and content stays as it is; any
+// other is extrapolated, which takes seconds and shows progress on a terminal. fov_deg: declares an ordinary
+// photo with this field of view. file: the photo's file.
+template <class Picture> // ImageRgb8, or ImageRgbF of linear light
+Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
+                                                  std::optional<double> fov_deg,
+                                                  const std::function<void(double)>& progress = {});
 
 struct Source {
     std::string video, photo, env; // at most one; video: a file or a live address
@@ -81,6 +96,7 @@ struct Frame {
     depth::LightDifference lightDifference;
 };
 
+// One thread uses it; a video's frames are analysed on the decode thread.
 class Player {
   public:
     // Opens an environment, with its first frame.
@@ -128,7 +144,6 @@ class Player {
     Status openPhoto(const Wait& wait);
     Status openHdr();
     void prepareFor(light::LightQuality quality, size_t slots);
-    void openDepth();
     // On the decode thread, for the frames in the order of the video; allocate nothing once buffers have
     // grown.
     void prepare(const media::VideoFrame& frame);

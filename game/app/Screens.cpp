@@ -263,12 +263,11 @@ MenuPage Screens::groupPage() {
 MenuPage Screens::handSizePage() {
     using enum hands::HandSizing::State;
     backButton();
-    MenuPage page{
-        .title = in("Hand size"),
-        .text = {in("Hold one open hand still, palm to the camera and 30 cm away from it, as far as "
-                    "a sheet of A4 paper is long.")},
-        .progress = facts.handSizing.progress(),
-        .layout = PageLayout::Side};
+    MenuPage page{.title = in("Hand size"),
+                  .text = {in("Hold one open hand still, palm to the camera and 30 cm away from it, as far "
+                              "as a sheet of A4 paper is long.")},
+                  .progress = facts.handSizing.progress(),
+                  .layout = PageLayout::Side};
     const auto state = facts.handSizing.state();
     page.note = state == Elsewhere ? in("Nobody’s hand is that small or big: is it 30 cm away?")
                 : state == Holding ? in("Keep it there")

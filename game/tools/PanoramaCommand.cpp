@@ -2,7 +2,6 @@
 #include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
-#include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Pictures.h"
 
 #include <cstdio>
