@@ -27,16 +27,6 @@ ImageRgb8 pictureOf(std::span<const gl::Target> eyes) {
 
 double FlatDisplay::period_s() const { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
 
-render::View FlatDisplay::viewOf(int eye, const game::Snapshot& shown, glm::ivec2 drawnSize,
-                                 float aspect) const {
-    const float side = sideBySide() ? (eye == 0 ? -0.5f : 0.5f) * options_.eyeDistance_mm * 1e-3f : 0.0f;
-    return {.eyeWorld = shown.headWorld + shown.worldFromView * glm::vec3(side, 0, 0),
-            .worldFromEye = shown.worldFromView,
-            .verticalFov = glm::radians(options_.fov_deg),
-            .aspect = aspect,
-            .heightPixels = drawnSize.y};
-}
-
 Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& shown, float scale) {
     const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.look.size;
     if (size.x <= 0 || size.y <= 0) return false; // minimised
@@ -51,8 +41,15 @@ Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& sho
     const std::vector<gl::Target>& canvases = reducedTargets_.empty() ? targets_ : reducedTargets_;
     const float aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
     std::vector<SceneRenderer::Eye> toDraw;
-    for (int eye = 0; eye < eyes; ++eye)
-        toDraw.push_back({eye, viewOf(eye, shown, drawnSize, aspect), canvases[static_cast<size_t>(eye)]});
+    for (int eye = 0; eye < eyes; ++eye) {
+        const float side = eyes == 2 ? (eye == 0 ? -0.5f : 0.5f) * options_.eyeDistance_mm * 1e-3f : 0.0f;
+        const render::View view{.eyeWorld = shown.headWorld + shown.worldFromView * glm::vec3(side, 0, 0),
+                                .worldFromEye = shown.worldFromView,
+                                .verticalFov = glm::radians(options_.fov_deg),
+                                .aspect = aspect,
+                                .heightPixels = drawnSize.y};
+        toDraw.push_back({eye, view, canvases[static_cast<size_t>(eye)]});
+    }
     const Status drawn = painter.scene(toDraw, [&](const render::EyePicture& eye) {
         if (!reducedTargets_.empty()) {
             const gl::Target& target = targets_[static_cast<size_t>(eye.eye)];

@@ -93,7 +93,6 @@ class FlatDisplay : public Display {
 
   private:
     bool sideBySide() const { return options_.stereo == StereoOutput::SideBySide; }
-    render::View viewOf(int eye, const game::Snapshot& shown, glm::ivec2 drawnSize, float aspect) const;
 
     platform::Window* window_;
     const PlayOptions& options_;

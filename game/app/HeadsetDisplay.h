@@ -62,10 +62,9 @@ struct HeadsetMoment {
 // headset is taken off or loses the head's orientation; closed hands are the player's answers. Has no clock.
 class HeadsetPause {
   public:
-    // Updates `paused`, which a key may have changed too, once a frame. Sets `restart` when both hands have
-    // been closed while the results are shown.
-    //
-    // Taking the headset off pauses until a hand is closed; losing the head pauses until it is tracked again.
+    // Updates `paused`, which a key may have changed too, once a frame: taking the headset off pauses until a
+    // hand is closed; losing the head, until it is tracked again. Sets `restart` when both hands have been
+    // closed while the results are shown.
     void step(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart);
 
     // Darkness of the picture, 0 to 1 (black): rises smoothly while the head is not tracked.
@@ -78,9 +77,7 @@ class HeadsetPause {
     static constexpr float kFadeOut_s = 0.25f, kFadeIn_s = 0.5f;
 
   private:
-    // Pauses while the headset is off or its head is not tracked.
     void followHeadset(const HeadsetMoment& now, float dt_s, bool& paused);
-    // Reads closed hands as answers to a pause or the results.
     void readFists(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart);
 
     bool begun_ = false;    // the headset has been worn and tracked once
@@ -88,8 +85,8 @@ class HeadsetPause {
     bool waiting_ = false;  // paused or over in the frame before
     bool menuWas_ = false;
     float steady_s_ = 0;
-    std::array<bool, 2>
-        opened_{}; // hands opened since the pause began: a hand that holds a fish does not end it
+    // Hands opened since the pause began: a hand that holds a fish does not end it.
+    std::array<bool, 2> opened_{};
     std::array<float, 2> fist_s_{};
     float fade_ = 1;
 };

@@ -87,10 +87,8 @@ class Hud {
   private:
     Pen beginFrame(Audience audience, bool hasText, const TextSettings& text, glm::ivec2 size);
     static void endFrame();
-    struct DestroyContext {
-        void operator()(ImGuiContext* context) const;
-    };
-    std::unique_ptr<ImGuiContext, DestroyContext> context_;
+    static void destroy(ImGuiContext* context);
+    std::unique_ptr<ImGuiContext, decltype(&destroy)> context_{nullptr, destroy};
     Fonts fonts_;
     Pictures pictures_;
 };
