@@ -4,7 +4,7 @@
 
 #include "engine/platform/Window.h"
 #include "game/app/ContentLoader.h"
-#include "game/app/HeadsetDisplay.h"
+#include "game/app/Display.h"
 #include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
 #include "game/session/SoundAndHaptics.h"
@@ -86,7 +86,6 @@ class Application {
     void showRoom();
     void leaveHeadset(const Error& why);
     void awaitHeadset();
-    void takeHandsFrom(HandSourceKind kind);
     Status reopen(const PlayOptions& wanted, Mode mode, Screen asker);
     Status goBack(const PlayOptions& before, const Error& why, Screen asker);
     Status endFirstSteps();

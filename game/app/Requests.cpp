@@ -80,7 +80,9 @@ Status Application::enterHeadset() {
     }
     askForHeadset_s_.reset();
     screens_.showError({});
-    if (std::holds_alternative<MouseSource>(play_->session.source)) takeHandsFrom(HandSourceKind::OpenXr);
+    if (!std::holds_alternative<MouseSource>(play_->session.source)) return Done{};
+    play_->session.source.emplace<OpenXrSource>(); // for the next sessions too
+    config_.handSource = {HandSourceKind::OpenXr, {}};
     return Done{};
 }
 
@@ -101,9 +103,13 @@ void Application::leaveHeadset(const Error& why) {
     options_.xr = false;
     if (options_.hands.source == "openxr") options_.hands.source.clear();
     (void)openDisplay(); // in the window, which does not fail
-    if (std::holds_alternative<OpenXrSource>(play_->session.source)) takeHandsFrom(HandSourceKind::Mouse);
-    play_->session.head.reset(); // only a headset feeds it
-    play_->session.paused = true;
+    GameSession& session = play_->session;
+    if (std::holds_alternative<OpenXrSource>(session.source)) {
+        session.source.emplace<MouseSource>(config_.rig, config_.species);
+        config_.handSource = {HandSourceKind::Mouse, {}};
+    }
+    session.head.reset(); // only a headset feeds it
+    session.paused = true;
     screens_.facts.headsetLost = true;
     askForHeadset_s_ = kAskEvery_s; // a runtime that shuts down still answers for a while
     play_->states.update();
@@ -124,16 +130,6 @@ void Application::awaitHeadset() {
     }
     *askForHeadset_s_ -= static_cast<float>(play_->elapsed_s);
     if (*askForHeadset_s_ <= 0) headsetAnswer_ = std::async(std::launch::async, &xr::Headset::isThere);
-}
-
-// Sets the source of hands of this session and the next ones; all else of the session stays.
-void Application::takeHandsFrom(HandSourceKind kind) {
-    GameSession& session = play_->session;
-    if (kind == HandSourceKind::OpenXr)
-        session.source.emplace<OpenXrSource>();
-    else
-        session.source.emplace<MouseSource>(config_.rig, config_.species);
-    config_.handSource = {kind, {}};
 }
 
 // Begins the dive after the first steps, which later dives leave out.

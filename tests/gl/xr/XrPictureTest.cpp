@@ -1,6 +1,6 @@
 // A headset shows what the renderer draws from there, pixel by pixel.
 #include "engine/core/Log.h"
-#include "game/app/HeadsetDisplay.h"
+#include "game/app/Display.h"
 #include "game/session/GameSession.h"
 #include "game/views/SceneRenderer.h"
 #include "input/hands/MouseHands.h"
