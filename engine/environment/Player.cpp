@@ -129,7 +129,7 @@ void setFile(Source& source, const std::string& file) {
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {
     std::unique_ptr<Player> player(new Player(setup));
     const Status opened = !setup.source.photo.empty() ? player->openPhoto(wait)
-                          : !setup.source.env.empty() ? player->openHdr()
+                          : setup.source.isHdr()      ? player->openHdr()
                                                       : player->openVideo(wait);
     if (!opened) return opened.error();
     player->update(0, true);
@@ -152,7 +152,6 @@ Status Player::openVideo(const Wait& wait) {
         return media::LivePlayer::open(media::feedFrom(**address), {options},
                                        [&] { return !wait || wait(-1); })
             .moveTo(live_);
-    file_ = name;
     if (const Status opened = media::VideoPlayer::open(name, options).moveTo(player_); !opened) return opened;
     const media::VideoInfo& info = player_->info();
     if (info.layout != media::Layout::Mono && std::string_view(info.layoutSource) == "content")
@@ -180,7 +179,6 @@ Status Player::openPhoto(const Wait& wait) {
 Status Player::openHdr() {
     auto picture = media::readHdr(setup_.source.env);
     if (!picture) return picture.error();
-    hdr_ = true;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
     lightMaker_.makeFromHdr(picture->radianceLin, made_);

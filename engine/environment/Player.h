@@ -45,6 +45,8 @@ struct Source {
     light::FrameRadiance light = light::FrameRadiance::Auto;
     bool depth = true; // use the depth track beside the video, if there is one
 
+    bool isHdr() const { return photo.empty() && !env.empty(); }
+
     bool operator==(const Source&) const = default;
 };
 
@@ -110,7 +112,7 @@ class Player {
     // Returns the frame of the last update(), valid until the next; the functions below describe it too.
     const Frame& frame() const { return *shown_; }
     media::Layout layout() const { return layout_; }
-    bool isHdr() const { return hdr_; }
+    bool isHdr() const { return setup_.source.isHdr(); }
     water::Water water() const { return water_.water(); } // none if the environment is dry
     // Returns the light that casts shadows, env frame. There is none unless the setup asks for lights and
     // there are distances or a room's floor to cast shadows on.
@@ -127,7 +129,7 @@ class Player {
     float light_ms() const { return light_ms_; }
     float decode_ms() const { return decode_ms_; }
 
-    const Path& file() const { return file_; } // the video's file; empty: a still, or live
+    Path file() const { return player_ ? Path(setup_.source.video) : Path(); } // empty: a still, or live
     // Length of a pass of the video; 0: a still, or live.
     double length_s() const { return player_ ? player_->info().duration_s : 0; }
     const media::LivePlayer* live() const { return live_ ? &*live_ : nullptr; } // null: a file
@@ -155,7 +157,6 @@ class Player {
     bool show(const media::VideoFrame& frame, double time_s);
 
     Setup setup_;
-    bool hdr_ = false;
     media::Layout layout_ = media::Layout::Mono;
     // State of the analysis. It and the frames are declared before the players, whose threads write them.
     light::LightMaker lightMaker_;
@@ -176,7 +177,6 @@ class Player {
     media::DepthFrame trackFrame_; // the last one decoded
     int trackFrameNumber_ = -1;
     depth::DepthRefiner depthRefiner_;
-    Path file_;
     std::optional<media::VideoPlayer> player_;
     std::optional<media::LivePlayer> live_; // instead of player_
     int64_t shownIndex_ = -1;

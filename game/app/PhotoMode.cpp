@@ -105,12 +105,21 @@ PhotoMode::PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, 
     for (game::CreatureView& creature : shown.creatures) creature.catchable = 0; // no highlight either
 }
 
-PhotoMode::Command PhotoMode::step(const Controls& controls, float sensitivity, float dt_s, float& fov_deg) {
-    const platform::WindowInput& input = controls.input;
-    move(controls, sensitivity, dt_s, fov_deg);
-    if (controls.was(Action::Pause) || std::ranges::count(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) > 0)
+PhotoMode::Command PhotoMode::step(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
+    const glm::vec2 drag = glm::vec2(c.dragged().x, -c.dragged().y) * (kDragTurn_rad * sensitivity);
+    look_.turnBy(c.input.gamepad.leftStick * (kTurn_radps * dt_s) + drag);
+    shown.worldFromView = look_.worldFromView();
+    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
+                        c.between(Action::Farther, Action::Nearer),
+                        c.between(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
+    glm::vec3 from = shown.headWorld + shown.worldFromView * way * (kMove_mps * dt_s) - origin_;
+    if (const float length = glm::length(from); length > kFarthest_m) from *= kFarthest_m / length;
+    shown.headWorld = origin_ + from;
+    fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
+    const platform::WindowInput& input = c.input;
+    if (c.was(Action::Pause) || std::ranges::count(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) > 0)
         return Command::Leave;
-    const bool takes = input.leftPressed || controls.was(Action::CloseHand) ||
+    const bool takes = input.leftPressed || c.was(Action::CloseHand) ||
                        std::ranges::count(input.keysPressed, GLFW_KEY_ENTER) > 0;
     return takes ? Command::Picture : Command::None;
 }
@@ -126,19 +135,6 @@ void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
     notice = saved ? game::Notice{"Saved, with a picture of all directions: {}", file.string()}
                    : game::Notice{"Not saved: {}", saved.error().message()};
     log::info("{}", notice->in(game::Language::English));
-}
-
-void PhotoMode::move(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
-    const glm::vec2 drag = glm::vec2(c.dragged().x, -c.dragged().y) * (kDragTurn_rad * sensitivity);
-    look_.turnBy(c.input.gamepad.leftStick * (kTurn_radps * dt_s) + drag);
-    shown.worldFromView = look_.worldFromView();
-    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
-                        c.between(Action::Farther, Action::Nearer),
-                        c.between(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
-    glm::vec3 from = shown.headWorld + shown.worldFromView * way * (kMove_mps * dt_s) - origin_;
-    if (const float length = glm::length(from); length > kFarthest_m) from *= kFarthest_m / length;
-    shown.headWorld = origin_ + from;
-    fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
 }
 
 } // namespace shoal::app

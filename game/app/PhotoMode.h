@@ -27,8 +27,6 @@ class PhotoMode {
     std::optional<game::Notice> notice; // to show now
 
   private:
-    void move(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
-
     glm::vec3 origin_;
     LookAngles look_;
 };

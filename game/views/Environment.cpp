@@ -9,9 +9,8 @@
 namespace shoal::app {
 
 render::Reflectance reflectanceIn(const environment::Source& source) {
-    const bool hdr = source.photo.empty() && !source.env.empty();
-    return hdr || source.light != light::FrameRadiance::Thesis ? render::Reflectance::Linear
-                                                               : render::Reflectance::Coded;
+    return source.isHdr() || source.light != light::FrameRadiance::Thesis ? render::Reflectance::Linear
+                                                                          : render::Reflectance::Coded;
 }
 
 Path filmFor(const Path& film, FilmChoice choice, bool slow) {
