@@ -146,8 +146,8 @@ class Player {
     Status openPhoto(const Wait& wait);
     Status openHdr();
     void prepareFor(light::LightQuality quality, size_t slots);
-    // On the decode thread, for the frames in the order of the video; allocate nothing once buffers have
-    // grown.
+    // The decode thread calls these for a video's frames, in their order. They allocate nothing once their
+    // buffers have grown.
     void prepare(const media::VideoFrame& frame);
     void prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye);
     void analyse(const light::FrameView& frame, FrameFindings& out);

@@ -81,8 +81,8 @@ Status Application::enterHeadset() {
     askForHeadset_s_.reset();
     screens_.showError({});
     if (!std::holds_alternative<MouseSource>(play_->session.source)) return Done{};
-    play_->session.source.emplace<OpenXrSource>(); // for the next sessions too
-    config_.handSource = {HandSourceKind::OpenXr, {}};
+    play_->session.source.emplace<OpenXrSource>();
+    config_.handSource = {HandSourceKind::OpenXr, {}}; // for the next sessions too
     return Done{};
 }
 

@@ -65,8 +65,7 @@ MenuInput MenuControls::step(const platform::WindowInput& input, const platform:
     const platform::Gamepad& pad = input.gamepad;
     glm::ivec2 held(stepOf(pad.leftStick.x), -stepOf(pad.leftStick.y)), steps(0);
     for (const DirectionKey& key : kDirectionKeys) {
-        for (const int pressed : input.keysPressed)
-            if (pressed == key.key) steps += key.direction;
+        steps += key.direction * static_cast<int>(std::ranges::count(input.keysPressed, key.key));
         if (has(pad.pressed, key.button)) steps += key.direction;
         if ((window && window->down(key.key)) || pad.down[static_cast<size_t>(key.button)])
             held += key.direction;

@@ -23,9 +23,8 @@ Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup
     auto particles = render::ParticlePass::make();
     if (!particles) return particles.error();
     Passes passes{std::move(*objects), std::move(*particles), {}, {}};
-    if (setup.floorShadows) {
+    if (setup.floorShadows)
         if (Status s = render::FloorShadowPass::make().moveTo(passes.floorShadows); !s) return s.error();
-    }
     if (Status s = render::Compositor::make(setup.compositor).moveTo(passes.compositor); !s) return s.error();
     return passes;
 }
