@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/sim/Recording.h"
-#include "game/rules/TickInput.h"
+#include "game/rules/Dive.h"
 
 #include <cstdint>
 #include <span>

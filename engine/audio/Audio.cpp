@@ -21,71 +21,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
 
-// OpenAL output device, or loopback to memory.
-class Device {
-  public:
-    Device() = default; // no device
-    Device(Device&&) noexcept = default;
-    Device& operator=(Device&& other) noexcept {
-        std::swap(device_, other.device_); // the other destroys its context before its device
-        std::swap(context_, other.context_);
-        return *this;
+struct Close {
+    void operator()(ALCdevice* device) const { alcCloseDevice(device); }
+    void operator()(ALCcontext* context) const {
+        if (alcGetCurrentContext() == context) alcMakeContextCurrent(nullptr);
+        alcDestroyContext(context);
     }
-
-    static Result<Device> open(bool loopback, bool headphones) {
-        // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
-        // sentence.
-        const log::QuietStandardError quiet;
-        Device made;
-        made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
-        if (!made.device_) return Error{"", "there is no sound device"};
-        std::vector<ALCint> attributes = {ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE};
-        if (loopback)
-            for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
-                                      ALC_FLOAT_SOFT, ALC_FREQUENCY, 48000})
-                attributes.push_back(each);
-        attributes.push_back(0);
-        made.context_.reset(alcCreateContext(made.device_.get(), attributes.data()));
-        if (!made.context_) return Error{"", "the sound device could not be set up"};
-        return made;
-    }
-
-    explicit operator bool() const { return context_ != nullptr; }
-
-    // Makes the context current, for the whole process; all methods of Audio call it. False: no device.
-    bool makeCurrent() const {
-        if (context_ && alcGetCurrentContext() != context_.get()) alcMakeContextCurrent(context_.get());
-        return context_ != nullptr;
-    }
-
-    bool is(ALCenum property) const { // ALC_CONNECTED: not unplugged yet; ALC_HRTF_SOFT: for headphones
-        ALCint value = ALC_FALSE;
-        if (device_) alcGetIntegerv(device_.get(), property, 1, &value);
-        return value != ALC_FALSE;
-    }
-
-    // Seconds of sound rendered so far, to a device or to memory.
-    double played_s() const {
-        ALCint64SOFT clock_ns = 0;
-        alcGetInteger64vSOFT(device_.get(), ALC_DEVICE_CLOCK_SOFT, 1, &clock_ns);
-        return static_cast<double>(clock_ns) * 1e-9;
-    }
-
-    void render(std::span<float> stereo) { // loopback only
-        assert(stereo.size() % 2 == 0);
-        alcRenderSamplesSOFT(device_.get(), stereo.data(), static_cast<ALCsizei>(stereo.size() / 2));
-    }
-
-  private:
-    struct Close {
-        void operator()(ALCdevice* device) const { alcCloseDevice(device); }
-        void operator()(ALCcontext* context) const {
-            if (alcGetCurrentContext() == context) alcMakeContextCurrent(nullptr);
-            alcDestroyContext(context);
-        }
-    };
-    std::unique_ptr<ALCdevice, Close> device_;
-    std::unique_ptr<ALCcontext, Close> context_;
 };
 
 } // namespace
@@ -98,7 +39,8 @@ struct Audio::State {
     double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which runs on in a pause
     Clock::time_point retry;
 
-    Device device;
+    std::unique_ptr<ALCdevice, Close> device;   // the output, or loopback to memory
+    std::unique_ptr<ALCcontext, Close> context; // null: no device
     std::vector<ALuint> buffers;
     VoicePool voices;
     StreamedTrack streamed;
@@ -118,12 +60,25 @@ struct Audio::State {
     }
 
     Status open() {
-        auto opened = Device::open(options.loopback, options.headphones);
-        if (!opened) return opened.error();
-        device = std::move(*opened);
+        // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
+        // sentence.
+        const log::QuietStandardError quiet;
+        device.reset(options.loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
+        if (!device) return Error{"", "there is no sound device"};
+        std::vector<ALCint> attributes = {ALC_HRTF_SOFT, options.headphones ? ALC_TRUE : ALC_FALSE};
+        if (options.loopback)
+            for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
+                                      ALC_FLOAT_SOFT, ALC_FREQUENCY, 48000})
+                attributes.push_back(each);
+        attributes.push_back(0);
+        context.reset(alcCreateContext(device.get(), attributes.data()));
+        if (!context) {
+            device.reset();
+            return Error{"", "the sound device could not be set up"};
+        }
         pausedAt_s = pausedFor_s = 0; // a new device, a new clock
         standing = false;
-        device.makeCurrent();
+        makeCurrent();
         voices.setUp();
         streamed.setUp();
         for (const Clip& clip : clips) addBuffer(clip);
@@ -133,13 +88,33 @@ struct Audio::State {
 
     void close() {
         buffers.clear();
-        device = Device(); // OpenAL Soft frees all that belongs to it
+        context.reset();
+        device.reset(); // OpenAL Soft frees all that belongs to it
+    }
+
+    // Makes the context current, for the whole process; all methods of Audio call it. False: no device.
+    bool makeCurrent() const {
+        if (context && alcGetCurrentContext() != context.get()) alcMakeContextCurrent(context.get());
+        return context != nullptr;
+    }
+
+    bool is(ALCenum property) const { // ALC_CONNECTED: not unplugged yet; ALC_HRTF_SOFT: for headphones
+        ALCint value = ALC_FALSE;
+        if (context) alcGetIntegerv(device.get(), property, 1, &value);
+        return value != ALC_FALSE;
+    }
+
+    // Seconds of sound rendered so far, to a device or to memory.
+    double played_s() const {
+        ALCint64SOFT clock_ns = 0;
+        alcGetInteger64vSOFT(device.get(), ALC_DEVICE_CLOCK_SOFT, 1, &clock_ns);
+        return static_cast<double>(clock_ns) * 1e-9;
     }
 
     // Returns whether there is a device to play on; looks for another if it is gone.
     bool ready() {
-        if (device.is(ALC_CONNECTED)) return device.makeCurrent();
-        if (device) {
+        if (is(ALC_CONNECTED)) return makeCurrent();
+        if (context) {
             log::info("the sound device is gone; playing on silently until there is another");
             close();
         } else if (Clock::now() < retry) {
@@ -167,7 +142,7 @@ Status Audio::reopen() {
 
 int Audio::add(Clip clip) {
     state_->clips.push_back(std::move(clip));
-    if (state_->device.makeCurrent()) state_->addBuffer(state_->clips.back());
+    if (state_->makeCurrent()) state_->addBuffer(state_->clips.back());
     return static_cast<int>(state_->clips.size()) - 1;
 }
 
@@ -180,57 +155,57 @@ void Audio::update(const Listener& listener, std::span<const Sound> emitters, st
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
     if (s.paused) {
-        if (s.standing || s.device.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;
+        if (s.standing || s.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;
         s.standing = true;
-        s.pausedAt_s = s.device.played_s();
+        s.pausedAt_s = s.played_s();
         return s.voices.setPaused(true);
     }
     s.voices.setEnclosure(listener.enclosure);
-    s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots,
-                    s.device.played_s() - s.pausedFor_s);
+    s.voices.update(s.clips, s.buffers, listener.position, emitters, shots, s.played_s() - s.pausedFor_s);
 }
 
 void Audio::setTrack(TrackSource sound) {
     state_->track = std::move(sound);
-    if (state_->device.makeCurrent()) state_->streamed.stop();
+    if (state_->makeCurrent()) state_->streamed.stop();
 }
 
 double Audio::syncTrack(double position_s, float gain, bool paused) {
     State& s = *state_;
-    if (s.track.length <= 0 || !s.device.makeCurrent()) return 0;
+    if (s.track.length <= 0 || !s.makeCurrent()) return 0;
     s.streamed.update(s.track, position_s, gain, paused || s.paused);
     return s.streamed.ahead_s();
 }
 
 void Audio::setVolume(float volume) {
     state_->options.volume = volume;
-    if (state_->device.makeCurrent()) state_->setVolume();
+    if (state_->makeCurrent()) state_->setVolume();
 }
 
 void Audio::setPaused(bool paused) {
     if (state_->paused == paused) return;
     state_->paused = paused;
     State& s = *state_;
-    if (!s.device.makeCurrent()) return;
+    if (!s.makeCurrent()) return;
     s.setVolume();
     if (paused) {
-        s.pausedAt_s = s.device.played_s();
+        s.pausedAt_s = s.played_s();
     } else if (s.standing) {
         s.standing = false;
-        s.pausedFor_s += s.device.played_s() - s.pausedAt_s;
+        s.pausedFor_s += s.played_s() - s.pausedAt_s;
         s.voices.setPaused(false);
     }
 }
 
-bool Audio::headphones() const { return state_->device.is(ALC_HRTF_SOFT); }
+bool Audio::headphones() const { return state_->is(ALC_HRTF_SOFT); }
 
-int Audio::sounding() const { return state_->device.makeCurrent() ? state_->voices.sounding() : 0; }
+int Audio::sounding() const { return state_->makeCurrent() ? state_->voices.sounding() : 0; }
 
 void Audio::render(std::span<float> stereo) {
-    if (state_->device)
-        state_->device.render(stereo);
+    assert(stereo.size() % 2 == 0);
+    if (state_->context)
+        alcRenderSamplesSOFT(state_->device.get(), stereo.data(), static_cast<ALCsizei>(stereo.size() / 2));
     else
-        std::fill(stereo.begin(), stereo.end(), 0.0f);
+        std::ranges::fill(stereo, 0.0f);
 }
 
 Result<Clip> readClip(const Path& file) {

@@ -8,9 +8,6 @@
 
 #include "engine/audio/Audio.h"
 
-#ifndef AL_ALEXT_PROTOTYPES
-#define AL_ALEXT_PROTOTYPES // OpenAL Soft exports its extensions
-#endif
 #include <AL/al.h>
 #include <AL/alext.h>
 
@@ -66,8 +63,7 @@ class StreamedTrack {
     void stop() {
         alSourceStop(source_);
         alSourcei(source_, AL_BUFFER, 0); // releases all queued buffers
-        spare_ = buffers_;
-        spares_ = kBuffers;
+        spare_.assign(buffers_.begin(), buffers_.end());
         ahead_s_ = 0;
         state_ = State::Stopped;
     }
@@ -103,7 +99,7 @@ class StreamedTrack {
     // Fills and queues the spare buffers for as long as samples are ready; returns their number.
     int queue(const TrackSource& sound) {
         int queued = 0;
-        for (; spares_ > 0; ++queued) {
+        for (; !spare_.empty(); ++queued) {
             const auto frames = static_cast<int64_t>(sound.read(piece_));
             if (frames == 0) break;
             queuePiece(frames);
@@ -114,7 +110,8 @@ class StreamedTrack {
 
     // Queues the first frames of piece_.
     void queuePiece(int64_t frames) {
-        const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
+        const ALuint buffer = spare_.back();
+        spare_.pop_back();
         alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(), static_cast<ALsizei>(frames * kFrameBytes),
                      kRate_Hz);
         alSourceQueueBuffers(source_, 1, &buffer);
@@ -155,7 +152,7 @@ class StreamedTrack {
             alSourceUnqueueBuffers(source_, 1, &buffer);
             alGetBufferi(buffer, AL_SIZE, &bytes);
             queueBegins_ += bytes / kFrameBytes;
-            spare_[static_cast<size_t>(spares_++)] = buffer;
+            spare_.push_back(buffer);
         }
         queue(sound);
     }
@@ -171,8 +168,7 @@ class StreamedTrack {
 
     ALuint source_ = 0;
     std::array<ALuint, kBuffers> buffers_{};
-    std::array<ALuint, kBuffers> spare_{}; // the first spares_ of them are not queued
-    int spares_ = 0;
+    std::vector<ALuint> spare_; // those that are not queued
     State state_ = State::Stopped;
     std::vector<int16_t> piece_ = std::vector<int16_t>(2 * kPieceFrames);
     int64_t queueBegins_ = 0; // position of the first frame still queued; may be negative: leading silence

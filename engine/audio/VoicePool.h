@@ -51,15 +51,10 @@ class VoicePool {
         }
     }
 
-    // Clips and their OpenAL buffers, indexed by Sound::clip.
-    struct Clips {
-        std::span<const ALuint> buffers;
-        std::span<const Clip> clips;
-    };
-
-    // Starts, moves and ends sounds, once a frame. now_s: the device's clock, minus the time paused.
-    void update(const Clips& clips, const glm::vec3& listener, std::span<const Sound> emitters,
-                std::span<const Sound> shots, double now_s) {
+    // Starts, moves and ends sounds, once a frame. clips and their OpenAL buffers: by Sound::clip. now_s: the
+    // device's clock, minus the time paused.
+    void update(std::span<const Clip> clips, std::span<const ALuint> buffers, const glm::vec3& listener,
+                std::span<const Sound> emitters, std::span<const Sound> shots, double now_s) {
         for (Voice& voice : voices_) {
             if (voice.use == Use::Free) continue;
             if (!plays(voice.source)) {
@@ -68,35 +63,33 @@ class VoicePool {
                 place(voice, listener, now_s - voice.since_s);
             } else if (voice.use == Use::Ending) {
                 if (now_s - voice.since_s > kGlide_s) release(voice);
-            } else if (std::none_of(emitters.begin(), emitters.end(),
-                                    [&](const Sound& e) { return e.id == voice.sound.id; })) {
+            } else if (std::ranges::find(emitters, voice.sound.id, &Sound::id) == emitters.end()) {
                 alSourcef(voice.source, AL_GAIN, 0);
                 voice.use = Use::Ending;
                 voice.since_s = now_s;
                 voice.loudness = 0;
             }
         }
+        const auto play = [&](const Sound& sound, Use use, Voice* playing) {
+            Voice* voice = playing ? playing : voiceFor(loudnessOf(sound, listener));
+            if (!voice) return;
+            voice->sound = sound;
+            voice->use = use;
+            voice->since_s = now_s;
+            place(*voice, listener, 0);
+            if (playing) return;
+            const auto clip = static_cast<size_t>(sound.clip);
+            assert(clip < buffers.size());
+            start(*voice, clips[clip], buffers[clip]);
+        };
         for (const Sound& emitter : emitters) {
-            const auto playing = std::find_if(voices_.begin(), voices_.end(), [&](const Voice& voice) {
+            const auto playing = std::ranges::find_if(voices_, [&](const Voice& voice) {
                 return (voice.use == Use::Emitter || voice.use == Use::Ending) &&
                        voice.sound.id == emitter.id && voice.sound.clip == emitter.clip;
             });
-            Voice* voice = playing != voices_.end() ? &*playing : voiceFor(loudnessOf(emitter, listener));
-            if (!voice) continue;
-            voice->sound = emitter;
-            voice->use = Use::Emitter;
-            place(*voice, listener, 0);
-            if (playing == voices_.end()) start(*voice, clips, true);
+            play(emitter, Use::Emitter, playing != voices_.end() ? &*playing : nullptr);
         }
-        for (const Sound& shot : shots) {
-            Voice* voice = voiceFor(loudnessOf(shot, listener));
-            if (!voice) continue;
-            voice->sound = shot;
-            voice->use = Use::OneShot;
-            voice->since_s = now_s;
-            place(*voice, listener, 0);
-            start(*voice, clips, false);
-        }
+        for (const Sound& shot : shots) play(shot, Use::OneShot, nullptr);
     }
 
     // Sets the reverberation. enclosure: from 0, open water where only ground and surface reflect, to 1, a
@@ -200,18 +193,16 @@ class VoicePool {
         voice.loudness = loudnessOf(shot, listener);
     }
 
-    void start(Voice& voice, const Clips& clips, bool loop) {
-        const auto clip = static_cast<size_t>(voice.sound.clip);
-        assert(clip < clips.buffers.size());
-        const bool stereo = clips.clips[clip].channels == 2;
-        alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(clips.buffers[clip]));
+    static void start(const Voice& voice, const Clip& clip, ALuint buffer) {
+        const bool loop = voice.use == Use::Emitter, stereo = clip.channels == 2;
+        alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(buffer));
         alSourcei(voice.source, AL_LOOPING, loop ? AL_TRUE : AL_FALSE);
         // Stereo goes to the ears directly, not through the HRTF of two loudspeakers.
         alSourcei(voice.source, AL_DIRECT_CHANNELS_SOFT, stereo ? AL_TRUE : AL_FALSE);
         if (loop) {
             // Each emitter starts at another place in its loop, so that two of one clip do not coincide; and
             // OpenAL Soft fades in sounds that do not start at 0.
-            const auto frames = static_cast<uint32_t>(clips.clips[clip].samples.size() / (stereo ? 2 : 1));
+            const auto frames = static_cast<uint32_t>(clip.samples.size() / (stereo ? 2 : 1));
             const uint32_t offset = frames > 1 ? 1 + (voice.sound.id * 2654435761u >> 8) % (frames - 1) : 0;
             alSourcei(voice.source, AL_SAMPLE_OFFSET, static_cast<ALint>(offset));
         }

@@ -63,7 +63,7 @@ void CameraResponseEstimator::readStripe(const light::FrameView& frame, int top)
     const int red = frame.bgr ? 2 : 0, blue = 2 - red;
     size_t i = 0;
     for (int y = 0; y < kStripeRows; ++y) {
-        const uint8_t* texel = frame.pixels + static_cast<ptrdiff_t>(top + y) * frame.rowStride;
+        const uint8_t* texel = frame.row(top + y);
         for (int x = 0; x < width_; ++x, texel += 3, ++i) {
             const float r = texel[red], g = texel[1], b = texel[blue];
             luma_[i] = 0.2126f * r + 0.7152f * g + 0.0722f * b;
@@ -122,13 +122,13 @@ void CameraResponseEstimator::measureBlur(CameraResponseEstimate& out) {
 
 void CameraResponseEstimator::measureNoise(CameraResponseEstimate& out) {
     for (int left = 0; left + kBlock <= width_; left += kBlock) {
-        const auto luma = [&](int x, int y) { return luma_[static_cast<size_t>(y * width_ + left + x)]; };
+        const auto luma = [&](int x, int y) { return luma_[y * width_ + left + x]; };
         float sum = 0;
         bool whole = true;
         for (int y = 0; y < kBlock; ++y)
             for (int x = 0; x < kBlock; ++x) {
                 sum += luma(x, y);
-                whole &= !clipped_[static_cast<size_t>(y * width_ + left + x)];
+                whole &= !clipped_[y * width_ + left + x];
             }
         if (!whole) continue;
         const auto half = [&](int x, int y) {
@@ -152,16 +152,15 @@ void CameraResponseEstimator::measureLevels(const light::FrameView& frame, Camer
     int all = 0;
     for (int y = frame.height / 8; y < frame.height * 7 / 8; y += kApart)
         for (int x = (y / kApart) % kApart; x < frame.width; x += kApart, ++all) {
-            const uint8_t* texel = frame.pixels + static_cast<ptrdiff_t>(y) * frame.rowStride + 3 * x;
+            const uint8_t* texel = frame.row(y) + 3 * x;
             for (size_t c = 0; c < 3; ++c) ++counts[c][texel[c]];
         }
     const int beyond = static_cast<int>(kShare * all);
     for (int c = 0; c < 3; ++c) {
-        const auto& channel = counts[static_cast<size_t>(frame.bgr ? 2 - c : c)];
+        const auto& channel = counts[frame.bgr ? 2 - c : c];
         int low = 0, high = 255;
-        for (int seen = channel[0]; seen <= beyond && low < 255;) seen += channel[static_cast<size_t>(++low)];
-        for (int seen = channel[255]; seen <= beyond && high > 0;)
-            seen += channel[static_cast<size_t>(--high)];
+        for (int seen = channel[0]; seen <= beyond && low < 255;) seen += channel[++low];
+        for (int seen = channel[255]; seen <= beyond && high > 0;) seen += channel[--high];
         response.black[c] = static_cast<float>(low) / 255;
         response.white[c] = static_cast<float>(std::max(high, low)) / 255;
     }
@@ -200,15 +199,14 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
     }
     // Bands with too few blocks take the values of the nearest that has enough.
     const auto enough = [&](int band) {
-        return band >= 0 && band < kBrightnesses && out.flatBlocks[static_cast<size_t>(band)] >= kFewBlocks;
+        return band >= 0 && band < kBrightnesses && out.flatBlocks[band] >= kFewBlocks;
     };
     for (int band = 0; band < kBrightnesses; ++band)
         for (int away = 1; !enough(band) && away < kBrightnesses; ++away) {
             const int near = enough(band - away) ? band - away : band + away;
             if (!enough(near)) continue;
-            const auto to = static_cast<size_t>(band), from = static_cast<size_t>(near);
-            out.response.fineNoise[to] = out.response.fineNoise[from];
-            out.response.coarseNoise[to] = out.response.coarseNoise[from];
+            out.response.fineNoise[band] = out.response.fineNoise[near];
+            out.response.coarseNoise[band] = out.response.coarseNoise[near];
             break;
         }
 
@@ -229,8 +227,7 @@ static void readCells(const light::FrameView& frame, ImageRgbF& out) {
     constexpr float kShare = 1.0f / (kSamples * kSamples);
     std::ranges::fill(out.pixels, 0.0f);
     for (int j = 0; j < kDown; ++j) {
-        const uint8_t* row =
-            frame.pixels + static_cast<ptrdiff_t>((2 * j + 1) * frame.height / (2 * kDown)) * frame.rowStride;
+        const uint8_t* row = frame.row((2 * j + 1) * frame.height / (2 * kDown));
         for (int i = 0; i < kAcross; ++i) {
             const uint8_t* texel = row + ptrdiff_t{3} * ((2 * i + 1) * frame.width / (2 * kAcross));
             float* to = out.at(i / kSamples, j / kSamples);

@@ -1,7 +1,6 @@
 #include "engine/core/Files.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -41,12 +40,9 @@ Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share") / "shoal"
 Path cacheFolder() { return xdgFolder("XDG_CACHE_HOME", ".cache") / "shoal"; }
 
 Path userFolder(UserFolder which) {
-    struct Row {
-        std::string_view entry;
-        const char* english;
-    };
-    constexpr std::array kRows = {Row{"XDG_PICTURES_DIR=\"", "Pictures"}, Row{"XDG_VIDEOS_DIR=\"", "Videos"},
-                                  Row{"XDG_DOWNLOAD_DIR=\"", "Downloads"}};
+    constexpr std::pair<std::string_view, const char*> kRows[] = {{"XDG_PICTURES_DIR=\"", "Pictures"},
+                                                                  {"XDG_VIDEOS_DIR=\"", "Videos"},
+                                                                  {"XDG_DOWNLOAD_DIR=\"", "Downloads"}};
     const auto [entry, english] = kRows[static_cast<size_t>(which)];
     // Lines, in shell syntax: NAME="$HOME/relative" or NAME="/absolute", with \ before special characters.
     const auto text = readText(xdgFolder("XDG_CONFIG_HOME", ".config") / "user-dirs.dirs", 1u << 16);

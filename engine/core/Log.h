@@ -34,8 +34,6 @@ class QuietStandardError {
   public:
     QuietStandardError();
     ~QuietStandardError();
-    QuietStandardError(const QuietStandardError&) = delete;
-    QuietStandardError& operator=(const QuietStandardError&) = delete;
 
   private:
     std::unique_lock<std::mutex> turn_;

@@ -13,13 +13,10 @@ ThreadPool::ThreadPool(int helpers) {
 }
 
 ThreadPool::~ThreadPool() {
-    {
-        const std::lock_guard lock(mutex_);
-        stop_ = true;
-        next_ = parts_;
-    }
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    next_ = parts_;
     called_.notify_all();
-    for (std::thread& helper : helpers_) helper.join();
 }
 
 // Runs parts until none is left; call it with the lock held. Locking costs little beside a part's work.

@@ -38,7 +38,7 @@ class ThreadPool {
     void* context_ = nullptr;
     int next_ = 0, parts_ = 0, unfinished_ = 0;
     bool stop_ = false;
-    std::vector<std::thread> helpers_;
+    std::vector<std::jthread> helpers_; // last: joined before the others end
 };
 
 // Lowers the priority of the calling thread and of threads that it starts later. It is for work that must be

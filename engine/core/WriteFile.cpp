@@ -34,68 +34,60 @@ bool isSpecial(const fs::file_status& status) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// Files under temporary names in their folders; the destructor removes those that were not put in place.
-class Staging {
-  public:
-    ~Staging() {
-        std::error_code ignored;
-        for (const auto& [temporary, place] : staged_) fs::remove(temporary, ignored);
-    }
+using Staged = std::vector<std::pair<Path, Path>>; // files under temporary names, and their places
 
-    Status add(const Path& file, std::string_view bytes) {
-        std::error_code code;
-        const Path place = placeOf(file);
-        const fs::file_status old = fs::status(place, code);
-        if (fs::is_directory(old)) return cannotWrite(file, "it is a folder");
-        if (fs::is_symlink(fs::symlink_status(place, code))) return cannotWrite(file, ELOOP);
-        Path to = place;
-        if (!isSpecial(old)) {
-            to.replace_filename("." + place.filename().string().substr(0, kLongestName) + "." +
-                                std::to_string(::getpid()) + ".part");
-            fs::remove(to, code);
-            staged_.emplace_back(to, place);
-        }
-        auto out = GrowingFile::open(to);
-        if (out && fs::is_regular_file(old)) fs::permissions(to, old.permissions(), code);
-        Status written = out ? out->write(bytes) : Status(out.error());
-        if (written) written = out->finish();
-        return written ? written : Error{file.string(), written.error().reason};
+// Writes a file under a temporary name in its folder, which it adds to `staged`; a device is written
+// directly.
+Status stage(const Path& file, std::string_view bytes, Staged& staged) {
+    std::error_code code;
+    const Path place = placeOf(file);
+    const fs::file_status old = fs::status(place, code);
+    if (fs::is_directory(old)) return cannotWrite(file, "it is a folder");
+    if (fs::is_symlink(fs::symlink_status(place, code))) return cannotWrite(file, ELOOP);
+    Path to = place;
+    if (!isSpecial(old)) {
+        to.replace_filename("." + place.filename().string().substr(0, kLongestName) + "." +
+                            std::to_string(::getpid()) + ".part");
+        fs::remove(to, code);
+        staged.emplace_back(to, place);
     }
+    auto out = GrowingFile::open(to);
+    if (out && fs::is_regular_file(old)) fs::permissions(to, old.permissions(), code);
+    Status written = out ? out->write(bytes) : Status(out.error());
+    if (written) written = out->finish();
+    return written ? written : Error{file.string(), written.error().reason};
+}
 
-    Status putInPlace() {
-        for (const auto& [temporary, place] : staged_) {
-            std::error_code code;
-            fs::rename(temporary, place, code);
-            if (code) return Error{place.string(), "cannot be put in place: " + code.message()};
-        }
-        return Done{};
+// Renames the files if all were written, and removes those that were not put in place.
+Status putInPlace(const Staged& staged, Status written) {
+    std::error_code code;
+    for (const auto& [temporary, place] : staged) {
+        if (written) fs::rename(temporary, place, code);
+        if (written && code) written = Error{place.string(), "cannot be put in place: " + code.message()};
+        if (!written) fs::remove(temporary, code);
     }
-
-  private:
-    std::vector<std::pair<Path, Path>> staged_;
-};
+    return written;
+}
 
 } // namespace
 
 Status writeFileWhole(const Path& file, std::string_view bytes) {
     std::error_code code;
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), code);
-    Staging staging;
-    const Status staged = staging.add(file, bytes);
-    return staged ? staging.putInPlace() : staged;
+    Staged staged;
+    const Status written = stage(file, bytes, staged);
+    return putInPlace(staged, written);
 }
 
 Status writeFolderWhole(const Path& folder, std::span<const NamedBytes> files) {
     std::error_code code;
     const bool isNew = fs::create_directories(folder, code);
     if (code) return Error{folder.string(), "cannot be created: " + code.message()};
+    Staged staged;
     Status written = Done{};
-    {
-        Staging staging;
-        for (const auto& [name, bytes] : files)
-            if (written) written = staging.add(folder / name, bytes);
-        if (written) written = staging.putInPlace();
-    }
+    for (const auto& [name, bytes] : files)
+        if (written) written = stage(folder / name, bytes, staged);
+    written = putInPlace(staged, written);
     if (!written && isNew) fs::remove(folder, code);
     return written;
 }

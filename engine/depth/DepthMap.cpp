@@ -30,14 +30,6 @@ constexpr float kSharpness = 3; // the vote turns while the near side's share ch
 // Confidence up to which a distance is ignored, and confidence from which on it counts in full.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
 
-// Constants of searchAlong() and shaders/render/FilmDepth.glsl: the greatest step on the map; the distance, a
-// quarter of a texel, within which a point is found; and the ratio of distances from which on a point is far
-// behind a surface.
-constexpr auto kSearchStep_rad = static_cast<float>(FILM_STEP_RAD);
-constexpr auto kFound_rad = static_cast<float>(FILM_FOUND_RAD);
-constexpr auto kPassed = static_cast<float>(FILM_PASSED);
-constexpr int kSearchSteps = FILM_MAX_STEPS;
-
 // Blends two rows; weight: the second's, in 256ths.
 SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int weight, uint8_t* out,
                            size_t count) {
@@ -146,12 +138,13 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
             d / (std::sqrt(1 + d * d * (along * along - eye2)) - along * d); // |eye + dir / w| = 1 / d
         return Point{inverse, {towards, d}, met};
     };
-    const float maxStep = kSearchStep_rad / eye, found = kFound_rad / eye;
+    const float maxStep = static_cast<float>(FILM_STEP_RAD) / eye; // the greatest step on the map
+    const float found = static_cast<float>(FILM_FOUND_RAD) / eye;  // a quarter of a texel
     const auto isMet = [&](const Point& point) { return std::abs(point.met - point.inverse) <= found; };
     Point before = at(1 / kNearest_m), point = before;
-    for (int k = 0; k < kSearchSteps; ++k) {
+    for (int k = 0; k < FILM_MAX_STEPS; ++k) {
         if (isMet(point)) return point.seen;
-        if (point.met > kPassed * point.inverse + found) break;
+        if (point.met > static_cast<float>(FILM_PASSED) * point.inverse + found) break; // far behind it
         if (point.met < point.inverse) before = point;
         point = at(std::max(point.met, point.inverse - maxStep));
     }
@@ -348,8 +341,7 @@ void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView
     enlarge(depth, out);
     const int scale = mapWidth_ / coarse_.width;
     if (scale < 2 || film.width < mapWidth_ || film.height < mapWidth_ / 2) return;
-    if (placedScale_ != scale) placeTexels(scale);
-    placedScale_ = scale;
+    placeTexels(scale);
     wanted_.fit(coarse_.width, coarse_.height);
     std::ranges::fill(wanted_.pixels, uint8_t{0});
     edges_.clear();

@@ -110,7 +110,6 @@ class DepthRefiner {
     Image<uint8_t, 1> coarse_; // inverse distances in DepthMap's steps, less where confidence is low
     // Scratch.
     std::vector<DepthEdge> edges_;
-    int placedScale_ = 0;                // the scale that nearness_ was made for
     size_t padded_ = 0;                  // the map's texels in one of the track, to a multiple of kLanes
     std::vector<Interpolation> columns_; // by column of the map
     Image<uint16_t, 1> wide_;            // the track enlarged to the map's width, in 256ths

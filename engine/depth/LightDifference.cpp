@@ -13,48 +13,46 @@
 
 namespace shoal::depth {
 
+namespace {
+
+// Cells of an octahedron unfolded to a square (math/Octahedron.h), along a side: rays, and distances.
+constexpr int kCoarse = 12, kFine = 48, kAcross = kFine / kCoarse;
+
+int coarseOf(int fine) { return fine / kFine / kAcross * kCoarse + fine % kFine / kAcross; }
+
+struct Ray {
+    glm::vec3 dir;
+    std::array<float, 9> basis; // times the ray's solid angle
+};
+
 // An octahedron's cell has a solid angle proportional to the inverse cube of its distance from the middle.
-const std::array<LightDifference::Ray, LightDifference::kCoarse * LightDifference::kCoarse>&
-LightDifference::rays() {
-    static const auto made = [] {
-        std::array<Ray, kCoarse * kCoarse> rays;
-        std::array<double, kCoarse * kCoarse> shares;
-        double all = 0;
-        for (size_t i = 0; i < rays.size(); ++i) {
-            rays[i].dir = math::octahedralDirection(static_cast<int>(i), kCoarse);
-            const auto sum = static_cast<double>(std::abs(rays[i].dir.x) + std::abs(rays[i].dir.y) +
-                                                 std::abs(rays[i].dir.z));
-            all += shares[i] = sum * sum * sum;
-        }
-        for (size_t i = 0; i < rays.size(); ++i) {
-            const math::ShBasis basis = math::shBasis(glm::dvec3(rays[i].dir));
-            for (size_t k = 0; k < 9; ++k)
-                rays[i].basis[k] = static_cast<float>(basis[k] * 4 * std::numbers::pi * shares[i] / all);
-        }
-        return rays;
-    }();
-    return made;
+std::array<Ray, kCoarse * kCoarse> makeRays() {
+    std::array<Ray, kCoarse * kCoarse> rays;
+    std::array<double, kCoarse * kCoarse> shares;
+    double all = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        rays[i].dir = math::octahedralDirection(static_cast<int>(i), kCoarse);
+        const auto sum =
+            static_cast<double>(std::abs(rays[i].dir.x) + std::abs(rays[i].dir.y) + std::abs(rays[i].dir.z));
+        all += shares[i] = sum * sum * sum;
+    }
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const math::ShBasis basis = math::shBasis(glm::dvec3(rays[i].dir));
+        for (size_t k = 0; k < 9; ++k)
+            rays[i].basis[k] = static_cast<float>(basis[k] * 4 * std::numbers::pi * shares[i] / all);
+    }
+    return rays;
 }
 
-const std::vector<glm::vec3>& LightDifference::fineDirections() {
-    static const auto made = [] {
-        std::vector<glm::vec3> directions;
-        for (int cell = 0; cell < kFine * kFine; ++cell)
-            directions.push_back(math::octahedralDirection(cell, kFine));
-        return directions;
-    }();
-    return made;
-}
+} // namespace
 
 void LightDifference::make(const ImageRgbF& radianceLin, const DepthMap& map) {
     inverse_perM_.resize(kFine * kFine);
-    near_.resize(kFine * kFine);
     radiance_.assign(kCoarse * kCoarse, glm::vec3(0));
-    for (size_t cell = 0; cell < near_.size(); ++cell) {
-        const glm::vec3& dir = fineDirections()[cell];
-        inverse_perM_[cell] = map.inverse_perM(dir);
-        near_[cell] = glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[cell]);
-        radiance_[static_cast<size_t>(coarseOf(static_cast<int>(cell)))] +=
+    for (int cell = 0; cell < kFine * kFine; ++cell) {
+        const glm::vec3 dir = math::octahedralDirection(cell, kFine);
+        inverse_perM_[static_cast<size_t>(cell)] = map.inverse_perM(dir);
+        radiance_[static_cast<size_t>(coarseOf(cell))] +=
             light::lookUp(radianceLin, dir) * (1.0f / (kAcross * kAcross));
     }
 }
@@ -67,7 +65,7 @@ int LightDifference::firstMet(const glm::vec3& place, const glm::vec3& dir) cons
         if (square == 0) return false; // at the camera
         cell = math::octahedralCell(there, kFine);
         const float inverse = inverse_perM_[static_cast<size_t>(cell)];
-        return square * inverse * inverse >= 1 && near_[static_cast<size_t>(cell)] > 0;
+        return square * inverse * inverse >= 1 && inverse > 1 / kFar_m;
     };
     constexpr int kHalvings = 3;
     int cell = 0, met = -1;
@@ -89,13 +87,15 @@ LightHarmonics LightDifference::at(const glm::vec3& placeEnv) const {
     LightHarmonics beyond{};
     const float within = 1 - glm::smoothstep(kFar_m, 1.5f * kFar_m, glm::length(placeEnv));
     if (radiance_.empty() || within == 0) return beyond;
-    const auto& all = rays();
-    for (size_t i = 0; i < all.size(); ++i) {
-        const int met = firstMet(placeEnv, all[i].dir);
+    static const auto rays = makeRays();
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const int met = firstMet(placeEnv, rays[i].dir);
         if (met < 0) continue;
-        const glm::vec3 change = (radiance_[static_cast<size_t>(coarseOf(met))] - radiance_[i]) *
-                                 (within * near_[static_cast<size_t>(met)]);
-        for (size_t k = 0; k < beyond.size(); ++k) beyond[k] += all[i].basis[k] * change;
+        const float nearness =
+            glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[static_cast<size_t>(met)]);
+        const glm::vec3 change =
+            (radiance_[static_cast<size_t>(coarseOf(met))] - radiance_[i]) * (within * nearness);
+        for (size_t k = 0; k < beyond.size(); ++k) beyond[k] += rays[i].basis[k] * change;
     }
     return beyond;
 }

@@ -33,20 +33,10 @@ class LightDifference {
     LightHarmonics at(const glm::vec3& placeEnv) const;
 
   private:
-    // Directions lie on an octahedron unfolded to a square (math/Octahedron.h).
-    static constexpr int kCoarse = 12, kFine = 48, kAcross = kFine / kCoarse; // rays; distances
-    static const std::vector<glm::vec3>& fineDirections();
-    static int coarseOf(int fine) { return fine / kFine / kAcross * kCoarse + fine % kFine / kAcross; }
     int firstMet(const glm::vec3& place, const glm::vec3& dir) const; // index of a fine cell; -1: none
 
-    struct Ray {
-        glm::vec3 dir;
-        std::array<float, 9> basis; // times the ray's solid angle
-    };
-    static const std::array<Ray, kCoarse * kCoarse>& rays();
-
-    std::vector<float> inverse_perM_, near_; // by fine cell; near_: 0 infinitely far, 1 at its distance
-    std::vector<glm::vec3> radiance_;        // by coarse cell
+    std::vector<float> inverse_perM_; // by fine cell
+    std::vector<glm::vec3> radiance_; // by coarse cell
 };
 
 } // namespace shoal::depth

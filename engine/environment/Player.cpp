@@ -102,14 +102,14 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
     if (!grown) return Error{file.string(), grown.error().reason};
     // The seam where the ends meet is hidden if its step is at most one level of 8 bits, or no larger than
     // the picture's usual steps.
-    const bool hidden = grown->wrapStep <= std::max(grown->usualStep, 1 / 255.0);
+    const bool hidden = grown->seam.wrapStep <= std::max(grown->seam.usualStep, 1 / 255.0);
     return PhotoEnvironment<Picture>{
         std::move(grown->latLong),
         fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
                     "middle; the seam where its ends meet can{} be seen: its largest step is {:.2f} % of "
                     "white, and a tenth of the picture's own steps are above {:.2f} %",
                     grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
-                    hidden ? "not" : "", grown->wrapStep * 100, grown->usualStep * 100)};
+                    hidden ? "not" : "", grown->seam.wrapStep * 100, grown->seam.usualStep * 100)};
 }
 
 template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,

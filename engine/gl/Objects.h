@@ -44,6 +44,8 @@ using Framebuffer = Object<Kind::Framebuffer>;
 using Renderbuffer = Object<Kind::Renderbuffer>;
 using Query = Object<Kind::Query>;
 
+inline void setEnabled(GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }
+
 // Returns a bound 2D texture without storage.
 Texture makeTexture(GLint minFilter, GLint magFilter, GLint wrapS, GLint wrapT);
 

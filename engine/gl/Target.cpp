@@ -23,26 +23,19 @@ Target::Target(int width, int height, int samples) : width_(width), height_(heig
     if (samples_ > 1) make(samplesColour_, GL_RGBA8);
     make(depth_, GL_DEPTH_COMPONENT24);
 
-    const auto bindNew = [](Framebuffer& buffer) {
+    // sampled: whether it is drawn into with all samples.
+    const auto makeFramebuffer = [&](Framebuffer& buffer, bool sampled) {
         buffer = Framebuffer::make();
         glBindFramebuffer(GL_FRAMEBUFFER, buffer.name());
+        if (sampled && samples_ > 1)
+            glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                      samplesColour_.name());
+        else
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
     };
-    const auto attachTexture = [&] {
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
-    };
-    const auto attachColour = [&] {
-        if (samples_ == 1) return attachTexture();
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                  samplesColour_.name());
-    };
-    if (samples_ > 1) {
-        bindNew(resolved_);
-        attachTexture();
-    }
-    bindNew(colourOnly_);
-    attachColour();
-    bindNew(drawn_);
-    attachColour();
+    makeFramebuffer(resolved_, false);
+    makeFramebuffer(colourOnly_, true);
+    makeFramebuffer(drawn_, true);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
     assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
@@ -64,32 +57,26 @@ void Target::resolve() const {
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void Target::bindResolved() const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_ > 1 ? resolved_.name() : drawn_.name());
-}
-
 void Target::blitTo(GLuint destination, int x, int width, int height) const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
-    if (samples_ > 1 && (width != width_ || height != height_)) { // a resolve may not scale
-        resolve();
-        bindResolved();
-    }
+    const bool scales = width != width_ || height != height_;
+    if (scales) resolve(); // a resolve may not scale
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, (scales ? resolved_ : drawn_).name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
-    const GLenum filter = width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR;
-    glBlitFramebuffer(0, 0, width_, height_, x, 0, x + width, height, GL_COLOR_BUFFER_BIT, filter);
+    glBlitFramebuffer(0, 0, width_, height_, x, 0, x + width, height, GL_COLOR_BUFFER_BIT,
+                      scales ? GL_LINEAR : GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, destination);
 }
 
 void Target::readBgra(std::vector<uint32_t>& pixels) const {
     pixels.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
-    bindResolved();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_, height_, GL_BGRA, GL_UNSIGNED_BYTE, pixels.data());
 }
 
 ImageRgba8 Target::read() const {
     resolve();
-    bindResolved();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     ImageRgba8 image(width_, height_);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());

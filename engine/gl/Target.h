@@ -29,7 +29,6 @@ class Target {
     // which leaves another framebuffer bound.
     GLuint texture() const { return texture_.name(); }
     void resolve() const;
-    void bindResolved() const; // binds it for reading, after resolve()
 
     // Resolves (if multisampled) into `destination` (0: the window) at column x, scaled with a linear filter
     // if sizes differ; leaves the destination bound.
@@ -44,8 +43,8 @@ class Target {
 
   private:
     int width_ = 0, height_ = 0, samples_ = 1;
-    Framebuffer drawn_, colourOnly_, resolved_;
-    Renderbuffer samplesColour_, depth_; // the first only if multisampled
+    Framebuffer drawn_, colourOnly_, resolved_; // resolved_: of the texture alone
+    Renderbuffer samplesColour_, depth_;        // the first only if multisampled
     Texture texture_;
 };
 

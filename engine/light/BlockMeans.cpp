@@ -34,29 +34,22 @@ constexpr std::array<uint8_t, 16> kSlope = {17,  63,  83,  94,  102, 109, 115, 1
                                             126, 131, 136, 141, 145, 149, 153, 157};
 constexpr float kLinearUnit = 1 / (29342.0f + 15 * 157);
 
-constexpr int scaleOfSrgb(int coded) {
-    const auto line = static_cast<size_t>(coded / 16);
-    return kStart[line] + kSlope[line] * (coded % 16);
-}
-
 constexpr std::array<int16_t, 256> kScaleOfSrgb = [] {
     std::array<int16_t, 256> scales{};
     for (int coded = 0; coded < 256; ++coded)
-        scales[static_cast<size_t>(coded)] = static_cast<int16_t>(scaleOfSrgb(coded));
+        scales[coded] = static_cast<int16_t>(kStart[coded / 16] + kSlope[coded / 16] * (coded % 16));
     return scales;
 }();
-
-enum class Mode { Thesis, Linear, LinearAndClipped };
 
 // A row of blocks.
 struct BlockRow {
     const uint8_t* pixels = nullptr;
     ptrdiff_t stride = 0; // bytes from one row of pixels to the next
     bool bgr = true;
-    std::array<int16_t, kBlock> weights{}, clippedWeights{}; // in units of 2^-15
-    float unit = 0, clippedUnit = 0;                         // factor from sum to mean
     float* out = nullptr;
     float* clipped = nullptr;
+    std::array<int16_t, kBlock> weights{}, clippedWeights{}; // in units of 2^-15
+    float unit = 0, clippedUnit = 0;                         // factor from sum to mean
 
     // Sets weights and units. unitOfOne: radiance of white for each 1 of scale.
     void weigh(const float* rows, float unitOfOne) {
@@ -87,28 +80,27 @@ int thesisScale(int red, int green, int blue) {
     return kPlain + upperHalf(l8, l2);
 }
 
-template <Mode kMode> void meansPlain(const BlockRow& row, int first, int end) {
+template <FrameRadiance kFrom> void meansPlain(const BlockRow& row, int first, int end) {
     const std::array<size_t, 3> channels = {row.bgr ? 2u : 0u, 1u, row.bgr ? 0u : 2u};
     for (int x = first; x < end; ++x) {
         std::array<int32_t, 3> sums{};
         int32_t clipped = 0;
-        for (size_t y = 0; y < kBlock; ++y) {
-            const uint8_t* p = row.pixels + static_cast<ptrdiff_t>(y) * row.stride + 3 * kBlock * x;
+        for (int y = 0; y < kBlock; ++y) {
+            const uint8_t* p = row.pixels + y * row.stride + 3 * kBlock * x;
             for (int i = 0; i < kBlock; ++i, p += 3) {
                 const int thesis =
-                    kMode == Mode::Thesis ? thesisScale(p[channels[0]], p[1], p[channels[2]]) : 0;
+                    kFrom == FrameRadiance::Thesis ? thesisScale(p[channels[0]], p[1], p[channels[2]]) : 0;
                 for (size_t c = 0; c < 3; ++c) {
                     const int colour = p[channels[c]];
-                    const int scale =
-                        kMode == Mode::Thesis ? thesis : kScaleOfSrgb[static_cast<size_t>(colour)];
+                    const int scale = kFrom == FrameRadiance::Thesis ? thesis : kScaleOfSrgb[colour];
                     sums[c] += ((scale * row.weights[y] + (1 << 14)) >> 15) * colour;
                 }
-                if (kMode == Mode::LinearAndClipped) clipped += clippedSteps(p) * row.clippedWeights[y];
+                if (kFrom == FrameRadiance::Auto) clipped += clippedSteps(p) * row.clippedWeights[y];
             }
         }
         for (size_t c = 0; c < 3; ++c)
             row.out[3 * static_cast<size_t>(x) + c] = static_cast<float>(sums[c]) * row.unit;
-        if (kMode == Mode::LinearAndClipped) row.clipped[x] = static_cast<float>(clipped) * row.clippedUnit;
+        if (kFrom == FrameRadiance::Auto) row.clipped[x] = static_cast<float>(clipped) * row.clippedUnit;
     }
 }
 
@@ -233,7 +225,7 @@ SHOAL_AVX2 inline __m256i clippedStepsAvx2(const TwoRows& rows) {
 }
 
 // Makes blocks 0 .. count - 1, four at a time; count: a multiple of 4.
-template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) {
+template <FrameRadiance kFrom> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) {
     const __m128i pick = planesOf(0, row.bgr);
     const Picks picks = {_mm256_broadcastsi128_si256(pick),
                          _mm256_inserti128_si256(_mm256_castsi128_si256(pick), planesOf(4, row.bgr), 1)};
@@ -247,7 +239,7 @@ template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) 
             const TwoRows rows = readTwoRows(p, row.stride, picks);
             const __m256i weight = _mm256_set1_epi16(row.weights[y]),
                           weightBelow = _mm256_set1_epi16(row.weights[y + 1]);
-            if (kMode == Mode::Thesis) {
+            if (kFrom == FrameRadiance::Thesis) {
                 addThesis(upper(rows.red), _mm256_unpacklo_epi8(rows.blue, rows.green), weight, sums);
                 addThesis(lower(rows.red), _mm256_unpackhi_epi8(rows.blue, rows.green), weightBelow, sums);
                 continue;
@@ -255,7 +247,7 @@ template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) 
             addLinear(rows.red, lines, weight, weightBelow, sums.red);
             addLinear(rows.green, lines, weight, weightBelow, sums.green);
             addLinear(rows.blue, lines, weight, weightBelow, sums.blue);
-            if (kMode == Mode::Linear) continue;
+            if (kFrom == FrameRadiance::Linear) continue;
             const __m256i steps = clippedStepsAvx2(rows);
             sums.clipped = _mm256_add_epi32(
                 sums.clipped,
@@ -278,36 +270,19 @@ template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) 
             to[0] = redGreen[at];
             to[1] = redGreen[at + 2];
             to[2] = blues[at];
-            if (kMode == Mode::LinearAndClipped) row.clipped[static_cast<size_t>(x) + block] = blues[at + 2];
+            if (kFrom == FrameRadiance::Auto) row.clipped[static_cast<size_t>(x) + block] = blues[at + 2];
         }
     }
 }
 
 #endif
 
-template <Mode kMode> void means(const BlockRow& row, int width, [[maybe_unused]] BlockLoop loop) {
+template <FrameRadiance kFrom> void means(const BlockRow& row, int width, [[maybe_unused]] BlockLoop loop) {
     int x = 0;
 #ifdef SHOAL_AVX2
-    if (loop == BlockLoop::Avx2) meansAvx2<kMode>(row, x = width & ~3);
+    if (loop == BlockLoop::Avx2) meansAvx2<kFrom>(row, x = width & ~3);
 #endif
-    meansPlain<kMode>(row, x, width);
-}
-
-// Calls each(row of blocks, its index) for every row.
-template <class Each>
-void forEachRow(const FrameView& frame, std::span<const float> weights, float unitOfOne, ImageRgbF& out,
-                Each&& each) {
-    assert(frame.width % kBlock == 0 && frame.height % kBlock == 0 && out.width == frame.width / kBlock &&
-           out.height == frame.height / kBlock && weights.size() == static_cast<size_t>(frame.height));
-    for (int y = 0; y < out.height; ++y) {
-        BlockRow row;
-        row.pixels = frame.pixels + kBlock * y * frame.rowStride;
-        row.stride = frame.rowStride;
-        row.bgr = frame.bgr;
-        row.out = out.at(0, y);
-        row.weigh(weights.data() + kBlock * y, unitOfOne);
-        each(row, y);
-    }
+    meansPlain<kFrom>(row, x, width);
 }
 
 } // namespace
@@ -321,27 +296,25 @@ bool canRun(BlockLoop loop) {
 
 BlockLoop fastestBlockLoop() { return canRun(BlockLoop::Avx2) ? BlockLoop::Avx2 : BlockLoop::Plain; }
 
-void makeBlockMeans(const FrameView& frame, std::span<const float> rowWeights, ImageRgbF& out,
-                    BlockLoop loop) {
+void makeBlockMeans(const FrameView& frame, FrameRadiance from, std::span<const float> rowWeights,
+                    ImageRgbF& out, BlockLoop loop, std::span<const float> clippedWeights, ImageF* clipped) {
     assert(canRun(loop));
-    forEachRow(frame, rowWeights, kThesisUnit, out,
-               [&](const BlockRow& row, int) { means<Mode::Thesis>(row, out.width, loop); });
-}
-
-void makeLinearBlockMeans(const FrameView& frame, std::span<const float> rowWeights,
-                          std::span<const float> clippedWeights, ImageRgbF& out, ImageF& clipped,
-                          BlockLoop loop) {
-    assert(canRun(loop));
-    assert(clippedWeights.empty() || (clippedWeights.size() == rowWeights.size() &&
-                                      clipped.width == out.width && clipped.height == out.height));
-    forEachRow(frame, rowWeights, kLinearUnit, out, [&](BlockRow& row, int y) {
-        if (clippedWeights.empty() || !row.weighClipped(clippedWeights.data() + kBlock * y)) {
-            means<Mode::Linear>(row, out.width, loop);
-            return;
+    assert(frame.width % kBlock == 0 && frame.height % kBlock == 0 && out.width == frame.width / kBlock &&
+           out.height == frame.height / kBlock && rowWeights.size() == static_cast<size_t>(frame.height));
+    assert(from != FrameRadiance::Auto || (clippedWeights.size() == rowWeights.size() &&
+                                           clipped->width == out.width && clipped->height == out.height));
+    for (int y = 0; y < out.height; ++y) {
+        BlockRow row{frame.row(kBlock * y), frame.rowStride, frame.bgr, out.at(0, y)};
+        row.weigh(rowWeights.data() + kBlock * y, from == FrameRadiance::Thesis ? kThesisUnit : kLinearUnit);
+        if (from == FrameRadiance::Auto && row.weighClipped(clippedWeights.data() + kBlock * y)) {
+            row.clipped = clipped->at(0, y);
+            means<FrameRadiance::Auto>(row, out.width, loop);
+        } else if (from == FrameRadiance::Thesis) {
+            means<FrameRadiance::Thesis>(row, out.width, loop);
+        } else {
+            means<FrameRadiance::Linear>(row, out.width, loop);
         }
-        row.clipped = clipped.at(0, y);
-        means<Mode::LinearAndClipped>(row, out.width, loop);
-    });
+    }
 }
 
 } // namespace shoal::light

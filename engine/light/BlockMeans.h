@@ -7,6 +7,7 @@
 
 #include "engine/core/Image.h"
 #include "engine/light/FrameView.h"
+#include "engine/light/InverseToneMap.h"
 
 #include <span>
 
@@ -21,22 +22,19 @@ enum class BlockLoop {
 bool canRun(BlockLoop loop); // on this processor
 BlockLoop fastestBlockLoop();
 
-// Decodes by radianceFromDisplay() to a relative 2e-4; a step of 8 bits is at least twenty times that.
+// Thesis: decodes by radianceFromDisplay() to a relative 2e-4; a step of 8 bits is at least twenty times
+// that. Linear and Auto: decode sRGB. The error is at most 2e-4 of white; relative to the value it is at most
+// 1 % from coded 10 on, where an 8-bit step is 10 %, and 6 % below.
 //
 // out: frame.width / 4 x frame.height / 4, linear radiance. rowWeights: one for each row of the frame, each
 // above 0; the four of a block sum to 1, and are rounded to 2^-15 of the largest. Width and height of the
 // frame: multiples of 4.
-void makeBlockMeans(const FrameView& frame, std::span<const float> rowWeights, ImageRgbF& out,
-                    BlockLoop loop = fastestBlockLoop());
-
-// Decodes sRGB. The error is at most 2e-4 of white; relative to the value it is at most 1 % from coded 10 on,
-// where an 8-bit step is 10 %, and 6 % below.
 //
-// clipped: of the same size as `out`; gets each block's mean of clippedSteps() / kClippedSteps times the
-// row's weight in clippedWeights, 0 to 1 (ClippedLight.h). Rows of blocks whose clippedWeights are all 0 are
-// not written; without clippedWeights no row is.
-void makeLinearBlockMeans(const FrameView& frame, std::span<const float> rowWeights,
-                          std::span<const float> clippedWeights, ImageRgbF& out, ImageF& clipped,
-                          BlockLoop loop = fastestBlockLoop());
+// clipped: for Auto, of the same size as `out`; gets each block's mean of clippedSteps() / kClippedSteps
+// times the row's weight in clippedWeights, 0 to 1 (ClippedLight.h). Rows of blocks whose clippedWeights are
+// all 0 are not written.
+void makeBlockMeans(const FrameView& frame, FrameRadiance from, std::span<const float> rowWeights,
+                    ImageRgbF& out, BlockLoop loop, std::span<const float> clippedWeights = {},
+                    ImageF* clipped = nullptr);
 
 } // namespace shoal::light

@@ -1,9 +1,8 @@
 #include "engine/light/BruteForceDiffuse.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 
-#include <algorithm>
 #include <cassert>
 #include <numbers>
 
@@ -43,8 +42,7 @@ BruteForceDiffuse::BruteForceDiffuse(int width) : width_(width) {
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
             const auto d = texelDirection<double>(column, row, width, height);
-            for (int c = 0; c < 3; ++c)
-                directions_[static_cast<size_t>(c)].push_back(static_cast<float>(d[c]));
+            for (int c = 0; c < 3; ++c) directions_[c].push_back(static_cast<float>(d[c]));
             solidAngleOverPi_.push_back(
                 static_cast<float>(texelSolidAngle(row, width, height) * std::numbers::inv_pi));
         }
@@ -52,12 +50,10 @@ BruteForceDiffuse::BruteForceDiffuse(int width) : width_(width) {
 }
 
 void BruteForceDiffuse::make(const RadiancePyramid& pyramid, ImageRgbF& out) {
-    const auto level =
-        std::ranges::find_if(pyramid.levels, [&](const ImageRgbF& each) { return each.width == width_; });
-    assert(level != pyramid.levels.end());
+    const ImageRgbF& level = pyramid.ofWidth(width_);
     const size_t texels = solidAngleOverPi_.size();
     for (size_t i = 0; i < texels; ++i)
-        for (size_t c = 0; c < 3; ++c) light_[c][i] = level->pixels[3 * i + c] * solidAngleOverPi_[i];
+        for (size_t c = 0; c < 3; ++c) light_[c][i] = level.pixels[3 * i + c] * solidAngleOverPi_[i];
     out.fit(width_, width_ / 2);
     for (size_t i = 0; i < texels; i += kBlock) gather(directions_, light_, i, &out.pixels[3 * i]);
 }

@@ -1,12 +1,13 @@
 #include "engine/light/CentroidChain.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
+#include <cstring>
 
 namespace shoal::light {
 
@@ -23,17 +24,21 @@ void mixRows(const std::array<const float*, 4>& rows, const std::array<float, 4>
 // Halves a row. One texel before `in` and one texel and a float after its end must be readable.
 SHOAL_VECTORISE
 void halveRow(const float* __restrict in, int width, float* __restrict out) {
-    halveColumns(in, width, out, [](const float* two) {
-        return 0.125f * (texelAt(two - 3) + texelAt(two + 6)) + 0.375f * (texelAt(two) + texelAt(two + 3));
-    });
+    using Texel4 = float __attribute__((vector_size(16))); // a texel, and the first float of the next one
+    const auto texelAt = [in](int x) {
+        Texel4 texel;
+        std::memcpy(&texel, in + 3 * x, sizeof texel);
+        return texel;
+    };
+    for (int x = 0; x < width; ++x) {
+        const Texel4 texel = 0.125f * (texelAt(2 * x - 1) + texelAt(2 * x + 2)) +
+                             0.375f * (texelAt(2 * x) + texelAt(2 * x + 1));
+        // The next texel overwrites the extra float.
+        std::memcpy(out + 3 * x, &texel, x + 1 < width ? sizeof texel : 3 * sizeof(float));
+    }
 }
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // weights of rows 2 y - 1 .. 2 y + 2
-
-// Returns the row of the map that `row` is on the sphere; a row beyond a pole is mirrored at it.
-int rowOnSphere(int row, int height) {
-    return row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
-}
 
 } // namespace
 
@@ -50,8 +55,7 @@ CentroidChain::CentroidChain(int baseWidth, int minWidth) {
         for (int y = 0; y < height / 2; ++y) {
             double flux = 0;
             for (int i = 0; i < 4; ++i)
-                flux += 2 * kShares[static_cast<size_t>(i)] *
-                        wide.rowFlux[static_cast<size_t>(rowOnSphere(2 * y - 1 + i, height))];
+                flux += 2 * kShares[i] * wide.rowFlux[rowOnSphere(2 * y - 1 + i, height)];
             half.rowFlux.push_back(flux);
         }
         levels_.emplace_back(half.width, half.width / 2);
@@ -73,15 +77,13 @@ void CentroidChain::make(const ImageRgbF& base) {
             std::array<float, 4> weights;
             for (int i = 0; i < 4; ++i) {
                 const int at = 2 * y - 1 + i, row = rowOnSphere(at, in.height);
-                const auto n = static_cast<size_t>(i);
-                rows[n] = in.at(0, row);
+                rows[i] = in.at(0, row);
                 if (row != at) { // beyond the pole
-                    std::rotate_copy(rows[n], rows[n] + count / 2, rows[n] + count, overPole_.data());
-                    rows[n] = overPole_.data();
+                    std::rotate_copy(rows[i], rows[i] + count / 2, rows[i] + count, overPole_.data());
+                    rows[i] = overPole_.data();
                 }
-                weights[n] =
-                    static_cast<float>(2 * kShares[n] * samplings_[k].rowFlux[static_cast<size_t>(row)] /
-                                       samplings_[k + 1].rowFlux[static_cast<size_t>(y)]);
+                weights[i] = static_cast<float>(2 * kShares[i] * samplings_[k].rowFlux[row] /
+                                                samplings_[k + 1].rowFlux[y]);
             }
             float* mixed = row_.data() + 3;
             mixRows(rows, weights, count, mixed);
@@ -92,15 +94,8 @@ void CentroidChain::make(const ImageRgbF& base) {
     }
 }
 
-size_t CentroidChain::indexOf(int width) const {
-    const auto found = std::find_if(samplings_.begin(), samplings_.end(),
-                                    [&](const Sampling& each) { return each.width == width; });
-    assert(found != samplings_.end());
-    return static_cast<size_t>(found - samplings_.begin());
-}
-
 const ImageRgbF& CentroidChain::level(int width) const {
-    const size_t index = indexOf(width);
+    const int index = indexOf(width);
     return index ? levels_[index - 1] : *base_;
 }
 

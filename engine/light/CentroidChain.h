@@ -4,6 +4,7 @@
 
 #include "engine/core/Image.h"
 
+#include <bit>
 #include <vector>
 
 namespace shoal::light {
@@ -34,7 +35,7 @@ class CentroidChain {
     const Sampling& sampling(int width) const;
 
   private:
-    size_t indexOf(int width) const;
+    int indexOf(int width) const { return std::countr_zero(unsigned(samplings_[0].width / width)); }
 
     const ImageRgbF* base_ = nullptr;
     std::vector<Sampling> samplings_; // widest first

@@ -1,6 +1,6 @@
 #include "engine/light/ClippedLight.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
@@ -23,23 +23,35 @@ constexpr int kLastBlack = 4, kFirstSeen = 12;
 
 constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
-constexpr float kMinTrust = 0.1f; // groundTrust() at the horizon
+// Exponent of the ground's gain for clipped light at the horizon; it rises to 1 at the zenith. 1 minus it is
+// the exponent of the usual gain.
+constexpr float kMinTrust = 0.1f;
 
 // Irradiance added to that of clipped pixels, so that the gain does not jump where few of them are left.
 constexpr double kFewClipped = 0.015;
 
 constexpr double kMaxOfMean = 1.75; // times the ground's mean luminance; brighter texels are clamped
 
-// Returns the sine of the elevation; row: counted from the zenith, whole numbers are upper edges of rows.
-double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
-
-// Returns a texel's integral of the sine over the solid angle between two edges, given by their sines.
-double irradianceBetween(double top, double bottom, int width) {
-    return std::numbers::pi / width * std::abs(top * top - bottom * bottom);
-}
-
 inline float luminance(float red, float green, float blue) {
     return 0.2126f * red + 0.7152f * green + 0.0722f * blue; // Rec. 709
+}
+
+// Returns each channel's sum over interleaved values. 16 partial sums let compilers vectorise the loop.
+template <size_t kChannels> std::array<float, kChannels> sumsOf(const float* values, size_t count) {
+    std::array<float, 16 * kChannels> parts{};
+    size_t at = 0;
+    for (; at + parts.size() <= count; at += parts.size())
+        for (size_t i = 0; i < parts.size(); ++i) parts[i] += values[at + i];
+    for (size_t i = 0; at + i < count; ++i) parts[i] += values[at + i];
+    for (size_t half = 8 * kChannels; half >= kChannels; half /= 2)
+        for (size_t i = 0; i < half; ++i) parts[i] += parts[half + i];
+    std::array<float, kChannels> sums;
+    std::copy_n(parts.begin(), kChannels, sums.begin());
+    return sums;
+}
+
+SHOAL_VECTORISE float sumOf(const float* values, int count) {
+    return sumsOf<1>(values, static_cast<size_t>(count))[0];
 }
 
 SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
@@ -52,10 +64,17 @@ struct Ground {
     float seen = 0, light = 0;
 };
 
-// Linear values from which a texel begins to count as ground, and from which it no longer does as clipped.
-struct Seen {
-    float first, perRise, last, perFall;
+// Linear values: from `first` on the largest channel makes a texel count, at `white` a channel is clipped.
+struct Ramps {
+    float first, perRise, white, perFall;
 };
+
+// Returns the ramps that rise between two coded values and fall from the last unclipped one on.
+Ramps rampsOf(int lastWithout, int firstWhole) {
+    const std::array<float, 256>& linear = math::linearOfByte();
+    const float first = linear[lastWithout];
+    return {first, 1 / (linear[firstWhole] - first), kWhite, 1 / (kWhite - linear[kLastUnclipped])};
+}
 
 // Clamps to 0 .. 1 without a branch, so that loops are vectorised.
 inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
@@ -63,7 +82,7 @@ inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value
 constexpr int kTexels = 512; // texels of one pass
 
 // most: greatest luminance; brighter texels are clamped to it.
-SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, float most) {
+SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Ramps& by, float most) {
     std::array<float, kTexels> light, seen;
     Ground ground;
     for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
@@ -72,9 +91,9 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, flo
             const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
             const float largest = std::max(std::max(red, green), blue);
             const float part =
-                ramp(std::min((largest - by.first) * by.perRise, (by.last - largest) * by.perFall));
-            seen[static_cast<size_t>(x)] = part;
-            light[static_cast<size_t>(x)] = part * std::min(luminance(red, green, blue), most);
+                ramp(std::min((largest - by.first) * by.perRise, (by.white - largest) * by.perFall));
+            seen[x] = part;
+            light[x] = part * std::min(luminance(red, green, blue), most);
         }
         ground.light += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
         ground.seen += sumsOf<1>(seen.data(), static_cast<size_t>(count))[0];
@@ -82,18 +101,13 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, flo
     return ground;
 }
 
-// Linear values: from `first` on the largest channel makes a texel bright, at `white` a channel is clipped.
-struct Bright {
-    float first, perRise, white, perFall;
-};
-
 // Sums over a row's texels.
 struct RowColours {
     std::array<float, 3> unclipped; // texels that are not clipped in any channel
     std::array<float, 3> bright;    // bright texels that are not clipped in all channels
 };
 
-SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& by) {
+SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Ramps& by) {
     std::array<float, 3 * kTexels> unclipped, bright;
     RowColours colours{};
     for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
@@ -143,21 +157,22 @@ void blurRow(const float* in, size_t count, size_t radius, float* out) {
 } // namespace
 
 float clippedShare(int row, int height) {
-    return std::clamp(static_cast<float>(sineAt(row + 0.5, height)) / kFullHeight, 0.0f, 1.0f);
+    return std::clamp(static_cast<float>(sineOfRow(row + 0.5, height)) / kFullHeight, 0.0f, 1.0f);
 }
 
 double levelIrradiance(int row, int width, int height) {
-    return irradianceBetween(sineAt(row, height), sineAt(row + 1, height), width);
+    const double top = sineOfRow(row, height), bottom = sineOfRow(row + 1, height);
+    return std::numbers::pi / width * std::abs(top * top - bottom * bottom);
 }
 
-float groundTrust(float sine) { return kMinTrust + (1 - kMinTrust) * std::clamp(sine, 0.0f, 1.0f); }
-
 float ClippedGain::at(float sine) const {
-    const float trust = seen * groundTrust(sine);
+    const float trust = seen * (kMinTrust + (1 - kMinTrust) * std::clamp(sine, 0.0f, 1.0f));
     return std::pow(kUsualGain, 1 - trust) * std::pow(byGround, trust);
 }
 
-float ClippedGain::of(int row, int height) const { return at(static_cast<float>(sineAt(row + 0.5, height))); }
+float ClippedGain::of(int row, int height) const {
+    return at(static_cast<float>(sineOfRow(row + 0.5, height)));
+}
 
 void ClippedDensity::begin(int width, int height) {
     if (width != width_ || height != height_) {
@@ -179,7 +194,7 @@ void ClippedDensity::begin(int width, int height) {
 void ClippedDensity::addRow(int y, const float* clipped) {
     const size_t row = cellRow(y);
     ++counts_[row];
-    if (sumsOf<1>(clipped, static_cast<size_t>(width_))[0] == 0) return; // the usual case
+    if (sumOf(clipped, width_) == 0) return; // the usual case
     anything_[row] = true;
     float* sums = &sums_[row * columns_];
     for (size_t x = 0; x < columns_; ++x)
@@ -207,18 +222,17 @@ void ClippedDensity::finish() {
     }
 }
 
-void ClippedDensity::weigh(int y, float* clipped) const {
+float ClippedDensity::weigh(int y, float* clipped) const {
     const size_t row = cellRow(y);
-    if (!anything_[row]) return;
+    if (!anything_[row]) return 0;
     const float* density = &density_[row * columns_];
     for (size_t x = 0; x < columns_; ++x)
         for (int i = starts_[x]; i < starts_[x + 1]; ++i) clipped[i] *= density[x];
+    return sumOf(clipped, width_);
 }
 
 ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
-    const std::array<float, 256>& linear = math::linearOfByte();
-    const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), kWhite,
-                     1 / (kWhite - linear[kLastUnclipped])};
+    const Ramps by = rampsOf(kLastBlack, kFirstSeen);
     const int above = (decoded.height + 1) / 2;
     const auto weightOf = [&](int y) { return levelIrradiance(y, decoded.width, decoded.height); };
     double fromAbove = 0; // irradiance of a level plane
@@ -247,10 +261,8 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
 }
 
 glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
-    const std::array<float, 256>& linear = math::linearOfByte();
     constexpr int kBright = 230; // coded
-    const Bright by = {linear[kBright], 1 / (linear[kLastUnclipped] - linear[kBright]), kWhite,
-                       1 / (kWhite - linear[kLastUnclipped])};
+    const Ramps by = rampsOf(kBright, kLastUnclipped);
     constexpr double kGrey = 1e-4; // steradians of white added, so that a few texels give no tint
     glm::dvec3 whole(kGrey), bright(kGrey);
     const int step = rowStep(decoded.height);
@@ -259,8 +271,8 @@ glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
         const double weight = step * texelSolidAngle(y, decoded.width, decoded.height);
         const double above = weight * static_cast<double>(clippedShare(y, decoded.height));
         for (int c = 0; c < 3; ++c) {
-            whole[c] += weight * static_cast<double>(row.unclipped[static_cast<size_t>(c)]);
-            bright[c] += above * static_cast<double>(row.bright[static_cast<size_t>(c)]);
+            whole[c] += weight * static_cast<double>(row.unclipped[c]);
+            bright[c] += above * static_cast<double>(row.bright[c]);
         }
     }
     const glm::dvec3 a = glm::log(ofLuminanceOne(whole)), b = glm::log(ofLuminanceOne(bright));

@@ -36,10 +36,6 @@ constexpr float kGroundAlbedo = 0.1f;
 constexpr float kUsualGain = 2.5f; // gain of clipped pixels in an unknown scene
 constexpr float kMaxFromGround = 300;
 
-// Returns the exponent of the ground's gain, from 0.1 at the horizon to 1 at the zenith; 1 minus it is the
-// exponent of the usual gain. sine: of the elevation of clipped light.
-float groundTrust(float sine);
-
 // In compressed video white is not exactly 255. A channel therefore counts as clipped gradually, from 243 to
 // 255, so that pixels do not flicker. A pixel with only two clipped channels counts an eighth of one with
 // all three, because it is less bright.
@@ -71,8 +67,8 @@ class ClippedDensity {
     void addRow(int y, const float* clipped);
     void finish(); // after the last row
 
-    // Multiplies a row's values by their densities.
-    void weigh(int y, float* clipped) const;
+    // Multiplies a row's values by their densities; returns their sum.
+    float weigh(int y, float* clipped) const;
 
   private:
     size_t cellRow(int y) const { return static_cast<size_t>(y) * rows_ / static_cast<size_t>(height_); }

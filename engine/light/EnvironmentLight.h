@@ -3,6 +3,8 @@
 
 #include "engine/core/Image.h"
 
+#include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace shoal::light {
@@ -12,6 +14,13 @@ namespace shoal::light {
 // the sphere.
 struct RadiancePyramid {
     std::vector<ImageRgbF> levels;
+
+    // Returns the level of this width in texels, which must exist.
+    const ImageRgbF& ofWidth(int width) const {
+        const auto level = std::ranges::find(levels, width, &ImageRgbF::width);
+        assert(level != levels.end());
+        return *level;
+    }
 };
 
 // Radiance filtered by a GGX lobe of this perceptual roughness (glTF's; alpha = roughness^2) around each

@@ -5,11 +5,13 @@
 #include "engine/math/Trigonometry.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <span>
 
 namespace shoal::light {
 
@@ -25,15 +27,8 @@ constexpr float kFineSlack = 0.04f;           // added to a window in the fine l
 constexpr float kParaboloid = 0.65f;
 constexpr float kMinShare = 1e-4f;
 
-const ImageRgbF& levelOf(const RadiancePyramid& radiance, int width) {
-    const auto found = std::ranges::find(radiance.levels, width, &ImageRgbF::width);
-    assert(found != radiance.levels.end());
-    return *found;
-}
-
 float luminanceAt(const ImageRgbF& level, int x, int y) {
-    const float* c = level.at(x, y);
-    return thesisLuminance({c[0], c[1], c[2]});
+    return thesisLuminance(glm::make_vec3(level.at(x, y)));
 }
 
 std::vector<glm::vec3> directionsOfTexels(int width) {
@@ -72,9 +67,7 @@ constexpr float kCut = 0.15f;                            // sceneDistance() abov
 
 float strength(const FoundLight& light) { return thesisLuminance(light.irradiance); }
 
-} // namespace
-
-struct LightFinder::Moments {
+struct Moments {
     float flux = 0;
     glm::vec3 sum{0};     // flux-weighted sum of directions
     glm::vec3 towards{0}; // the same, also weighted by kernel(): the window moves there
@@ -85,21 +78,9 @@ struct LightFinder::Moments {
     }
 };
 
-LightFinder::LightFinder()
-    : directions_(directionsOfTexels(kCoarse)), fineDirections_(directionsOfTexels(kFine)) {
-    luminance_.resize(directions_.size());
-    bright_.reserve(directions_.size());
-    near_.reserve(fineDirections_.size());
-}
-
-float LightFinder::asLight(float luminance) const {
-    return std::clamp(((luminance - mean_) / deviation_ - kFirst) / kRamp, 0.0f, 1.0f);
-}
-
-LightFinder::Moments LightFinder::momentsWithin(const std::vector<Texel>& texels, const glm::vec3& middle,
-                                                float cosReach) {
+Moments momentsWithin(const std::vector<BrightTexel>& texels, const glm::vec3& middle, float cosReach) {
     Moments moments;
-    for (const Texel& texel : texels) {
+    for (const BrightTexel& texel : texels) {
         const float k = kernel(glm::dot(texel.direction, middle), cosReach) * texel.weight;
         if (k <= 0) continue;
         const float whole = std::min(texel.weight, 2 * k);
@@ -108,6 +89,23 @@ LightFinder::Moments LightFinder::momentsWithin(const std::vector<Texel>& texels
         moments.towards += k * texel.direction;
     }
     return moments;
+}
+
+} // namespace
+
+LightFinder::LightFinder()
+    : directions_(directionsOfTexels(kCoarse)), fineDirections_(directionsOfTexels(kFine)) {
+    luminance_.resize(directions_.size());
+    bright_.reserve(directions_.size());
+    near_.reserve(fineDirections_.size());
+}
+
+// Appends a texel if it counts as light, by the share to which it does.
+void LightFinder::addIfBright(const glm::vec3& direction, float luminance, float solidAngle_sr,
+                              std::vector<BrightTexel>& texels) const {
+    const float above = luminance - mean_;
+    const float part = std::clamp((above / deviation_ - kFirst) / kRamp, 0.0f, 1.0f);
+    if (part > 0) texels.push_back({direction, part * above * solidAngle_sr, above});
 }
 
 void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRgbF& level) {
@@ -122,10 +120,9 @@ void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRg
     for (int y = first; y <= last; ++y) {
         const float solid = solidAngle(level, y);
         for (int x = 0; x < level.width; ++x) {
-            const glm::vec3& direction = fineDirections_[static_cast<size_t>(y * kFine + x)];
-            if (glm::dot(direction, middle) <= cosReach) continue;
-            const float luminance = luminanceAt(level, x, y), part = asLight(luminance);
-            if (part > 0) near_.push_back({direction, part * (luminance - mean_) * solid, luminance - mean_});
+            const glm::vec3& direction = fineDirections_[y * kFine + x];
+            if (glm::dot(direction, middle) > cosReach)
+                addIfBright(direction, luminanceAt(level, x, y), solid, near_);
         }
     }
 }
@@ -148,8 +145,8 @@ void LightFinder::settle(FoundLight& light, float window) const {
 // Moves a light towards its brightest texels, where a clipped source must be.
 void LightFinder::sharpen(float reach, FoundLight& light) {
     float maximum = 0;
-    for (const Texel& texel : near_) maximum = std::max(maximum, texel.above);
-    for (Texel& texel : near_) {
+    for (const BrightTexel& texel : near_) maximum = std::max(maximum, texel.above);
+    for (BrightTexel& texel : near_) {
         const float height = texel.above / maximum, square = height * height;
         texel.weight *= square * square;
     }
@@ -202,8 +199,7 @@ void LightFinder::weigh(const ImageRgbF& coarse, float reach, FoundLight& light)
             const float part = std::clamp((luminance_[i] - mean_) / (kFirst * deviation_), 0.0f, 1.0f) *
                                inside(cosine, cosReach);
             const float weight = solid * cosine;
-            const float* c = coarse.at(x, y);
-            const glm::vec3 radiance(c[0], c[1], c[2]);
+            const glm::vec3 radiance = glm::make_vec3(coarse.at(x, y));
             bright += part * weight * radiance;
             brightWeight += part * weight;
             rest += (1 - part) * weight * radiance;
@@ -215,7 +211,7 @@ void LightFinder::weigh(const ImageRgbF& coarse, float reach, FoundLight& light)
 }
 
 void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
-    const ImageRgbF& coarse = levelOf(radiance, kCoarse);
+    const ImageRgbF& coarse = radiance.ofWidth(kCoarse);
     out.count = 0;
     out.groundIrradiance = glm::vec3(0);
     double sum = 0, squares = 0;
@@ -227,15 +223,12 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
             const float luminance = luminanceAt(coarse, x, y);
             luminance_[i] = luminance;
             sum += static_cast<double>(solid * luminance);
-            squares +=
-                static_cast<double>(solid) * static_cast<double>(luminance) * static_cast<double>(luminance);
-            const float* c = coarse.at(x, y);
-            upward += glm::vec3(c[0], c[1], c[2]);
+            squares += double{solid} * double{luminance} * double{luminance};
+            upward += glm::make_vec3(coarse.at(x, y));
         }
-        out.groundIrradiance +=
-            solid * std::max(directions_[static_cast<size_t>(y * coarse.width)].y, 0.0f) * upward;
+        out.groundIrradiance += solid * std::max(directions_[y * coarse.width].y, 0.0f) * upward;
     }
-    const ImageRgbF& thumb = levelOf(radiance, static_cast<int>(kThumbWidth));
+    const ImageRgbF& thumb = radiance.ofWidth(kThumbWidth);
     for (size_t i = 0; i < out.thumb.size(); ++i)
         out.thumb[i] =
             luminanceAt(thumb, static_cast<int>(i % kThumbWidth), static_cast<int>(i / kThumbWidth));
@@ -246,32 +239,26 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
     if (!(deviation_ > 1e-4f * mean_)) return; // uniform apart from rounding errors
 
     bright_.clear();
-    for (size_t i = 0; i < luminance_.size(); ++i)
-        if (const float part = asLight(luminance_[i]); part > 0)
-            bright_.push_back(
-                {directions_[i],
-                 part * (luminance_[i] - mean_) * solidAngle(coarse, static_cast<int>(i) / coarse.width),
-                 luminance_[i] - mean_});
-    const ImageRgbF& fine = levelOf(radiance, kFine);
+    for (size_t y = 0, i = 0; i < luminance_.size(); ++y) {
+        const float solid = solidAngle(coarse, static_cast<int>(y));
+        for (const size_t end = i + kCoarse; i < end; ++i)
+            addIfBright(directions_[i], luminance_[i], solid, bright_);
+    }
+    const ImageRgbF& fine = radiance.ofWidth(kFine);
     while (out.count < kMaxLights && !bright_.empty()) {
-        const auto seed = std::ranges::max_element(bright_, {}, &Texel::weight);
+        const auto seed = std::ranges::max_element(bright_, {}, &BrightTexel::weight);
         float reach = 0;
         FoundLight light = seek(seed->direction, fine, reach);
         weigh(coarse, reach, light);
         // Texels in this window are not used again.
         const glm::vec3 from = seed->direction;
-        std::erase_if(bright_, [&](const Texel& texel) {
+        std::erase_if(bright_, [&](const BrightTexel& texel) {
             return glm::dot(texel.direction, light.direction) > std::cos(reach) || texel.direction == from;
         });
-        if (light.share >= kMinShare)
-            out.lights[out.count++] = light;
-        else
-            break;
+        if (light.share < kMinShare) break;
+        out.lights[out.count++] = light;
     }
-    std::sort(out.lights.begin(), out.lights.begin() + static_cast<ptrdiff_t>(out.count),
-              [](const FoundLight& a, const FoundLight& b) {
-                  return thesisLuminance(a.irradiance) > thesisLuminance(b.irradiance);
-              });
+    std::ranges::sort(std::span(out.lights).first(out.count), std::ranges::greater(), strength);
 }
 
 float sceneDistance(const FoundLights& a, const FoundLights& b) {

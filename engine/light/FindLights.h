@@ -39,6 +39,12 @@ struct FoundLights {
     std::array<float, kThumbWidth * kThumbHeight> thumb{}; // luminance, lat-long: for sceneDistance()
 };
 
+struct BrightTexel {
+    glm::vec3 direction{0};
+    float weight = 0; // flux above the sphere's mean, times the share to which the texel counts as light
+    float above = 0;  // luminance above the sphere's mean
+};
+
 // Keeps tables and scratch: allocates nothing after the first call. One thread at a time.
 class LightFinder {
   public:
@@ -46,24 +52,18 @@ class LightFinder {
     void find(const RadiancePyramid& radiance, FoundLights& out);
 
   private:
-    struct Texel {
-        glm::vec3 direction{0};
-        float weight = 0; // flux above the sphere's mean times asLight()
-        float above = 0;  // luminance above the sphere's mean
-    };
-    struct Moments;
-    static Moments momentsWithin(const std::vector<Texel>& texels, const glm::vec3& middle, float cosReach);
+    void addIfBright(const glm::vec3& direction, float luminance, float solidAngle_sr,
+                     std::vector<BrightTexel>& texels) const;
     void gatherNear(const glm::vec3& middle, float reach, const ImageRgbF& fine);
     void settle(FoundLight& light, float window) const;
     void sharpen(float reach, FoundLight& light);
     FoundLight seek(const glm::vec3& seed, const ImageRgbF& fine, float& reach);
     void weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const;
-    float asLight(float luminance) const; // 0 to 1
 
     const std::vector<glm::vec3> directions_, fineDirections_; // of texels of the coarse and fine level
     std::vector<float> luminance_;                             // by texel of the coarse level
-    std::vector<Texel> bright_, near_; // texels of the coarse level; near a light, of the fine level
-    float mean_ = 0, deviation_ = 0;   // mean and deviation of luminance over the sphere
+    std::vector<BrightTexel> bright_, near_; // texels of the coarse level; near a light, of the fine level
+    float mean_ = 0, deviation_ = 0;         // mean and deviation of luminance over the sphere
 };
 
 struct ShadowLight {

@@ -12,6 +12,8 @@ struct FrameView {
     int width = 0, height = 0;       // pixels
     ptrdiff_t rowStride = 0;         // bytes from one row to the next
     bool bgr = true;                 // byte order blue, green, red; else red, green, blue
+
+    const uint8_t* row(ptrdiff_t y) const { return pixels + y * rowStride; }
 };
 
 } // namespace shoal::light

@@ -4,6 +4,7 @@
 #include "engine/math/LatLong.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +21,9 @@ glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
     const auto texel = [&](int column, int row) {
-        const bool beyond = row < 0 || row >= map.height; // beyond a pole lies the same row, half a turn away
-        if (beyond) column += map.width / 2;
-        const float* t =
-            map.at((column % map.width + map.width) % map.width, row < 0  ? -1 - row
-                                                                 : beyond ? 2 * map.height - 1 - row
-                                                                          : row);
-        return glm::vec3(t[0], t[1], t[2]);
+        const int known = rowOnSphere(row, map.height);
+        if (known != row) column += map.width / 2;
+        return glm::make_vec3(map.at((column % map.width + map.width) % map.width, known));
     };
     const glm::vec3 top = texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx;
     const glm::vec3 bottom = texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx;
@@ -82,8 +79,7 @@ std::array<PhongRing, kPhongRings> phongRings(double roughness) {
     for (int i = 0; i < kPhongRings; ++i) {
         const double part = (i % 3 + 0.5) / 3;
         const double left = i < 3 ? 1 - part * (1 - outside) : (1 - part) * outside;
-        rings[static_cast<size_t>(i)] = {std::acos(std::pow(left, 1 / (exponent + 1))),
-                                         (i < 3 ? 1 - outside : outside) / 3};
+        rings[i] = {std::acos(std::pow(left, 1 / (exponent + 1))), (i < 3 ? 1 - outside : outside) / 3};
     }
     return rings;
 }

@@ -33,11 +33,6 @@ int widthFor(double roughness, int baseWidth, const Widths& widths) {
 // Returns the roughness whose lobe is a texel wide: half a lobe is within 2 alpha, a texel within pi / width.
 float roughnessOfTexel(int width) { return std::sqrt(2.5f / static_cast<float>(width)); }
 
-// Removes negative values: near a sun of 10^9 rounding errors exceed the values of a dark sky.
-void cutBelowZero(ImageRgbF& image) {
-    for (float& value : image.pixels) value = std::max(value, 0.0f);
-}
-
 } // namespace
 
 std::vector<GlossyPlan> glossyPlans(int baseWidth, float minRoughness, LightQuality quality) {
@@ -64,8 +59,6 @@ void LightMaker::make(const FrameView& frame, EnvironmentLight& out) {
 size_t LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
     const size_t repaired = pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
     filter(out);
-    for (GlossyLevel& level : out.glossy) cutBelowZero(level.radianceLin);
-    cutBelowZero(out.diffuse);
     return repaired;
 }
 
@@ -78,9 +71,9 @@ void LightMaker::makeFilters(int baseWidth) {
         if (!plans[k].filtered) continue;
         const double roughness = static_cast<double>(plans[k].roughness);
         alphas.push_back(roughness * roughness);
-        const bool last = k + 1 == plans.size() || plans[k + 1].width != plans[k].width;
-        if (last) filters_->filters.emplace_back(filters_->chain.sampling(plans[k].width), alphas);
-        if (last) alphas.clear();
+        if (k + 1 < plans.size() && plans[k + 1].width == plans[k].width) continue;
+        filters_->filters.emplace_back(filters_->chain.sampling(plans[k].width), alphas);
+        alphas.clear();
     }
 }
 
@@ -91,19 +84,16 @@ void LightMaker::filter(EnvironmentLight& out) {
     auto& [plans, chain, filters] = *filters_;
     chain.make(out.radiance.levels[0]);
     out.glossy.resize(plans.size());
-    auto filter = filters.begin();
-    targets_.clear();
+    std::span<GlossyLevel> rest(out.glossy);
     for (size_t k = 0; k < plans.size(); ++k) {
         out.glossy[k].roughness = plans[k].roughness;
-        if (!plans[k].filtered) {
-            out.glossy[k].radianceLin = ImageRgbF();
-            continue;
-        }
-        targets_.push_back(&out.glossy[k].radianceLin);
-        if (k + 1 < plans.size() && plans[k + 1].width == plans[k].width) continue;
-        filter->apply(chain.level(filter->width()), targets_);
-        ++filter;
-        targets_.clear();
+        if (plans[k].filtered) continue;
+        out.glossy[k].radianceLin = ImageRgbF();
+        rest = rest.subspan(1);
+    }
+    for (ZonalFilter& filter : filters) {
+        filter.apply(chain.level(filter.width()), rest.first(filter.lobes()));
+        rest = rest.subspan(filter.lobes());
     }
     // A lobe of alpha 1 is that of a matte surface.
     out.diffuse = out.glossy.back().radianceLin;

@@ -64,8 +64,7 @@ class LightMaker {
     struct Filters {
         std::vector<GlossyPlan> plans;
         CentroidChain chain;
-        std::vector<ZonalFilter>
-            filters; // narrow lobes on wide maps first; the last makes the diffuse map too
+        std::vector<ZonalFilter> filters; // narrow lobes on wide maps first
     };
     void makeFilters(int baseWidth);
     void filter(EnvironmentLight& out);
@@ -73,7 +72,6 @@ class LightMaker {
     LightOptions options_;
     PyramidMaker pyramid_;
     std::optional<Filters> filters_; // for the base width of the last frame
-    std::vector<ImageRgbF*> targets_;
 };
 
 } // namespace shoal::light

@@ -1,7 +1,7 @@
 #include "engine/light/PackedLight.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/light/Pyramid.h"
-#include "engine/light/Vectorise.h"
 
 #include <algorithm>
 #include <bit>
@@ -29,11 +29,6 @@ void packRow(const float* __restrict rgb, int width, float factor, uint16_t* __r
             rgba[4 * x + c] = halfFromFloat(std::min(factor * rgb[3 * x + c], kMaxHalf));
         rgba[4 * x + 3] = kOne;
     }
-}
-
-void packMirror(const ImageRgbF& map, float factor, HalfImage& out) {
-    out.fit(map.width, map.height);
-    packRow(map.pixels.data(), map.width * map.height, factor, out.pixels.data());
 }
 
 float brightest(const ImageRgbF& map) {
@@ -95,8 +90,11 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
 
     out.mirrorRoughness.clear();
     for (size_t k = 0; k <= unfiltered; ++k) out.mirrorRoughness.push_back(light.glossy[k].roughness);
-    for (size_t k = 0; k < out.mirrors.size(); ++k)
-        packMirror(light.radiance.levels[k], factor, out.mirrors[k]);
+    for (size_t k = 0; k < out.mirrors.size(); ++k) {
+        const ImageRgbF& map = light.radiance.levels[k];
+        out.mirrors[k].fit(map.width, map.height);
+        packRow(map.pixels.data(), map.width * map.height, factor, out.mirrors[k].pixels.data());
+    }
 }
 
 } // namespace shoal::light

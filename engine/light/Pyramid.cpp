@@ -1,7 +1,7 @@
 #include "engine/light/Pyramid.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/light/BlockMeans.h"
-#include "engine/light/Vectorise.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
@@ -13,36 +13,32 @@ namespace shoal::light {
 
 namespace {
 
-// Decodes a row of bytes to linear planes with the arithmetic of radianceFromDisplay().
+// Decodes a row of bytes to linear RGB with the arithmetic of radianceFromDisplay().
 SHOAL_VECTORISE
-void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
-               float* __restrict green, float* __restrict blue) {
-    for (int x = 0; x < width; ++x) { // a separate loop, so that the next one is vectorised
-        red[x] = static_cast<float>(bytes[3 * x + redAt]);
-        green[x] = static_cast<float>(bytes[3 * x + 1]);
-        blue[x] = static_cast<float>(bytes[3 * x + 2 - redAt]);
-    }
+void decodeRow(const uint8_t* __restrict bytes, int width, bool bgr, float* __restrict rgb) {
     constexpr float kUnit = 1.0f / 255.0f;
-    for (int x = 0; x < width; ++x) {
-        const float r = red[x] * kUnit, g = green[x] * kUnit, b = blue[x] * kUnit;
+    for (int i = 0; i < 3 * width; ++i) rgb[i] = static_cast<float>(bytes[i]) * kUnit;
+    for (int x = 0; x < width; ++x) { // a separate loop, and no address from bgr: both are vectorised
+        const float first = rgb[3 * x], g = rgb[3 * x + 1], last = rgb[3 * x + 2];
+        const float r = bgr ? last : first, b = bgr ? first : last;
         const float l = 0.30f * r + 0.59f * g + 0.11f * b;
         const float l2 = l * l;
         const float l4 = l2 * l2;
         const float scale = 10.0f * l4 * l4 * l2 + 1.8f;
-        red[x] = scale * r;
-        green[x] = scale * g;
-        blue[x] = scale * b;
+        rgb[3 * x] = scale * r;
+        rgb[3 * x + 1] = scale * g;
+        rgb[3 * x + 2] = scale * b;
     }
 }
 
-// Decodes a row of sRGB bytes to linear planes.
-void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
-                     float* __restrict green, float* __restrict blue) {
+// Decodes a row of sRGB bytes to linear RGB.
+void decodeLinearRow(const uint8_t* __restrict bytes, int width, bool bgr, float* __restrict rgb) {
     const std::array<float, 256>& linear = math::linearOfByte();
+    const int redAt = bgr ? 2 : 0;
     for (int x = 0; x < width; ++x) {
-        red[x] = linear[bytes[3 * x + redAt]];
-        green[x] = linear[bytes[3 * x + 1]];
-        blue[x] = linear[bytes[3 * x + 2 - redAt]];
+        rgb[3 * x] = linear[bytes[3 * x + redAt]];
+        rgb[3 * x + 1] = linear[bytes[3 * x + 1]];
+        rgb[3 * x + 2] = linear[bytes[3 * x + 2 - redAt]];
     }
 }
 
@@ -59,31 +55,21 @@ int decodeClippedRow(const uint8_t* __restrict bytes, int width, float unit, flo
 }
 
 SHOAL_VECTORISE
-float sumOf(const float* values, int count) { return sumsOf<1>(values, static_cast<size_t>(count))[0]; }
-
-SHOAL_VECTORISE
 void addClippedBlocks(const float* __restrict clipped, const glm::vec3& white, int width,
                       float* __restrict out) {
     for (int x = 0; x < width; ++x)
         for (int c = 0; c < 3; ++c) out[3 * x + c] += white[c] * clipped[x];
 }
 
-// Averages every kFactor columns, from planes to interleaved texels.
+// Averages every kFactor texels of a row.
 template <int kFactor>
-SHOAL_VECTORISE void narrowBy(const float* __restrict red, const float* __restrict green,
-                              const float* __restrict blue, int width, float* __restrict out) {
-    constexpr float kShare = 1.0f / kFactor;
-    for (int x = 0; x < width; ++x) {
-        float r = 0, g = 0, b = 0;
-        for (int i = 0; i < kFactor; ++i) {
-            r += red[kFactor * x + i];
-            g += green[kFactor * x + i];
-            b += blue[kFactor * x + i];
+SHOAL_VECTORISE void narrowBy(const float* __restrict in, int width, float* __restrict out) {
+    for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c) {
+            float sum = 0;
+            for (int i = 0; i < kFactor; ++i) sum += in[3 * (kFactor * x + i) + c];
+            out[3 * x + c] = sum / kFactor;
         }
-        out[3 * x] = kShare * r;
-        out[3 * x + 1] = kShare * g;
-        out[3 * x + 2] = kShare * b;
-    }
 }
 
 SHOAL_VECTORISE
@@ -95,19 +81,15 @@ SHOAL_VECTORISE
 void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
               float bottomWeight, int width, float* __restrict out) {
     constexpr int kTexels = 128; // output texels of one pass
-    float mixed[6 * kTexels + 1];
+    float mixed[6 * kTexels];
     for (int first = 0; first < width; first += kTexels) {
         const int count = std::min(kTexels, width - first);
         for (int i = 0; i < 6 * count; ++i)
             mixed[i] = topWeight * top[6 * first + i] + bottomWeight * bottom[6 * first + i];
-        halveColumns(mixed, count, out + 3 * first,
-                     [](const float* two) { return texelAt(two) + texelAt(two + 3); });
+        for (int x = 0; x < count; ++x)
+            for (int c = 0; c < 3; ++c) out[3 * (first + x) + c] = mixed[6 * x + c] + mixed[6 * x + 3 + c];
     }
 }
-
-// Returns the sine of the latitude of a row's edge, row counted from the top; a band's share of the sphere is
-// half the difference of its edges' sines.
-double edgeSine(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
 
 // Clamps a value to 0 .. kMaxRadianceIn; infinity becomes kMaxHalf, NaN 0. Returns whether it changed.
 bool repair(float& value) {
@@ -130,7 +112,7 @@ void halveAll(RadiancePyramid& pyramid) {
 } // namespace
 
 int baseWidthFor(int sourceWidth, int askedWidth) {
-    const int maximum = std::max({1, std::min(sourceWidth, askedWidth), kMinBaseWidth});
+    const int maximum = std::max(std::min(sourceWidth, askedWidth), kMinBaseWidth);
     return static_cast<int>(std::bit_floor(static_cast<unsigned>(maximum)));
 }
 
@@ -151,8 +133,8 @@ void halve(const ImageRgbF& in, ImageRgbF& out) {
 // target), source edges are multiples of `target`, and target edges of `source`. edge(position): a decreasing
 // function whose difference between two target edges is the measure of the band between them.
 template <class Edge>
-void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares) {
-    shares.clear();
+std::vector<PyramidMaker::Share> PyramidMaker::sharesOf(int source, int target, Edge&& edge) {
+    std::vector<Share> shares;
     for (int from = 0; from < source; ++from) {
         const int64_t begin = int64_t{from} * target, end = begin + target;
         for (int64_t at = begin; at < end;) {
@@ -165,6 +147,7 @@ void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<S
         }
     }
     assert(shares.back().to == target - 1);
+    return shares;
 }
 
 void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out) {
@@ -174,43 +157,35 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
     if (sourceWidth == sourceWidth_ && sourceHeight == sourceHeight_ && width == baseWidth_) return;
     sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
 
-    makeShares(
-        sourceHeight, height, [&](double row) { return edgeSine(row, height); }, rows_);
-    makeShares(
-        sourceWidth, width, [](double column) { return -column; }, columns_);
-    for (auto* plane : {&red_, &green_, &blue_}) plane->resize(static_cast<size_t>(sourceWidth));
+    rows_ = sharesOf(sourceHeight, height, [&](double row) { return sineOfRow(row, height); });
+    columns_ = sharesOf(sourceWidth, width, [](double column) { return -column; });
+    row_.resize(static_cast<size_t>(sourceWidth) * 3);
+    clippedRow_.resize(sourceWidth);
     narrow_.resize(static_cast<size_t>(width) * 3);
 }
 
-void PyramidMaker::narrowRow() {
-    // The usual sizes have loops of their own; the shares below serve all others.
-    const auto narrow = sourceWidth_ == baseWidth_       ? narrowBy<1>
-                        : sourceWidth_ == 2 * baseWidth_ ? narrowBy<2>
-                        : sourceWidth_ == 4 * baseWidth_ ? narrowBy<4>
-                                                         : nullptr;
-    if (narrow) {
-        narrow(red_.data(), green_.data(), blue_.data(), baseWidth_, narrow_.data());
-        return;
+// Returns the row at the base's width. The usual sizes have loops of their own; shares serve all others.
+const float* PyramidMaker::narrowRow() {
+    if (sourceWidth_ == baseWidth_) return row_.data();
+    if (sourceWidth_ == 2 * baseWidth_) {
+        narrowBy<2>(row_.data(), baseWidth_, narrow_.data());
+    } else if (sourceWidth_ == 4 * baseWidth_) {
+        narrowBy<4>(row_.data(), baseWidth_, narrow_.data());
+    } else {
+        std::ranges::fill(narrow_, 0.0f);
+        for (const Share& share : columns_)
+            for (int c = 0; c < 3; ++c) narrow_[3 * share.to + c] += share.weight * row_[3 * share.from + c];
     }
-    std::ranges::fill(narrow_, 0.0f);
-    for (const Share& share : columns_) {
-        const auto from = static_cast<size_t>(share.from);
-        float* out = narrow_.data() + 3 * share.to;
-        out[0] += share.weight * red_[from];
-        out[1] += share.weight * green_[from];
-        out[2] += share.weight * blue_[from];
-    }
+    return narrow_.data();
 }
 
-// Resamples the source into `base`. decodeRow(y): decodes row y into the planes; false if it is all zeros.
+// Resamples the source into `base`. decodeRow(y): decodes row y into row_; false if it is all zeros.
 template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, ImageRgbF& base) {
     size_t share = 0;
     for (int y = 0; y < sourceHeight_; ++y) {
-        const bool any = decodeRow(y);
-        if (any) narrowRow();
+        const float* const row = decodeRow(y) ? narrowRow() : nullptr;
         for (; share < rows_.size() && rows_[share].from == y; ++share)
-            if (any)
-                addScaled(narrow_.data(), rows_[share].weight, base.width * 3, base.at(0, rows_[share].to));
+            if (row) addScaled(row, rows_[share].weight, base.width * 3, base.at(0, rows_[share].to));
     }
 }
 
@@ -224,47 +199,38 @@ glm::vec3 PyramidMaker::measureClipped(int width, int height, const ImageRgbF& d
     for (int y = 0; y < above; ++y) density_.addRow(y, clippedRow(y));
     density_.finish();
     double irradiance = 0;
-    for (int y = 0; y < above; ++y) {
-        float* const row = clippedRow(y);
-        density_.weigh(y, row);
-        irradiance += levelIrradiance(y, width, height) * static_cast<double>(sumOf(row, width));
-    }
+    for (int y = 0; y < above; ++y)
+        irradiance += levelIrradiance(y, width, height) * double{density_.weigh(y, clippedRow(y))};
     clippedGain_ = clippedGainOf(decoded, irradiance);
     return clippedTintOf(decoded);
 }
 
 void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
-    // Decodes a row into the red plane, a fully clipped pixel as `white`; returns whether any is clipped.
+    // Decodes a row into clippedRow_, a fully clipped pixel as `white`; returns whether any is clipped.
     const auto decode = [&](int y, float white) {
-        return decodeClippedRow(frame.pixels + y * frame.rowStride, frame.width, white / kClippedSteps,
-                                red_.data()) > 0;
+        return decodeClippedRow(frame.row(y), frame.width, white / kClippedSteps, clippedRow_.data()) > 0;
     };
-    const auto share = [&](int y) { return clippedShares_[static_cast<size_t>(y)]; };
+    const auto share = [&](int y) { return clippedShares_[y]; };
     const glm::vec3 tint = measureClipped(frame.width, frame.height, base, [&](int y) {
         decode(y, share(y));
-        return red_.data();
+        return clippedRow_.data();
     });
     addRows(
         [&](int y) {
             if (y >= (frame.height + 1) / 2 || !decode(y, (clippedGain_.of(y, frame.height) - 1) * share(y)))
                 return false;
-            density_.weigh(y, red_.data());
-            for (size_t x = 0; x < red_.size(); ++x) {
-                green_[x] = tint.g * red_[x];
-                blue_[x] = tint.b * red_[x];
-                red_[x] *= tint.r;
-            }
+            density_.weigh(y, clippedRow_.data());
+            for (int x = 0; x < frame.width; ++x)
+                for (int c = 0; c < 3; ++c) row_[3 * x + c] = tint[c] * clippedRow_[x];
             return true;
         },
         base);
 }
 
 void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from) {
-    if (from == FrameRadiance::Thesis) return makeBlockMeans(frame, blockRows_, blocks);
-    if (from == FrameRadiance::Linear)
-        return makeLinearBlockMeans(frame, blockRows_, {}, blocks, clippedBlocks_);
-    clippedBlocks_.fit(blocks.width, blocks.height);
-    makeLinearBlockMeans(frame, blockRows_, clippedShares_, blocks, clippedBlocks_);
+    if (from == FrameRadiance::Auto) clippedBlocks_.fit(blocks.width, blocks.height);
+    makeBlockMeans(frame, from, blockRows_, blocks, fastestBlockLoop(), clippedShares_, &clippedBlocks_);
+    if (from != FrameRadiance::Auto) return;
     const glm::vec3 tint =
         measureClipped(blocks.width, blocks.height, blocks, [&](int y) { return clippedBlocks_.at(0, y); });
     for (int y = 0; y < (blocks.height + 1) / 2; ++y)
@@ -309,8 +275,7 @@ void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid&
     const auto decode = from == FrameRadiance::Thesis ? decodeRow : decodeLinearRow;
     addRows(
         [&](int y) {
-            decode(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
-                   green_.data(), blue_.data());
+            decode(frame.row(y), frame.width, frame.bgr, row_.data());
             return true;
         },
         base);
@@ -322,10 +287,9 @@ size_t PyramidMaker::make(const ImageRgbF& radianceLin, int askedWidth, Radiance
     prepare(radianceLin.width, radianceLin.height, askedWidth, out);
     size_t repaired = 0;
     const auto read = [&](int y) {
-        const float* in = radianceLin.at(0, y);
-        for (size_t x = 0; x < static_cast<size_t>(radianceLin.width); ++x, in += 3) {
-            red_[x] = in[0], green_[x] = in[1], blue_[x] = in[2];
-            const bool r = repair(red_[x]), g = repair(green_[x]), b = repair(blue_[x]);
+        std::copy_n(radianceLin.at(0, y), row_.size(), row_.begin());
+        for (size_t i = 0; i < row_.size(); i += 3) {
+            const bool r = repair(row_[i]), g = repair(row_[i + 1]), b = repair(row_[i + 2]);
             repaired += r || g || b;
         }
         return true;

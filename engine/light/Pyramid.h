@@ -49,8 +49,7 @@ class PyramidMaker {
         int from = 0, to = 0;
         float weight = 0;
     };
-    template <class Edge>
-    static void makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares);
+    template <class Edge> static std::vector<Share> sharesOf(int source, int target, Edge&& edge);
 
     bool makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out, FrameRadiance from);
     void makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from);
@@ -59,17 +58,17 @@ class PyramidMaker {
     template <class ClippedRow>
     glm::vec3 measureClipped(int width, int height, const ImageRgbF& decoded, ClippedRow&& clippedRow);
     void addClipped(const FrameView& frame, ImageRgbF& base);
-    void narrowRow();
+    const float* narrowRow();
 
     int sourceWidth_ = 0, sourceHeight_ = 0, baseWidth_ = 0;
-    std::vector<Share> rows_, columns_;     // ascending by `from` and `to`
-    std::vector<float> blockRows_;          // weights for makeBlockMeans()
-    std::vector<float> clippedShares_;      // by row of a frame: clippedShare()
-    ImageRgbF blocks_;                      // result of makeBlockMeans(), unless that is the base itself
-    ImageF clippedBlocks_;                  // the same for clipped pixels
-    ClippedDensity density_;                // density of clippedBlocks_
-    std::vector<float> red_, green_, blue_; // one source row, linear
-    std::vector<float> narrow_;             // the same at the base's width, interleaved
+    std::vector<Share> rows_, columns_;   // ascending by `from` and `to`
+    std::vector<float> blockRows_;        // weights for makeBlockMeans()
+    std::vector<float> clippedShares_;    // by row of a frame: clippedShare()
+    ImageRgbF blocks_;                    // result of makeBlockMeans(), unless that is the base itself
+    ImageF clippedBlocks_;                // the same for clipped pixels
+    ClippedDensity density_;              // density of clippedBlocks_
+    std::vector<float> row_, clippedRow_; // one source row, linear; clipped shares of its pixels
+    std::vector<float> narrow_;           // the row at the base's width
     ClippedGain clippedGain_;
 };
 

@@ -1,6 +1,6 @@
 #include "engine/light/ZonalFilter.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/Brdf.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kRows = 16;      // ZonalFilter::kBlock
+constexpr int kRows = 16;      // output rows of a block
 constexpr size_t kSignals = 6; // three channels at frequencies k and width - k, which share a kernel
 
 // Computes out[0 .. 15] for each signal in turn: the sum over `count` input rows of kernel row times signal.
@@ -36,35 +36,14 @@ constexpr size_t kSignals = 6; // three channels at frequencies k and width - k,
 #define SHOAL_FLOATS 4
 #include "engine/light/CombineRows.inl"
 
-using Four = float __attribute__((vector_size(16)));
-
-// Transposes and scales a 4 x 4 square, and clamps it to 0 from below. strides: floats from row to row.
-inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_t outStride, float scale) {
-    Four a, b, c, d;
-    std::memcpy(&a, in, sizeof a);
-    std::memcpy(&b, in + inStride, sizeof b);
-    std::memcpy(&c, in + 2 * inStride, sizeof c);
-    std::memcpy(&d, in + 3 * inStride, sizeof d);
-    const Four abFirst = __builtin_shufflevector(a, b, 0, 4, 1, 5),
-               abLast = __builtin_shufflevector(a, b, 2, 6, 3, 7),
-               cdFirst = __builtin_shufflevector(c, d, 0, 4, 1, 5),
-               cdLast = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    const Four rows[4] = {__builtin_shufflevector(abFirst, cdFirst, 0, 1, 4, 5),
-                          __builtin_shufflevector(abFirst, cdFirst, 2, 3, 6, 7),
-                          __builtin_shufflevector(abLast, cdLast, 0, 1, 4, 5),
-                          __builtin_shufflevector(abLast, cdLast, 2, 3, 6, 7)};
-    for (int i = 0; i < 4; ++i) {
-        const Four scaled = rows[i] * scale, bounded = scaled > 0 ? scaled : Four{};
-        std::memcpy(out + i * outStride, &bounded, sizeof bounded);
-    }
-}
-
-// Writes out[x][y] = max(0, scale * in[y][x]).
+// Writes out[x][y] = max(0, scale * in[y][x]), by bands of rows that stay in the cache. height: a multiple of
+// kRows.
 SHOAL_VECTORISE
 void transpose(const float* in, int width, int height, float scale, float* out) {
-    for (int y = 0; y < height; y += 4)
-        for (int x = 0; x < width; x += 4)
-            turnSquare(in + y * width + x, width, out + x * height + y, height, scale);
+    for (int top = 0; top < height; top += kRows)
+        for (int x = 0; x < width; ++x)
+            for (int y = top; y < top + kRows; ++y)
+                out[x * height + y] = std::max(0.0f, scale * in[y * width + x]);
 }
 
 double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
@@ -197,9 +176,8 @@ void Hartley::transform(float* data, int lanes) {
 }
 
 ZonalFilter::ZonalFilter(const Sampling& sampling, const std::vector<double>& alphas)
-    : width_(sampling.width), height_(width_ / 2), hartley_(width_) {
-    assert(width_ >= 2 * kBlock);
-    static_assert(kBlock == kRows);
+    : width_(sampling.width), height_(width_ / 2), blocks_((height_ / kRows + 1) / 2), hartley_(width_) {
+    assert(width_ >= 2 * kRows);
     for (const double alpha : alphas) kernels_.push_back(kernelOf(alpha, sampling));
     columns_.resize(static_cast<size_t>(width_) * 3 * height_);
     filtered_.resize(columns_.size());
@@ -211,7 +189,7 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
     for (int d = 0; d <= width_ / 2; ++d)
         for (int t = 0; t < 2; ++t)
             cosines.push_back(std::cos(2 * pi * (d + (t - 0.5) / std::numbers::sqrt3) / width_));
-    const int frequencies = width_ / 2 + 1, blocks = northernBlocks();
+    const int frequencies = width_ / 2 + 1;
     std::vector<double> gains;
     for (int m = 0; m < frequencies; ++m) gains.push_back(columnGain(m, width_, sampling.octaves));
     const double spread = -0.5 * spreadVariance(sampling.octaves);
@@ -222,10 +200,10 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
     std::vector<float> tile(static_cast<size_t>(width_) * kRows); // [column difference or frequency][row in]
     std::vector<float> lobes(n * static_cast<size_t>(height_) * kRows); // [frequency][row in][row out]
     Kernel kernel;
-    kernel.ranges.resize(n * static_cast<size_t>(blocks));
-    for (int block = 0; block < blocks; ++block) {
+    kernel.ranges.resize(n * static_cast<size_t>(blocks_));
+    for (int block = 0; block < blocks_; ++block) {
         for (int first = 0; first < height_; first += kRows) {
-            lobesOfTile(block * kBlock - 1, first - 1, width_, alpha, cosines, raw);
+            lobesOfTile(block * kRows - 1, first - 1, width_, alpha, cosines, raw);
             for (int out = 0; out < kRows; ++out) {
                 const double* above = raw.data() + static_cast<size_t>(out) * sharp.size();
                 const double *here = above + sharp.size(), *below = here + sharp.size();
@@ -233,19 +211,18 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
                     sharp[j] = here[j] + kSide * (above[j] - 2 * here[j] + below[j]);
                 for (int in = 0; in < kRows; ++in) {
                     const double* row = sharp.data() + (in + 1) * frequencies;
-                    const double flux = sampling.rowFlux[static_cast<size_t>(first + in)];
+                    const double flux = sampling.rowFlux[first + in];
                     for (int d = 0; d < frequencies; ++d) {
                         const double bent = row[d - frequencies] - 2 * row[d] + row[d + frequencies];
                         const auto value = static_cast<float>((row[d] + spread * bent) * flux);
-                        tile[static_cast<size_t>(d * kRows + in)] = value;
-                        tile[static_cast<size_t>((width_ - d) % width_ * kRows + in)] = value;
+                        tile[d * kRows + in] = value;
+                        tile[(width_ - d) % width_ * kRows + in] = value;
                     }
                 }
                 hartley_.transform(tile.data(), kRows);
                 for (int m = 0; m < frequencies; ++m)
                     for (int in = 0; in < kRows; ++in)
-                        lobes[static_cast<size_t>((m * height_ + first + in) * kRows + out)] =
-                            tile[static_cast<size_t>(m * kRows + in)];
+                        lobes[(m * height_ + first + in) * kRows + out] = tile[m * kRows + in];
             }
         }
         appendBlock(block, lobes, gains, kernel);
@@ -257,7 +234,7 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
 // Appends the kernel of a block, only for contributing input rows. lobes: [frequency][row in][row out].
 void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const std::vector<double>& gains,
                               Kernel& kernel) const {
-    const int blocks = northernBlocks();
+    constexpr double kNegligible = 2e-6;
     const auto lobe = [&](int m, int in, size_t out) {
         return static_cast<double>(lobes[static_cast<size_t>(m * height_ + in) * kRows + out]);
     };
@@ -272,7 +249,7 @@ void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const 
         }
 
     for (int m = 0; m <= width_ / 2; ++m) {
-        const auto share = [&, gain = gains[static_cast<size_t>(m)]](int in, size_t out) {
+        const auto share = [&, gain = gains[m]](int in, size_t out) {
             const double value = lobe(m, in, out);
             return std::abs(value) > kNegligible * whole[out] ? static_cast<float>(gain * value / kept[out])
                                                               : 0.0f;
@@ -287,19 +264,18 @@ void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const 
         while (last > first && !reaches(last)) --last;
         if (first == height_) first = 0, last = -1;
         const Range range{first, last + 1 - first, kernel.values.size()};
-        kernel.ranges[static_cast<size_t>(m * blocks + block)] = range;
+        kernel.ranges[m * blocks_ + block] = range;
         for (int in = first; in <= last; ++in)
             for (size_t out = 0; out < kRows; ++out) kernel.values.push_back(share(in, out));
     }
 }
 
 void ZonalFilter::filter(const Kernel& kernel) {
-    const int blocks = northernBlocks();
-    for (int block = 0; block < blocks; ++block)
+    for (int block = 0; block < blocks_; ++block)
         for (int m = 0; m <= width_ / 2; ++m) {
-            const Range& range = kernel.ranges[static_cast<size_t>(m * blocks + block)];
+            const Range& range = kernel.ranges[m * blocks_ + block];
             const float* weights = kernel.values.data() + range.kernel;
-            const int north = block * kBlock, south = height_ - kBlock - north;
+            const int north = block * kRows, south = height_ - kRows - north;
             std::array<const float*, kSignals> northIn, southIn;
             std::array<float*, kSignals> northOut, southOut;
             for (size_t s = 0; s < kSignals; ++s) {
@@ -320,17 +296,17 @@ void ZonalFilter::filter(const Kernel& kernel) {
         }
 }
 
-void ZonalFilter::apply(const ImageRgbF& in, std::span<ImageRgbF* const> out) {
+void ZonalFilter::apply(const ImageRgbF& in, std::span<GlossyLevel> out) {
     assert(in.width == width_ && in.height == height_ && out.size() == kernels_.size());
     transpose(in.pixels.data(), 3 * width_, height_, 1, columns_.data());
     hartley_.transform(columns_.data(), 3 * height_);
     for (size_t i = 0; i < out.size(); ++i) {
-        out[i]->fit(width_, height_);
+        out[i].radianceLin.fit(width_, height_);
         filter(kernels_[i]);
         hartley_.transform(filtered_.data(), 3 * height_);
         // Rounding errors may leave values slightly below zero where no light arrives.
         transpose(filtered_.data(), height_, 3 * width_, 1.0f / static_cast<float>(width_),
-                  out[i]->pixels.data());
+                  out[i].radianceLin.pixels.data());
     }
 }
 

@@ -2,8 +2,8 @@
 // all texels for a hundredth of the multiplications.
 #pragma once
 
-#include "engine/core/Image.h"
 #include "engine/light/CentroidChain.h"
+#include "engine/light/EnvironmentLight.h"
 
 #include <span>
 #include <vector>
@@ -35,7 +35,7 @@ class Hartley {
 //
 // The sum over the columns of a row in, for a row out, is a circular convolution with an even kernel; in the
 // transformed rows it is one product for each frequency. A narrow lobe has high frequencies that reach over
-// few rows; a wide lobe reaches over all rows, with low frequencies only. Values below kNegligible of the
+// few rows; a wide lobe reaches over all rows, with low frequencies only. Values below 2e-6 of the
 // whole are left out, and the rest is scaled so that uniform light stays exactly as it is.
 //
 // The kernel compensates, to second order, for the texels' spread of light (Sampling::octaves) and for linear
@@ -46,19 +46,17 @@ class ZonalFilter {
     // (512) and 0.1 to some 10 MB for each alpha.
     ZonalFilter(const Sampling& sampling, const std::vector<double>& alphas);
 
-    // Writes to out[i] the map filtered by the lobe of alphas[i]. All maps: width x width / 2; out are
-    // resized. Linear radiance; results are not negative. One thread at a time.
-    void apply(const ImageRgbF& in, std::span<ImageRgbF* const> out);
+    // Writes to level i of `out` the map filtered by the lobe of alphas[i]. All maps: width x width / 2;
+    // those of `out` are resized. Linear radiance; results are not negative. One thread at a time.
+    void apply(const ImageRgbF& in, std::span<GlossyLevel> out);
 
     int width() const { return width_; }
+    size_t lobes() const { return kernels_.size(); }
 
   private:
-    static constexpr int kBlock = 16; // output rows that share a range of input rows
-    static constexpr double kNegligible = 2e-6;
-
     struct Range {
         int first = 0, count = 0; // input rows
-        size_t kernel = 0;        // index of kBlock floats for each input row
+        size_t kernel = 0;        // index of a float for each output row of the block, for each input row
     };
     // The kernel of the northern half; the southern half counts input and output rows from the south.
     struct Kernel {
@@ -70,9 +68,9 @@ class ZonalFilter {
     void appendBlock(int block, const std::vector<float>& lobes, const std::vector<double>& gains,
                      Kernel& kernel) const;
     void filter(const Kernel& kernel);
-    int northernBlocks() const { return (height_ / kBlock + 1) / 2; } // of the result's rows
 
     int width_, height_;
+    int blocks_; // blocks of output rows in the northern half, which share ranges of input rows
     Hartley hartley_;
     std::vector<Kernel> kernels_;
     std::vector<float> columns_, filtered_; // [column or frequency][channel][row]

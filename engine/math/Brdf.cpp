@@ -66,8 +66,7 @@ std::vector<float> makeDfgTable(int size) {
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const Dfg factor = dfg((x + 0.5) / size, (y + 0.5) / size);
-            table.push_back(static_cast<float>(factor.scale));
-            table.push_back(static_cast<float>(factor.bias));
+            table.insert(table.end(), {static_cast<float>(factor.scale), static_cast<float>(factor.bias)});
         }
     return table;
 }

@@ -48,6 +48,11 @@ inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
 // Returns the column within the map, for x at most one width beyond its edges.
 inline int wrappedColumn(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
+// Returns the row within the map; beyond a pole lies the same row, half a turn away.
+inline int rowOnSphere(int row, int height) {
+    return row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
+}
+
 // Returns the direction, of unit length: the inverse of latLongFromDirection(). u may lie outside [0, 1].
 template <class T> glm::vec<3, T> directionFromLatLong(const glm::vec<2, T>& uv) {
     const T longitude = (uv.x - T(0.5)) * T(2) * std::numbers::pi_v<T>;
@@ -61,13 +66,13 @@ template <class T = float> glm::vec<3, T> texelDirection(int x, int y, int width
     return directionFromLatLong(glm::vec<2, T>((T(x) + T(0.5)) / T(width), (T(y) + T(0.5)) / T(height)));
 }
 
+// Returns the sine of the latitude of a row's upper edge; row + 0.5 is its middle.
+inline double sineOfRow(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
+
 // Returns the solid angle in steradians of one texel of row y in a width x height map, exactly: the band
 // between two latitudes, 2 pi (sin a - sin b), shared by its texels. All texels sum to 4 pi.
 inline double texelSolidAngle(int y, int width, int height) {
-    const double pi = std::numbers::pi;
-    const double top = std::sin(pi * (0.5 - static_cast<double>(y) / height));
-    const double bottom = std::sin(pi * (0.5 - static_cast<double>(y + 1) / height));
-    return 2.0 * pi * (top - bottom) / width;
+    return 2.0 * std::numbers::pi * (sineOfRow(y, height) - sineOfRow(y + 1, height)) / width;
 }
 
 // --- Cells of a grid over the map that a cap of the sphere touches

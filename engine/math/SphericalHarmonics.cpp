@@ -2,6 +2,8 @@
 
 #include "engine/math/LatLong.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <cmath>
 #include <numbers>
 
@@ -63,8 +65,7 @@ ShRgb shProject(const ImageRgbF& radianceLin) {
         for (int column = 0; column < radianceLin.width; ++column) {
             const ShBasis basis =
                 shBasis(texelDirection<double>(column, row, radianceLin.width, radianceLin.height));
-            const float* texel = radianceLin.at(column, row);
-            const glm::dvec3 power = glm::dvec3(texel[0], texel[1], texel[2]) * solidAngle;
+            const auto power = glm::dvec3(glm::make_vec3(radianceLin.at(column, row))) * solidAngle;
             for (size_t i = 0; i < basis.size(); ++i) result[i] += power * basis[i];
         }
     }

@@ -49,15 +49,13 @@ Result<std::string> checkVideo(const Path& file) {
     while (source->position() < kMaxFrames && source->grab()) {
     }
     const int64_t frames = source->position();
-    const int64_t tolerated = std::max<int64_t>(4, info.frameCount / 50); // as VideoPlayer does
-    if (frames < info.frameCount - tolerated)
+    if (frames < leastFrames(info.frameCount))
         return Error{file.string(), fmt::format("is damaged: only {:.1f} of {:.1f} s can be decoded",
                                                 static_cast<double>(frames) / info.fps, info.duration_s)};
-    const std::string codec = info.codec.empty() ? "" : info.codec + " ";
     std::string message =
-        fmt::format("{}x{} {}video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
-                    info.height, codec, info.fps, static_cast<double>(frames) / info.fps, nameOf(info.matrix),
-                    enumName(info.layout), info.layoutSource);
+        fmt::format("{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
+                    info.height, info.codec, info.fps, static_cast<double>(frames) / info.fps,
+                    nameOf(info.matrix), enumName(info.layout), info.layoutSource);
     if (m.partial) message += "; covers only a part of the environment";
     if (!m.present) message += "; does not say that it is a 360-degree video";
     return message + depthNote(file);
@@ -96,19 +94,16 @@ Result<std::string> checkPicture(const Path& file) {
     if (!isHdr(header->kind)) {
         const auto picture = readPicture(file);
         if (!picture) return picture.error();
-        return fmt::format("{}x{} {} picture, ", picture->width, picture->height, nameOf(header->kind)) +
-               shapeNote(picture->width, picture->height);
+        return fmt::format("{}x{} {} picture, {}", picture->width, picture->height, nameOf(header->kind),
+                           shapeNote(picture->width, picture->height));
     }
     const auto picture = readHdr(file);
     if (!picture) return picture.error();
-    float largest = 0;
-    for (const float value : picture->radianceLin.pixels) largest = std::max(largest, value);
-    std::string message =
-        fmt::format("{}x{} {} picture, largest component {:.4g}, ", picture->radianceLin.width,
-                    picture->radianceLin.height, nameOf(header->kind), largest) +
-        shapeNote(picture->radianceLin.width, picture->radianceLin.height);
+    const ImageRgbF& image = picture->radianceLin;
     const std::string repairs = picture->repairs();
-    return repairs.empty() ? message : message + "; " + repairs;
+    return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}{}", image.width, image.height,
+                       nameOf(header->kind), *std::ranges::max_element(image.pixels),
+                       shapeNote(image.width, image.height), repairs.empty() ? "" : "; ", repairs);
 }
 
 } // namespace shoal::media

@@ -23,7 +23,8 @@ struct CameraRequest {
 // Reader of a camera. Null: waits for the next picture; else: converts it, blue first. False: no more come.
 using CameraReader = std::function<bool(cv::Mat* bgr)>;
 
-// OpenCV's functions of these names, and openCamera(). They may throw. Empty, false or null on failure.
+// OpenCV's functions of these names, and openCamera(). They may throw. Empty, false or null on failure. The
+// plug-in exports one as `shoalCodecs`, with C linkage.
 struct Codecs {
     cv::Mat (*imdecode)(cv::InputArray bytes, int flags);
     cv::Mat (*imread)(const std::string& file, int flags);
@@ -36,8 +37,5 @@ struct Codecs {
 // is installed or was built. Fails if it, or a library that it needs, is missing. Sets up OpenCV (Ffmpeg.h,
 // setUpDecoders()).
 Result<const Codecs*> codecs();
-
-// Name of the plug-in's Codecs, with C linkage.
-constexpr const char* kCodecsName = "shoalCodecs";
 
 } // namespace shoal::media

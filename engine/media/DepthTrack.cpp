@@ -2,9 +2,10 @@
 
 #include "engine/core/Hash.h"
 #include "engine/core/Number.h"
-#include "engine/media/Ffmpeg.h"
+#include "engine/media/Decoder.h"
 
 #include <fmt/core.h>
+#include <opencv2/core.hpp>
 
 extern "C" {
 #include <libavutil/crc.h>
@@ -15,8 +16,6 @@ extern "C" {
 #include <cmath>
 
 namespace shoal::media {
-
-constexpr size_t kIdentityBytes = 1 << 20;
 
 static std::string tagOf(const AVFormatContext& input, const char* name) {
     const AVDictionaryEntry* tag = av_dict_get(input.metadata, name, nullptr, 0);
@@ -32,12 +31,11 @@ static bool isWhole(const AVPacket& packet) {
 
 bool isDepthTrack(const DepthTrackInfo& info) {
     constexpr int kMinWidth = 16, kMaxWidth = 4096;
-    constexpr double kMaxFps = 240; // frames need time stamps of their own, which are whole milliseconds
     constexpr double kMaxDuration_s = 1e6;
     const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height == info.width / 2;
     return fits && std::has_single_bit(static_cast<unsigned>(info.width)) && info.frameCount > 0 &&
            info.duration_s > 0 && info.duration_s <= kMaxDuration_s &&
-           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0);
+           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0); // stamps are whole milliseconds
 }
 
 Path depthTrackOf(const Path& film) {
@@ -48,7 +46,7 @@ Path depthTrackOf(const Path& film) {
 }
 
 Result<std::string> filmIdentity(const Path& film) {
-    const auto begin = readFileBegin(film, kIdentityBytes);
+    const auto begin = readFileBegin(film, 1 << 20);
     if (!begin) return begin.error();
     Hash hash;
     hash.bytes(begin->data(), begin->size());
@@ -57,15 +55,12 @@ Result<std::string> filmIdentity(const Path& film) {
 
 struct DepthTrack::Impl {
     DepthTrackInfo info;
-    Input input;
-    Codec codec;
-    Packet packet = makePacket();
-    Frame frame = makeFrame();
+    FileDecoder in{.stream = 0};
     int next = 0; // number of the packet that is read next without a seek
 
     int numberOf(const AVPacket& from) const {
         if (from.pts == AV_NOPTS_VALUE) return -1;
-        const double time_s = static_cast<double>(from.pts) * av_q2d(input->streams[0]->time_base);
+        const double time_s = static_cast<double>(from.pts) * av_q2d(in.opened().time_base);
         const double number = std::round(time_s * info.frameCount / info.duration_s);
         return number >= 0 && number < info.frameCount ? static_cast<int>(number) : -1;
     }
@@ -74,14 +69,14 @@ struct DepthTrack::Impl {
         constexpr int kReadOn = 32; // packets; a seek costs more
         if (number < next || number > next + kReadOn) {
             const double time_s = number * info.duration_s / info.frameCount;
-            const auto stamp = static_cast<int64_t>(time_s / av_q2d(input->streams[0]->time_base));
-            if (av_seek_frame(input.get(), 0, stamp, AVSEEK_FLAG_BACKWARD) < 0) return false;
+            const auto stamp = static_cast<int64_t>(time_s / av_q2d(in.opened().time_base));
+            if (!in.seek(stamp)) return false;
         }
         next = -1 - kReadOn; // unknown until the packet is found
         for (;;) {
-            av_packet_unref(packet.get());
-            if (av_read_frame(input.get(), packet.get()) < 0) return false;
-            const int found = numberOf(*packet);
+            av_packet_unref(in.packet.get());
+            if (av_read_frame(in.input.get(), in.packet.get()) < 0) return false;
+            const int found = numberOf(*in.packet);
             if (found > number) return false;
             if (found < number) continue;
             next = number + 1;
@@ -95,9 +90,10 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
     if (const auto begin = readFileBegin(file, 16); !begin) return begin.error();
     auto impl = makeHidden<Impl>();
-    impl->input = openInput(file, "matroska");
-    if (!impl->input || tagOf(*impl->input, depth_tags::kVersion).empty()) return failed("is no depth track");
-    const AVFormatContext& input = *impl->input;
+    impl->in.input = openInput(file, "matroska");
+    if (!impl->in.input || tagOf(*impl->in.input, depth_tags::kVersion).empty())
+        return failed("is no depth track");
+    const AVFormatContext& input = *impl->in.input;
     if (tagOf(input, depth_tags::kVersion) != depth_tags::kVersionValue ||
         tagOf(input, depth_tags::kLayout) != depth_tags::kLayoutValue)
         return failed("is a depth track of another version");
@@ -115,12 +111,8 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     info.width = coded.width, info.height = coded.height;
     if (coded.codec_id != AV_CODEC_ID_FFV1 || !isDepthTrack(info))
         return failed("is damaged: its header makes no sense");
-    const AVCodec* decoder = avcodec_find_decoder(coded.codec_id);
-    impl->codec.reset(avcodec_alloc_context3(decoder));
-    if (avcodec_parameters_to_context(impl->codec.get(), &coded) < 0) return failed("cannot be decoded");
-    impl->codec->thread_count = 1;
-    impl->codec->err_recognition = AV_EF_EXPLODE;
-    if (avcodec_open2(impl->codec.get(), decoder, nullptr) < 0) return failed("cannot be decoded");
+    if (!impl->in.decoder.open(impl->in.opened(), FrameThreading::None, 1))
+        return failed("cannot be decoded");
     if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
     return DepthTrack(std::move(impl));
 }
@@ -137,22 +129,19 @@ int DepthTrack::frameAt(double time_s) const {
 bool DepthTrack::read(int number, DepthFrame& out) {
     Impl& track = *impl_;
     if (number < 0 || number >= track.info.frameCount || !track.readPacket(number)) return false;
-    AVFrame& frame = *track.frame;
-    if (!isWhole(*track.packet)) return false;
-    avcodec_flush_buffers(track.codec.get());
-    if (avcodec_send_packet(track.codec.get(), track.packet.get()) < 0 ||
-        avcodec_receive_frame(track.codec.get(), &frame) < 0 || frame.format != kDepthPixels ||
-        frame.width != track.info.width || frame.height != track.info.height)
+    if (!isWhole(*track.in.packet)) return false;
+    Decoder& decoder = track.in.decoder;
+    decoder.flush();
+    decoder.send(track.in.packet.get());
+    const AVFrame& frame = decoder.frame();
+    if (!decoder.receive() || frame.format != kDepthPixels || frame.width != track.info.width ||
+        frame.height != track.info.height)
         return false;
     out.width = frame.width, out.height = frame.height;
     const auto plane = [&](int index, int width, int height, std::vector<uint16_t>& codes) {
         codes.resize(static_cast<size_t>(width) * height);
-        for (int y = 0; y < height; ++y) {
-            const auto* row = reinterpret_cast<const uint16_t*>(
-                frame.data[index] + static_cast<ptrdiff_t>(y) * frame.linesize[index]);
-            std::transform(row, row + width, codes.begin() + static_cast<ptrdiff_t>(y) * width,
-                           [](uint16_t code) { return std::min<uint16_t>(code, kMaxDepthCode); });
-        }
+        cv::min(cv::Mat(height, width, CV_16U, frame.data[index], static_cast<size_t>(frame.linesize[index])),
+                double{kMaxDepthCode}, cv::Mat(height, width, CV_16U, codes.data()));
     };
     plane(0, frame.width, frame.height, out.inverse);
     plane(1, frame.width / 2, frame.height / 2, out.confidence);

@@ -1,5 +1,7 @@
 #include "engine/media/Ffmpeg.h"
 
+#include "engine/media/Codecs.h"
+
 #include <opencv2/core/utils/logger.hpp>
 
 extern "C" {
@@ -7,6 +9,7 @@ extern "C" {
 }
 
 #include <cstdlib>
+#include <dlfcn.h>
 #include <mutex>
 
 namespace shoal::media {
@@ -38,6 +41,30 @@ Input openInput(const Path& file, const char* formats) {
 void keepOnly(AVFormatContext& input, int stream) {
     for (unsigned i = 0; i < input.nb_streams; ++i)
         input.streams[i]->discard = static_cast<int>(i) == stream ? AVDISCARD_DEFAULT : AVDISCARD_ALL;
+}
+
+static Result<const Codecs*> load() {
+    setUpDecoders();
+    const Path built = SHOAL_CODECS;
+    Path file = built;
+    std::error_code code;
+    for (const char* folder : {".", SHOAL_LIBRARY_FROM_PROGRAM}) {
+        const Path there = (programFolder() / folder / built.filename()).lexically_normal();
+        if (file == built && std::filesystem::exists(there, code)) file = there;
+    }
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const void* found = library ? dlsym(library, "shoalCodecs") : nullptr;
+    if (!found) {
+        const char* why = dlerror();
+        return Error{"", std::string("pictures and cameras need a library of this program: ") +
+                             (why ? why : "it is empty")};
+    }
+    return static_cast<const Codecs*>(found);
+}
+
+Result<const Codecs*> codecs() {
+    static const Result<const Codecs*> loaded = load();
+    return loaded;
 }
 
 } // namespace shoal::media

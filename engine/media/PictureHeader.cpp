@@ -2,8 +2,6 @@
 
 #include "engine/core/Number.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -13,47 +11,48 @@ namespace shoal::media {
 
 namespace {
 
+// Size in pixels; a side of 0: the header cannot be read.
 struct Size {
-    int64_t width, height;
+    int64_t width = 0, height = 0;
 };
 
-std::optional<Size> jpegSize(ByteSpan b) {
-    std::optional<Size> size;
+Size jpegSize(ByteSpan b) {
+    Size size;
     walkJpeg(b, [&](uint8_t marker, ByteSpan payload) {
         const bool startOfFrame =
             marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-        if (startOfFrame && payload.size() >= 5) size = Size{big16(payload, 3), big16(payload, 1)};
+        if (startOfFrame && payload.size() >= 5) size = {big16(payload, 3), big16(payload, 1)};
         return startOfFrame;
     });
     return size;
 }
 
-std::optional<Size> pngSize(ByteSpan b) {
-    if (b.size() < 24 || !hasText(b, 12, "IHDR")) return std::nullopt;
-    return Size{big32(b, 16), big32(b, 20)};
+Size pngSize(ByteSpan b) {
+    if (b.size() < 24 || !hasText(b, 12, "IHDR")) return {};
+    return {big32(b, 16), big32(b, 20)};
 }
 
-std::optional<Size> bmpSize(ByteSpan b) {
-    if (b.size() < 26) return std::nullopt;
-    if (little32(b, 14) == 12) return Size{little16(b, 18), little16(b, 20)}; // OS/2 1.x
-    const auto height = static_cast<int32_t>(little32(b, 22));                // negative: rows from the top
-    return Size{static_cast<int32_t>(little32(b, 18)), height < 0 ? -int64_t{height} : height};
+Size bmpSize(ByteSpan b) {
+    if (b.size() < 26) return {};
+    if (little32(b, 14) == 12) return {little16(b, 18), little16(b, 20)}; // OS/2 1.x
+    const auto height = static_cast<int32_t>(little32(b, 22));            // negative: rows from the top
+    return {static_cast<int32_t>(little32(b, 18)), height < 0 ? -int64_t{height} : height};
 }
 
 // RFC 6386 section 9.1 (VP8), the WebP container specification (VP8L, VP8X).
-std::optional<Size> webpSize(ByteSpan b) {
-    if (b.size() < 30) return std::nullopt;
-    if (hasText(b, 12, "VP8X")) return Size{little24(b, 24) + 1, little24(b, 27) + 1};
+Size webpSize(ByteSpan b) {
+    if (b.size() < 30) return {};
+    if (hasText(b, 12, "VP8X")) return {little24(b, 24) + 1, little24(b, 27) + 1};
     if (hasText(b, 12, "VP8L")) {
         const uint32_t packed = little32(b, 21);
-        return Size{(packed & 0x3fff) + 1, (packed >> 14 & 0x3fff) + 1};
+        return {(packed & 0x3fff) + 1, (packed >> 14 & 0x3fff) + 1};
     }
-    if (hasText(b, 12, "VP8 ")) return Size{little16(b, 26) & 0x3fff, little16(b, 28) & 0x3fff};
-    return std::nullopt;
+    if (hasText(b, 12, "VP8 ")) return {little16(b, 26) & 0x3fff, little16(b, 28) & 0x3fff};
+    return {};
 }
 
-// Returns the next unsigned number in the text of a PNM or PFM header, past white space and comments.
-std::optional<int64_t> nextNumber(ByteSpan b, size_t& at) {
+// Returns the next number in the text of a PNM or PFM header, past white space and comments; 0: none.
+int64_t nextNumber(ByteSpan b, size_t& at) {
     while (at < b.size() && (std::isspace(b[at]) || b[at] == '#')) {
         if (b[at] == '#')
             while (at < b.size() && b[at] != '\n') ++at;
@@ -62,51 +61,39 @@ std::optional<int64_t> nextNumber(ByteSpan b, size_t& at) {
     }
     const size_t begin = at;
     while (at < b.size() && std::isdigit(b[at]) && at - begin < 9) ++at;
-    return parseNumber<int64_t>(asText(b.subspan(begin, at - begin)));
+    return parseNumber<int64_t>(asText(b.subspan(begin, at - begin))).value_or(0);
 }
 
-std::optional<Size> pnmSize(ByteSpan b) {
+Size pnmSize(ByteSpan b) {
     size_t at = 2;
-    const auto width = nextNumber(b, at);
-    const auto height = nextNumber(b, at);
-    if (!width || !height) return std::nullopt;
-    return Size{*width, *height};
+    const int64_t width = nextNumber(b, at);
+    return {width, nextNumber(b, at)};
 }
 
 // Radiance: header lines, an empty line, then "-Y height +X width"; other orientations are not read.
-std::optional<Size> radianceSize(ByteSpan b) {
+Size radianceSize(ByteSpan b) {
     const std::string_view text = asText(b.first(std::min<size_t>(b.size(), 64 << 10)));
     const size_t empty = text.find("\n\n");
-    if (empty == text.npos || !hasText(b, empty + 2, "-Y ")) return std::nullopt;
+    if (empty == text.npos || !hasText(b, empty + 2, "-Y ")) return {};
     size_t at = empty + 5;
-    const auto height = nextNumber(b, at);
-    if (!height || !hasText(b, at, " +X ")) return std::nullopt;
+    const int64_t height = nextNumber(b, at);
+    if (!hasText(b, at, " +X ")) return {};
     at += 4;
-    const auto width = nextNumber(b, at);
-    if (!width) return std::nullopt;
-    return Size{*width, *height};
+    return {nextNumber(b, at), height};
 }
 
 // Returns whether a value has the size of its type: the library reads as many bytes as the type has, whatever
 // size is stated, and takes what follows for the next attribute.
 bool exrSizeFits(std::string_view type, ByteSpan value) {
-    static constexpr std::pair<size_t, std::string_view> kTypesBySize[] = {
-        {1, " compression deepImageState envmap lineOrder "},
-        {4, " float int "},
-        {8, " double rational timecode v2f v2i "},
-        {9, " tiledesc "},
-        {12, " v3f v3i "},
-        {16, " box2f box2i v2d "},
-        {24, " v3d "},
-        {28, " keycode "},
-        {32, " chromaticities "},
-        {36, " m33f "},
-        {64, " m44f "},
-        {72, " m33d "},
-        {128, " m44d "}};
-    const std::string word = fmt::format(" {} ", type);
-    for (const auto& [size, types] : kTypesBySize)
-        if (types.find(word) != types.npos) return value.size() == size;
+    using Type = std::pair<std::string_view, size_t>;
+    static constexpr Type kTypes[] = {
+        {"compression", 1}, {"deepImageState", 1}, {"envmap", 1},   {"lineOrder", 1}, {"float", 4},
+        {"int", 4},         {"double", 8},         {"rational", 8}, {"timecode", 8},  {"v2f", 8},
+        {"v2i", 8},         {"tiledesc", 9},       {"v3f", 12},     {"v3i", 12},      {"box2f", 16},
+        {"box2i", 16},      {"v2d", 16},           {"v3d", 24},     {"keycode", 28},  {"chromaticities", 32},
+        {"m33f", 36},       {"m44f", 64},          {"m33d", 72},    {"m44d", 128}};
+    const auto* known = std::ranges::find(kTypes, type, &Type::first);
+    if (known != std::end(kTypes)) return value.size() == known->second;
     if (type == "chlist") { // "name\0" and 16 bytes each, up to an empty name
         size_t at = 0;
         while (at < value.size() && value[at] != 0) {
@@ -123,15 +110,15 @@ bool exrSizeFits(std::string_view type, ByteSpan value) {
 
 // OpenEXR file layout: attributes "name\0 type\0 size value" up to an empty name. All of them are walked: the
 // library takes memory for any size that one states.
-std::optional<Size> exrSize(ByteSpan b) {
-    if (b.size() < 8 || (little32(b, 4) & 0x1800) != 0) return std::nullopt; // deep or of several parts
+Size exrSize(ByteSpan b) {
+    if (b.size() < 8 || (little32(b, 4) & 0x1800) != 0) return {}; // deep or of several parts
     const std::string_view text = asText(b);
     size_t at = 8;
     std::optional<Size> window;
     for (int attribute = 0; attribute < 256; ++attribute) {
         const size_t nameEnd = text.find('\0', at);
         if (nameEnd == text.npos) break;
-        if (nameEnd == at) return window;
+        if (nameEnd == at) return window.value_or(Size());
         const size_t typeEnd = text.find('\0', nameEnd + 1);
         if (typeEnd == text.npos || b.size() - typeEnd < 5) break;
         const size_t value = typeEnd + 5;
@@ -147,7 +134,7 @@ std::optional<Size> exrSize(ByteSpan b) {
         }
         at = value + size;
     }
-    return std::nullopt;
+    return {};
 }
 
 bool isPnm(ByteSpan b) {
@@ -157,7 +144,7 @@ bool isPnm(ByteSpan b) {
 struct Kind {
     const char* name;
     bool (*is)(ByteSpan);
-    std::optional<Size> (*size)(ByteSpan);
+    Size (*size)(ByteSpan);
 };
 // Kinds of pictures, indexed by PictureKind.
 constexpr Kind kKinds[] = {
@@ -204,11 +191,11 @@ Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
     const auto kind = std::ranges::find_if(kKinds, [&](const Kind& each) { return each.is(bytes); });
     if (kind == std::end(kKinds))
         return Error{"", "is not a picture of a known kind (JPEG, PNG, BMP, WebP, PNM, HDR, EXR, PFM)"};
-    const auto size = kind->size(bytes);
-    if (!size || size->width <= 0 || size->height <= 0)
+    const Size size = kind->size(bytes);
+    if (size.width <= 0 || size.height <= 0)
         return Error{"", std::string("its ") + kind->name +
                              " header is damaged, cut short or of an unread variant"};
-    return PictureHeader{static_cast<PictureKind>(kind - kKinds), size->width, size->height};
+    return PictureHeader{static_cast<PictureKind>(kind - kKinds), size.width, size.height};
 }
 
 bool isCutJpeg(ByteSpan bytes) {

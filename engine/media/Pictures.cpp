@@ -28,10 +28,7 @@ namespace {
 constexpr uint64_t kMaxFileBytes = 512u << 20;
 constexpr uint64_t kMaxHdrFileBytes = 2048ull << 20; // 16384 x 8192 floats are 1.5 GiB
 
-struct PictureFile {
-    std::vector<uint8_t> bytes;
-    PictureHeader header;
-};
+using PictureFile = std::pair<std::vector<uint8_t>, PictureHeader>;
 
 // Reads a file of the wanted kind whose stated size is within the limits.
 Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits limits) {
@@ -137,11 +134,11 @@ struct LineReader {
 // 1991: component = mantissa * 2^(e - 136), black where e is 0. Neither OpenCV 4.6 nor stb_image reads Ward's
 // first run-length code; stb_image also takes a file that is cut short for black pixels.
 Result<ImageRgbF> decodeRadiance(ByteSpan bytes, int width, int height) {
-    const size_t empty = asText(bytes).find("\n\n");
-    const size_t resolutionEnd =
-        empty == std::string_view::npos ? empty : asText(bytes).find('\n', empty + 2);
-    if (resolutionEnd == std::string_view::npos) return Error{"", "its Radiance header is cut short"};
-    if (asText(bytes.first(empty)).find("FORMAT=32-bit_rle_xyze") != std::string_view::npos)
+    const std::string_view text = asText(bytes);
+    const size_t empty = text.find("\n\n"); // there is one: the size was read from the line behind it
+    const size_t resolutionEnd = text.find('\n', empty + 2);
+    if (resolutionEnd == text.npos) return Error{"", "its Radiance header is cut short"};
+    if (text.substr(0, empty).find("FORMAT=32-bit_rle_xyze") != text.npos)
         return Error{"", "is coded in XYZ; convert it to RGB"};
     // Checked before memory is allocated: even the shortest line takes a pixel.
     const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);

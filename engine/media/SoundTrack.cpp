@@ -1,7 +1,7 @@
 #include "engine/media/SoundTrack.h"
 
 #include "engine/core/ThreadPool.h"
-#include "engine/media/Ffmpeg.h"
+#include "engine/media/Decoder.h"
 
 extern "C" {
 #include <libavutil/channel_layout.h>
@@ -14,6 +14,7 @@ extern "C" {
 #include <cstdlib>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ constexpr int kMaxBlock = 1 << 16; // samples of one decoded block
 constexpr int kMaxBadPackets = 64; // in a row; fewer are skipped
 // A time stamp is believed if it differs from the expected frame by more than this; less is rounding.
 constexpr int64_t kHole = kSoundRate_Hz / 50;
+constexpr int64_t kEnd = INT64_MAX; // in place of a frame
 
 // Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time.
 class SoundDecoder {
@@ -39,89 +41,55 @@ class SoundDecoder {
         std::error_code code;
         if (!std::filesystem::is_regular_file(file, code)) return failed("there is no such file");
         SoundDecoder d;
-        d.input_ = openInput(file);
-        AVFormatContext* input = d.input_.get();
+        d.in_.input = openInput(file);
+        AVFormatContext* input = d.in_.input.get();
         if (!input || avformat_find_stream_info(input, nullptr) < 0)
             return failed("is not a file with sound that can be read");
         const AVCodec* kind = nullptr;
-        d.stream_ = av_find_best_stream(input, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
-        if (d.stream_ < 0 || !kind) return failed("has no sound");
-        keepOnly(*input, d.stream_);
-        const int picture = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, d.stream_, nullptr, 0);
-        const AVStream& first = *input->streams[picture >= 0 ? picture : d.stream_];
+        d.in_.stream = av_find_best_stream(input, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
+        if (d.in_.stream < 0 || !kind) return failed("has no sound");
+        keepOnly(*input, d.in_.stream);
+        const int picture = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, d.in_.stream, nullptr, 0);
+        const AVStream& first = *input->streams[picture >= 0 ? picture : d.in_.stream];
         if (first.start_time != AV_NOPTS_VALUE)
             d.begins_s_ = static_cast<double>(first.start_time) * av_q2d(first.time_base);
-        const AVStream& sound = *input->streams[d.stream_];
-        d.codec_.reset(avcodec_alloc_context3(kind));
-        if (!d.codec_ || avcodec_parameters_to_context(d.codec_.get(), sound.codecpar) < 0)
-            return failed("has a sound that cannot be decoded");
-        d.codec_->pkt_timebase = sound.time_base;
-        d.codec_->thread_count = 1; // there is little work
-        if (avcodec_open2(d.codec_.get(), kind, nullptr) < 0)
+        if (!d.in_.decoder.open(d.in_.opened(), FrameThreading::ByThreads, 1)) // there is little work
             return failed("has a sound that cannot be decoded");
         return d;
     }
 
-    // Returns the length that the file states; 0 if it does not.
-    double length_s() const {
-        return input_->duration > 0 ? static_cast<double>(input_->duration) / AV_TIME_BASE : 0;
-    }
+    double length_s() const { return in_.length_s(); }
 
     // Seeks to this frame or somewhat before it; returns false if the file cannot be read there.
     bool seek(int64_t frame) {
         const double seconds = static_cast<double>(frame) / kSoundRate_Hz + begins_s_;
-        const auto stamp =
-            static_cast<int64_t>(std::floor(seconds / av_q2d(input_->streams[stream_]->time_base)));
-        if (av_seek_frame(input_.get(), stream_, stamp, AVSEEK_FLAG_BACKWARD) < 0 &&
-            (frame > 0 ||
-             av_seek_frame(input_.get(), stream_, 0, AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY) < 0))
+        const auto stamp = static_cast<int64_t>(std::floor(seconds / av_q2d(in_.opened().time_base)));
+        if (!in_.seek(stamp) && (frame > 0 || !in_.seek(0, AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY)))
             return false;
-        avcodec_flush_buffers(codec_.get());
         swr_close(converter_.get());
         follows_ = -1;
-        draining_ = false;
         return true;
     }
 
-    // Replaces stereo by the next samples and returns the frame of the first; -1 at the end, or if nothing
-    // more can be decoded. At most some tenths of a second at a time.
+    // Replaces stereo by the next samples and returns the frame of the first; none, and kEnd, at the end or
+    // if nothing more can be decoded. At most some tenths of a second at a time.
     int64_t next(std::vector<int16_t>& stereo) {
-        stereo.clear();
-        for (int bad = 0; bad < kMaxBadPackets;) {
-            const int got = avcodec_receive_frame(codec_.get(), block_.get());
-            if (got == 0) {
-                const int64_t begins = convert(stereo);
-                // Sound before the first picture is dropped: mostly the priming of a codec.
-                const auto count = static_cast<int64_t>(stereo.size() / 2);
-                if (begins + count > 0 && count > 0) {
-                    if (begins >= 0) return begins;
-                    stereo.erase(stereo.begin(), stereo.begin() + static_cast<ptrdiff_t>(-begins) * 2);
-                    return 0;
-                }
-                stereo.clear();
-                ++bad;
-                continue;
-            }
-            if (got == AVERROR_EOF || draining_) return -1;
-            if (got != AVERROR(EAGAIN)) ++bad;
-            if (av_read_frame(input_.get(), packet_.get()) < 0) {
-                draining_ = true;
-                avcodec_send_packet(codec_.get(), nullptr);
-                continue;
-            }
-            if (packet_->stream_index == stream_ && avcodec_send_packet(codec_.get(), packet_.get()) < 0)
-                ++bad;
-            av_packet_unref(packet_.get());
+        for (int bad = 0; bad < kMaxBadPackets && in_.next(kMaxBadPackets); ++bad) {
+            const int64_t first = convert(stereo);
+            if (!stereo.empty()) return first;
         }
-        return -1;
+        stereo.clear();
+        return kEnd;
     }
 
   private:
     SoundDecoder() = default;
 
-    // Converts the decoded block to samples; returns their first frame, or -1 if the block is invalid.
+    // Converts the decoded block to samples and returns the frame of the first; none if the block is invalid,
+    // or ends before the first picture.
     int64_t convert(std::vector<int16_t>& stereo) {
-        AVFrame& block = *block_;
+        stereo.clear();
+        AVFrame& block = in_.decoder.frame();
         if (block.sample_rate < kMinRate_Hz || block.sample_rate > kMaxRate_Hz || block.nb_samples < 1 ||
             block.nb_samples > kMaxBlock || block.ch_layout.nb_channels < 1 ||
             block.ch_layout.nb_channels > kMaxChannels)
@@ -129,17 +97,16 @@ class SoundDecoder {
         // Some decoders know only the number of channels.
         if (block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
             av_channel_layout_default(&block.ch_layout, block.ch_layout.nb_channels);
-        int64_t begins = follows_;
-        const bool stamped = block.best_effort_timestamp != AV_NOPTS_VALUE;
-        if (stamped) {
+        int64_t begins = std::max<int64_t>(follows_, 0);
+        if (block.best_effort_timestamp != AV_NOPTS_VALUE) {
             const double seconds =
-                static_cast<double>(block.best_effort_timestamp) * av_q2d(codec_->pkt_timebase) - begins_s_;
+                static_cast<double>(block.best_effort_timestamp) * av_q2d(in_.opened().time_base) - begins_s_;
             if (!(std::abs(seconds) < 1e7)) return -1;
             // Samples that wait in the converter come out first.
             const int64_t waiting =
                 swr_is_initialized(converter_.get()) ? swr_get_delay(converter_.get(), kSoundRate_Hz) : 0;
             const int64_t stated = std::llround(seconds * kSoundRate_Hz) - waiting;
-            if (follows_ < 0 || std::llabs(stated - follows_) > kHole) begins = stated;
+            begins = follows_ < 0 || std::llabs(stated - follows_) > kHole ? stated : follows_;
         }
         AVFrame& out = *converted_;
         av_frame_unref(&out);
@@ -152,22 +119,19 @@ class SoundDecoder {
             error = swr_convert_frame(converter_.get(), &out, &block);
         }
         if (error < 0) return -1;
-        const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
-        stereo.assign(samples, samples + ptrdiff_t{2} * out.nb_samples);
-        if (begins < 0 && follows_ < 0 && !stamped) begins = 0;
         follows_ = begins + out.nb_samples;
-        return begins;
+        // Sound before the first picture is dropped: mostly the priming of a codec.
+        const int64_t early = std::clamp<int64_t>(-begins, 0, out.nb_samples);
+        const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
+        stereo.assign(samples + 2 * early, samples + ptrdiff_t{2} * out.nb_samples);
+        return begins + early;
     }
 
-    Input input_;
-    Codec codec_;
+    FileDecoder in_;
     std::unique_ptr<SwrContext, FreeAt<swr_free>> converter_{swr_alloc()}; // configured by the first block
-    Packet packet_ = makePacket();
-    Frame block_ = makeFrame(), converted_ = makeFrame();
-    int stream_ = -1;
+    Frame converted_ = makeFrame();
     double begins_s_ = 0;  // the first picture's time stamp
     int64_t follows_ = -1; // frame that the next samples should begin with; -1: unknown
-    bool draining_ = false;
 };
 
 } // namespace
@@ -176,9 +140,8 @@ struct SoundTrack::Impl {
     std::mutex mutex;
     std::condition_variable_any changed;
     // Guarded by mutex:
-    std::deque<int16_t> ready; // interleaved; at most kSoundAhead frames
-    int64_t wanted = 0;        // frame from which the thread continues when the generation changes
-    int generation = 0;
+    std::deque<int16_t> ready;     // interleaved; at most kSoundAhead frames
+    std::optional<int64_t> wanted; // frame from which the thread is to go on; empty: where it is
     bool broken = false;
 
     int64_t pass = 0; // length in frames; constant
@@ -189,9 +152,9 @@ struct SoundTrack::Impl {
     explicit Impl(SoundDecoder opened) : decoder(std::move(opened)) {}
 
     // Appends frames (null: silence) as room becomes free. Returns false if stopped or sought meanwhile.
-    bool put(const std::stop_token& ending, const int16_t* stereo, int64_t frames, int mine) {
+    bool put(const std::stop_token& ending, const int16_t* stereo, int64_t frames) {
         std::unique_lock lock(mutex);
-        while (!ending.stop_requested() && generation == mine) {
+        while (!ending.stop_requested() && !wanted) {
             const auto room = kSoundAhead - static_cast<int64_t>(ready.size() / 2);
             const auto samples = static_cast<ptrdiff_t>(2 * std::min(frames, room));
             if (stereo)
@@ -200,29 +163,26 @@ struct SoundTrack::Impl {
                 ready.insert(ready.end(), static_cast<size_t>(samples), int16_t{0});
             frames -= samples / 2;
             if (frames == 0) return true;
-            changed.wait(lock, ending,
-                         [&] { return generation != mine || ready.size() < size_t{2} * kSoundAhead; });
+            changed.wait(lock, ending, [&] { return wanted || ready.size() < size_t{2} * kSoundAhead; });
         }
         return false;
     }
 
     // Decodes from this frame on, looping, until stopped or sought.
-    void decode(const std::stop_token& ending, int64_t at, int mine) {
+    void decode(const std::stop_token& ending, int64_t at) {
         std::vector<int16_t> samples;
         while (decoder.seek(at)) {
             while (at < pass) {
                 const int64_t first = decoder.next(samples);
-                if (first < 0) break;
                 const auto frames = static_cast<int64_t>(samples.size() / 2);
                 const int64_t hole = std::clamp<int64_t>(first - at, 0, pass - at);
                 const int64_t past = std::clamp<int64_t>(at - first, 0, frames); // before `at`
-                if (!put(ending, nullptr, hole, mine)) return;
+                if (!put(ending, nullptr, hole)) return;
                 at += hole;
                 const int64_t some = std::min(frames - past, pass - at);
-                if (!put(ending, samples.data() + 2 * past, some, mine)) return;
+                if (!put(ending, samples.data() + 2 * past, some)) return;
                 at += some;
             }
-            if (!put(ending, nullptr, pass - at, mine)) return;
             at = 0;
         }
         const std::lock_guard lock(mutex);
@@ -232,12 +192,10 @@ struct SoundTrack::Impl {
     void run(const std::stop_token& ending) {
         lowerThreadPriority();
         std::unique_lock lock(mutex);
-        int done = 0; // nothing is read before the first seek()
-        while (changed.wait(lock, ending, [&] { return generation != done && !broken; })) {
-            done = generation;
-            const int64_t at = wanted % pass;
+        while (changed.wait(lock, ending, [&] { return wanted && !broken; })) {
+            const int64_t at = *std::exchange(wanted, std::nullopt) % pass;
             lock.unlock();
-            decode(ending, at, done);
+            decode(ending, at);
             lock.lock();
         }
     }
@@ -257,12 +215,9 @@ Result<SoundTrack> SoundTrack::open(const Path& file, double passLength_s) {
 int64_t SoundTrack::passLength() const { return impl_->pass; }
 
 void SoundTrack::seek(int64_t frame) {
-    {
-        const std::lock_guard lock(impl_->mutex);
-        ++impl_->generation;
-        impl_->wanted = std::max<int64_t>(frame, 0);
-        impl_->ready.clear();
-    }
+    const std::lock_guard lock(impl_->mutex);
+    impl_->wanted = std::max<int64_t>(frame, 0);
+    impl_->ready.clear();
     impl_->changed.notify_all();
 }
 

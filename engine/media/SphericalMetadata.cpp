@@ -69,12 +69,8 @@ static SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
                        : boxes.find("equi") != boxes.npos ? Projection::Equirect
                                                           : Projection::Unknown;
     } else if (xmpValue(header, "GSpherical:Spherical") == "true") {
-        const std::string_view stereo = xmpValue(header, "GSpherical:StereoMode");
         m.projection = Projection::Equirect;
-        m.layout = stereo == "top-bottom"   ? Layout::TopBottom
-                   : stereo == "left-right" ? Layout::LeftRight
-                   : stereo == "mono"       ? Layout::Mono
-                                            : Layout::Auto;
+        m.layout = enumNamed<Layout>(xmpValue(header, "GSpherical:StereoMode")).value_or(Layout::Auto);
     }
     return m;
 }

@@ -19,7 +19,7 @@ constexpr double kStructure = 3; // least standard deviation along a block's row
 constexpr double kAlike = 0.7, kOfStructured = 0.9;
 constexpr int kMinStructured = 12; // least number of structured blocks, of 128: fewer tell nothing
 
-// Returns the brightness of a part of the frame, by cell.
+// Returns the brightness of a part of the frame, by cell. Columns go on for kMaxShift cells at both ends.
 cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
     constexpr int kSamples = 4; // samples of a cell in each direction, whatever the frame's size
     cv::Mat samples, cells, brightness;
@@ -27,29 +27,16 @@ cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
     samples.convertTo(samples, CV_32F);
     cv::resize(samples, cells, {kWidth, kHeight}, 0, 0, cv::INTER_AREA);
     cv::transform(cells, brightness, cv::Matx13f(1 / 3.0f, 1 / 3.0f, 1 / 3.0f));
+    cv::copyMakeBorder(brightness, brightness, 0, 0, kMaxShift, kMaxShift, cv::BORDER_WRAP);
     return brightness;
 }
 
-// Returns a block row by row, each minus its mean: the gradient of a sky or of water is no structure. Columns
-// wrap around at both ends.
-std::array<float, kBlock * kBlock> blockAt(const cv::Mat& half, int x, int y) {
-    std::array<float, kBlock * kBlock> block;
-    for (int row = 0; row < kBlock; ++row) {
-        float* out = &block[static_cast<size_t>(row) * kBlock];
-        float mean = 0;
-        for (int i = 0; i < kBlock; ++i) {
-            out[i] = half.at<float>(y + row, (x + i + kWidth) % kWidth);
-            mean += out[i] / kBlock;
-        }
-        for (int i = 0; i < kBlock; ++i) out[i] -= mean;
-    }
-    return block;
-}
-
-double product(const std::array<float, kBlock * kBlock>& a, const std::array<float, kBlock * kBlock>& b) {
-    double sum = 0;
-    for (size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-    return sum;
+// Returns a block with each row minus its mean: the gradient of a sky or of water is no structure.
+cv::Mat blockAt(const cv::Mat& half, int x, int y) {
+    const cv::Mat block = half({x + kMaxShift, y, kBlock, kBlock});
+    cv::Mat means;
+    cv::reduce(block, means, 1, cv::REDUCE_AVG);
+    return block - cv::repeat(means, 1, kBlock);
 }
 
 enum class Halves { Unlike, Alike, Unstructured };
@@ -61,16 +48,16 @@ Halves compare(const cv::Mat& a, const cv::Mat& b) {
     int structured = 0, found = 0;
     for (int y = 0; y < kHeight; y += kBlock)
         for (int x = 0; x < kWidth; x += kBlock) {
-            const auto block = blockAt(a, x, y);
-            const double own = product(block, block);
+            const cv::Mat block = blockAt(a, x, y);
+            const double own = block.dot(block);
             if (own < kMinVariance) continue;
             ++structured;
             double best = 0;
             for (int shift = -kMaxShift; shift <= kMaxShift; ++shift) {
-                const auto other = blockAt(b, x + shift, y);
-                const double others = product(other, other);
+                const cv::Mat other = blockAt(b, x + shift, y);
+                const double others = other.dot(other);
                 if (others >= kMinVariance / 4)
-                    best = std::max(best, product(block, other) / std::sqrt(own * others));
+                    best = std::max(best, block.dot(other) / std::sqrt(own * others));
             }
             found += best >= kAlike;
         }

@@ -34,7 +34,7 @@ struct VideoInfo {
     double fps = kFallbackFps; // the container's mean rate; kFallbackFps if not within kMinFps..kMaxFps
     int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
     double duration_s = 0;     // frameCount / fps
-    std::string codec;         // such as "h264"; empty if the container does not say
+    std::string codec;         // such as "h264"
     ColourMatrix matrix = ColourMatrix::Bt601; // stated by the file, else by size; used to decode
     SphericalMetadata metadata;
     Layout layout = Layout::Mono;  // never Auto

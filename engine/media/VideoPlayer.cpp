@@ -22,14 +22,9 @@ constexpr double kSeekAhead_s = 3;
 // While catching up, newest() shows at least one of this many frames.
 constexpr int64_t kMaxSkip = 16;
 constexpr double kBackwardSlack_s = 0.5;
-// Number and share of stated frames that a pass may lack without counting as damaged: containers also count
-// frames that their edit list or a missing key frame hides.
-constexpr int64_t kMissingFrames = 4;
-constexpr double kMissingShare = 0.02;
 
 struct VideoPlayer::Impl {
     Path file;
-    VideoInfo info;
     PlayerOptions options;
 
     std::mutex mutex;
@@ -45,17 +40,17 @@ struct VideoPlayer::Impl {
     bool damaged = false;
     std::string message;
 
-    VideoSource source;  // used by the decode thread only
+    VideoSource source;  // used by the decode thread only, but for info(), which is constant
     std::jthread thread; // last: it uses all of the above
 
     explicit Impl(VideoSource opened) : source(std::move(opened)) {}
 
-    int64_t framesIn(double seconds) const { return static_cast<int64_t>(seconds * info.fps); }
+    int64_t framesIn(double seconds) const { return static_cast<int64_t>(seconds * source.info().fps); }
 
     int64_t indexAt(double time_s) const {
         if (!(time_s > 0)) return 0; // also NaN
         // Adds a millionth of a frame, so that i / fps is frame i in spite of rounding; below 2^53 frames.
-        return static_cast<int64_t>(std::min(time_s, 1e9) * info.fps + 1e-6);
+        return static_cast<int64_t>(std::min(time_s, 1e9) * source.info().fps + 1e-6);
     }
 
     int64_t due() const { return std::min(wanted, last); }
@@ -105,7 +100,7 @@ struct VideoPlayer::Impl {
             slot->state = State::Filling;
             slot->frame.index = target;
             slot->frame.number = passLength > 0 ? target % passLength : target;
-            slot->frame.time_s = static_cast<double>(slot->frame.number) / info.fps;
+            slot->frame.time_s = static_cast<double>(slot->frame.number) / source.info().fps;
             lock.unlock();
             const int64_t had = fill(*slot, ending);
             lock.lock();
@@ -140,11 +135,9 @@ struct VideoPlayer::Impl {
 
     // Handles the end of a pass that began at index `pass` and gave only `count` frames. Needs the lock.
     void ended(int64_t pass, int64_t count) {
-        const int64_t stated = passLength > 0 ? passLength : info.frameCount;
-        const int64_t missing =
-            std::max(kMissingFrames, static_cast<int64_t>(kMissingShare * static_cast<double>(stated)));
+        const int64_t stated = passLength > 0 ? passLength : source.info().frameCount;
         // A known pass length was counted, so fewer frames mean that the file has changed.
-        if (made >= 0 && passLength == 0 && count >= stated - missing) {
+        if (made >= 0 && passLength == 0 && count >= leastFrames(stated)) {
             passLength = count;
             return;
         }
@@ -154,7 +147,7 @@ struct VideoPlayer::Impl {
         made = std::min(made, last);
         if (std::exchange(damaged, true)) return;
         message = fmt::format("{}: stopped at {:.1f} s: the file is damaged there; the last good frame stays",
-                              file.string(), static_cast<double>(count) / info.fps);
+                              file.string(), static_cast<double>(count) / source.info().fps);
     }
 
     // --- Frame's thread, with the lock held ----------------------------------------------------------------
@@ -184,7 +177,7 @@ Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
     if (!source) return source.error();
     auto impl = makeHidden<Impl>(std::move(*source));
     impl->file = file;
-    const VideoInfo& info = impl->info = impl->source.info();
+    const VideoInfo& info = impl->source.info();
     impl->options = std::move(options);
     for (Slot& slot : impl->slots) {
         slot.frame.layout = info.layout;
@@ -200,7 +193,7 @@ Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
     return VideoPlayer(std::move(impl));
 }
 
-const VideoInfo& VideoPlayer::info() const { return impl_->info; }
+const VideoInfo& VideoPlayer::info() const { return impl_->source.info(); }
 
 const VideoFrame* VideoPlayer::newest(double videoTime_s) {
     Impl& p = *impl_;

@@ -45,58 +45,55 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     VideoSource source;
     source.file_ = file;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
-    source.info_.metadata = sphericalMetadata(*source.input_, source.stream(), file);
+    source.info_.metadata = sphericalMetadata(*source.in_.input, source.in_.opened(), file);
     source.readInfo();
     if (!source.findLayout(request)) return Error{file.string(), "its first frame cannot be decoded"};
     return source;
 }
 
-const AVStream& VideoSource::stream() const { return *input_->streams[stream_]; }
-
 Status VideoSource::reopen() {
     const Error undecodable{"", "has no video that can be decoded: damaged, cut short, only sound, or of a "
                                 "codec that is not installed"};
-    input_.reset();
+    in_.input.reset();
     position_ = 0;
-    begun_ = held_ = drained_ = false;
-    input_ = openInput(file_, kContainers);
-    if (!input_)
+    begun_ = held_ = in_.drained = false;
+    in_.input = openInput(file_, kContainers);
+    if (!in_.input)
         return Error{"", "is not a video of a known kind (MP4, MOV, WebM, MKV, AVI, MPEG, OGG, FLV), or is "
                          "damaged at its beginning"};
     // Checked before the decoder sees the stream, if the container states a size.
-    for (unsigned i = 0; i < input_->nb_streams; ++i)
-        if (const AVCodecParameters& stated = *input_->streams[i]->codecpar;
+    for (unsigned i = 0; i < in_.input->nb_streams; ++i)
+        if (const AVCodecParameters& stated = *in_.input->streams[i]->codecpar;
             stated.codec_type == AVMEDIA_TYPE_VIDEO && std::max(stated.width, stated.height) > kMaxVideoSide)
             return checkPictureSize(stated.width, stated.height);
-    if (avformat_find_stream_info(input_.get(), nullptr) < 0) return undecodable;
-    stream_ = av_find_best_stream(input_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
-    if (stream_ < 0) return undecodable;
-    keepOnly(*input_, stream_);
-    const AVCodecParameters& coded = *stream().codecpar;
+    if (avformat_find_stream_info(in_.input.get(), nullptr) < 0) return undecodable;
+    in_.stream = av_find_best_stream(in_.input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    if (in_.stream < 0) return undecodable;
+    keepOnly(*in_.input, in_.stream);
+    const AVCodecParameters& coded = *in_.opened().codecpar;
     if (Status playable = checkPictureSize(coded.width, coded.height); !playable) return playable;
-    const double pixelRate = 1.0 * coded.width * coded.height * rateOf(stream().avg_frame_rate);
+    const double pixelRate = 1.0 * coded.width * coded.height * rateOf(in_.opened().avg_frame_rate);
     const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
     const int threads = static_cast<int>(
         std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMaxThreads)));
-    if (!decoder_.open(coded, stream().time_base, FrameThreading::ByThreads, threads)) return undecodable;
+    if (!in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads)) return undecodable;
     return Done{};
 }
 
 void VideoSource::readInfo() {
-    const AVCodecParameters& coded = *stream().codecpar;
-    quarterTurns_ = quarterTurnsOf(stream());
+    const AVStream& stream = in_.opened();
+    const AVCodecParameters& coded = *stream.codecpar;
+    quarterTurns_ = quarterTurnsOf(stream);
     info_.width = quarterTurns_ % 2 ? coded.height : coded.width;
     info_.height = quarterTurns_ % 2 ? coded.width : coded.height;
-    rate_ = rateOf(stream().avg_frame_rate);
-    if (rate_ == 0) rate_ = rateOf(stream().r_frame_rate);
+    rate_ = rateOf(stream.avg_frame_rate);
+    if (rate_ == 0) rate_ = rateOf(stream.r_frame_rate);
     info_.fps = rate_ >= kMinFps && rate_ <= kMaxFps ? rate_ : kFallbackFps;
-    const double duration_s = input_->duration > 0 ? static_cast<double>(input_->duration) / AV_TIME_BASE : 0;
     const double count =
-        stream().nb_frames > 0 ? static_cast<double>(stream().nb_frames) : std::round(duration_s * rate_);
+        stream.nb_frames > 0 ? static_cast<double>(stream.nb_frames) : std::round(in_.length_s() * rate_);
     info_.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
     // An edit list may show fewer frames than are stored.
-    const double shown_s =
-        stream().duration > 0 ? static_cast<double>(stream().duration) * av_q2d(stream().time_base) : 0;
+    const double shown_s = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
     const double shown = std::round(shown_s * info_.fps);
     if (shown >= 1 && shown < static_cast<double>(info_.frameCount))
         info_.frameCount = static_cast<int64_t>(shown);
@@ -106,22 +103,12 @@ void VideoSource::readInfo() {
 }
 
 bool VideoSource::decode() {
-    for (int bad = 0; bad < kMaxBadPackets; ++bad) {
-        if (decoder_.receive()) {
-            if (!begun_ && position_ == 0) {
-                begins_ = decoder_.frame().best_effort_timestamp;
-                begun_ = true;
-            }
-            return true;
-        }
-        if (drained_) return false;
-        av_packet_unref(packet_.get());
-        const int read = av_read_frame(input_.get(), packet_.get());
-        if (read >= 0 && packet_->stream_index != stream_) continue;
-        drained_ = read < 0; // the decoder returns the pictures that it still holds
-        decoder_.send(drained_ ? nullptr : packet_.get());
+    if (!in_.next(kMaxBadPackets)) return false;
+    if (!begun_ && position_ == 0) {
+        begins_ = in_.decoder.frame().best_effort_timestamp;
+        begun_ = true;
     }
-    return false;
+    return true;
 }
 
 bool VideoSource::grab() {
@@ -131,12 +118,12 @@ bool VideoSource::grab() {
 }
 
 bool VideoSource::retrieve(ImageRgb8& bgr) {
-    const AVFrame& frame = decoder_.frame();
+    const AVFrame& frame = in_.decoder.frame();
     const bool across = quarterTurns_ % 2;
     if (frame.width != (across ? bgr.height : bgr.width) || frame.height != (across ? bgr.width : bgr.height))
         return false;
-    if (quarterTurns_ == 0) return decoder_.convert(bgr).ok();
-    if (!decoder_.convert(unturned_)) return false;
+    if (quarterTurns_ == 0) return in_.decoder.convert(bgr).ok();
+    if (!in_.decoder.convert(unturned_)) return false;
     const cv::Mat from(unturned_.height, unturned_.width, CV_8UC3, unturned_.pixels.data());
     cv::Mat to(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
     constexpr cv::RotateFlags kTurns[] = {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
@@ -148,19 +135,16 @@ bool VideoSource::retrieve(ImageRgb8& bgr) {
 // Seeks to the last key frame at or before this frame; starts further back each time that the container's own
 // search lands after it.
 bool VideoSource::jump(int64_t number) {
-    const double frame_stamps = 1 / (rate_ * av_q2d(stream().time_base)); // time stamps a frame
+    const double frame_stamps = 1 / (rate_ * av_q2d(in_.opened().time_base)); // time stamps a frame
     if (!begun_ || begins_ == AV_NOPTS_VALUE || !std::isfinite(frame_stamps)) return false;
     for (int64_t before = 0;; before = 2 * before + 16) {
         const int64_t aim = std::max(int64_t{0}, number - before);
         const double stamp =
             static_cast<double>(begins_) + std::floor(static_cast<double>(aim) * frame_stamps);
         if (!(std::abs(stamp) < kMaxStamp)) return false;
-        if (av_seek_frame(input_.get(), stream_, static_cast<int64_t>(stamp), AVSEEK_FLAG_BACKWARD) < 0)
-            return false;
-        decoder_.flush();
-        drained_ = false;
+        if (!in_.seek(static_cast<int64_t>(stamp))) return false;
         if (decode()) {
-            const int64_t at = decoder_.frame().best_effort_timestamp;
+            const int64_t at = in_.decoder.frame().best_effort_timestamp;
             if (at == AV_NOPTS_VALUE) return false;
             const double found =
                 std::round((static_cast<double>(at) - static_cast<double>(begins_)) / frame_stamps);

@@ -2,10 +2,14 @@
 // thread at a time.
 #pragma once
 
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/VideoFrame.h"
 
 namespace shoal::media {
+
+// Returns how many of the frames that a file states it must have, else it counts as damaged: containers also
+// count frames that their edit list or a missing key frame hides.
+constexpr int64_t leastFrames(int64_t stated) { return stated - std::max<int64_t>(4, stated / 50); }
 
 class VideoSource {
   public:
@@ -25,7 +29,7 @@ class VideoSource {
     // cannot be converted or has another size than info() says.
     bool retrieve(ImageRgb8& bgr);
 
-    glm::ivec2 chromaTexels() const { return decoder_.chromaTexels(); } // of the frame grabbed last
+    glm::ivec2 chromaTexels() const { return in_.decoder.chromaTexels(); } // of the frame grabbed last
 
     // Makes `number` the next frame, or an earlier one if the file allows no better: the caller grabs on from
     // position(). Returns false if the file cannot be opened again.
@@ -39,15 +43,11 @@ class VideoSource {
     Status reopen(); // errors lack the file's name
     bool decode();   // the next frame
     bool jump(int64_t number);
-    const AVStream& stream() const;
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
 
     Path file_;
-    Input input_;
-    int stream_ = -1;
-    PictureDecoder decoder_;
-    Packet packet_ = makePacket();
+    FileDecoder in_;
     VideoInfo info_;
     int quarterTurns_ = 0; // clockwise, to make pictures upright
     ImageRgb8 unturned_;   // scratch for rotation
@@ -56,7 +56,6 @@ class VideoSource {
     int64_t begins_ = 0;   // time stamp of frame 0
     bool begun_ = false;   // whether frame 0 was decoded
     bool held_ = false;    // whether the next frame is decoded already
-    bool drained_ = false; // whether the end of the file was sent to the decoder
     bool seekable_ = true; // until a seek failed
 };
 

@@ -5,15 +5,6 @@
 
 namespace shoal::occlusion {
 
-namespace {
-
-glm::vec3 halfFromSquare(const glm::vec2& square) {
-    const glm::vec2 flat = glm::vec2(square.x + square.y, square.x - square.y) / 2.0f;
-    return glm::normalize(glm::vec3(flat, 1.0f - std::abs(flat.x) - std::abs(flat.y)));
-}
-
-} // namespace
-
 Axes::Axes(int count) {
     assert(count >= 0 && count <= 65536);
     if (count == 0) return;
@@ -25,10 +16,11 @@ Axes::Axes(int count) {
     for (size_t c = 0; c < table.size(); ++c) {
         const glm::vec2 place(static_cast<float>(c % kTableWidth) + 0.5f,
                               static_cast<float>(c / kTableWidth) + 0.5f);
-        const glm::vec3 middle = halfFromSquare(place * (2.0f / kTableWidth) - 1.0f);
-        const auto nearest = std::max_element(axes.begin(), axes.end(), [&](const auto& p, const auto& q) {
-            return std::abs(glm::dot(p, middle)) < std::abs(glm::dot(q, middle));
-        });
+        const glm::vec2 square = place * (2.0f / kTableWidth) - 1.0f;
+        const glm::vec2 flat = glm::vec2(square.x + square.y, square.x - square.y) / 2.0f;
+        const glm::vec3 middle = glm::normalize(glm::vec3(flat, 1.0f - std::abs(flat.x) - std::abs(flat.y)));
+        const auto nearest = std::ranges::max_element(
+            axes, {}, [&](const glm::vec3& axis) { return std::abs(glm::dot(axis, middle)); });
         table[c] = static_cast<uint16_t>(nearest - axes.begin());
     }
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace shoal::occlusion {
 
@@ -27,8 +28,7 @@ struct Frame {
 void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Frame& frame) {
     const glm::mat3 upright = lookingAlong(axis, 0);
     frame.corners.resize(mesh.positions.size());
-    std::transform(mesh.positions.begin(), mesh.positions.end(), frame.corners.begin(),
-                   [&](const glm::vec3& p) { return upright * p; });
+    for (size_t i = 0; i < frame.corners.size(); ++i) frame.corners[i] = upright * mesh.positions[i];
     float minimum = INFINITY, turn = 0;
     for (int i = 0; i < kTurns; ++i) {
         const float angle = std::numbers::pi_v<float> / 2 * static_cast<float>(i) / kTurns;
@@ -123,26 +123,22 @@ glm::vec3 layBack(const glm::vec3& normal, bool towards) {
 // Sets the plane's depth from the chosen fragments; sets its slope and normal too if the normals' slope does
 // not fit the depths. Near a silhouette depth grows as a square root, and the slope at most samples is far
 // from the mean normal's.
-void fit(std::span<const Fragment> fragments, const std::array<int, 16>& chosen, bool towards, Plane& plane) {
+void fit(const std::array<Fragment*, 16>& chosen, bool towards, Plane& plane) {
     // Regularised least squares: kPull draws towards the normals' slope where samples are few or in a line.
     constexpr float kPull = 0.02f;
     constexpr float kFits = 0.3f; // pixels of depth per pixel
     glm::vec2 asideSum(0);
     float depthSum = 0, count = 0;
-    for (int s = 0; s < 16; ++s) {
-        const int i = chosen[static_cast<size_t>(s)];
-        if (i < 0) continue;
-        asideSum += sampleOffset(s), depthSum += fragments[static_cast<size_t>(i)].depth, ++count;
-    }
+    for (int s = 0; s < 16; ++s)
+        if (chosen[s]) asideSum += sampleOffset(s), depthSum += chosen[s]->depth, ++count;
     const glm::vec2 middle = asideSum / count;
     const float depth = depthSum / count;
     float xx = kPull, xy = 0, yy = kPull;
     glm::vec2 rises(0);
     for (int s = 0; s < 16; ++s) {
-        const int i = chosen[static_cast<size_t>(s)];
-        if (i < 0) continue;
+        if (!chosen[s]) continue;
         const glm::vec2 aside = sampleOffset(s) - middle;
-        const float rise = fragments[static_cast<size_t>(i)].depth - depth - glm::dot(plane.slope, aside);
+        const float rise = chosen[s]->depth - depth - glm::dot(plane.slope, aside);
         xx += aside.x * aside.x, xy += aside.x * aside.y, yy += aside.y * aside.y;
         rises += aside * rise;
     }
@@ -167,31 +163,30 @@ Plane takePlane(std::span<Fragment> rest) {
     constexpr float kBend_px = 0.5f,
                     kFurthest_px = 1.07f; // kFurthest_px: greatest distance of two samples
     const float beyond = seed.depth + kBend_px + 2 * steep * kFurthest_px;
-    std::array<int, 16> chosen;
+    std::array<Fragment*, 16> chosen{}; // by sample
     std::array<float, 16> apart;
-    chosen.fill(-1);
-    for (int i = 0; i < static_cast<int>(rest.size()) && rest[static_cast<size_t>(i)].depth <= beyond; ++i) {
-        const Fragment& f = rest[static_cast<size_t>(i)];
+    for (Fragment& f : rest) {
+        if (f.depth > beyond) break;
         if (f.sample == kTaken || f.towards != seed.towards) continue;
         const glm::vec2 aside = sampleOffset(f.sample) - sampleOffset(seed.sample);
         const float off = std::abs(f.depth - seed.depth - glm::dot(seedSlope, aside));
         // On a steep surface the slope may be twice the seed's.
         if (off > kBend_px + steep * glm::length(aside)) continue;
-        if (chosen[f.sample] >= 0 && off >= apart[f.sample]) continue;
-        chosen[f.sample] = i, apart[f.sample] = off;
+        if (chosen[f.sample] && off >= apart[f.sample]) continue;
+        chosen[f.sample] = &f, apart[f.sample] = off;
     }
     Plane plane;
     for (size_t s = 0; s < 16; ++s) {
-        if (chosen[s] < 0) continue;
+        if (!chosen[s]) continue;
         plane.coverage = static_cast<uint16_t>(plane.coverage | 1u << s);
-        plane.normal += rest[static_cast<size_t>(chosen[s])].normal;
+        plane.normal += chosen[s]->normal;
     }
     const float length = glm::length(plane.normal);
     plane.normal = layBack(length > 0 ? plane.normal / length : seed.normal, seed.towards);
     plane.slope = slopeOf(plane.normal);
-    fit(rest, chosen, seed.towards, plane);
-    for (const int i : chosen)
-        if (i >= 0) rest[static_cast<size_t>(i)].sample = kTaken;
+    fit(chosen, seed.towards, plane);
+    for (Fragment* taken : chosen)
+        if (taken) taken->sample = kTaken;
     return plane;
 }
 
@@ -199,13 +194,10 @@ Plane takePlane(std::span<Fragment> rest) {
 
 void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes) {
     const auto first = static_cast<ptrdiff_t>(planes.size());
-    std::sort(fragments.begin(), fragments.end(), [](const Fragment& a, const Fragment& b) {
-        return a.depth != b.depth ? a.depth < b.depth : a.towards > b.towards;
-    });
+    std::ranges::sort(fragments, {}, [](const Fragment& f) { return std::pair(f.depth, !f.towards); });
     for (size_t i = 0; i < fragments.size(); ++i)
         if (fragments[i].sample != kTaken) planes.push_back(takePlane(std::span(fragments).subspan(i)));
-    std::stable_sort(planes.begin() + first, planes.end(),
-                     [](const Plane& a, const Plane& b) { return a.depth < b.depth; });
+    std::ranges::stable_sort(planes.begin() + first, planes.end(), {}, &Plane::depth);
 }
 
 Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {

@@ -44,22 +44,21 @@ void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height
         const bool owned = dy < 0 || (dy == 0 && dx > 0); // otherwise the neighbour owns the edge
         return Edge{dx * (startY - y[from]) - dy * (startX - x[from]), -dy * kOne, dx * kOne, owned ? 0 : 1};
     };
-    Edge opposite0 = edge(b, c), oppositeB = edge(c, 0), oppositeC = edge(0, b);
+    std::array<Edge, 3> opposite; // the edge opposite of each corner
+    opposite[0] = edge(b, c), opposite[b] = edge(c, 0), opposite[c] = edge(0, b);
     const double perArea = 1.0 / static_cast<double>(area);
     for (int64_t j = first(lowY), endY = last(highY, height), endX = last(highX, width); j <= endY; ++j) {
-        int64_t e0 = opposite0.value, eB = oppositeB.value, eC = oppositeC.value;
+        std::array<Edge, 3> here = opposite;
         for (int64_t i = first(lowX); i <= endX; ++i) {
-            if (e0 >= opposite0.minimum && eB >= oppositeB.minimum && eC >= oppositeC.minimum) {
+            if (std::ranges::all_of(here, [](const Edge& e) { return e.value >= e.minimum; })) {
                 glm::vec3 weights;
-                weights[0] = static_cast<float>(static_cast<double>(e0) * perArea);
-                weights[static_cast<int>(b)] = static_cast<float>(static_cast<double>(eB) * perArea);
-                weights[static_cast<int>(c)] = static_cast<float>(static_cast<double>(eC) * perArea);
+                for (int k = 0; k < 3; ++k)
+                    weights[k] = static_cast<float>(static_cast<double>(here[k].value) * perArea);
                 found(static_cast<int>(i), static_cast<int>(j), weights);
             }
-            e0 += opposite0.perX, eB += oppositeB.perX, eC += oppositeC.perX;
+            for (Edge& e : here) e.value += e.perX;
         }
-        opposite0.value += opposite0.perY, oppositeB.value += oppositeB.perY,
-            oppositeC.value += oppositeC.perY;
+        for (Edge& e : opposite) e.value += e.perY;
     }
 }
 

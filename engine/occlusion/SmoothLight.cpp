@@ -3,6 +3,8 @@
 #include "engine/math/LatLong.h"
 #include "engine/occlusion/Directions.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,10 +17,7 @@ constexpr double kBright = 2;  // times the mean luminance; brighter light belon
 constexpr double kReach = 0.7; // cosine of the angle beyond which texels do not belong to the dominant light
 constexpr double kMin = 0.004; // least sin^2 of the half angle: the resolution of a small map
 
-double luminance(const float* rgb) {
-    return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
-           0.0722 * static_cast<double>(rgb[2]);
-}
+double luminance(const glm::dvec3& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; } // Rec. 709
 
 constexpr float kRows[][3] = {
 #define AXES(row, x, y, z) {x##f, y##f, z##f},
@@ -36,11 +35,13 @@ std::array<glm::vec3, kAxisCount> readAxes() {
     return axes;
 }
 
+// Calls visit(radiance, solid angle in steradians, direction) for each texel.
 template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
     for (int y = 0; y < map.height; ++y) {
         const double solidAngle = texelSolidAngle(y, map.width, map.height);
         for (int x = 0; x < map.width; ++x)
-            visit(x, y, solidAngle, texelDirection<double>(x, y, map.width, map.height));
+            visit(glm::dvec3(glm::make_vec3(map.at(x, y))), solidAngle,
+                  texelDirection<double>(x, y, map.width, map.height));
     }
 }
 
@@ -50,14 +51,10 @@ class Spread {
     void add(const glm::dvec3& d, double solidAngle, const glm::dvec3& radiance) {
         std::array<double, 2 * kAxisCount> shares{};
         double sum = 0;
-        for (size_t k = 0; k < kAxisCount; ++k) {
-            const double along = glm::dot(d, glm::dvec3(kAxes[k]));
-            for (const double side : {1.0, -1.0}) {
-                const double apart2 = (2 - 2 * side * along) / kCell2;
-                if (apart2 > 4) continue;
-                double& share = shares[side > 0 ? k : kAxisCount + k];
-                sum += share = std::exp(-2 * apart2);
-            }
+        for (size_t k = 0; k < shares.size(); ++k) {
+            const double along = glm::dot(d, glm::dvec3(kAxes[k % kAxisCount]));
+            const double apart2 = (2 - 2 * (k < kAxisCount ? along : -along)) / kCell2;
+            if (apart2 <= 4) sum += shares[k] = std::exp(-2 * apart2);
         }
         for (size_t k = 0; k < shares.size(); ++k) {
             const double weight = solidAngle * shares[k] / sum;
@@ -80,16 +77,16 @@ const std::array<glm::vec3, kAxisCount> kAxes = readAxes();
 SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     SmoothLight light;
     double mean = 0;
-    eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3&) {
-        mean += solidAngle * luminance(radianceLin.at(x, y)) / (4 * std::numbers::pi);
+    eachTexel(radianceLin, [&](const glm::dvec3& radiance, double solidAngle, const glm::dvec3&) {
+        mean += solidAngle * luminance(radiance) / (4 * std::numbers::pi);
     });
-    const auto excess = [&](int x, int y) {
-        return std::max(luminance(radianceLin.at(x, y)) - kBright * mean, 0.0);
+    const auto excess = [&](const glm::dvec3& radiance) {
+        return std::max(luminance(radiance) - kBright * mean, 0.0);
     };
     // Squares let the strongest of several dominant lights win.
     glm::dvec3 brightest(0);
-    eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3& dir) {
-        brightest += solidAngle * excess(x, y) * excess(x, y) * dir;
+    eachTexel(radianceLin, [&](const glm::dvec3& radiance, double solidAngle, const glm::dvec3& dir) {
+        brightest += solidAngle * excess(radiance) * excess(radiance) * dir;
     });
     const bool even = glm::dot(brightest, brightest) <= 0;
     if (!even) brightest = glm::normalize(brightest);
@@ -97,16 +94,14 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     std::array<glm::dvec3, 4> smooth{};
     glm::dvec3 flux(0), centre(0);
     double weight = 0;
-    eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3& dir) {
+    eachTexel(radianceLin, [&](const glm::dvec3& radiance, double solidAngle, const glm::dvec3& dir) {
         const double near =
             even ? 0 : std::clamp((glm::dot(dir, brightest) - kReach) / (0.5 * (1 - kReach)), 0.0, 1.0);
-        const float* texel = radianceLin.at(x, y);
-        const double bright = near * excess(x, y), share = bright / std::max(luminance(texel), 1e-9);
-        const glm::dvec3 all = solidAngle * glm::dvec3(texel[0], texel[1], texel[2]);
-        rest.add(dir, solidAngle, (1 - share) * glm::dvec3(texel[0], texel[1], texel[2]));
+        const double bright = near * excess(radiance), share = bright / std::max(luminance(radiance), 1e-9);
+        const glm::dvec3 all = solidAngle * radiance;
+        rest.add(dir, solidAngle, (1 - share) * radiance);
         smooth[0] += all / (4 * std::numbers::pi);
-        for (int k = 0; k < 3; ++k)
-            smooth[static_cast<size_t>(k + 1)] += 3 * dir[k] / (4 * std::numbers::pi) * all;
+        for (int k = 0; k < 3; ++k) smooth[k + 1] += 3 * dir[k] / (4 * std::numbers::pi) * all;
         flux += share * all;
         weight += solidAngle * bright;
         centre += solidAngle * bright * dir;

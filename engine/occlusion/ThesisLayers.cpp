@@ -30,9 +30,7 @@ void see(const BodyMesh& mesh, const ThesisViews& views, const glm::mat3& viewFr
                               packDirection(normal, 16)});
                      });
     }
-    for (std::vector<ThesisLayer>& pixel : seen)
-        std::sort(pixel.begin(), pixel.end(),
-                  [](const ThesisLayer& a, const ThesisLayer& b) { return a.depth < b.depth; });
+    for (std::vector<ThesisLayer>& pixel : seen) std::ranges::sort(pixel, {}, &ThesisLayer::depth);
 }
 
 } // namespace

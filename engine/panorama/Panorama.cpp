@@ -60,12 +60,8 @@ template <class Picture> Picture pictureFromCoded(const cv::Mat& coded) {
 constexpr int kMapPixelsPerDegree = 4;
 constexpr int kMapWidth = 360 * kMapPixelsPerDegree;
 
-// Light's place in the patch, which is the photo as a piece of the lat-long picture, at kMapPixelsPerDegree.
-struct LightInPatch {
-    double column = 0, row = 0, radius = 0; // pixels
-};
-
-// Column and row in the patch for each column and row of the ring, centres at whole numbers.
+// Column and row in the patch, which is the photo as a piece of the lat-long picture at kMapPixelsPerDegree,
+// for each column and row of the ring, centres at whole numbers.
 struct RingMap {
     std::vector<float> column; // kMapWidth
     std::vector<float> row;
@@ -78,6 +74,7 @@ constexpr double px(double degrees) { return degrees * kMapPixelsPerDegree; }
 constexpr double kLargestLight = px(10), kAroundLight = px(5), kFade = px(14);
 constexpr double kMaxSideways = 6, kMaxUpward = 4; // greatest stretching
 constexpr double kSmoothAround = px(2), kSmoothUp = px(2);
+constexpr double kBand_deg = 45; // extent of the ring from the horizon up and down
 // Weights that keep seams away.
 constexpr double kProhibitive = 10; // more than any pixel can differ from its neighbour
 constexpr double kVertical = 4;     // times the edge's own step
@@ -121,9 +118,7 @@ cv::Mat seamWeights(const cv::Mat& picture, const ProtectedColumns& columns) {
 }
 
 Progress within(const Progress& progress, double from, double to) {
-    return [&progress, from, to](double share) {
-        if (progress) progress(from + (to - from) * share);
-    };
+    return [&progress, from, to](double share) { progress(from + (to - from) * share); };
 }
 
 // Widens columns first to last (exclusive) to `count` and appends them to the map: the means of their source
@@ -138,10 +133,10 @@ void insertColumns(const cv::Mat& picture, const cv::Mat& weight, int first, int
     for (const float at : cv::Mat_<float>(mean)) map.push_back(at + static_cast<float>(first));
 }
 
-std::vector<float> insertSideways(const cv::Mat& patch, const LightInPatch& light, const Progress& progress) {
-    const int w = patch.cols, middle = std::clamp(static_cast<int>(std::lround(light.column)), 0, w);
+std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, const Progress& progress) {
+    const int w = patch.cols, middle = std::clamp(static_cast<int>(std::lround(light.place.x)), 0, w);
     const cv::Mat weight =
-        seamWeights(patch, {light.column, std::min(light.radius, kLargestLight) + kAroundLight,
+        seamWeights(patch, {light.place.x, std::min(light.radius_px, kLargestLight) + kAroundLight,
                             std::min(kFade, w * 0.12)});
     const auto maximum = [](int columns) {
         return std::min<int>(kMapWidth / 2, static_cast<int>(kMaxSideways) * columns);
@@ -160,32 +155,25 @@ std::vector<float> insertSideways(const cv::Mat& patch, const LightInPatch& ligh
 // Returns the patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
 // transposed.
 cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& column) {
-    cv::Mat columns(patch.rows, kMapWidth / 4, CV_32F), rows(columns.size(), CV_32F), out, turned;
-    for (int y = 0; y < columns.rows; ++y)
-        for (int x = 0; x < columns.cols; ++x) {
-            columns.at<float>(y, x) = column[static_cast<size_t>(4 * x + 2)];
-            rows.at<float>(y, x) = static_cast<float>(y);
-        }
-    cv::remap(patch, out, columns, rows, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-    cv::transpose(out, turned);
-    return turned;
+    return remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR,
+                    [&](int x, int y) { return cv::Vec2f(column[4 * y + 2], static_cast<float>(x)); });
 }
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
-// rest. bandLatitude: how far up and down the ring should reach, radians. The parts above and below light and
-// horizon are stretched fourfold at most, so a photo with small such parts reaches less far.
-RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const LightInPatch& light, double bandLatitude,
+// rest. The ring should reach kBand_deg up and down. The parts above and below light and horizon are
+// stretched fourfold at most, so a photo with small such parts reaches less far.
+RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& light,
                     const Progress& progress) {
     RingMap ring;
     ring.column = insertSideways(patch, light, within(progress, 0, 0.8));
 
     // Between the light and the horizon, and around both, heights are not stretched.
     const double horizon = patch.rows / 2.0;
-    const double margin = std::min(light.radius, kLargestLight) + kAroundLight / 2;
+    const double margin = std::min(light.radius_px, kLargestLight) + kAroundLight / 2;
     const auto row = [&](double y) { return static_cast<int>(std::clamp(y, 0.0, patch.rows * 1.0)); };
-    const int upperEnd = row(std::min(light.row - margin, horizon - kAroundLight / 2));
-    const int lowerStart = row(std::max(light.row + margin, horizon + kAroundLight / 2));
-    const double lacking = px((bandLatitude - lens.latitude) / kRadiansPerDegree);
+    const int upperEnd = row(std::min(light.place.y - margin, horizon - kAroundLight / 2));
+    const int lowerStart = row(std::max(light.place.y + margin, horizon + kAroundLight / 2));
+    const double lacking = px((kBand_deg * kRadiansPerDegree - lens.latitude) / kRadiansPerDegree);
     const auto rowsFor = [&](int have) {
         return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward));
     };
@@ -203,7 +191,6 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const LightInPatch& 
 // --- Growing a photo
 
 constexpr double kDefaultFov_deg = 65;
-constexpr double kBand_deg = 45; // extent of the ring from the horizon up and down
 constexpr int kMaxPhotoWidth = 6144, kMaxPhotoHeight = 3072;
 
 Status checkPhoto(int width, int height, const PanoramaOptions& options) {
@@ -236,40 +223,32 @@ cv::Mat patchOf(const cv::Mat& photo, const Lens& lens) {
         return std::max(4, static_cast<int>(std::lround(radians / kRadiansPerDegree * kMapPixelsPerDegree)));
     };
     const cv::Size size(std::min(pixels(2 * lens.longitude), kMapWidth), pixels(2 * lens.latitude));
-    cv::Mat small, patch, column(size, CV_32F), row(size, CV_32F);
+    cv::Mat small;
     cv::resize(photo, small, size, 0, 0, cv::INTER_AREA);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            const double lon = ((x + 0.5) / size.width * 2 - 1) * lens.longitude;
-            const double lat = (1 - (y + 0.5) / size.height * 2) * lens.latitude;
-            column.at<float>(y, x) = static_cast<float>(lens.columnOf(lon) / lens.width * small.cols - 0.5);
-            row.at<float>(y, x) = static_cast<float>(lens.rowOf(lon, lat) / lens.height * small.rows - 0.5);
-        }
-    cv::remap(small, patch, column, row, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-    return patch;
+    return remapped(small, size, cv::INTER_LINEAR, [&](int x, int y) {
+        const double lon = ((x + 0.5) / size.width * 2 - 1) * lens.longitude;
+        const double lat = (1 - (y + 0.5) / size.height * 2) * lens.latitude;
+        return cv::Vec2f(static_cast<float>(lens.columnOf(lon) / lens.width * small.cols - 0.5),
+                         static_cast<float>(lens.rowOf(lon, lat) / lens.height * small.rows - 0.5));
+    });
 }
 
 // Scales a map of the ring's columns or rows to its full size. Returns positions in the patch, -1 to 1.
-std::vector<double> scaledUp(const std::vector<float>& map, int size, int patchSize) {
+cv::Mat1d scaledUp(const std::vector<float>& map, int size, int patchSize) {
     cv::Mat large;
-    cv::resize(cv::Mat(1, static_cast<int>(map.size()), CV_32F, const_cast<float*>(map.data())), large,
-               {size, 1}, 0, 0, cv::INTER_LINEAR);
-    std::vector<double> shares(static_cast<size_t>(size));
-    for (int k = 0; k < size; ++k)
-        shares[static_cast<size_t>(k)] =
-            std::clamp((static_cast<double>(large.at<float>(k)) + 0.5) / patchSize * 2 - 1, -1.0, 1.0);
-    return shares;
+    cv::resize(cv::Mat(map).reshape(0, 1), large, {size, 1}, 0, 0, cv::INTER_LINEAR);
+    large.convertTo(large, CV_64F, 2.0 / patchSize, 1.0 / patchSize - 1);
+    return cv::Mat1d(cv::min(cv::max(large, -1), 1));
 }
 
 // Computes for each pixel of the ring at its full size the photo's column and row.
 void photoFromRing(const RingMap& map, const Lens& lens, const cv::Size& patch, cv::Mat& column,
                    cv::Mat& row) {
-    const std::vector<double> across = scaledUp(map.column, column.cols, patch.width);
-    const std::vector<double> down = scaledUp(map.row, column.rows, patch.height);
+    const cv::Mat1d across = scaledUp(map.column, column.cols, patch.width);
+    const cv::Mat1d down = scaledUp(map.row, column.rows, patch.height);
     for (int y = 0; y < column.rows; ++y)
         for (int x = 0; x < column.cols; ++x) {
-            const double lon = across[static_cast<size_t>(x)] * lens.longitude;
-            const double lat = -down[static_cast<size_t>(y)] * lens.latitude;
+            const double lon = across(x) * lens.longitude, lat = -down(y) * lens.latitude;
             column.at<float>(y, x) = static_cast<float>(lens.columnOf(lon));
             row.at<float>(y, x) = static_cast<float>(lens.rowOf(lon, lat));
         }
@@ -322,17 +301,15 @@ cv::Mat resample(const cv::Mat& photo, const cv::Mat& column, const cv::Mat& row
     cv::Mat out = cv::Mat::zeros(column.size(), CV_32FC3);
     const cv::Mat rows = row - 0.5;
     for (int k = static_cast<int>(minimum); k <= static_cast<int>(std::ceil(maximum)); ++k) {
-        const cv::Mat& from = levels[static_cast<size_t>(k)];
+        const cv::Mat& from = levels[k];
         const cv::Mat columns = column * (static_cast<double>(from.cols) / levels[0].cols) - 0.5;
         cv::Mat read;
         cv::remap(from, read, columns, rows, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
-        for (int y = 0; y < out.rows; ++y) {
-            const float* at = level.ptr<float>(y);
+        for (int y = 0; y < out.rows; ++y)
             for (int x = 0; x < out.cols; ++x) {
-                const float share = std::max(0.0f, 1 - std::abs(at[x] - static_cast<float>(k)));
+                const float share = 1 - std::abs(level.at<float>(y, x) - static_cast<float>(k));
                 if (share > 0) out.at<cv::Vec3f>(y, x) += share * read.at<cv::Vec3f>(y, x);
             }
-        }
     }
     // A cubic kernel overshoots at edges: beside a sun it would be brighter than the sun.
     double darkest = 0, brightest = 0;
@@ -382,33 +359,25 @@ cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) 
 
 // photo: 3 coded floats, bounded; the panorama is coded alike.
 Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width, const Progress& progress) {
-    const auto done = [&](double fraction) {
-        if (progress) progress(fraction);
-    };
     const MainLight light = findMainLight(photo);
     const Lens lens = Lens::make(photo.cols, photo.rows, fov);
     const cv::Mat patch = patchOf(photo, lens);
     const double lightLon = lens.longitudeOf(light.place.x);
     const double lightLat = lens.latitudeOf(lightLon, light.place.y);
-    const LightInPatch inPatch{(lightLon / lens.longitude + 1) / 2 * patch.cols,
-                               (1 - lightLat / lens.latitude) / 2 * patch.rows,
-                               light.radius_px / photo.cols * patch.cols};
-    const RingMap map =
-        makeRingMap(patch, lens, inPatch, kBand_deg * kRadiansPerDegree, within(progress, 0, 0.7));
-    done(0.75);
+    const MainLight inPatch{
+        {(lightLon / lens.longitude + 1) / 2 * patch.cols, (1 - lightLat / lens.latitude) / 2 * patch.rows},
+        light.radius_px / photo.cols * patch.cols};
+    const RingMap map = makeRingMap(patch, lens, inPatch, within(progress, 0, 0.7));
+    progress(0.75);
     cv::Mat ring = ringOf(photo, map, lens, patch.size(), width);
-    done(0.85);
+    progress(0.85);
     blendWrapAround(ring);
-    const WrapDiscontinuity steps = wrapDiscontinuity(ring);
-    done(0.9);
-    const double lightColumn = ringColumn(map.column, inPatch.column) / kMapWidth * width;
+    const WrapDiscontinuity seam = wrapDiscontinuity(ring);
+    progress(0.9);
+    const double lightColumn = ringColumn(map.column, inPatch.place.x) / kMapWidth * width;
     const cv::Mat sphere = sphereFrom(ring, map.top, lightColumn);
-    done(1);
-    return {sphere,
-            {light.place.x, light.place.y},
-            lightLat / kRadiansPerDegree,
-            steps.wrapStep,
-            steps.usualStep};
+    progress(1);
+    return {sphere, {light.place.x, light.place.y}, lightLat / kRadiansPerDegree, seam};
 }
 
 // --- Completing a part
@@ -461,11 +430,12 @@ Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const Panorama
         std::tan(kDefaultFov_deg / 2 * kRadiansPerDegree) * photo.width / std::max(photo.width, photo.height);
     const double fov = options.fov_deg ? *options.fov_deg * kRadiansPerDegree : 2 * std::atan(usual);
     const int detailed = static_cast<int>(photo.width * 2 * std::numbers::pi / fov);
-    const Panorama<cv::Mat> made =
-        panoramaFromCoded(coded, fov, std::clamp(detailed / 64 * 64, 512, 4096), options.progress);
+    const Panorama<cv::Mat> made = panoramaFromCoded(
+        coded, fov, std::clamp(detailed / 64 * 64, 512, 4096),
+        options.progress ? options.progress : [](double) {});
     return Panorama<Picture>{pictureFromCoded<Picture>(made.latLong),
                              made.lightInPhoto * (photo.width * 1.0 / coded.cols), made.lightLatitude_deg,
-                             made.wrapStep, made.usualStep};
+                             made.seam};
 }
 
 template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part) {

@@ -27,6 +27,17 @@ cv::Mat columnNumbers(const cv::Size& size) {
     return numbers;
 }
 
+// Removes one pixel a row, in the matrix' own memory.
+void removeSeam(cv::Mat& image, const std::vector<int>& seam) {
+    const size_t pixel = image.elemSize();
+    for (int y = 0; y < image.rows; ++y) {
+        const int x = seam[y];
+        uint8_t* at = image.ptr(y, x);
+        std::memmove(at, at + pixel, static_cast<size_t>(image.cols - 1 - x) * pixel);
+    }
+    image = image.colRange(0, image.cols - 1);
+}
+
 // Marks the pixels of the `count` seams that are successively the cheapest to remove.
 cv::Mat seamsToDouble(const Widened& now, int count, const std::function<void()>& found) {
     cv::Mat colours = now.colours.clone(), weight = now.weight.clone();
@@ -34,7 +45,7 @@ cv::Mat seamsToDouble(const Widened& now, int count, const std::function<void()>
     for (int k = 0; k < count; ++k) {
         const std::vector<int> seam = minSeam(colours, weight);
         for (int y = 0; y < column.rows; ++y)
-            chosen.at<uint8_t>(y, static_cast<int>(column.at<float>(y, seam[static_cast<size_t>(y)]))) = 1;
+            chosen.at<uint8_t>(y, static_cast<int>(column.at<float>(y, seam[y]))) = 1;
         for (cv::Mat* each : {&colours, &weight, &column}) removeSeam(*each, seam);
         found();
     }
@@ -71,11 +82,10 @@ std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight) {
     const int w = colours.cols, h = colours.rows;
     assert(w > 0 && h > 0 && weight.size() == colours.size());
     constexpr float kNever = std::numeric_limits<float>::max();
-    const auto cell = [](int x) { return static_cast<size_t>(x); };
 
     // Minimum cost of a seam down to each pixel of a row, with a sentinel at each end, and its predecessor.
-    std::vector<float> above(cell(w) + 2, kNever), here(cell(w) + 2, kNever);
-    std::vector<float> apart(cell(w)), turnLeft(cell(w)), turnRight(cell(w));
+    std::vector<float> above(w + 2, kNever), here(w + 2, kNever);
+    std::vector<float> apart(w), turnLeft(w), turnRight(w);
     cv::Mat from(h, w, CV_8S, cv::Scalar(0));
     for (int y = 0; y < h; ++y) {
         const float* row = colours.ptr<float>(y);
@@ -83,42 +93,31 @@ std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight) {
         for (int x = 0; x < w; ++x) {
             const float* left = row + 3 * std::max(x - 1, 0);
             const float* right = row + 3 * std::min(x + 1, w - 1);
-            apart[cell(x)] = difference(left, right) + weight.at<float>(y, x);
-            turnLeft[cell(x)] = difference(over + 3 * x, left);
-            turnRight[cell(x)] = difference(over + 3 * x, right);
+            apart[x] = difference(left, right) + weight.at<float>(y, x);
+            turnLeft[x] = difference(over + 3 * x, left);
+            turnRight[x] = difference(over + 3 * x, right);
         }
         if (y == 0) {
             std::copy(apart.begin(), apart.end(), here.begin() + 1);
         } else {
             int8_t* cameFrom = from.ptr<int8_t>(y);
             for (int x = 0; x < w; ++x) {
-                const float l = above[cell(x)] + turnLeft[cell(x)], u = above[cell(x) + 1],
-                            r = above[cell(x) + 2] + turnRight[cell(x)];
+                const float l = above[x] + turnLeft[x], u = above[x + 1], r = above[x + 2] + turnRight[x];
                 const float minimum = std::min(std::min(l, u), r);
                 cameFrom[x] = static_cast<int8_t>(u == minimum ? 0 : l == minimum ? -1 : 1);
-                here[cell(x) + 1] = minimum + apart[cell(x)];
+                here[x + 1] = minimum + apart[x];
             }
         }
         std::swap(above, here);
     }
 
-    std::vector<int> seam(cell(h));
+    std::vector<int> seam(h);
     int x = static_cast<int>(std::min_element(above.begin() + 1, above.end() - 1) - above.begin()) - 1;
     for (int y = h - 1; y >= 0; --y) {
-        seam[cell(y)] = x;
+        seam[y] = x;
         x += from.at<int8_t>(y, x);
     }
     return seam;
-}
-
-void removeSeam(cv::Mat& image, const std::vector<int>& seam) {
-    const size_t pixel = image.elemSize();
-    for (int y = 0; y < image.rows; ++y) {
-        const int x = seam[static_cast<size_t>(y)];
-        uint8_t* at = image.ptr(y, x);
-        std::memmove(at, at + pixel, static_cast<size_t>(image.cols - 1 - x) * pixel);
-    }
-    image = image.colRange(0, image.cols - 1);
 }
 
 cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
@@ -133,12 +132,10 @@ cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int colu
     int done = 0;
     while (done < wanted) {
         const int count = std::min(wanted - done, std::max(1, now.colours.cols / 10));
-        const cv::Mat chosen = seamsToDouble(now, count, [&, k = 0]() mutable {
-            if (progress) progress(static_cast<double>(done + ++k) / wanted);
-        });
+        const cv::Mat chosen =
+            seamsToDouble(now, count, [&] { progress(static_cast<double>(++done) / wanted); });
         cv::add(now.weight, doubledWeight, now.weight, chosen);
         for (cv::Mat* each : {&now.colours, &now.weight, &now.source}) *each = doubled(*each, chosen, count);
-        done += count;
     }
     return now.source;
 }

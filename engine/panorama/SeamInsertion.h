@@ -20,17 +20,14 @@ using Progress = std::function<void(double)>;
 // each pixel of the seam; it may be negative, and must be finite. Equal costs: leftmost at the bottom.
 std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight);
 
-// Removes one pixel a row, in the matrix' own memory.
-void removeSeam(cv::Mat& image, const std::vector<int>& seam);
-
 // Returns the source column of each pixel of the picture widened to `columns`, in pixels of `colours` with
 // centres at whole numbers. Never decreases along a row.
 //
 // Each pass doubles the seams that are the cheapest to remove (section 4.3 of Avidan and Shamir, "Seam
 // Carving for Content-Aware Image Resizing", SIGGRAPH 2007). A pass inserts at most a tenth of the columns
 // and raises the weight of doubled pixels, so that insertions spread. columns: at least colours.cols.
-cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
-                         const Progress& progress = {});
+cv::Mat seamInsertionMap(
+    const cv::Mat& colours, const cv::Mat& weight, int columns, const Progress& progress = [](double) {});
 
 // Smooths a map's deviation from uniform stretching by a Gaussian. The ends and monotonicity are kept.
 void smoothMap(std::vector<float>& map, double sigma_px);

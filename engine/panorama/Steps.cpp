@@ -5,7 +5,6 @@
 #include "engine/panorama/SeamInsertion.h"
 
 #include <glm/common.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,10 +16,10 @@ namespace shoal::panorama {
 // --- Light
 
 MainLight findMainLight(const cv::Mat& photo) {
-    constexpr int kMaxWidth = 1024, kMinSide = 8;
+    constexpr int kMaxWidth = 1024, kMinHeight = 8;
     cv::Mat small = photo;
     if (photo.cols > kMaxWidth)
-        cv::resize(photo, small, {kMaxWidth, std::max(kMinSide, photo.rows * kMaxWidth / photo.cols)}, 0, 0,
+        cv::resize(photo, small, {kMaxWidth, std::max(kMinHeight, photo.rows * kMaxWidth / photo.cols)}, 0, 0,
                    cv::INTER_AREA);
     cv::Mat radiance(small.size(), CV_32F), spread;
     std::transform(small.begin<cv::Vec3f>(), small.end<cv::Vec3f>(), radiance.begin<float>(),
@@ -76,8 +75,7 @@ std::vector<float> offsets(const cv::Mat& ring) {
         }
     const std::vector<int> seam = minSeam(none, cost);
     cv::Mat found(rows, 1, CV_32F);
-    for (int y = 0; y < rows; ++y)
-        found.at<float>(y) = static_cast<float>(seam[static_cast<size_t>(y)] - maximum);
+    for (int y = 0; y < rows; ++y) found.at<float>(y) = static_cast<float>(seam[y] - maximum);
     cv::GaussianBlur(found, found, {}, 0.1, std::max(1.0, ring.cols / 360.0), cv::BORDER_REPLICATE);
     return {found.begin<float>(), found.end<float>()};
 }
@@ -90,15 +88,10 @@ float fade(double distance, double reach) {
 void alignRows(cv::Mat& ring) {
     const std::vector<float> lower = offsets(ring);
     const double reach = ring.cols / 6.0;
-    cv::Mat column(ring.size(), CV_32F), row(ring.size(), CV_32F), out;
-    for (int x = 0; x < ring.cols; ++x) {
+    const cv::Mat out = remapped(ring, ring.size(), cv::INTER_CUBIC, [&](int x, int y) {
         const float share = 0.5f * (x < ring.cols / 2 ? fade(x, reach) : -fade(ring.cols - 1 - x, reach));
-        for (int y = 0; y < ring.rows; ++y) {
-            column.at<float>(y, x) = static_cast<float>(x);
-            row.at<float>(y, x) = static_cast<float>(y) + share * lower[static_cast<size_t>(y)];
-        }
-    }
-    cv::remap(ring, out, column, row, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+        return cv::Vec2f(static_cast<float>(x), static_cast<float>(y) + share * lower[y]);
+    });
     double darkest = 0, brightest = 0;
     cv::minMaxLoc(ring.reshape(1), &darkest, &brightest);
     ring = cv::min(cv::max(out, darkest), brightest);

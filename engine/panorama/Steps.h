@@ -2,7 +2,9 @@
 // perceptually coded floats a pixel.
 #pragma once
 
-#include <opencv2/core.hpp>
+#include "engine/panorama/Panorama.h"
+
+#include <opencv2/imgproc.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -47,6 +49,18 @@ struct Lens {
 
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
+// Returns a picture of this size that shows at (x, y) the column and row from(x, y) of `picture`, both
+// counted from the middle of the first pixel. Beyond the edges the last pixel repeats.
+template <class From>
+cv::Mat remapped(const cv::Mat& picture, const cv::Size& size, int filter, From&& from) {
+    cv::Mat2f places(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) places(y, x) = from(x, y);
+    cv::Mat out;
+    cv::remap(picture, out, places, cv::noArray(), filter, cv::BORDER_REPLICATE);
+    return out;
+}
+
 // Position and size of a photo's brightest light source.
 struct MainLight {
     cv::Point2d place; // pixels of the photo; the middle of the first one is (0.5, 0.5)
@@ -64,11 +78,6 @@ MainLight findMainLight(const cv::Mat& photo);
 // lower a band of the difference's spatial frequencies, the wider it fades out (multiband blending).
 void blendWrapAround(cv::Mat& ring);
 
-// Absolute differences of luminance between horizontal neighbours.
-struct WrapDiscontinuity {
-    double wrapStep = 0;  // maximum between the last column and the first
-    double usualStep = 0; // 90th percentile of all others
-};
 WrapDiscontinuity wrapDiscontinuity(const cv::Mat& ring);
 
 enum class PolarCap { Sky, Ground };

@@ -108,31 +108,6 @@ bool begin(const Pair& pair, Contact& c) {
     return true;
 }
 
-} // namespace
-
-void collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
-             std::span<const Contact> last, std::vector<Contact>& out) {
-    const auto byKey = [](const Contact& l, const Contact& r) { return key(l) < key(r); };
-    out.clear();
-    for (const Body& body : bodies)
-        for (const Mover& mover : movers) {
-            const Pair pair(mover, body);
-            Contact c{.body = body.id, .group = mover.group, .tag = mover.tag};
-            const auto before = std::lower_bound(last.begin(), last.end(), c, byKey);
-            const bool lasted =
-                before != last.end() && key(*before) == key(c) && before->lasting && !pair.jumped;
-            if (lasted)
-                c.normal = renewedNormal(pair, before->normal);
-            else if (!begin(pair, c))
-                continue;
-            if (complete(pair, dt_s, c)) out.push_back(c);
-        }
-    // A total order, so the result does not depend on the callers' order.
-    std::sort(out.begin(), out.end(), byKey);
-}
-
-namespace {
-
 constexpr size_t kMax = 64; // contacts considered: two hands have 48 bones
 
 // Solves min |v - velocity|^2 + kSoftness |impulses|^2 so that v . n >= goal, impulses >= 0.
@@ -156,6 +131,26 @@ template <class Goal> glm::vec3 solve(glm::vec3 velocity, std::span<const Contac
 }
 
 } // namespace
+
+void collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
+             std::span<const Contact> last, std::vector<Contact>& out) {
+    out.clear();
+    for (const Body& body : bodies)
+        for (const Mover& mover : movers) {
+            const Pair pair(mover, body);
+            Contact c{.body = body.id, .group = mover.group, .tag = mover.tag};
+            const auto before = std::ranges::lower_bound(last, key(c), {}, key);
+            const bool lasted =
+                before != last.end() && key(*before) == key(c) && before->lasting && !pair.jumped;
+            if (lasted)
+                c.normal = renewedNormal(pair, before->normal);
+            else if (!begin(pair, c))
+                continue;
+            if (complete(pair, dt_s, c)) out.push_back(c);
+        }
+    // A total order, so the result does not depend on the callers' order.
+    std::ranges::sort(out, {}, key);
+}
 
 glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact> contacts) {
     return solve(velocity, contacts, [](const Contact& c) { return glm::dot(c.moverVelocity, c.normal); });

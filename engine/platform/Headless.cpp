@@ -36,11 +36,11 @@ Result<Headless> Headless::open() {
         return Error{"", "no OpenGL without a display here; install libgl1-mesa-dri and libegl1"};
     Headless opened(display);
     eglBindAPI(EGL_OPENGL_API);
-    for (const GlVersion version : kGlVersions) {
+    for (const auto& [major, minor] : kGlVersions) {
         const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                     version.major,
+                                     major,
                                      EGL_CONTEXT_MINOR_VERSION,
-                                     version.minor,
+                                     minor,
                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                      EGL_NONE};

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace shoal::platform {
 
@@ -42,9 +43,8 @@ static WindowInput& inputOf(GLFWwindow* window) {
 struct Window::State {
     GLFWwindow* window = nullptr;
     WindowInput input;
-    glm::dvec2 lastCursor{0};
-    bool cursorKnown = false;
-    bool waited = false; // wait() has collected events for the next poll
+    std::optional<glm::dvec2> lastCursor; // at the last poll; empty: unknown
+    bool waited = false;                  // wait() has collected events for the next poll
     glm::ivec2 restorePlace{80}, restoreSize{0};
 
     void forgetEvents() {
@@ -72,9 +72,9 @@ Result<Window> Window::open(const WindowOptions& options) {
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     const int width = mode ? mode->width : options.width, height = mode ? mode->height : options.height;
     state->restoreSize = {options.width, options.height};
-    for (const GlVersion version : kGlVersions) {
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
+    for (const auto& [major, minor] : kGlVersions) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         state->window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
         if (state->window) break;
     }
@@ -117,9 +117,8 @@ const WindowInput& Window::poll() {
     glfwGetWindowSize(window, &width, &height);
     glm::dvec2 cursor;
     glfwGetCursorPos(window, &cursor.x, &cursor.y);
-    input.cursorMoved = state_->cursorKnown ? cursor - state_->lastCursor : glm::dvec2(0);
+    input.cursorMoved = cursor - state_->lastCursor.value_or(cursor);
     state_->lastCursor = cursor;
-    state_->cursorKnown = true;
     if (glfwGetInputMode(window, GLFW_CURSOR) != GLFW_CURSOR_DISABLED)
         input.cursor = {std::clamp(cursor.x / std::max(width, 1), 0.0, 1.0),
                         std::clamp(cursor.y / std::max(height, 1), 0.0, 1.0)};
@@ -170,7 +169,7 @@ void Window::holdCursor(bool hold) {
     const int mode = hold ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
     if (glfwGetInputMode(state_->window, GLFW_CURSOR) == mode) return;
     glfwSetInputMode(state_->window, GLFW_CURSOR, mode);
-    state_->cursorKnown = false;
+    state_->lastCursor.reset();
 }
 
 double Window::refreshRate_Hz() const {

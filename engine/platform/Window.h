@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -74,10 +75,7 @@ class Window {
 
 // Versions of OpenGL that are requested, best first. Some drivers (NVIDIA's) give exactly the requested
 // version: if only 3.3 were requested, layers, which need 4.3, would never be available.
-struct GlVersion {
-    int major, minor;
-};
-inline constexpr GlVersion kGlVersions[] = {{4, 3}, {3, 3}};
+inline constexpr std::pair<int, int> kGlVersions[] = {{4, 3}, {3, 3}};
 
 // An OpenGL context without display, window or display server: EGL's surfaceless platform.
 class Headless {

@@ -26,8 +26,8 @@ constexpr float kPolarV = 0.3234f; // share of the map's height from its middle,
 
 // Finds the cells' edges in whole pixels; in larger pictures multiples of 8, which are sampled together.
 void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
-    const int wanted = std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
-    const int cells = std::clamp(wanted, 1, std::max(pixels, 1)), step = pixels / cells >= 16 ? 8 : 1;
+    const int wanted = static_cast<int>(std::ceil(2 * halfExtent / kCell));
+    const int cells = std::clamp(wanted, 1, std::clamp(pixels, 1, 256)), step = pixels / cells >= 16 ? 8 : 1;
     edges.clear();
     for (int k = 0; k < cells; ++k)
         edges.push_back(static_cast<int>(int64_t{k} * pixels / cells) / step * step);
@@ -93,10 +93,10 @@ void BackgroundCells::eachCell(const Edges& edges, const Rays& rays, std::vector
 
 void BackgroundCells::divide(const BackgroundCell& cell, const Rays& rays) {
     for (const int axis : {0, 1}) {
-        parts_[static_cast<size_t>(axis)].clear();
-        for (int at = cell.low[axis]; at < cell.high[axis]; at += kSmallCell)
-            parts_[static_cast<size_t>(axis)].push_back(at);
-        parts_[static_cast<size_t>(axis)].push_back(cell.high[axis]);
+        std::vector<int>& edges = parts_[static_cast<size_t>(axis)];
+        edges.clear();
+        for (int at = cell.low[axis]; at < cell.high[axis]; at += kSmallCell) edges.push_back(at);
+        edges.push_back(cell.high[axis]);
     }
     eachCell(parts_, rays, within_, [&](const Corners& corners, glm::ivec2 low, glm::ivec2 high) {
         const bool torn = std::ranges::any_of(corners, [&](const Corner& corner) {
@@ -126,9 +126,7 @@ void BackgroundCells::make(const View& view, const glm::mat3& envFromRay, const 
     findEdges(rays.half.x, size.x, edges_[0]);
     findEdges(rays.half.y, size.y, edges_[1]);
     cells_.clear();
-    rowBegins_.clear();
     eachCell(edges_, rays, corners_, [&](const Corners& corners, glm::ivec2 low, glm::ivec2 high) {
-        if (low.x == 0) rowBegins_.push_back(cells_.size());
         const BackgroundCell cell = cellOf(corners, low, high);
         // A cell is straight if the direction that the film gives in its middle is the mean of its corners'.
         const glm::vec3 mean =
@@ -139,7 +137,6 @@ void BackgroundCells::make(const View& view, const glm::mat3& envFromRay, const 
         else
             cells_.push_back(cell);
     });
-    rowBegins_.push_back(cells_.size());
 }
 
 } // namespace shoal::render

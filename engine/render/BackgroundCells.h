@@ -42,10 +42,7 @@ class BackgroundCells {
     void make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size,
               const FilmParallax& film = {});
 
-    std::span<const BackgroundCell> all() const { return cells_; } // row by row
-    int rows() const { return static_cast<int>(rowBegins_.size()) - 1; }
-    // Returns the index in all() of a row's first cell; the row ends before that of the next.
-    size_t rowBegin(int row) const { return rowBegins_[static_cast<size_t>(row)]; }
+    std::span<const BackgroundCell> all() const { return cells_; }
 
   private:
     struct Corner {
@@ -71,7 +68,6 @@ class BackgroundCells {
     void addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& rays);
 
     std::vector<BackgroundCell> cells_;
-    std::vector<size_t> rowBegins_;
     Edges edges_, parts_;                  // edges of the grid's cells, and of a divided cell's parts
     std::vector<Corner> corners_, within_; // scratch: of the grid's corners; of a divided cell's corners
 };

@@ -20,39 +20,28 @@ enum FeatureBit : unsigned {
 };
 constexpr std::array kBackgroundDefines = {SHOAL_TONE_DEFINES, "POLAR", "AS_IS", "FRAME_IS_CODED", "SHADED"};
 
-unsigned featuresOf(const EnvironmentGpu& environment, const Exposure& exposure) {
-    if (showsFrameAsCoded(environment, exposure)) return kAsIs;
-    return toneFeatures(exposure) | (environment.frameIsCoded() ? kFrameIsCoded : 0u);
+unsigned featuresOf(const EyePicture& picture) {
+    if (picture.showsFrameAsCoded()) return kAsIs;
+    return toneFeatures(picture.exposure) | (picture.environment.frameIsCoded() ? kFrameIsCoded : 0u);
 }
 
 } // namespace
-
-bool showsFrameAsCoded(const EnvironmentGpu& environment, const Exposure& exposure) {
-    return environment.frameIsCoded() && exposure.keepsFrames();
-}
 
 Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bool withLayers) {
     if (backend == Backend::Auto)
         backend = gl::rendersInSoftware() && canSampleFrames() ? Backend::Software : Backend::OpenGL;
     std::unique_ptr<BackgroundPass> pass(backend == Backend::Software ? new SoftwareBackground
                                                                       : new BackgroundPass);
-    if (Status s = pass->setUp(withLayers); !s) return s.error();
-    return pass;
-}
-
-Status BackgroundPass::setUp(bool withLayers) {
-    programs_ = gl::Variants("render/Background", kBackgroundDefines);
+    pass->programs_ = gl::Variants("render/Background", kBackgroundDefines);
     // These programs are compiled now, so that a broken shader is reported at the start.
     for (const unsigned features : {0u, static_cast<unsigned>(kPolarBit)})
-        if (auto program = programs_.get(kAsIs | features); !program) return program.error();
-    if (withLayers) {
-        auto composite = EquirectComposite::make();
-        if (!composite) return composite.error();
-        composite_ = std::move(*composite);
-    }
-    shadowTexture_ = makeLatLongTexture();
-    rectangles_ = TriangleBatch::make({{ATTRIBUTE_POSITION, 2}, {ATTRIBUTE_UV0, 2}, {ATTRIBUTE_NORMAL, 3}});
-    return Done{};
+        if (auto program = pass->programs_.get(kAsIs | features); !program) return program.error();
+    if (withLayers)
+        if (Status s = EquirectComposite::make().moveTo(pass->composite_); !s) return s.error();
+    pass->shadowTexture_ = makeLatLongTexture();
+    pass->rectangles_ =
+        TriangleBatch::make({{ATTRIBUTE_POSITION, 2}, {ATTRIBUTE_UV0, 2}, {ATTRIBUTE_NORMAL, 3}});
+    return pass;
 }
 
 void BackgroundPass::want(const FrameTiles& tiles, const BackgroundCell& cell) {
@@ -103,8 +92,8 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
             }
         }
         if (corners_.empty()) continue;
-        auto found = programs_.get(featuresOf(picture.environment, picture.exposure) |
-                                   (polar ? kPolarBit : 0u) | (shadows && !shownPainted ? kShaded : 0u));
+        auto found = programs_.get(featuresOf(picture) | (polar ? kPolarBit : 0u) |
+                                   (shadows && !shownPainted ? kShaded : 0u));
         if (!found) return found.error();
         const gl::Program& program = **found;
         program.use();

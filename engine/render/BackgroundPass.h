@@ -54,7 +54,6 @@ class BackgroundPass {
         glm::vec2 place, uv;
         glm::vec3 directionEnv;
     };
-    Status setUp(bool withLayers);
     GLuint textureOf(const FilmShadows& shadows);
 
     gl::Variants programs_;
@@ -66,8 +65,5 @@ class BackgroundPass {
     glm::ivec2 shadowSize_{0};
     FilmShadows::Version uploadedShadows_;
 };
-
-// Returns whether the frame is displayed exactly as it is coded: no curve, no exposure.
-bool showsFrameAsCoded(const EnvironmentGpu& environment, const Exposure& exposure);
 
 } // namespace shoal::render

@@ -10,17 +10,12 @@ namespace {
 // beyond its edge.
 constexpr float kLayerWidth = 1.02f;
 
-int samplesOfLayers(const CompositorSetup& setup, Composition composition) {
-    const bool filtered = setup.frameIsCoded && composition != Composition::MatchedResolution;
-    return filtered ? gl::defaultSamples() : 4;
-}
-
 // Returns the composition that is possible: an HDR frame has no coded texels and no camera.
 Composition possible(const CompositorSetup& setup) {
-    if (setup.frameIsCoded) return setup.composition;
-    return setup.composition == Composition::VideoTexels      ? Composition::MatchedResolution
-           : setup.composition == Composition::CameraResponse ? Composition::Plain
-                                                              : setup.composition;
+    const Composition wanted = setup.composition;
+    if (setup.frameIsCoded) return wanted;
+    if (wanted == Composition::VideoTexels) return Composition::MatchedResolution;
+    return wanted == Composition::CameraResponse ? Composition::Plain : wanted;
 }
 
 } // namespace
@@ -28,8 +23,8 @@ Composition possible(const CompositorSetup& setup) {
 Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     Compositor made;
     made.composition_ = possible(setup);
-    made.samples_ = samplesOfLayers(setup, made.composition_);
-    made.smoothsLayers_ = made.samples_ == 1;
+    const bool filtered = setup.frameIsCoded && made.composition_ != Composition::MatchedResolution;
+    made.samples_ = filtered ? gl::defaultSamples() : 4;
     if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
     // Objects in texels are filtered with them, but for an eye beside the film's camera none are in texels.
@@ -44,7 +39,7 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
 
 glm::ivec2 Compositor::layerSize(const EyePicture& picture) const {
     if (composition_ == Composition::Plain || !showsFilm(picture)) return picture.size();
-    auto rows = static_cast<float>(picture.environment.frameHeight());
+    auto rows = static_cast<float>(picture.environment.displayFrame().height);
     if (filmed() && drawsIntoTexels(picture)) rows /= layerTexels(picture.filmed.response, samples_);
     return sizeAsFine(drawsIntoTexels(picture) ? widened(picture.view, kLayerWidth) : picture.view,
                       picture.size(), static_cast<int>(rows));
@@ -59,7 +54,8 @@ bool Compositor::usesLayer(const EyePicture& picture) const {
 }
 
 void Compositor::chooseTiles(const EyePicture& picture, CompositorScene& scene) {
-    tiles_.choose({picture.environment.frameWidth(), picture.environment.frameHeight()}, picture.envFromWorld,
+    const DisplayFrame& frame = picture.environment.displayFrame();
+    tiles_.choose({frame.width, frame.height}, picture.envFromWorld,
                   scene.visibleSpheres(widened(picture.view, kLayerWidth)), picture.view.eyeWorld);
 }
 
@@ -75,23 +71,18 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     if (Status s = scene.drawObjects(picture); !s) return s;
     if (Status s = scene.drawParticles(ParticlePass::On::Objects, picture); !s) return s;
     layerOf(picture).end();
-    if (smoothsLayers_) layerOf(picture).smoothOutlines();
+    if (samples_ == 1) layerOf(picture).smoothOutlines();
     return Done{};
 }
 
 Status Compositor::drawBackground(const EyePicture& picture, CompositorScene& scene) {
-    if (!showsFilm(picture)) {
-        glClearColor(0, 0, 0, 0);
+    if (!drawsFilm(picture)) {
+        glClearColor(0, 0, 0, showsFilm(picture) ? 1 : 0);
         glClear(GL_COLOR_BUFFER_BIT);
         return Done{};
     }
     const TexelLayer layer{layerOf(picture), widened(picture.view, kLayerWidth), tiles_, filmed()};
     const gl::PassTimers::Scope scope(scene.timers(), "background");
-    if (picture.skip == SkippedPass::Background) {
-        glClearColor(0, 0, 0, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
-        return Done{};
-    }
     return background_->draw(picture, drawsIntoTexels(picture) ? &layer : nullptr);
 }
 
@@ -115,8 +106,7 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
 
 Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye) {
     if (drawsIntoTexels(eyes[0])) chooseTiles(eyes[0], scene);
-    if (eyes[0].skip != SkippedPass::Background && showsFilm(eyes[0]))
-        background_->prepare(eyes[0], drawsIntoTexels(eyes[0]) ? &tiles_ : nullptr);
+    if (drawsFilm(eyes[0])) background_->prepare(eyes[0], drawsIntoTexels(eyes[0]) ? &tiles_ : nullptr);
     // Software renderers finish a framebuffer before they begin another, so layers come before all canvases.
     for (const EyePicture& eye : eyes)
         if (usesLayer(eye))
@@ -141,8 +131,7 @@ Status Compositor::drawDepth(const EyePicture& picture, GLuint into) {
     }
     if (!depth_)
         if (Status s = DepthPass::make().moveTo(depth_); !s) return s;
-    const bool film =
-        showsFilm(picture) && picture.skip != SkippedPass::Background && picture.environment.depth();
+    const bool film = drawsFilm(picture) && picture.environment.depth().map;
     depth_->draw(usesLayer(picture) ? layerOf(picture).layer() : picture.canvas,
                  drawsIntoTexels(picture) ? 1 / kLayerWidth : 1.0f, into, picture, film);
     return Done{};

@@ -4,7 +4,7 @@
 
 #include "engine/gl/PassTimers.h"
 #include "engine/render/BackgroundPass.h"
-#include "engine/render/DepthPass.h"
+#include "engine/render/HeadsetPasses.h"
 #include "engine/render/ParticlePass.h"
 
 #include <array>
@@ -53,6 +53,9 @@ class Compositor {
 
   private:
     static bool showsFilm(const EyePicture& picture) { return picture.surroundings == Surroundings::Film; }
+    static bool drawsFilm(const EyePicture& picture) {
+        return showsFilm(picture) && picture.skip != SkippedPass::Background;
+    }
     bool filmed() const { return composition_ == Composition::CameraResponse; }
     bool mayDrawIntoTexels() const { return composition_ == Composition::VideoTexels || filmed(); }
     // To an eye beside the film's camera, texels and objects have different parallaxes: objects cannot then
@@ -71,8 +74,7 @@ class Compositor {
     Composition composition_ = Composition::BackgroundOnly;
     std::unique_ptr<BackgroundPass> background_;
     std::array<LayerPass, 2> layers_; // by eye; for objects at their own resolution or in texels
-    int samples_ = 1;                 // of the layers
-    bool smoothsLayers_ = false;      // whether outlines in layers of one sample are smoothed
+    int samples_ = 1;                 // of the layers; outlines of one sample are smoothed
     bool smoothsOutlines_ = false;    // whether objects in a canvas of one sample are smoothed
     FrameTiles tiles_;                // for the eye drawn last
     std::optional<DepthPass> depth_;  // made when it is first needed

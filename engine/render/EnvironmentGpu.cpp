@@ -10,9 +10,12 @@ namespace {
 
 constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
 
-void putLevel(int level, const light::HalfImage& image) {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, image.width, image.height, 0, GL_RGBA, GL_HALF_FLOAT,
+template <class T, int kChannels>
+void putTexels(const gl::Texture& texture, int level, GLint stored, GLenum format, GLenum type,
+               const Image<T, kChannels>& image) {
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, level, stored, image.width, image.height, 0, format, type,
                  image.pixels.data());
 }
 
@@ -36,13 +39,6 @@ void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::i
     size = newSize;
 }
 
-EnvironmentGpu::EnvironmentGpu()
-    : frame_(makeLatLongTexture()), light_(makeLatLongTexture()), mirrors_(makeLatLongTexture()),
-      scattered_(makeLatLongTexture()), depth_(makeLatLongTexture()) {
-    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-}
-
 void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
     displayFrame_ = frame;
     uploaded_ = false;
@@ -60,11 +56,8 @@ GLuint EnvironmentGpu::frameTexture() const {
 void EnvironmentGpu::setFrame(const ImageRgbF& radianceLin) {
     uploaded_ = true;
     codedSize_ = {0, 0};
-    glBindTexture(GL_TEXTURE_2D, frame_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     // 32 bits: a real sun lies above the largest half float.
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, radianceLin.width, radianceLin.height, 0, GL_RGB, GL_FLOAT,
-                 radianceLin.pixels.data());
+    putTexels(frame_, 0, GL_RGB32F, GL_RGB, GL_FLOAT, radianceLin);
     displayFrame_ = {nullptr, radianceLin.width, radianceLin.height, radianceLin.width};
     coded_ = false;
     ++frameNumber_;
@@ -72,42 +65,32 @@ void EnvironmentGpu::setFrame(const ImageRgbF& radianceLin) {
 
 void EnvironmentGpu::uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth) {
     assert(light.places.size() <= kMaxMaps && light.mirrorRoughness.size() <= kMaxMirrors);
-    glBindTexture(GL_TEXTURE_2D, light_.name());
-    putLevel(0, light.atlas);
+    putTexels(light_, 0, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, light.atlas);
     places_ = light.places;
     lightScale_ = light.scale;
     mirrorRoughness_ = light.mirrorRoughness;
     smooth_ = smooth;
 
     if (light.mirrors.empty()) return;
-    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
-    for (size_t k = 0; k < light.mirrors.size(); ++k) putLevel(static_cast<int>(k), light.mirrors[k]);
+    for (size_t k = 0; k < light.mirrors.size(); ++k)
+        putTexels(mirrors_, static_cast<int>(k), GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, light.mirrors[k]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(light.mirrors.size()) - 1);
     mirrorWidth_ = light.mirrors[0].width;
 }
 
 void EnvironmentGpu::uploadScattered(const ImageRgbF& light) {
-    glBindTexture(GL_TEXTURE_2D, scattered_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, light.width, light.height, 0, GL_RGB, GL_FLOAT,
-                 light.pixels.data());
+    putTexels(scattered_, 0, GL_RGB16F, GL_RGB, GL_FLOAT, light);
     scatteredLight_ = light;
 }
 
-void EnvironmentGpu::setDepth(const depth::DepthMap* map, const depth::DepthMap* widened,
-                              const depth::DepthRange* range) {
-    depthMap_ = map;
-    widenedDepth_ = widened;
-    depthRange_ = range;
-    if (!map) return;
-    glBindTexture(GL_TEXTURE_2D, depth_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, map->inverse.width, map->inverse.height, 0, GL_RED,
-                 GL_UNSIGNED_BYTE, map->inverse.pixels.data());
+void EnvironmentGpu::setDepth(const FilmDistances& depth) {
+    depth_ = depth;
+    if (depth.map) putTexels(depthMap_, 0, GL_R8, GL_RED, GL_UNSIGNED_BYTE, depth.map->inverse);
 }
 
 void EnvironmentGpu::bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const {
-    program.setTexture("filmDepth", UNIT_FILM_DEPTH, depth_.name());
+    program.setTexture("filmDepth", UNIT_FILM_DEPTH, depthMap_.name());
     program.set("eyeInFilm", eyeInFilm);
 }
 

@@ -7,7 +7,6 @@
 #include "engine/light/PackedLight.h"
 #include "engine/occlusion/SmoothLight.h"
 #include "engine/render/View.h"
-#include "engine/water/Water.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,10 +18,15 @@ gl::Texture makeLatLongTexture();
 // Uploads texels to such a texture. size: of its storage, which is reused while it fits.
 void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::ivec2& size);
 
+// The distances of what a film's frame shows; null: unknown.
+struct FilmDistances {
+    const depth::DepthMap* map = nullptr;
+    const depth::DepthMap* widened = nullptr; // after depth::widenNear(), for an eye beside the film's camera
+    const depth::DepthRange* range = nullptr;
+};
+
 class EnvironmentGpu {
   public:
-    EnvironmentGpu();
-
     // Sets the frame. Its pixels must live until the next is set, or longer than this: they are uploaded only
     // when frameTexture() is called. A background that samples them in memory rarely calls it.
     void setFrame(const DisplayFrame& frame);
@@ -33,21 +37,16 @@ class EnvironmentGpu {
     // Uploads the light that port and lens scatter over the frame: squares of display values, lat-long.
     void uploadScattered(const ImageRgbF& light);
 
-    // Sets the distances of what the frame shows; null: unknown. widened: the map after depth::widenNear(),
-    // for an eye beside the film's camera. All must live until the next frame.
-    void setDepth(const depth::DepthMap* map, const depth::DepthMap* widened, const depth::DepthRange* range);
-    const depth::DepthMap* depth() const { return depthMap_; }
-    const depth::DepthMap* widenedDepth() const { return widenedDepth_; }
-    const depth::DepthRange* depthRange() const { return depthRange_; }
+    // Sets the distances, which must live until the next frame.
+    void setDepth(const FilmDistances& depth);
+    const FilmDistances& depth() const { return depth_; }
     // Binds the distances for shaders/render/FilmDepth.glsl. eyeInFilm: env frame, from the film's camera.
     void bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const;
 
     bool frameIsCoded() const { return coded_; }
-    int frameWidth() const { return displayFrame_.width; }
-    int frameHeight() const { return displayFrame_.height; }
     uint64_t frameNumber() const { return frameNumber_; } // number of frames set so far
     GLuint frameTexture() const;
-    const DisplayFrame& displayFrame() const { return displayFrame_; } // in memory; for coded frames only
+    const DisplayFrame& displayFrame() const { return displayFrame_; } // without pixels if it is HDR
 
     void bindLight(const gl::Program& program) const;       // the program must be in use
     bool lightIsScaled() const { return lightScale_ != 1; } // programs that use it need SCALED_LIGHT
@@ -61,11 +60,10 @@ class EnvironmentGpu {
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
 
   private:
-    gl::Texture frame_, light_, mirrors_, scattered_, depth_;
-    const depth::DepthMap* depthMap_ = nullptr;
-    const depth::DepthMap* widenedDepth_ = nullptr;
-    const depth::DepthRange* depthRange_ = nullptr;
-    DisplayFrame displayFrame_;       // without pixels for HDR environments
+    gl::Texture frame_ = makeLatLongTexture(), light_ = makeLatLongTexture(), mirrors_ = makeLatLongTexture(),
+                scattered_ = makeLatLongTexture(), depthMap_ = makeLatLongTexture();
+    FilmDistances depth_;
+    DisplayFrame displayFrame_;
     mutable bool uploaded_ = true;    // whether frame_ holds the newest frame
     mutable glm::ivec2 codedSize_{0}; // size of frame_ while it holds coded texels
     uint64_t frameNumber_ = 0;
@@ -77,11 +75,5 @@ class EnvironmentGpu {
     std::vector<float> mirrorRoughness_;
     occlusion::SmoothLight smooth_;
 };
-
-// Passes the water to a program in use. Pairs with shaders/render/Water.glsl.
-inline void setWater(const gl::Program& program, const water::Water& water) {
-    program.setArray("waterVeil[0]", water.veil);
-    program.set("attenuation_perM", water.attenuation_perM);
-}
 
 } // namespace shoal::render

@@ -99,12 +99,10 @@ void EquirectComposite::paint(const EnvironmentGpu& environment, const FrameTile
         assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
     }
     corners_.clear();
-    eachRun(wanted, FrameTiles::kCount, [&](int first, int end, int row) {
-        for (int tile = first; tile < end; ++tile) {
-            const glm::vec2 low = tiles.lowOf({tile, row}), high = tiles.lowOf({tile + 1, row + 1});
-            if (low.x < high.x && low.y < high.y)
-                addRectangle(low / glm::vec2(size), high / glm::vec2(size), corners_);
-        }
+    FrameTiles::eachOf(wanted, [&](const glm::ivec2& tile) {
+        const glm::vec2 low = tiles.lowOf(tile), high = tiles.lowOf(tile + 1);
+        if (low.x < high.x && low.y < high.y)
+            addRectangle(low / glm::vec2(size), high / glm::vec2(size), corners_);
     });
     if (corners_.empty()) return;
 

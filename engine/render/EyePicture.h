@@ -7,6 +7,7 @@
 #include "engine/render/EquirectComposite.h"
 #include "engine/render/FilmShadows.h"
 #include "engine/render/View.h"
+#include "engine/water/Water.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -33,10 +34,24 @@ struct EyePicture {
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
     // Returns the shadows if there are any, else null.
     const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }
+    // Returns whether the frame is displayed exactly as it is coded: no curve, no exposure.
+    bool showsFrameAsCoded() const { return environment.frameIsCoded() && exposure.keepsFrames(); }
     // Returns the film's distances and the eye's position; no distances if the eye sees what the camera saw.
     FilmParallax filmParallax() const {
-        if (eyeInFilm == glm::vec3(0) || !environment.widenedDepth()) return {};
-        return {environment.widenedDepth(), eyeInFilm};
+        if (eyeInFilm == glm::vec3(0) || !environment.depth().widened) return {};
+        return {environment.depth().widened, eyeInFilm};
+    }
+    // Sets the light, the view and the water of a program in use. withDepth: the film's distances too.
+    // Pairs with shaders/render/Water.glsl.
+    void bind(const gl::Program& program, const water::Water& water, bool withDepth) const {
+        environment.bindLight(program);
+        if (withDepth) environment.bindDepth(program, eyeInFilm);
+        program.set("clipFromWorld", view.clipFromWorld());
+        program.set("eyeWorld", view.eyeWorld);
+        program.set("envFromWorld", envFromWorld);
+        program.set("exposureScale", exposure.scale());
+        program.setArray("waterVeil[0]", water.veil);
+        program.set("attenuation_perM", water.attenuation_perM);
     }
     glm::mat3 envFromEye() const { return envFromWorld * glm::mat3_cast(view.worldFromEye); }
 };

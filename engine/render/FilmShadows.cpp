@@ -73,18 +73,12 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
     if (size != glm::ivec2(left_.width, left_.height)) {
         left_ = Image<uint8_t, 4>(size.x, size.y);
         std::ranges::fill(left_.pixels, uint8_t{255});
-        const auto turnsOf = [](int count, float begin, float turn, std::vector<glm::vec2>& out) {
-            out.clear();
-            for (int i = 0; i < count; ++i) {
-                const float angle = begin + turn * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
-                out.push_back({std::sin(angle), std::cos(angle)});
-            }
-        };
-        constexpr float kPi = std::numbers::pi_v<float>;
-        turnsOf(size.x, -kPi, 2 * kPi, columns_);
-        turnsOf(size.y, kPi / 2, -kPi, rows_);
+        columns_.clear();
+        rows_.clear();
+        for (int x = 0; x < size.x; ++x) columns_.push_back(texelDirection(x, 0, size.x, 1));
+        for (int y = 0; y < size.y; ++y) rows_.push_back(texelDirection(0, y, 1, size.y));
     } else if (!empty_) {
-        tiles_.eachChosen([&](const glm::ivec2& tile) {
+        FrameTiles::eachOf(tiles_.chosen(), [&](const glm::ivec2& tile) {
             const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
             for (int y = low.y; y < high.y; ++y)
                 std::fill(left_.at(low.x, y), left_.at(low.x, y) + 4 * (high.x - low.x), uint8_t{255});
@@ -155,8 +149,8 @@ void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
 }
 
 glm::vec3 FilmShadows::directionAt(int x, int y) const {
-    const glm::vec2 &turn = columns_[static_cast<size_t>(x)], &height = rows_[static_cast<size_t>(y)];
-    return {height.y * turn.x, height.x, -height.y * turn.y};
+    const glm::vec3 &level = columns_[static_cast<size_t>(x)], &ahead = rows_[static_cast<size_t>(y)];
+    return {-ahead.z * level.x, ahead.y, -ahead.z * level.z};
 }
 
 glm::vec3 FilmShadows::placeAt(int x, int y) const {
@@ -174,7 +168,7 @@ float FilmShadows::cosineAt(int x, int y, const glm::vec3& towardsEnv) const {
     };
     const int code = *codes.at(x, y);
     const float distance = distance_m_[static_cast<size_t>(code)];
-    const int across = spanOf(distance * std::max(rows_[static_cast<size_t>(y)].y, 0.05f)),
+    const int across = spanOf(distance * std::max(-rows_[static_cast<size_t>(y)].z, 0.05f)),
               down = spanOf(distance);
     const glm::vec3 here = placeAt(x, y);
     const auto slope = [&](glm::ivec2 a, glm::ivec2 b) {

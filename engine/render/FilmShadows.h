@@ -83,12 +83,11 @@ class FilmShadows {
     uint64_t number_ = 0;
     FrameTiles tiles_;
     Image<uint8_t, 4> left_;
-    std::vector<glm::vec2> columns_,
-        rows_; // by the map's column and row: sine and cosine of longitude, of latitude
-    std::array<float, 256> distance_m_{};  // indexed by the map's code
-    std::array<glm::vec3, 256> arrives_{}; // by code: share of light that the water lets through
-    glm::mat3 lightFromEnv_{1};            // for the body being added: along, aside, up
-    std::vector<FlatPiece> pieces_;        // scratch: of one body
+    std::vector<glm::vec3> columns_, rows_; // directions of the map's columns at the horizon, of rows ahead
+    std::array<float, 256> distance_m_{};   // indexed by the map's code
+    std::array<glm::vec3, 256> arrives_{};  // by code: share of light that the water lets through
+    glm::mat3 lightFromEnv_{1};             // for the body being added: along, aside, up
+    std::vector<FlatPiece> pieces_;         // scratch: of one body
     std::vector<Occluder> occluders_;
     std::vector<size_t> reached_; // tiles that the shadow of the body being added may reach
     std::vector<float> along_, aside_, up_, hidden_; // of a tile's texels, in the light's frame

@@ -67,11 +67,11 @@ class FrameTiles {
         return tile * frameSize / kCount;
     }
 
-    // Calls visit(tile) for each chosen tile.
-    template <class Visit> void eachChosen(Visit&& visit) const {
+    // Calls visit(tile) for each marked tile. marked: row by row.
+    template <class Visit> static void eachOf(const std::vector<bool>& marked, Visit&& visit) {
         for (int y = 0; y < kCount.y; ++y)
             for (int x = 0; x < kCount.x; ++x)
-                if (chosen_[indexOf(x, y)]) visit(glm::ivec2(x, y));
+                if (marked[indexOf(x, y)]) visit(glm::ivec2(x, y));
     }
 
     // Calls touch(index) for each tile between these coordinates of the map, or at most a texel outside.

@@ -34,4 +34,50 @@ void HeadsetPasses::premultiply(const gl::Target& from, GLuint into) const {
     picture_.draw();
 }
 
+Result<DepthPass> DepthPass::make() {
+    DepthPass pass;
+    if (Status s = gl::Program::load("render/Depth").moveTo(pass.plain_); !s) return s.error();
+    if (Status s = gl::Program::load("render/Depth", {"FILM"}).moveTo(pass.filmed_); !s) return s.error();
+    pass.copyTarget_ = gl::Framebuffer::make();
+    return pass;
+}
+
+void DepthPass::draw(const gl::Target& from, float part, GLuint into, const EyePicture& picture, bool film) {
+    const glm::ivec2 fromSize(from.width(), from.height());
+    glBindFramebuffer(GL_FRAMEBUFFER, copyTarget_.name());
+    if (copySize_ != fromSize) {
+        copySize_ = fromSize;
+        copy_ = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+        // The copy has the target's own format, because depth is copied between equal formats only.
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, fromSize.x, fromSize.y, 0, GL_DEPTH_COMPONENT,
+                     GL_UNSIGNED_INT, nullptr);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy_.name(), 0);
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
+    glBlitFramebuffer(0, 0, fromSize.x, fromSize.y, 0, 0, fromSize.x, fromSize.y, GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, into);
+    glViewport(0, 0, picture.size().x, picture.size().y);
+    const gl::Program& program = film ? filmed_ : plain_;
+    program.use();
+    program.setTexture("depth", 0, copy_.name());
+    program.set("part", part);
+    if (film) {
+        picture.environment.bindDepth(program, picture.eyeInFilm);
+        program.set("envFromEye", picture.envFromEye());
+        program.set("rayScale", picture.view.halfExtent());
+        program.set("rayShift", picture.view.shift);
+        program.set("planes", glm::vec2(picture.view.near_m, picture.view.far_m));
+    }
+    glEnable(GL_DEPTH_TEST); // depth is written only while it is tested
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    picture_.draw();
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+}
+
 } // namespace shoal::render

@@ -15,27 +15,20 @@ constexpr glm::ivec2 kCells(40, 24);
 // Greatest share of the picture's width that pays: laying a larger layer over takes more time than it saves.
 constexpr float kWorthIt = 0.85f;
 
-// Finds where the eye's tangents to a sphere meet the line at distance 1; across, ahead: the sphere's centre.
-bool tangents(float across, float ahead, float radius, float& low, float& high) {
-    const float away = std::hypot(across, ahead);
-    if (away <= radius) return false;
-    const float middle = std::atan2(across, ahead), half = std::asin(radius / away);
-    constexpr float kSide = std::numbers::pi_v<float> / 2 - 1e-3f;
-    low = std::tan(std::clamp(middle - half, -kSide, kSide));
-    high = std::tan(std::clamp(middle + half, -kSide, kSide));
-    return true;
-}
-
 } // namespace
 
 Box boxAround(const glm::vec3& centreWorld, float radius, const View& view) {
     const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (centreWorld - view.eyeWorld);
-    glm::vec2 low, high;
-    if (!tangents(inEye.x, -inEye.z, radius, low.x, high.x) ||
-        !tangents(inEye.y, -inEye.z, radius, low.y, high.y))
-        return {};
-    const glm::vec2 half = view.halfExtent();
-    return {(low - view.shift) / half, (high - view.shift) / half};
+    glm::vec2 low, high; // where the eye's tangents to the sphere meet the plane at distance 1
+    for (const int axis : {0, 1}) {
+        const float away = std::hypot(inEye[axis], -inEye.z);
+        if (away <= radius) return {};
+        const float middle = std::atan2(inEye[axis], -inEye.z), half = std::asin(radius / away);
+        constexpr float kSide = std::numbers::pi_v<float> / 2 - 1e-3f;
+        low[axis] = std::tan(std::clamp(middle - half, -kSide, kSide));
+        high[axis] = std::tan(std::clamp(middle + half, -kSide, kSide));
+    }
+    return {(low - view.shift) / view.halfExtent(), (high - view.shift) / view.halfExtent()};
 }
 
 glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows) {
@@ -119,15 +112,17 @@ void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view
         for (int y = first.y; y <= last.y; ++y)
             for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
     }
-    if (areRead_)
-        for (int cell = 0; cell < kCells.x * kCells.y; ++cell)
-            if (marked_[static_cast<size_t>(cell)] && isEmpty({cell % kCells.x, cell / kCells.x}))
-                marked_[static_cast<size_t>(cell)] = false;
+    const auto isDrawn = [&](int x, int y) {
+        return marked_[static_cast<size_t>(y * kCells.x + x)] && !(areRead_ && isEmpty({x, y}));
+    };
+    const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
     corners_.clear();
-    eachRun(marked_, kCells, [&](int first, int end, int row) {
-        const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
-        addRectangle(placeOf(first, row), placeOf(end, row + 1), corners_);
-    });
+    for (int y = 0; y < kCells.y; ++y)
+        for (int x = 0; x < kCells.x; ++x) {
+            const int first = x;
+            while (x < kCells.x && isDrawn(x, y)) ++x;
+            if (x > first) addRectangle(placeOf(first, y), placeOf(x, y + 1), corners_);
+        }
     if (corners_.empty()) return;
 
     program_.use();

@@ -68,20 +68,19 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
 
     std::vector<FixedVertex> fixed(vertices.size());
     for (size_t i = 0; i < fixed.size(); ++i) {
-        const uint32_t v = vertices[i];
-        if (!primitive.tangents.empty()) fixed[i].tangent = primitive.tangents[v];
-        if (!primitive.texCoords[0].empty()) fixed[i].uv0 = primitive.texCoords[0][v];
-        if (!primitive.texCoords[1].empty()) fixed[i].uv1 = primitive.texCoords[1][v];
-        if (!primitive.coloursLin.empty())
-            fixed[i].colour =
-                reflectance == Reflectance::Coded ? coded(primitive.coloursLin[v]) : primitive.coloursLin[v];
-        if (!primitive.joints.empty()) {
-            fixed[i].joints = primitive.joints[v];
-            fixed[i].weights = primitive.weights[v];
-        }
-        if (!primitive.selfOcclusion.empty()) fixed[i].selfOcclusion = primitive.selfOcclusion[v];
-        if (!primitive.selfOcclusionBesideOwn.empty())
-            fixed[i].selfOcclusionBesideOwn = primitive.selfOcclusionBesideOwn[v];
+        const auto take = [v = vertices[i]](const auto& values, auto& into) {
+            if (!values.empty()) into = values[v];
+        };
+        take(primitive.tangents, fixed[i].tangent);
+        take(primitive.texCoords[0], fixed[i].uv0);
+        take(primitive.texCoords[1], fixed[i].uv1);
+        take(primitive.coloursLin, fixed[i].colour);
+        if (reflectance == Reflectance::Coded && !primitive.coloursLin.empty())
+            fixed[i].colour = coded(fixed[i].colour);
+        take(primitive.joints, fixed[i].joints);
+        take(primitive.weights, fixed[i].weights);
+        take(primitive.selfOcclusion, fixed[i].selfOcclusion);
+        take(primitive.selfOcclusionBesideOwn, fixed[i].selfOcclusionBesideOwn);
     }
     gpu.vertices = bufferOf<FixedVertex>(GL_ARRAY_BUFFER, fixed, GL_STATIC_DRAW);
     constexpr size_t kStride = sizeof(FixedVertex);
@@ -163,23 +162,19 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
         slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
     };
     // Materials that only another variant of the model uses need no textures.
-    std::vector<bool> isUsed(model.materials.size());
     for (const scene::Mesh& mesh : model.meshes)
-        for (const scene::Primitive& primitive : mesh.primitives)
-            if (primitive.material >= 0) isUsed[static_cast<size_t>(primitive.material)] = true;
-    for (size_t m = 0; m < model.materials.size(); ++m) {
-        if (!isUsed[m]) continue;
-        const scene::Material& material = model.materials[m];
-        want(material.baseColour, reflectanceFor(material, reflectance) == Reflectance::Linear);
-        want(material.emissive, true);
-        if (detail == Detail::Full) want(material.metallicRoughness, false); // lean: its mean
-        want(material.normal, false);
-        want(material.occlusion, false);
-        want(material.specular, false);
-        want(material.specularColour, true);
-        want(material.coat, false);
-        want(material.coatRoughness, false);
-    }
+        for (const scene::Primitive& primitive : mesh.primitives) {
+            const scene::Material& material = model.materialOf(primitive);
+            want(material.baseColour, reflectanceFor(material, reflectance) == Reflectance::Linear);
+            want(material.emissive, true);
+            if (detail == Detail::Full) want(material.metallicRoughness, false); // lean: its mean
+            want(material.normal, false);
+            want(material.occlusion, false);
+            want(material.specular, false);
+            want(material.specularColour, true);
+            want(material.coat, false);
+            want(material.coatRoughness, false);
+        }
     return std::make_shared<const TexturesGpu>(std::move(gpu));
 }
 

@@ -28,31 +28,44 @@ enum Feature : unsigned { SHOAL_FEATURES(SHOAL_FEATURE) };
 #define SHOAL_NAME(name) #name
 constexpr std::array kObjectDefines = {SHOAL_TONE_DEFINES, SHOAL_FEATURES(SHOAL_NAME)};
 
+// A map of a material. The shader samples it if it has the feature, and white if the material has no such
+// map.
+struct MaterialMap {
+    unsigned feature;
+    scene::TextureUse scene::Material::*use;
+    GLuint unit;
+    const char *sampler, *uvSet;
+    bool isColour = false; // whether the sampler decodes sRGB, if reflectances are linear
+};
+using scene::Material;
+constexpr std::array kMaps = std::to_array<MaterialMap>({
+    {BASE_COLOUR_MAP, &Material::baseColour, UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv", true},
+    {METALLIC_ROUGHNESS_MAP, &Material::metallicRoughness, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",
+     "metallicRoughnessUv"},
+    {NORMAL_MAP, &Material::normal, UNIT_NORMAL, "normalMap", "normalUv"},
+    {OCCLUSION_MAP, &Material::occlusion, UNIT_OCCLUSION, "occlusionMap", "occlusionUv"},
+    {EMISSIVE_MAP, &Material::emissive, UNIT_EMISSIVE, "emissiveMap", "emissiveUv", true},
+    {DIELECTRIC, &Material::specular, UNIT_SPECULAR, "specularMap", "specularUv"},
+    {DIELECTRIC, &Material::specularColour, UNIT_SPECULAR_COLOUR, "specularColourMap", "specularColourUv",
+     true},
+    {CLEARCOAT, &Material::coat, UNIT_COAT, "coatMap", "coatUv"},
+    {CLEARCOAT, &Material::coatRoughness, UNIT_COAT_ROUGHNESS, "coatRoughnessMap", "coatRoughnessUv"},
+});
+
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
     if (primitive.skinned) features |= SKINNED;
     if (primitive.coloured) features |= VERTEX_COLOURS;
-    for (const scene::TextureUse& use : material.textures())
-        if (use.texture >= 0 && use.texCoord == 1) features |= SECOND_UV;
-    if (material.baseColour.texture >= 0) features |= BASE_COLOUR_MAP;
-    if (material.metallicRoughness.texture >= 0) features |= METALLIC_ROUGHNESS_MAP;
-    if (material.normal.texture >= 0) features |= NORMAL_MAP;
-    if (material.occlusion.texture >= 0) features |= OCCLUSION_MAP;
-    if (material.emissive.texture >= 0) features |= EMISSIVE_MAP;
-    if (material.dielectricF0 != glm::vec3(0.04f) || material.dielectricF90 != 1 ||
-        material.specular.texture >= 0 || material.specularColour.texture >= 0)
-        features |= DIELECTRIC;
-    if (material.clearcoat > 0) features |= CLEARCOAT;
+    for (const MaterialMap& map : kMaps) {
+        const scene::TextureUse& use = material.*map.use;
+        if (use.texture < 0) continue;
+        features |= map.feature;
+        if (use.texCoord == 1) features |= SECOND_UV;
+    }
+    if (material.dielectricF0 != glm::vec3(0.04f) || material.dielectricF90 != 1) features |= DIELECTRIC;
+    features = material.clearcoat > 0 ? features | CLEARCOAT : features & ~CLEARCOAT;
     if (material.alphaMode == scene::AlphaMode::Mask) features |= ALPHA_MASK;
     if (material.alphaMode == scene::AlphaMode::Blend) features |= ALPHA_BLEND;
-    return features;
-}
-
-// Returns the features that all primitives of a draw need.
-unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy glossy) {
-    unsigned features = toneFeatures(exposure);
-    if (glossy == Glossy::PhongRings) features |= PHONG_RINGS;
-    if (!water.none()) features |= WATER;
     return features;
 }
 
@@ -116,14 +129,6 @@ void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& li
     program.set("dominantShare", light.dominantShare);
 }
 
-struct MaterialMap {
-    const scene::TextureUse& use;
-    const std::vector<gl::Texture>& textures;
-    GLuint unit;
-    const char *sampler, *uvSet;
-    bool isSampled = false; // whether the shader samples it even if the material has none
-};
-
 } // namespace
 
 Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity shown) {
@@ -145,9 +150,9 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity
 }
 
 void ObjectPass::begin() {
+    objects_.clear();
+    parts_.clear();
     items_.clear();
-    bounds_.clear();
-    matteDifferences_.clear();
     matrices_.clear();
     near_.clear();
     inRoom_.clear();
@@ -155,14 +160,21 @@ void ObjectPass::begin() {
 }
 
 void ObjectPass::add(const Object& object) {
-    const size_t objectIndex = bounds_.add(object.bound, object.parts);
-    matteDifferences_.push_back(object.lightDifference ? matteFactors(*object.lightDifference)
-                                                       : depth::LightHarmonics{});
-    int body = -1;
+    const std::span<const Sphere> parts = object.parts.empty() ? std::span(&object.bound, 1) : object.parts;
+    objects_.push_back({.bound = object.bound,
+                        .firstPart = parts_.size(),
+                        .partCount = parts.size(),
+                        .matteDifference = object.lightDifference ? matteFactors(*object.lightDifference)
+                                                                  : depth::LightHarmonics{},
+                        .body = -1,
+                        .albedo = object.body ? object.body->albedo : glm::vec3(0),
+                        .highlight = object.highlight,
+                        .isInRoom = object.isInRoom});
+    parts_.insert(parts_.end(), parts.begin(), parts.end());
     if (object.body) {
         const size_t added = near_.add(*object.body, object.pose, object.worldFromModel, object.bound);
         inRoom_.push_back(object.isInRoom);
-        if (occlusion_) body = static_cast<int>(added);
+        if (occlusion_) objects_.back().body = static_cast<int>(added);
     }
     const scene::Model& model = object.model;
     const glm::mat4& worldFromModel = object.worldFromModel;
@@ -185,14 +197,10 @@ void ObjectPass::add(const Object& object) {
         for (const PrimitiveGpu& primitive : mesh.primitives)
             items_.push_back({.gpu = &object.gpu,
                               .primitive = &primitive,
-                              .object = objectIndex,
+                              .object = objects_.size() - 1,
                               .matrixOffset = offset,
                               .scale = scale,
-                              .mirrored = mirrored,
-                              .body = body,
-                              .albedo = object.body ? object.body->albedo : glm::vec3(0),
-                              .highlight = object.highlight,
-                              .isInRoom = object.isInRoom});
+                              .mirrored = mirrored});
     }
 }
 
@@ -204,11 +212,11 @@ size_t ObjectPass::append(const void* block, size_t bytes) {
 }
 
 void ObjectPass::upload(const glm::mat3& envFromWorld) {
-    shades_.clear();
-    for (size_t body = 0; occlusion_ && body < near_.count(); ++body) {
-        const auto [occluders, own, ownStrength] = near_.near(body, envFromWorld);
-        shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
-                           static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength});
+    for (Placed& object : objects_) {
+        if (object.body < 0) continue;
+        const auto [occluders, own, ownStrength] = near_.near(static_cast<size_t>(object.body), envFromWorld);
+        object.shade = {occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
+                        static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength};
     }
     // The shader's blocks have room for MAX_JOINTS; the bound range must cover them for the last object too.
     static_assert(MAX_JOINTS * sizeof(glm::mat4) >= MAX_OCCLUDERS * sizeof(PackedOccluder));
@@ -220,8 +228,7 @@ void ObjectPass::upload(const glm::mat3& envFromWorld) {
 
 bool ObjectPass::shaded(const Item& item) const {
     return occlusion_ && !layers_ && !item.gpu->materialOf(*item.primitive).unlit &&
-           (item.primitive->withSelfOcclusion ||
-            (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0));
+           (item.primitive->withSelfOcclusion || objects_[item.object].shade.count > 0);
 }
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
@@ -232,22 +239,77 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
     return program;
 }
 
+std::span<const Sphere> ObjectPass::partsOf(const Placed& object) const {
+    return std::span(parts_).subspan(object.firstPart, object.partCount);
+}
+
+// Tests the parts: the sphere around an arm holds the eye, and reaches into views that the arm does not.
+ObjectPass::Seen ObjectPass::seenIn(const Placed& object, const EyePicture& picture) const {
+    const View& view = picture.view;
+    Seen seen;
+    if (!sees(view, object.bound)) return seen;
+    const float middle = glm::distance(object.bound.centre, view.eyeWorld);
+    const bool holdsEye = middle < object.bound.radius;
+    if (!holdsEye) seen.slope = object.bound.radius / std::max(middle, view.near_m);
+    for (const Sphere& part : partsOf(object)) {
+        if (!sees(view, part)) continue;
+        const float distance = glm::distance(part.centre, view.eyeWorld);
+        seen.any = true;
+        seen.nearest_m = std::min(seen.nearest_m, distance - part.radius);
+        if (holdsEye) seen.slope = std::max(seen.slope, part.radius / std::max(distance, view.near_m));
+    }
+    if (seen.any && picture.surroundings != Surroundings::Room) seen.behind = behindFilm(object, picture);
+    return seen;
+}
+
+// Compares an object's distances with the film's range within the caps that its parts cover, widened by the
+// angle that an eye beside the film's camera may see past their edges.
+ObjectPass::BehindFilm ObjectPass::behindFilm(const Placed& object, const EyePicture& picture) const {
+    const depth::DepthRange* range = picture.environment.depth().range;
+    if (!range) return BehindFilm::Nothing;
+    const float beside = glm::length(picture.eyeInFilm);
+    const auto behind = [&](const Sphere& part) {
+        const glm::vec3 away = part.centre - picture.view.eyeWorld;
+        const float distance = glm::length(away), radius = part.radius;
+        // Distances from the film's camera and from the eye differ by at most the distance between these.
+        if (distance + radius + beside <= depth::kNearest_m) return BehindFilm::Nothing;
+        if (distance <= radius) return BehindFilm::Perhaps;
+        const float halfAngle = std::asin(radius / distance) + beside / depth::kNearest_m;
+        const auto film = range->around(picture.envFromWorld * (away / distance), halfAngle);
+        if (film.max_perM * (distance + radius + beside) <= 1) return BehindFilm::Nothing;
+        return film.min_perM * (distance - radius - beside) > 1 ? BehindFilm::All : BehindFilm::Perhaps;
+    };
+    if (const BehindFilm whole = behind(object.bound); whole != BehindFilm::Perhaps) return whole;
+    const std::span<const Sphere> parts = partsOf(object);
+    const BehindFilm first = behind(parts[0]);
+    return std::ranges::all_of(parts, [&](const Sphere& part) { return behind(part) == first; })
+               ? first
+               : BehindFilm::Perhaps;
+}
+
+void ObjectPass::addVisible(const View& view, std::vector<Sphere>& out) const {
+    for (const Placed& object : objects_)
+        if (sees(view, object.bound))
+            for (const Sphere& part : partsOf(object))
+                if (sees(view, part)) out.push_back(part);
+}
+
 // Replaces order_ by the items that are in the view and not behind the film.
 void ObjectPass::sortVisible(const EyePicture& picture) {
     const bool inRoom = picture.surroundings == Surroundings::Room;
-    bounds_.seenIn(picture, seen_);
+    for (Placed& object : objects_) object.seen = seenIn(object, picture);
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
-        const ObjectBounds::Seen& seen = seen_[item.object];
-        if (!seen.any || seen.behind == BehindFilm::All) continue;
+        const Placed& object = objects_[item.object];
+        if (!object.seen.any || object.seen.behind == BehindFilm::All) continue;
         const bool blended = item.gpu->materialOf(*item.primitive).alphaMode == scene::AlphaMode::Blend;
-        const Stage stage = inRoom && item.isInRoom ? Stage::DepthAlone
-                            : blended               ? Stage::Blended
-                                                    : Stage::Opaque;
-        const float distance = glm::distance(bounds_.whole(item.object).centre, picture.view.eyeWorld);
-        order_.push_back(
-            {stage, stage == Stage::Blended ? -distance : distance, seen.behind == BehindFilm::Perhaps, i});
+        const Stage stage = inRoom && object.isInRoom ? Stage::DepthAlone
+                            : blended                 ? Stage::Blended
+                                                      : Stage::Opaque;
+        const float distance = glm::distance(object.bound.centre, picture.view.eyeWorld);
+        order_.push_back({stage, stage == Stage::Blended ? -distance : distance,
+                          object.seen.behind == BehindFilm::Perhaps, i});
     }
     std::sort(order_.begin(), order_.end());
 }
@@ -265,7 +327,7 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
     if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
     if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
         features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
-    else if (lean && isSmall(seen_[item.object].slope, picture.view) && !hasLayerMaps(material))
+    else if (lean && isSmall(objects_[item.object].seen.slope, picture.view) && !hasLayerMaps(material))
         features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
     else if (lean && !material.doubleSided)
         features |= VERTEX_DIFFUSE;
@@ -283,16 +345,10 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
 void ObjectPass::use(const gl::Program& program, unsigned features, const EyePicture& picture,
                      const water::Water& water) const {
     program.use();
-    picture.environment.bindLight(program);
+    picture.bind(program, water, (features & FILM_DEPTH) != 0);
     program.setTexture("dfgTable", UNIT_DFG, dfg_.name());
-    program.set("clipFromWorld", picture.view.clipFromWorld());
-    program.set("eyeWorld", picture.view.eyeWorld);
-    program.set("envFromWorld", picture.envFromWorld);
-    program.set("exposureScale", picture.exposure.scale());
-    setWater(program, water);
     if (features & OCCLUDED) setSmoothLight(program, picture.environment.smoothLight());
     if (features & LAYERS) layers_->bind(program);
-    if (features & FILM_DEPTH) picture.environment.bindDepth(program, picture.eyeInFilm);
 }
 
 Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Glossy glossy) {
@@ -300,14 +356,15 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
-    const unsigned shared = featuresOf(picture.exposure, water, glossy) |
+    const unsigned shared = toneFeatures(picture.exposure) |
+                            (glossy == Glossy::PhongRings ? PHONG_RINGS : 0u) | (water.none() ? 0u : WATER) |
                             (detail_ == Detail::Lean ? LEAN : 0u) |
                             (picture.environment.lightIsScaled() ? SCALED_LIGHT : 0u);
     const gl::Program* current = nullptr;
     // An object that swims behind a part of the film, or out from it, needs another program. These are
     // compiled in advance, one per picture: a graphics driver takes a quarter to half a second for one, in
     // which the game would stand still. Lean ones, for software renderers, take 20 ms.
-    const bool filmHides = picture.environment.depth() && picture.surroundings != Surroundings::Room;
+    const bool filmHides = picture.environment.depth().map && picture.surroundings != Surroundings::Room;
     std::optional<unsigned> soon;
     for (const ToDraw& next : order_) {
         const unsigned features = featuresFor(next, shared, picture, glossy);
@@ -319,10 +376,7 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
         if (*program != current) use(**program, features, picture, water);
         current = *program;
         const bool blended = next.stage == Stage::Blended;
-        if (blended || next.cut)
-            glEnable(GL_BLEND);
-        else
-            glDisable(GL_BLEND);
+        gl::setEnabled(GL_BLEND, blended || next.cut);
         glDepthMask(!blended);
         const GLboolean coloured = next.stage != Stage::DepthAlone;
         glColorMask(coloured, coloured, coloured, coloured);
@@ -339,20 +393,15 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     return Done{};
 }
 
-void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned features,
-                          const EyePicture& picture) {
-    static constexpr depth::LightHarmonics kNone{};
-    const bool inRoom = picture.surroundings == Surroundings::Room;
-    if (features & LAYERS) program.set("bodyAlbedo", item.albedo);
+void ObjectPass::setMaterial(const gl::Program& program, const Item& item, unsigned features) const {
+    const scene::Material& material = item.gpu->materialOf(*item.primitive);
     if (features & PHONG_RINGS) {
-        const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
+        const auto rings = light::phongRings(material.roughness);
         std::array<glm::vec2, 6> packed;
         for (size_t r = 0; r < packed.size(); ++r)
             packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
         program.setArray("phongRings_angleWeight[0]", packed);
     }
-    program.setArray("lightDifference[0]", inRoom ? kNone : matteDifferences_[item.object]);
-    const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);
     const bool lean = detail_ == Detail::Lean;
@@ -362,46 +411,38 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
     program.set("dielectricF90", material.dielectricF90);
     program.set("clearcoat", material.clearcoat);
     program.set("clearcoatRoughness", material.clearcoatRoughness);
-    program.set("highlight", item.highlight);
     program.set("twoSided", material.doubleSided ? 1.0f : 0.0f);
     program.set("normalScale", material.normalScale);
     program.set("occlusionStrength", material.occlusionStrength);
     program.set("alphaCutoff", material.alphaCutoff);
-    const auto& colour = item.gpu->textures->colour;
-    const auto& data = item.gpu->textures->data;
     const bool linear = reflectanceFor(material, item.gpu->reflectance) == Reflectance::Linear;
-    const bool dielectric = (features & DIELECTRIC) != 0, coated = (features & CLEARCOAT) != 0;
-    for (const MaterialMap& map : std::initializer_list<MaterialMap>{
-             {material.baseColour, linear ? colour : data, UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv"},
-             {material.metallicRoughness, data, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",
-              "metallicRoughnessUv"},
-             {material.normal, data, UNIT_NORMAL, "normalMap", "normalUv"},
-             {material.occlusion, data, UNIT_OCCLUSION, "occlusionMap", "occlusionUv"},
-             {material.emissive, colour, UNIT_EMISSIVE, "emissiveMap", "emissiveUv"},
-             {material.specular, data, UNIT_SPECULAR, "specularMap", "specularUv", dielectric},
-             {material.specularColour, colour, UNIT_SPECULAR_COLOUR, "specularColourMap", "specularColourUv",
-              dielectric},
-             {material.coat, data, UNIT_COAT, "coatMap", "coatUv", coated},
-             {material.coatRoughness, data, UNIT_COAT_ROUGHNESS, "coatRoughnessMap", "coatRoughnessUv",
-              coated}}) {
-        const int texture = map.use.texture;
-        if (texture < 0 && !map.isSampled) continue;
+    for (const MaterialMap& map : kMaps) {
+        if (!(features & map.feature)) continue;
+        const auto& [texture, texCoord] = material.*map.use;
+        const bool decoded = map.isColour && (linear || map.feature != BASE_COLOUR_MAP);
+        const auto& textures = decoded ? item.gpu->textures->colour : item.gpu->textures->data;
         program.setTexture(map.sampler, map.unit,
-                           (texture < 0 ? white_ : map.textures[static_cast<size_t>(texture)]).name());
-        program.set(map.uvSet, map.use.texCoord);
+                           (texture < 0 ? white_ : textures[static_cast<size_t>(texture)]).name());
+        program.set(map.uvSet, texCoord);
     }
+    gl::setEnabled(GL_CULL_FACE, !material.doubleSided);
+}
+
+void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned features,
+                          const EyePicture& picture) {
+    static constexpr depth::LightHarmonics kNone{};
+    const Placed& object = objects_[item.object];
+    const bool inRoom = picture.surroundings == Surroundings::Room;
+    if (features & LAYERS) program.set("bodyAlbedo", object.albedo);
+    program.setArray("lightDifference[0]", inRoom ? kNone : object.matteDifference);
+    program.set("highlight", object.highlight);
+    setMaterial(program, item, features);
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
-    if (material.doubleSided) {
-        glDisable(GL_CULL_FACE);
-    } else {
-        glEnable(GL_CULL_FACE);
-        glCullFace(GL_BACK);
-    }
     glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
-    if (shaded(item)) {
-        const Shade shade = item.body >= 0 ? shades_[static_cast<size_t>(item.body)] : Shade{};
-        program.set("selfOcclusionAlbedo", item.albedo);
+    if (features & OCCLUDED) {
+        const Shade& shade = object.shade;
+        program.set("selfOcclusionAlbedo", object.albedo);
         program.set("occluderCount", shade.count);
         program.set("ownCount", shade.own);
         program.set("ownStrength", shade.ownStrength);
@@ -409,7 +450,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
                           static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));
     }
     const DetailGpu& detail =
-        item.primitive->detail(toleranceAt(seen_[item.object].nearest_m, picture.view, detail_) / item.scale);
+        item.primitive->detail(toleranceAt(object.seen.nearest_m, picture.view, detail_) / item.scale);
     glBindVertexArray(detail.vertexArray.name());
     triangleCount_ += detail.indexCount / 3;
     glDrawElements(GL_TRIANGLES, detail.indexCount, GL_UNSIGNED_INT, nullptr);

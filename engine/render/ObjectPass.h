@@ -10,7 +10,6 @@
 #include "engine/render/BodyOccluders.h"
 #include "engine/render/EyePicture.h"
 #include "engine/render/ModelGpu.h"
-#include "engine/render/ObjectBounds.h"
 #include "engine/water/Water.h"
 
 #include <cmath>
@@ -55,7 +54,8 @@ class ObjectPass {
     // hides the objects behind it.
     Status draw(const EyePicture& picture, const water::Water& water, Glossy glossy);
 
-    const ObjectBounds& bounds() const { return bounds_; } // bounds of the objects since begin()
+    // Adds spheres that together hold all objects that the view sees, world frame.
+    void addVisible(const View& view, std::vector<Sphere>& out) const;
 
     // The bodies of the objects since begin(), as ellipsoids.
     const NearBodies& bodies() const { return near_; }
@@ -66,17 +66,37 @@ class ObjectPass {
     size_t programCount() const { return programs_.count(); } // compiled so far
 
   private:
+    enum class BehindFilm { Nothing, Perhaps, All }; // share of an object behind nearer parts of the film
+    struct Seen {                                    // an object as a view sees it
+        bool any = false;
+        float nearest_m = INFINITY; // distance from the eye to the nearest part in the view
+        // Radius divided by distance; if its sphere holds the eye, the largest such ratio of visible parts.
+        float slope = 0;
+        BehindFilm behind = BehindFilm::Nothing; // Nothing in the player's room, where the film is not seen
+    };
+    struct Shade {              // the occluders that take light from an object's body
+        size_t offset = 0;      // bytes, in the buffer of matrices
+        int count = 0, own = 0; // the first `own` of `count` are its own parts
+        float ownStrength = 0;  // strength of its own parts, 0 to 1
+    };
+    struct Placed { // an object since begin()
+        Sphere bound;
+        size_t firstPart, partCount;           // range of parts_; at least one
+        depth::LightHarmonics matteDifference; // for render/LightDifference.glsl
+        int body;                              // index in near_; -1: none, or without occlusion
+        glm::vec3 albedo;                      // mean albedo of its own body
+        float highlight;
+        bool isInRoom;
+        Shade shade{};
+        Seen seen{}; // in the view that is drawn
+    };
     struct Item {
         const ModelGpu* gpu;
         const PrimitiveGpu* primitive;
-        size_t object;       // index, in the order of add()
+        size_t object;       // index in objects_
         size_t matrixOffset; // bytes, in the buffer of matrices
         float scale;         // world metres per unit of the mesh
         bool mirrored;       // whether its transform turns triangles clockwise (glTF 2.0, 3.7.4)
-        int body;            // index in near_; -1: none
-        glm::vec3 albedo;    // mean albedo of the object's own body
-        float highlight;
-        bool isInRoom;
     };
 
     enum class Stage { DepthAlone, Opaque, Blended };
@@ -88,12 +108,9 @@ class ObjectPass {
         auto operator<=>(const ToDraw&) const = default;
     };
 
-    struct Shade {              // the occluders that take light from a body
-        size_t offset = 0;      // bytes, in the buffer of matrices
-        int count = 0, own = 0; // the first `own` of `count` are its own parts
-        float ownStrength = 0;  // strength of its own parts, 0 to 1
-    };
-
+    std::span<const Sphere> partsOf(const Placed& object) const;
+    Seen seenIn(const Placed& object, const EyePicture& picture) const;
+    BehindFilm behindFilm(const Placed& object, const EyePicture& picture) const;
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // appends to the matrices; returns the offset
     Result<const gl::Program*> programFor(unsigned features);
@@ -101,6 +118,7 @@ class ObjectPass {
     unsigned featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture, Glossy glossy) const;
     void use(const gl::Program& program, unsigned features, const EyePicture& picture,
              const water::Water& water) const;
+    void setMaterial(const gl::Program& program, const Item& item, unsigned features) const;
     void drawItem(const gl::Program& program, const Item& item, unsigned features, const EyePicture& picture);
 
     gl::Variants programs_;
@@ -111,16 +129,14 @@ class ObjectPass {
     gl::Texture dfg_, white_; // white_ replaces maps that a material does not have
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
+    std::vector<Placed> objects_;
+    std::vector<Sphere> parts_; // of all objects
     std::vector<Item> items_;
     std::vector<ToDraw> order_;     // scratch
     std::vector<uint8_t> matrices_; // matrices and occluders
     NearBodies near_;
-    std::vector<bool> inRoom_;  // by body
-    std::vector<Shade> shades_; // by body
+    std::vector<bool> inRoom_; // by body
     std::vector<glm::mat4> joints_;
-    ObjectBounds bounds_;
-    std::vector<depth::LightHarmonics> matteDifferences_; // by object, for render/LightDifference.glsl
-    std::vector<ObjectBounds::Seen> seen_;                // scratch: by object, in the view that is drawn
     int drawCount_ = 0, triangleCount_ = 0;
 };
 

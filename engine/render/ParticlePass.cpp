@@ -18,14 +18,9 @@ constexpr unsigned kScaledLight = 1u << kToneFeatures, kFilmDepth = kScaledLight
 
 // Returns whether any part of the film is as near as specks are.
 bool hidesSpecks(const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) {
-    if (!environment.depthRange()) return false;
-    const auto film = environment.depthRange()->around(glm::vec3(0, 1, 0), std::numbers::pi_v<float>);
+    if (!environment.depth().range) return false;
+    const auto film = environment.depth().range->around(glm::vec3(0, 1, 0), std::numbers::pi_v<float>);
     return film.max_perM * (kCube_m / 2 + glm::length(eyeInFilm)) > 1;
-}
-
-unsigned featuresOf(const EyePicture& picture) {
-    return toneFeatures(picture.exposure) | (picture.environment.lightIsScaled() ? kScaledLight : 0u) |
-           (hidesSpecks(picture.environment, picture.eyeInFilm) ? kFilmDepth : 0u);
 }
 
 } // namespace
@@ -39,18 +34,15 @@ Result<ParticlePass> ParticlePass::make() {
 }
 
 Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& water, double time_s) {
-    const unsigned features = featuresOf(picture);
+    const bool filmHides = hidesSpecks(picture.environment, picture.eyeInFilm);
+    const unsigned features = toneFeatures(picture.exposure) |
+                              (picture.environment.lightIsScaled() ? kScaledLight : 0u) |
+                              (filmHides ? kFilmDepth : 0u);
     auto found = programs_.get(features);
     if (!found) return found.error();
     const gl::Program& program = **found;
     program.use();
-    picture.environment.bindLight(program);
-    if (features & kFilmDepth) picture.environment.bindDepth(program, picture.eyeInFilm);
-    setWater(program, water);
-    program.set("eyeWorld", picture.view.eyeWorld);
-    program.set("clipFromWorld", picture.view.clipFromWorld());
-    program.set("envFromWorld", picture.envFromWorld);
-    program.set("exposureScale", picture.exposure.scale());
+    picture.bind(program, water, filmHides);
     // Wrapped here in double precision: floats are too coarse after hours.
     program.set("drift_m", glm::vec3(glm::mod(kDrift_mps * time_s, static_cast<double>(kCube_m))));
     program.set("swell", static_cast<float>(std::fmod(time_s / kSwell_s, 1.0) * 2 * std::numbers::pi));
@@ -58,10 +50,7 @@ Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& 
     program.set("pixelsPerSlope",
                 static_cast<float>(picture.view.heightPixels) / (2 * picture.view.halfExtent().y));
 
-    if (on == On::Picture)
-        glDisable(GL_DEPTH_TEST);
-    else
-        glEnable(GL_DEPTH_TEST);
+    gl::setEnabled(GL_DEPTH_TEST, on != On::Picture);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);

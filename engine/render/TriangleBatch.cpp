@@ -28,7 +28,7 @@ void TriangleBatch::draw(const void* vertices, size_t stride, size_t count, Dept
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * stride), vertices, GL_STREAM_DRAW);
-    test == DepthTest::On ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
+    gl::setEnabled(GL_DEPTH_TEST, test == DepthTest::On);
     glDisable(GL_CULL_FACE);
     // Draws are short: llvmpipe cuts longer ones between the triangles of a rectangle.
     constexpr size_t kAtOnce = 960;

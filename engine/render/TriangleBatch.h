@@ -36,17 +36,6 @@ class TriangleBatch {
 // Appends two triangles that make a rectangle.
 void addRectangle(const glm::vec2& low, const glm::vec2& high, std::vector<glm::vec2>& corners);
 
-// Calls run(first, end, row) for each longest run of marked cells in a row. marked: row by row, cells.x in
-// each.
-template <class Run> void eachRun(const std::vector<bool>& marked, const glm::ivec2& cells, Run&& run) {
-    for (int y = 0; y < cells.y; ++y)
-        for (int x = 0; x < cells.x; ++x) {
-            const int first = x;
-            while (x < cells.x && marked[static_cast<size_t>(y * cells.x + x)]) ++x;
-            if (x > first) run(first, x, y);
-        }
-}
-
 // One triangle that covers the viewport. Pairs with shaders/render/WholePicture.glsl.
 class WholePicture {
   public:

@@ -18,11 +18,6 @@ size_t componentBytes(int componentType) {
     return static_cast<size_t>(std::max(bytes, 0));
 }
 
-// Returns the size of one element. Matrices whose columns would be padded to 4 bytes are never read.
-size_t elementBytes(const tinygltf::Accessor& accessor) {
-    return componentCount(accessor) * componentBytes(accessor.componentType);
-}
-
 // Returns the first of `count` pieces of `bytes`, one every `stride` bytes of a bufferView; faults if they do
 // not fit into it. All numbers are below 2^31 (checkSchema), so nothing here overflows 64 bits.
 const uint8_t* piecesOf(const tinygltf::Model& gltf, int bufferView, size_t byteOffset, size_t count,
@@ -35,28 +30,26 @@ const uint8_t* piecesOf(const tinygltf::Model& gltf, int bufferView, size_t byte
     return gltf.buffers[view.buffer].data.data() + view.byteOffset + byteOffset;
 }
 
-template <class T, class Stored> T load(const uint8_t* from, bool normalized) {
-    Stored stored;
-    std::memcpy(&stored, from, sizeof stored);
-    if (!normalized) return static_cast<T>(stored);
-    const float share = static_cast<float>(stored) / static_cast<float>(std::numeric_limits<Stored>::max());
-    return static_cast<T>(std::max(share, -1.0f));
-}
-
-template <class T> T loadComponent(const uint8_t* from, int componentType, bool normalized) {
+double loadComponent(const uint8_t* from, int componentType, bool normalized) {
+    const auto load = [&]<class Stored>(Stored stored) {
+        std::memcpy(&stored, from, sizeof stored);
+        if (!normalized) return static_cast<double>(stored);
+        constexpr auto kOne = static_cast<float>(std::numeric_limits<Stored>::max());
+        return static_cast<double>(std::max(static_cast<float>(stored) / kOne, -1.0f));
+    };
     switch (componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return load<T, int8_t>(from, normalized);
+        return load(int8_t{});
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return load<T, uint8_t>(from, normalized);
+        return load(uint8_t{});
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return load<T, int16_t>(from, normalized);
+        return load(int16_t{});
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return load<T, uint16_t>(from, normalized);
+        return load(uint16_t{});
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        return load<T, uint32_t>(from, false);
+        return load(uint32_t{});
     default:
-        return load<T, float>(from, false);
+        return load(float{});
     }
 }
 
@@ -65,7 +58,8 @@ template <class T> T loadComponent(const uint8_t* from, int componentType, bool 
 template <class Put> void forEachElement(const tinygltf::Model& gltf, int index, Put&& put) {
     const std::string who = element("accessors", index);
     const tinygltf::Accessor& a = gltf.accessors[index];
-    const size_t bytes = elementBytes(a);
+    // Matrices whose columns would be padded to 4 bytes are never read.
+    const size_t bytes = componentCount(a) * componentBytes(a.componentType);
     if (a.bufferView >= 0) {
         const size_t viewStride = gltf.bufferViews[a.bufferView].byteStride;
         if (viewStride != 0 && viewStride < bytes)
@@ -89,7 +83,8 @@ template <class Put> void forEachElement(const tinygltf::Model& gltf, int index,
                                            bytes, bytes, who + ".sparse.values");
     int64_t previous = -1;
     for (size_t i = 0; i < count; ++i) {
-        const auto to = loadComponent<uint32_t>(indices + i * size, sparse.indices.componentType, false);
+        const auto to =
+            static_cast<uint32_t>(loadComponent(indices + i * size, sparse.indices.componentType, false));
         if (to >= a.count || to <= previous)
             fault(who, ".sparse.indices: number ", i, " is ", to, ", not rising below ", a.count);
         put(to, values + i * bytes);
@@ -103,7 +98,8 @@ template <class T> std::vector<T> readNumbers(const tinygltf::Model& gltf, int i
     std::vector<T> values(a.count * components);
     forEachElement(gltf, index, [&](size_t i, const uint8_t* from) {
         for (size_t k = 0; k < components; ++k)
-            values[i * components + k] = loadComponent<T>(from + k * size, a.componentType, a.normalized);
+            values[i * components + k] =
+                static_cast<T>(loadComponent(from + k * size, a.componentType, a.normalized));
     });
     return values;
 }
@@ -141,7 +137,7 @@ size_t componentCount(const tinygltf::Accessor& accessor) {
 
 std::vector<float> readFloats(const tinygltf::Model& gltf, int accessor) {
     std::vector<float> values = readNumbers<float>(gltf, accessor);
-    const auto bad = std::find_if_not(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
+    const auto bad = std::ranges::find_if_not(values, [](float v) { return std::isfinite(v); });
     if (bad != values.end())
         fault(element("accessors", accessor), ": element ",
               static_cast<size_t>(bad - values.begin()) / componentCount(gltf.accessors[accessor]),

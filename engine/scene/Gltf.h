@@ -14,7 +14,6 @@
 #include <tiny_gltf.h>
 
 #include <array>
-#include <concepts>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -25,26 +24,23 @@
 
 namespace shoal::scene {
 
-// A fault in the file, thrown as an exception that loadModel() turns into an Error: with a Result each of the
-// loader's hundred checks would need a second one in its caller. It never leaves the loader.
-class Fault : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
-
 template <class... Parts> std::string text(const Parts&... parts) {
     std::ostringstream stream;
     (stream << ... << parts);
     return stream.str();
 }
 
-template <class... Parts> [[noreturn]] void fault(const Parts&... parts) { throw Fault(text(parts...)); }
+// Throws the reason why the file is refused, which loadModel() turns into an Error: with a Result each of the
+// loader's hundred checks would need a second one in its caller.
+template <class... Parts> [[noreturn]] void fault(const Parts&... parts) {
+    throw std::runtime_error(text(parts...));
+}
 
 // Returns a name from the file in a form that can be shown: shortened, control characters replaced.
 std::string quoted(const std::string& untrusted, size_t maxLength = 60);
 
 // Returns the name of an element, such as "accessors[3]".
-template <std::integral Index> std::string element(const std::string& array, Index index) {
+inline std::string element(const std::string& array, size_t index) {
     return array + "[" + std::to_string(index) + "]";
 }
 
@@ -62,18 +58,11 @@ struct Budget {
     }
 };
 
-// KHR_texture_transform of one use of a texture.
-struct TextureTransform {
-    glm::vec2 offset{0}, scale{1};
-    float rotation = 0; // radians, about the picture's upper left corner
-
-    bool operator==(const TextureTransform&) const = default;
-};
-
-// Source of a set of texture coordinates: a set of the file, and the transform applied to it.
+// Source of a set of texture coordinates: a set of the file, and KHR_texture_transform applied to it.
 struct UvSource {
     int texCoord = -1; // -1: no texture uses the set
-    TextureTransform transform;
+    glm::vec2 offset{0}, scale{1};
+    float rotation = 0; // radians, about the picture's upper left corner
 
     bool operator==(const UvSource&) const = default;
 };
@@ -102,7 +91,7 @@ struct GltfFile {
     }
 };
 
-// All functions below throw Fault.
+// All functions below throw what fault() throws.
 
 // Checks a document against the specification before tinygltf reads it, because tinygltf narrows 64-bit
 // numbers, skips members of the wrong type, and trusts some indices. Afterwards every member that the loader

@@ -125,12 +125,10 @@ std::string percentDecoded(const std::string& uri) {
     for (size_t i = 0; i < uri.size(); ++i) {
         const char* const hex = uri.data() + i + 1;
         unsigned char byte = 0;
-        if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(hex, hex + 2, byte, 16).ptr == hex + 2) {
-            plain += static_cast<char>(byte);
-            i += 2;
-        } else {
-            plain += uri[i];
-        }
+        const bool coded =
+            uri[i] == '%' && i + 2 < uri.size() && std::from_chars(hex, hex + 2, byte, 16).ptr == hex + 2;
+        plain += coded ? static_cast<char>(byte) : uri[i];
+        if (coded) i += 2;
     }
     return plain;
 }
@@ -255,7 +253,7 @@ tinygltf::Model parseGltf(const Json& root) {
 // and accessor lies inside what it refers to.
 void readDocument(GltfFile& file) {
     const auto bytes = readFile(file.path, file.limits.maxFileBytes);
-    if (!bytes) throw Fault(bytes.error().reason);
+    if (!bytes) fault(bytes.error().reason);
     file.bytes.spend(bytes->size(), "the file");
     if (bytes->empty()) fault("is empty");
     const Container container = openContainer(*bytes);
@@ -268,8 +266,7 @@ void readDocument(GltfFile& file) {
     auto buffers = readBuffers(file, root, container);
     decompressViews(file, root, buffers);
     file.images = root.value("images", Json::array());
-    root.erase("buffers");
-    root.erase("images");
+    for (const char* const ours : {"buffers", "images", "materials"}) root.erase(ours);
     file.gltf = parseGltf(root);
     file.gltf.buffers = std::move(buffers);
     checkAccessors(file);
@@ -289,8 +286,8 @@ void checkRestPose(const Model& model) {
 
 std::string quoted(const std::string& untrusted, size_t maxLength) {
     std::string shown = untrusted.substr(0, maxLength);
-    for (char& c : shown)
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return c < 32 || c == 127; }, '?');
     return untrusted.size() > maxLength ? shown + "..." : shown;
 }
 

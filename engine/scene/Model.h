@@ -63,7 +63,7 @@ struct Material {
 };
 
 struct MorphTarget { // deltas; each empty or one per vertex
-    std::vector<glm::vec3> positions, normals, tangents;
+    std::vector<glm::vec3> positions, normals;
 };
 
 struct Primitive { // triangles
@@ -73,7 +73,7 @@ struct Primitive { // triangles
     std::vector<glm::vec2> texCoords[2]; // empty if absent
     std::vector<glm::vec4> coloursLin;   // empty if absent
     std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
-    std::vector<glm::vec4> weights;      // sum 1; empty if absent
+    std::vector<glm::vec4> weights;      // heaviest first, sum 1; empty if absent
     // Self-occlusion at rest, in the mesh's frame: at a vertex the body occludes the share w + dot(xyz, d) of
     // the light from direction d. Empty without self-occlusion.
     std::vector<glm::vec4> selfOcclusion;
@@ -85,7 +85,6 @@ struct Primitive { // triangles
 };
 
 struct Mesh {
-    std::string name;
     std::vector<Primitive> primitives;
     std::vector<float> morphWeights; // defaults; one per target
 };
@@ -160,8 +159,7 @@ struct LoadLimits {
 // the glTF element that is wrong. Each warning (odd, but drawable) is logged once.
 Result<Model> loadModel(const Path& file, const LoadLimits& limits = {});
 
-// Gives each primitive its material of this variant. Materials that no primitive uses then lose their
-// textures, so that these are not uploaded. False if there is no such variant.
+// Gives each primitive its material of this variant. False if there is no such variant.
 bool applyVariant(Model&, const std::string& variant);
 
 // The pose of a model at one moment. Reused between frames; nothing allocates after the first use.

@@ -12,8 +12,7 @@ constexpr double kMaxSpecularColour = 1e4;   // its product with the reflectance
 
 using Json = nlohmann::json;
 
-constexpr const char *kSpecular = "KHR_materials_specular", *kClearcoat = "KHR_materials_clearcoat",
-                     *kVariants = "KHR_materials_variants";
+constexpr const char* kVariants = "KHR_materials_variants";
 constexpr size_t kMaxVariants = 256;
 
 // The functions below treat members that are missing or of the wrong type as empty.
@@ -86,118 +85,118 @@ int setOf(std::array<UvSource, 2>& sets, const UvSource& wanted) {
     return -1;
 }
 
-// Clamps to 0 .. high, with a warning if that changes the value.
-float within(GltfFile& file, double value, double high, const std::string& who) {
-    const double nearest = std::clamp(value, 0.0, high);
-    if (nearest != value) file.warn(who, " is ", value, "; ", nearest, " is taken");
-    return static_cast<float>(nearest);
-}
-
-// KHR_materials_ior and KHR_materials_specular: F0 = min(((n - 1) / (n + 1))^2 colour, 1) factor, F90 =
-// factor. An index of refraction of 0 stands for infinity: F0 before the colour is 1.
-void readDielectric(GltfFile& file, const Json& from, const std::string& who, Material& material) {
-    const double given = number(extension(from, "KHR_materials_ior"), "ior", 1.5);
-    const double ior = given == 0 ? 0 : std::max(given, 1.0), root = (ior - 1) / (ior + 1);
-    if (ior != given) file.warn(who, ".ior is ", given, "; ", ior, " is taken");
-    const Json &specular = extension(from, kSpecular), &colours = list(specular, "specularColorFactor");
-    material.dielectricF90 = within(file, number(specular, "specularFactor", 1), 1, who + ".specularFactor");
-    for (size_t i = 0; i < 3; ++i) {
-        const bool stated = colours.size() == 3 && colours[i].is_number();
-        const double colour = static_cast<double>(within(file, stated ? colours[i].get<double>() : 1,
-                                                         kMaxSpecularColour, who + ".specularColorFactor"));
-        material.dielectricF0[static_cast<int>(i)] =
-            material.dielectricF90 * static_cast<float>(std::min(root * root * colour, 1.0));
-    }
-}
-
-void readClearcoat(GltfFile& file, const Json& from, const std::string& who, Material& material) {
-    const auto factor = [&](const char* name) {
-        return within(file, number(from, name, 0), 1, who + "." + name);
-    };
-    material.clearcoat = factor("clearcoatFactor");
-    material.clearcoatRoughness = factor("clearcoatRoughnessFactor");
-    if (member(from, "clearcoatNormalTexture").is_object())
-        file.warn(who, ".clearcoatNormalTexture is left out; the clearcoat is smooth");
-}
-
-// KHR_texture_transform of one use of a texture.
-TextureTransform textureTransform(const Json& from) {
+// Returns the coordinates of one use of a texture, with its KHR_texture_transform.
+UvSource uvSourceOf(const Json& use) {
     constexpr double kMax = 1e4; // largest absolute value of its numbers
     const auto read = [&](const Json& value, float& number) {
         if (value.is_number()) number = static_cast<float>(std::clamp(value.get<double>(), -kMax, kMax));
     };
-    TextureTransform transform;
-    const Json &offset = list(from, "offset"), &scale = list(from, "scale");
+    const Json& transform = extension(use, "KHR_texture_transform");
+    const double own = number(transform, "texCoord", -1);
+    UvSource source{static_cast<int>(std::clamp(own > -1 ? own : number(use, "texCoord", 0), 0.0, kMax))};
+    const Json &offset = list(transform, "offset"), &scale = list(transform, "scale");
     for (size_t i = 0; i < 2; ++i) {
-        if (offset.size() == 2) read(offset[i], transform.offset[static_cast<int>(i)]);
-        if (scale.size() == 2) read(scale[i], transform.scale[static_cast<int>(i)]);
+        if (offset.size() == 2) read(offset[i], source.offset[static_cast<int>(i)]);
+        if (scale.size() == 2) read(scale[i], source.scale[static_cast<int>(i)]);
     }
-    read(member(from, "rotation"), transform.rotation);
-    return transform;
+    read(member(transform, "rotation"), source.rotation);
+    return source;
 }
 
-// json: the same material as in the file.
-Material readMaterial(GltfFile& file, const tinygltf::Material& from, const Json& json,
-                      const std::string& who) {
-    const auto factor = [&](double value, double high, const char* name) {
-        return within(file, value, high, who + name);
-    };
-    std::array<UvSource, 2>& sets = file.uvSources.emplace_back();
-    // Reads the member `name` of this part of the material.
-    const auto use = [&](const Json& part, const char* name, const char* path = ".") -> TextureUse {
-        const Json& info = member(part, name);
-        if (!info.is_object()) return {};
-        const std::string full = who + path + name;
-        const int texture = reference(member(info, "index"), "texture", file.gltf.textures.size(), full);
+// A part of a material: an extension, or the core material. prefix: text before its members' names in
+// messages.
+struct Part {
+    GltfFile& file;
+    const Json& json;
+    std::string prefix;
+
+    // Clamps to 0 .. high, with a warning if that changes the value.
+    float within(double value, double high, const char* name) const {
+        const double nearest = std::clamp(value, 0.0, high);
+        if (nearest != value) file.warn(prefix, name, " is ", value, "; ", nearest, " is taken");
+        return static_cast<float>(nearest);
+    }
+    float factor(const char* name, double otherwise, double high = 1) const {
+        return within(number(json, name, otherwise), high, name);
+    }
+    // size: 3 or 4 channels.
+    glm::vec4 colour(const char* name, size_t size, double otherwise, double high = 1) const {
+        const Json& given = list(json, name);
+        glm::vec4 colour(0);
+        for (size_t i = 0; i < size; ++i) {
+            const bool stated = given.size() == size && given[i].is_number();
+            colour[static_cast<int>(i)] = within(stated ? given[i].get<double>() : otherwise, high, name);
+        }
+        return colour;
+    }
+    TextureUse texture(const char* name) const {
+        const Json& use = member(json, name);
+        if (!use.is_object()) return {};
+        const int texture =
+            reference(member(use, "index"), "texture", file.gltf.textures.size(), prefix + name);
         if (file.gltf.textures[texture].source < 0) return {};
-        const Json& transform = extension(info, "KHR_texture_transform");
-        const double own = number(transform, "texCoord", -1);
-        const int texCoord =
-            static_cast<int>(std::clamp(own > -1 ? own : number(info, "texCoord", 0), 0.0, 1e4));
-        if (texCoord > 1) {
-            file.warn(full, ".texCoord is ", texCoord,
+        const UvSource source = uvSourceOf(use);
+        if (source.texCoord > 1) {
+            file.warn(prefix, name, ".texCoord is ", source.texCoord,
                       ", but only 0 and 1 are supported; the texture is left out");
             return {};
         }
-        if (const int set = setOf(sets, {texCoord, textureTransform(transform)}); set >= 0)
-            return {texture, set};
-        file.warn(full, " is the third with texture coordinates of its own; the texture is left out");
+        if (const int set = setOf(file.uvSources.back(), source); set >= 0) return {texture, set};
+        file.warn(prefix, name, " is the third with texture coordinates of its own; the texture is left out");
         return {};
-    };
-    constexpr const char* kPbr = ".pbrMetallicRoughness.";
-    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
-    const Json &pbrPart = member(json, "pbrMetallicRoughness"), &specular = extension(json, kSpecular),
-               &clearcoat = extension(json, kClearcoat);
-    Material material;
-    material.name = from.name;
-    for (int i = 0; i < 4; ++i)
-        material.baseColourLin[i] =
-            factor(pbr.baseColorFactor[i], 1, ".pbrMetallicRoughness.baseColorFactor");
-    material.alphaMode = alphaMode(from.alphaMode, who);
-    material.alphaCutoff = factor(from.alphaCutoff, std::numeric_limits<float>::max(), ".alphaCutoff");
-    material.doubleSided = from.doubleSided;
-    material.baseColour = use(pbrPart, "baseColorTexture", kPbr);
-    material.unlit = extension(json, "KHR_materials_unlit").is_object();
-    if (material.unlit) return material;
-    material.metallic = factor(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
-    material.roughness = factor(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
-    readDielectric(file, json, who, material);
-    readClearcoat(file, clearcoat, who, material);
-    const float emissiveStrength =
-        factor(number(extension(json, "KHR_materials_emissive_strength"), "emissiveStrength", 1),
-               kMaxEmissiveStrength, ".emissiveStrength");
+    }
+};
+
+// KHR_materials_ior and KHR_materials_specular: F0 = min(((n - 1) / (n + 1))^2 colour, 1) factor, F90 =
+// factor. An index of refraction of 0 stands for infinity: F0 before the colour is 1.
+void readDielectric(const Part& core, const Part& specular, Material& material) {
+    const double given = number(extension(core.json, "KHR_materials_ior"), "ior", 1.5);
+    const double ior = given == 0 ? 0 : std::max(given, 1.0), root = (ior - 1) / (ior + 1);
+    if (ior != given) core.file.warn(core.prefix, "ior is ", given, "; ", ior, " is taken");
+    const glm::dvec4 colour(specular.colour("specularColorFactor", 3, 1, kMaxSpecularColour));
+    material.dielectricF90 = specular.factor("specularFactor", 1);
     for (int i = 0; i < 3; ++i)
-        material.emissiveLin[i] = emissiveStrength * factor(from.emissiveFactor[i], 1, ".emissiveFactor");
-    material.normalScale = static_cast<float>(from.normalTexture.scale);
-    material.occlusionStrength = factor(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
-    material.metallicRoughness = use(pbrPart, "metallicRoughnessTexture", kPbr);
-    material.normal = use(json, "normalTexture");
-    material.occlusion = use(json, "occlusionTexture");
-    material.emissive = use(json, "emissiveTexture");
-    material.specular = use(specular, "specularTexture");
-    material.specularColour = use(specular, "specularColorTexture");
-    material.coat = use(clearcoat, "clearcoatTexture");
-    material.coatRoughness = use(clearcoat, "clearcoatRoughnessTexture");
+        material.dielectricF0[i] =
+            material.dielectricF90 * static_cast<float>(std::min(root * root * colour[i], 1.0));
+}
+
+// Appends to file.uvSources, too. from: checked by checkSchema(), but for its extensions.
+Material readMaterial(GltfFile& file, const Json& from, const std::string& who) {
+    const auto part = [&](const Json& json, const char* path = ".") { return Part{file, json, who + path}; };
+    const Part core = part(from), specular = part(extension(from, "KHR_materials_specular")),
+               clearcoat = part(extension(from, "KHR_materials_clearcoat")),
+               pbr = part(member(from, "pbrMetallicRoughness"), ".pbrMetallicRoughness.");
+    file.uvSources.emplace_back();
+    Material material;
+    material.name = from.value("name", "");
+    material.baseColourLin = pbr.colour("baseColorFactor", 4, 1);
+    material.alphaMode = alphaMode(from.value("alphaMode", "OPAQUE"), who);
+    material.alphaCutoff = core.factor("alphaCutoff", 0.5, std::numeric_limits<float>::max());
+    material.doubleSided = from.value("doubleSided", false);
+    material.baseColour = pbr.texture("baseColorTexture");
+    material.unlit = extension(from, "KHR_materials_unlit").is_object();
+    if (material.unlit) return material;
+    material.metallic = pbr.factor("metallicFactor", 1);
+    material.roughness = pbr.factor("roughnessFactor", 1);
+    readDielectric(core, specular, material);
+    material.clearcoat = clearcoat.factor("clearcoatFactor", 0);
+    material.clearcoatRoughness = clearcoat.factor("clearcoatRoughnessFactor", 0);
+    if (member(clearcoat.json, "clearcoatNormalTexture").is_object())
+        file.warn(who, ".clearcoatNormalTexture is left out; the clearcoat is smooth");
+    material.emissiveLin = part(extension(from, "KHR_materials_emissive_strength"))
+                               .factor("emissiveStrength", 1, kMaxEmissiveStrength) *
+                           glm::vec3(core.colour("emissiveFactor", 3, 0));
+    material.normalScale = static_cast<float>(number(member(from, "normalTexture"), "scale", 1));
+    material.occlusionStrength =
+        part(member(from, "occlusionTexture"), ".occlusionTexture.").factor("strength", 1);
+    material.metallicRoughness = pbr.texture("metallicRoughnessTexture");
+    material.normal = core.texture("normalTexture");
+    material.occlusion = core.texture("occlusionTexture");
+    material.emissive = core.texture("emissiveTexture");
+    material.specular = specular.texture("specularTexture");
+    material.specularColour = specular.texture("specularColorTexture");
+    material.coat = clearcoat.texture("clearcoatTexture");
+    material.coatRoughness = clearcoat.texture("clearcoatRoughnessTexture");
     return material;
 }
 
@@ -216,10 +215,8 @@ ImageRgba8 readImage(GltfFile& file, const Json& from, const std::string& who) {
 void readMaterials(GltfFile& file, Model& model) {
     for (const tinygltf::Texture& texture : file.gltf.textures)
         model.textures.push_back(readTexture(file.gltf, texture));
-    for (size_t i = 0; i < file.gltf.materials.size(); ++i)
-        model.materials.push_back(
-            readMaterial(file, file.gltf.materials[i], file.materials[i], element("materials", i)));
-
+    for (const Json& material : file.materials)
+        model.materials.push_back(readMaterial(file, material, element("materials", model.materials.size())));
     model.images.resize(file.images.size());
     for (size_t i = 0; i < file.images.size(); ++i)
         if (file.images[i].contains("uri") == file.images[i].contains("bufferView"))
@@ -260,15 +257,11 @@ bool applyVariant(Model& model, const std::string& variant) {
     const auto found = std::find(model.variants.begin(), model.variants.end(), variant);
     if (found == model.variants.end()) return false;
     const auto index = found - model.variants.begin();
-    std::vector<bool> isUsed(model.materials.size(), false);
     for (Mesh& mesh : model.meshes)
         for (Primitive& primitive : mesh.primitives) {
             const int material = primitive.variantMaterials.empty() ? -1 : primitive.variantMaterials[index];
             if (material >= 0) primitive.material = material;
-            if (primitive.material >= 0) isUsed[primitive.material] = true;
         }
-    for (size_t m = 0; m < isUsed.size(); ++m)
-        if (!isUsed[m]) model.materials[m] = Material{.name = model.materials[m].name};
     return true;
 }
 

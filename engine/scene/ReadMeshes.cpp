@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <initializer_list>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -14,15 +14,7 @@ namespace shoal::scene {
 
 namespace {
 
-// Integers that an attribute may hold instead of floats: none, or unsigned ones normalised to 0 .. 1.
-enum class Integers { None, Normalized };
-
-template <class Vector> std::vector<Vector> packed(const std::vector<float>& numbers) {
-    std::vector<Vector> vectors(numbers.size() * sizeof(float) / sizeof(Vector));
-    if (!numbers.empty()) std::memcpy(vectors.data(), numbers.data(), numbers.size() * sizeof(float));
-    return vectors;
-}
-
+// Vertex attributes of a primitive or of one of its morph targets.
 class Attributes {
   public:
     Attributes(const GltfFile& file, const std::map<std::string, int>& names, std::string who,
@@ -35,24 +27,27 @@ class Attributes {
         return file_.gltf.accessors[names_.at(name)];
     }
 
-    // Reads an attribute as floats. KHR_mesh_quantization allows integers of 8 and 16 bits in any attribute.
-    std::vector<float> floats(const char* name, std::initializer_list<int> types,
-                              Integers integers = Integers::None) const {
+    // Returns the attribute's vectors; empty if the primitive does not have it. mayBeNormalized: the
+    // attribute may also hold unsigned integers, normalised to 0 .. 1. KHR_mesh_quantization allows integers
+    // of 8 and 16 bits in any attribute.
+    template <class Vector>
+    std::vector<Vector> vectors(const char* name, bool mayBeNormalized = false) const {
+        if (!has(name)) return {};
         const tinygltf::Accessor& a = accessor(name);
-        check(name, types,
+        static_assert(TINYGLTF_TYPE_VEC2 == 2 && TINYGLTF_TYPE_VEC3 == 3 && TINYGLTF_TYPE_VEC4 == 4);
+        check(name, Vector::length(),
               a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || (file_.quantized && isShort(a)) ||
-                  (integers == Integers::Normalized && a.normalized && isUnsignedShort(a)));
-        return readFloats(file_.gltf, names_.at(name));
+                  (mayBeNormalized && a.normalized && isUnsignedShort(a)));
+        const std::vector<float> numbers = readFloats(file_.gltf, names_.at(name));
+        std::vector<Vector> vectors(vertices_);
+        std::memcpy(vectors.data(), numbers.data(), numbers.size() * sizeof(float));
+        return vectors;
     }
 
+    // Returns four numbers for each vertex.
     std::vector<uint32_t> integers(const char* name) const {
-        check(name, {TINYGLTF_TYPE_VEC4}, isUnsignedShort(accessor(name)) && !accessor(name).normalized);
+        check(name, TINYGLTF_TYPE_VEC4, isUnsignedShort(accessor(name)) && !accessor(name).normalized);
         return readIntegers(file_.gltf, names_.at(name));
-    }
-
-    // Returns the attribute's vectors; empty if the primitive does not have it.
-    std::vector<glm::vec3> vectors(const char* name) const {
-        return has(name) ? packed<glm::vec3>(floats(name, {TINYGLTF_TYPE_VEC3})) : std::vector<glm::vec3>();
     }
 
   private:
@@ -65,11 +60,10 @@ class Attributes {
                a.componentType == TINYGLTF_COMPONENT_TYPE_SHORT;
     }
 
-    void check(const char* name, std::initializer_list<int> types, bool components) const {
+    void check(const char* name, int type, bool components) const {
         const tinygltf::Accessor& a = accessor(name);
         const std::string who = where(name) + ": " + element("accessors", names_.at(name));
-        if (std::find(types.begin(), types.end(), a.type) == types.end() || !components)
-            fault(who, " has a type that this attribute cannot have");
+        if (a.type != type || !components) fault(who, " has a type that this attribute cannot have");
         if (a.count != vertices_)
             fault(who, " has ", a.count, " elements, but the primitive ", vertices_, " vertices");
     }
@@ -81,48 +75,38 @@ class Attributes {
 };
 
 void readShading(const Attributes& attributes, GltfFile& file, Primitive& primitive) {
-    primitive.normals = attributes.vectors("NORMAL");
+    primitive.normals = attributes.vectors<glm::vec3>("NORMAL");
     for (glm::vec3& normal : primitive.normals) {
         if (normal == glm::vec3(0)) file.warn(attributes.where("NORMAL"), " holds normals of no length");
         normal = safeNormalize(glm::dvec3(normal), {0, 1, 0});
     }
-    if (attributes.has("TANGENT") && attributes.has("NORMAL")) {
-        primitive.tangents = packed<glm::vec4>(attributes.floats("TANGENT", {TINYGLTF_TYPE_VEC4}));
-        for (size_t i = 0; i < primitive.tangents.size(); ++i) {
-            glm::vec4& t = primitive.tangents[i];
-            t = {safeNormalize(glm::dvec3(t), perpendicular(primitive.normals[i])), t.w < 0 ? -1.0f : 1.0f};
-        }
+    if (attributes.has("NORMAL")) primitive.tangents = attributes.vectors<glm::vec4>("TANGENT");
+    for (size_t i = 0; i < primitive.tangents.size(); ++i) {
+        glm::vec4& t = primitive.tangents[i];
+        t = {safeNormalize(glm::dvec3(t), perpendicular(primitive.normals[i])), t.w < 0 ? -1.0f : 1.0f};
     }
-    constexpr const char* kSets[2] = {"TEXCOORD_0", "TEXCOORD_1"};
-    for (int set = 0; set < 2; ++set)
-        if (attributes.has(kSets[set]))
-            primitive.texCoords[set] =
-                packed<glm::vec2>(attributes.floats(kSets[set], {TINYGLTF_TYPE_VEC2}, Integers::Normalized));
-    if (attributes.has("COLOR_0")) {
-        const auto numbers =
-            attributes.floats("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}, Integers::Normalized);
-        if (attributes.accessor("COLOR_0").type == TINYGLTF_TYPE_VEC4)
-            primitive.coloursLin = packed<glm::vec4>(numbers);
-        else
-            for (const glm::vec3& colour : packed<glm::vec3>(numbers))
-                primitive.coloursLin.emplace_back(colour, 1.0f);
-    }
+    primitive.texCoords[0] = attributes.vectors<glm::vec2>("TEXCOORD_0", true);
+    primitive.texCoords[1] = attributes.vectors<glm::vec2>("TEXCOORD_1", true);
+    if (attributes.has("COLOR_0") && attributes.accessor("COLOR_0").type == TINYGLTF_TYPE_VEC3)
+        for (const glm::vec3& colour : attributes.vectors<glm::vec3>("COLOR_0", true))
+            primitive.coloursLin.emplace_back(colour, 1.0f);
+    else
+        primitive.coloursLin = attributes.vectors<glm::vec4>("COLOR_0", true);
 }
 
 // Reads the four heaviest influences of each vertex, scaled to the sum 1. A vertex without weights follows
 // its first joint.
 void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primitive) {
     struct Set {
-        std::vector<uint32_t> joints;
-        std::vector<float> weights; // joints and weights: four for each vertex
+        std::vector<uint32_t> joints; // four for each vertex
+        std::vector<glm::vec4> weights;
     };
     std::vector<Set> sets;
     for (const auto& [joints, weights] : {std::pair{"JOINTS_0", "WEIGHTS_0"}, {"JOINTS_1", "WEIGHTS_1"}}) {
         if (!attributes.has(joints) && !attributes.has(weights)) break;
         if (!attributes.has(weights)) fault(attributes.where(joints), " is there without ", weights);
         if (!attributes.has(joints)) fault(attributes.where(weights), " is there without ", joints);
-        sets.push_back({attributes.integers(joints),
-                        attributes.floats(weights, {TINYGLTF_TYPE_VEC4}, Integers::Normalized)});
+        sets.push_back({attributes.integers(joints), attributes.vectors<glm::vec4>(weights, true)});
     }
     if (sets.empty()) return;
     if (sets.size() > 1)
@@ -133,13 +117,12 @@ void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primi
     for (size_t v = 0; v < primitive.positions.size(); ++v) {
         influences.clear();
         for (const Set& set : sets)
-            for (size_t k = 4 * v; k < 4 * v + 4; ++k) {
-                if (set.weights[k] < 0)
+            for (int k = 0; k < 4; ++k) {
+                if (set.weights[v][k] < 0)
                     fault(attributes.where("WEIGHTS_0"), ": vertex ", v, " has a negative weight");
-                influences.emplace_back(set.weights[k], set.joints[k]);
+                influences.emplace_back(set.weights[v][k], set.joints[4 * v + k]);
             }
-        std::stable_sort(influences.begin(), influences.end(),
-                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::ranges::stable_sort(influences, std::greater(), [](const auto& each) { return each.first; });
         double sum = 0;
         for (int k = 0; k < 4; ++k) sum += influences[k].first;
         if (sum == 0) file.warn(attributes.where("WEIGHTS_0"), " holds vertices without any weight");
@@ -158,13 +141,13 @@ Primitive readAttributes(GltfFile& file, const tinygltf::Primitive& from, const 
     for (size_t k = 0; k < 1 + from.targets.size(); ++k) file.vertices.spend(vertices, who);
     Primitive primitive;
     const Attributes attributes(file, from.attributes, who, vertices);
-    primitive.positions = attributes.vectors("POSITION");
+    primitive.positions = attributes.vectors<glm::vec3>("POSITION");
     readShading(attributes, file, primitive);
     readSkinning(attributes, file, primitive);
     for (size_t t = 0; t < from.targets.size(); ++t) {
         const Attributes deltas(file, from.targets[t], who + "." + element("targets", t), vertices);
         primitive.morphTargets.push_back(
-            {deltas.vectors("POSITION"), deltas.vectors("NORMAL"), deltas.vectors("TANGENT")});
+            {deltas.vectors<glm::vec3>("POSITION"), deltas.vectors<glm::vec3>("NORMAL")});
     }
     return primitive;
 }
@@ -189,8 +172,7 @@ std::vector<uint32_t> readIndices(GltfFile& file, const tinygltf::Primitive& fro
         fault(name, " does not hold single unsigned integers");
     file.indices.spend(accessor.count * perIndex, who);
     std::vector<uint32_t> indices = readIntegers(file.gltf, from.indices);
-    const auto wrong =
-        std::find_if(indices.begin(), indices.end(), [&](uint32_t index) { return index >= vertices; });
+    const auto wrong = std::ranges::find_if(indices, [&](uint32_t index) { return index >= vertices; });
     if (wrong != indices.end())
         fault(name, ": number ", wrong - indices.begin(), " is ", *wrong, ", but there are ", vertices,
               " vertices");
@@ -213,10 +195,8 @@ std::vector<uint32_t> triangleList(const std::vector<uint32_t>& drawn, int mode)
 }
 
 void addTangents(GltfFile& file, const Material& material, Primitive& primitive, const std::string& who) {
-    const bool given = material.normal.texture >= 0 && !primitive.tangents.empty();
-    if (given) return;
+    if (material.normal.texture >= 0 && !primitive.tangents.empty()) return;
     primitive.tangents.clear();
-    for (MorphTarget& target : primitive.morphTargets) target.tangents.clear();
     if (material.normal.texture < 0) return;
     const int set = material.normal.texCoord;
     if (primitive.texCoords[set].empty()) {
@@ -235,8 +215,7 @@ void addTangents(GltfFile& file, const Material& material, Primitive& primitive,
 
 bool movesAny(const std::array<UvSource, 2>& sets) {
     for (int k = 0; k < 2; ++k)
-        if (const UvSource& set = sets[k]; set.texCoord >= 0 && set != UvSource{k, TextureTransform{}})
-            return true;
+        if (const UvSource& set = sets[k]; set.texCoord >= 0 && set != UvSource{k}) return true;
     return false;
 }
 
@@ -246,7 +225,7 @@ void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
     const std::vector<glm::vec2> given[2] = {primitive.texCoords[0], primitive.texCoords[1]};
     for (size_t k = 0; k < 2; ++k) {
         if (sets[k].texCoord < 0) continue;
-        const TextureTransform& by = sets[k].transform;
+        const UvSource& by = sets[k];
         const float c = std::cos(by.rotation), s = std::sin(by.rotation);
         primitive.texCoords[k] = given[sets[k].texCoord];
         for (glm::vec2& uv : primitive.texCoords[k]) {
@@ -259,14 +238,12 @@ void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
 std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const tinygltf::Primitive& from,
                                        const std::string& who) {
     if (from.mode > TINYGLTF_MODE_TRIANGLE_FAN) fault(who, ".mode is ", from.mode, ", none of glTF");
-    if (from.mode < TINYGLTF_MODE_TRIANGLES) {
-        file.warn(who, " is points or lines, which are not drawn");
+    const auto leftOut = [&](const char* reason) {
+        file.warn(who, reason);
         return std::nullopt;
-    }
-    if (!from.attributes.contains("POSITION")) {
-        file.warn(who, " has no positions and is not drawn");
-        return std::nullopt;
-    }
+    };
+    if (from.mode < TINYGLTF_MODE_TRIANGLES) return leftOut(" is points or lines, which are not drawn");
+    if (!from.attributes.contains("POSITION")) return leftOut(" has no positions and is not drawn");
     Primitive primitive = readAttributes(file, from, who);
     primitive.material = from.material;
     primitive.indices = readIndices(file, from, primitive.positions.size(), who);
@@ -275,10 +252,7 @@ std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const
         file.warn(who, " ends in the middle of a triangle");
         primitive.indices.resize(primitive.indices.size() / 3 * 3);
     }
-    if (primitive.indices.empty()) {
-        file.warn(who, " has no triangles");
-        return std::nullopt;
-    }
+    if (primitive.indices.empty()) return leftOut(" has no triangles");
     if (primitive.normals.empty()) {
         file.vertices.spend(primitive.indices.size() * (1 + primitive.morphTargets.size()), who);
         makeFlatNormals(primitive);
@@ -290,7 +264,6 @@ std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const
 
 Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, const std::string& who) {
     Mesh mesh;
-    mesh.name = from.name;
     if (from.primitives.empty()) fault(who, ".primitives is empty");
     const size_t targets = from.primitives[0].targets.size();
     for (size_t p = 0; p < from.primitives.size(); ++p) {
@@ -316,16 +289,6 @@ Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, co
     for (const double weight : from.weights) mesh.morphWeights.push_back(static_cast<float>(weight));
     mesh.morphWeights.resize(targets, 0);
     return mesh;
-}
-
-void checkNodeWeights(const Model& model) {
-    for (size_t n = 0; n < model.nodes.size(); ++n) {
-        const Node& node = model.nodes[n];
-        const size_t targets = node.mesh < 0 ? 0 : model.meshes[node.mesh].morphWeights.size();
-        if (!node.morphWeights.empty() && node.morphWeights.size() != targets)
-            fault(element("nodes", n), " has ", node.morphWeights.size(), " weights for ", targets,
-                  " morph targets");
-    }
 }
 
 // Checks that joints are in range of every skin that the mesh is drawn with; without one they are removed.
@@ -357,7 +320,6 @@ void readMeshes(GltfFile& file, Model& model) {
     model.variants = file.variants;
     for (const tinygltf::Mesh& mesh : file.gltf.meshes)
         model.meshes.push_back(readMesh(file, model, mesh, element("meshes", model.meshes.size())));
-    checkNodeWeights(model);
     checkJoints(model);
 }
 

@@ -71,6 +71,11 @@ Node readNode(GltfFile& file, const tinygltf::Node& from, const std::string& who
     node.mesh = from.mesh;
     node.skin = from.skin;
     for (const double weight : from.weights) node.morphWeights.push_back(static_cast<float>(weight));
+    size_t targets = 0;
+    if (node.mesh >= 0 && !file.gltf.meshes[node.mesh].primitives.empty())
+        targets = file.gltf.meshes[node.mesh].primitives[0].targets.size();
+    if (!from.weights.empty() && from.weights.size() != targets)
+        fault(who, " has ", from.weights.size(), " weights for ", targets, " morph targets");
     if (from.matrix.empty()) {
         node.parentFromNode = readTransform(from, who);
     } else {
@@ -171,21 +176,6 @@ void checkJointsInScene(const Model& model) {
     }
 }
 
-} // namespace
-
-void readNodes(GltfFile& file, Model& model) {
-    const tinygltf::Model& gltf = file.gltf;
-    for (const tinygltf::Node& node : gltf.nodes)
-        model.nodes.push_back(readNode(file, node, element("nodes", model.nodes.size())));
-    const std::vector<int> roots = joinParents(model);
-    model.order = withDescendants(model, gltf.scenes.empty() ? roots : sceneRoots(gltf, model));
-    for (const tinygltf::Skin& skin : gltf.skins)
-        model.skins.push_back(readSkin(file, skin, element("skins", model.skins.size())));
-    checkJointsInScene(model);
-}
-
-namespace {
-
 using Interpolation = Channel::Interpolation;
 using Target = Channel::Target;
 
@@ -282,6 +272,17 @@ std::optional<Channel> readChannel(GltfFile& file, const Model& model, const tin
 }
 
 } // namespace
+
+void readNodes(GltfFile& file, Model& model) {
+    const tinygltf::Model& gltf = file.gltf;
+    for (const tinygltf::Node& node : gltf.nodes)
+        model.nodes.push_back(readNode(file, node, element("nodes", model.nodes.size())));
+    const std::vector<int> roots = joinParents(model);
+    model.order = withDescendants(model, gltf.scenes.empty() ? roots : sceneRoots(gltf, model));
+    for (const tinygltf::Skin& skin : gltf.skins)
+        model.skins.push_back(readSkin(file, skin, element("skins", model.skins.size())));
+    checkJointsInScene(model);
+}
 
 void readAnimations(GltfFile& file, Model& model) {
     for (const tinygltf::Animation& from : file.gltf.animations) {

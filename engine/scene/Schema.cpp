@@ -54,9 +54,9 @@ const char* const kShape = R"({
   "images": [{"name": "text", "uri": "text", "mimeType": "text", "bufferView": "@bufferViews"}]
 })";
 
-class Checker {
-  public:
-    Checker(const Json& document, uint32_t maxElements) : document_(document), maxElements_(maxElements) {}
+struct Checker {
+    const Json& document;
+    uint64_t maxElements;
 
     void check(const Json& value, const Json& shape, const std::string& where) const {
         if (shape.is_object())
@@ -67,7 +67,6 @@ class Checker {
             checkScalar(value, shape.get_ref<const std::string&>(), where);
     }
 
-  private:
     void checkObject(const Json& value, const Json& shape, const std::string& where) const {
         if (!value.is_object()) fault(where.empty() ? "its JSON" : where, " is not an object");
         const auto path = [&](const std::string& name) { return where.empty() ? name : where + "." + name; };
@@ -85,7 +84,7 @@ class Checker {
 
     void checkList(const Json& value, const Json& shape, const std::string& where) const {
         if (!value.is_array()) fault(where, " is not a list");
-        const uint64_t limit = maxElements_ * (where == "accessors" || where == "bufferViews" ? 4ull : 1ull);
+        const uint64_t limit = maxElements * (where == "accessors" || where == "bufferViews" ? 4 : 1);
         if (shape[0].is_object() && value.size() > limit)
             fault(where, " has ", value.size(), " elements, more than the limit of ", limit);
         for (size_t i = 0; i < value.size(); ++i) check(value[i], shape[0], element(where, i));
@@ -102,31 +101,24 @@ class Checker {
             if (!value.is_number()) fault(where, " is not a number");
             if (!std::isfinite(value.get<float>())) fault(where, " is not finite");
         } else {
-            const uint64_t number = countOf(value, where);
+            if (!value.is_number_integer()) fault(where, " is not a whole number");
+            if (!value.is_number_unsigned() && value.get<int64_t>() < 0) fault(where, " is negative");
+            const uint64_t number = value.get<uint64_t>();
+            if (number > std::numeric_limits<int32_t>::max())
+                fault(where, " is ", number, ", more than can be");
             if (shape == "count") return;
             const std::string into = shape.substr(1);
-            const auto list = document_.find(into);
-            const size_t size = list != document_.end() && list->is_array() ? list->size() : 0;
+            const auto list = document.find(into);
+            const size_t size = list != document.end() && list->is_array() ? list->size() : 0;
             if (number >= size) fault(where, " is ", number, ", but there are ", size, " ", into);
         }
     }
-
-    static uint64_t countOf(const Json& value, const std::string& where) {
-        if (!value.is_number_integer()) fault(where, " is not a whole number");
-        if (!value.is_number_unsigned() && value.get<int64_t>() < 0) fault(where, " is negative");
-        const uint64_t number = value.get<uint64_t>();
-        if (number > std::numeric_limits<int32_t>::max()) fault(where, " is ", number, ", more than can be");
-        return number;
-    }
-
-    const Json& document_;
-    uint32_t maxElements_;
 };
 
 } // namespace
 
 void checkSchema(const Json& document, uint32_t maxElements) {
-    Checker(document, maxElements).check(document, Json::parse(kShape), "");
+    Checker{document, maxElements}.check(document, Json::parse(kShape), "");
 }
 
 } // namespace shoal::scene

@@ -16,30 +16,32 @@ namespace shoal::scene {
 
 namespace {
 
+Bounds boundsOf(std::span<const glm::vec3> positions) {
+    if (positions.empty()) return {};
+    Bounds all{positions[0], positions[0]};
+    for (const glm::vec3& p : positions) all = {glm::min(all.low, p), glm::max(all.high, p)};
+    return all;
+}
+
 // Appends a node's primitive, morphed and skinned by the pose, to the surface.
-void append(const Model& model, const Node& node, uint16_t index, const Pose& pose,
-            std::span<const glm::mat4> joints, const Primitive& primitive, Surface& surface) {
+void append(const Model& model, int index, const Pose& pose, std::span<const glm::mat4> joints,
+            const Primitive& primitive, Surface& surface) {
+    const Node& node = model.nodes[index];
     const bool skinned = node.skin >= 0 && !primitive.joints.empty();
     const auto first = static_cast<uint32_t>(surface.positions.size());
     for (size_t v = 0; v < primitive.positions.size(); ++v) {
         const auto [position, normal] = morphed(primitive, v, pose.morphWeights[index]);
-        glm::mat4 modelFromMesh = pose.modelFromNode[index];
-        uint16_t mover = index;
-        if (skinned) {
-            modelFromMesh = skinMatrix(primitive, v, joints);
-            int maximum = 0;
-            for (int k = 1; k < 4; ++k)
-                if (primitive.weights[v][k] > primitive.weights[v][maximum]) maximum = k;
-            mover = static_cast<uint16_t>(model.skins[node.skin].joints[primitive.joints[v][maximum]]);
-        }
+        const glm::mat4 modelFromMesh =
+            skinned ? skinMatrix(primitive, v, joints) : pose.modelFromNode[index];
+        const int mover = skinned ? model.skins[node.skin].joints[primitive.joints[v][0]] : index;
         const glm::mat3 m(modelFromMesh);
         const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
         const float side = glm::dot(cofactor[0], m[0]) < 0 ? -1.0f : 1.0f;
         surface.positions.emplace_back(modelFromMesh * glm::vec4(position, 1));
         surface.normals.push_back(safeNormalize(glm::dvec3(side * (cofactor * normal)), {0, 1, 0}));
-        surface.nodesOf.push_back(mover);
+        surface.nodesOf.push_back(static_cast<uint16_t>(mover));
     }
-    const bool opaque = !isBlended(model, primitive);
+    const bool opaque = model.materialOf(primitive).alphaMode != AlphaMode::Blend;
     for (const uint32_t i : primitive.indices) {
         surface.indices.push_back(first + i);
         if (opaque) surface.opaque.push_back(first + i);
@@ -53,8 +55,7 @@ constexpr float kLongest = 1.6f;    // times the second longest side: longer box
 constexpr size_t kMinPositions = 8; // boxes with so few positions are not halved
 
 void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere>& all) {
-    glm::vec3 low = positions[0], high = positions[0];
-    for (const glm::vec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
+    const auto [low, high] = boundsOf(positions);
     const glm::vec3 sides = high - low, middle = 0.5f * (low + high);
     const int longest = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
     if (positions.size() > kMinPositions &&
@@ -73,6 +74,21 @@ void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere
     all.push_back({node, middle, kWider * radius});
 }
 
+// Minimum, ignoring the smallest hundredth of the values, and mean of a channel, 0 to 1.
+struct ChannelStatistics {
+    float minimum, mean;
+};
+ChannelStatistics statisticsOf(const ImageRgba8& texels, size_t channel) {
+    std::array<size_t, 256> counts{};
+    double sum = 0;
+    for (size_t i = channel; i < texels.pixels.size(); i += 4)
+        ++counts[texels.pixels[i]], sum += texels.pixels[i];
+    size_t below = 0, value = 0;
+    while (value < 255 && (below += counts[value]) * 100 <= texels.pixels.size() / 4) ++value;
+    const auto bytes = static_cast<double>(std::max<size_t>(texels.pixels.size(), 4));
+    return {static_cast<float>(value) / 255.0f, static_cast<float>(sum * 4 / (255.0 * bytes))};
+}
+
 } // namespace
 
 Surface posedSurface(const Model& model, const Pose& pose) {
@@ -83,24 +99,13 @@ Surface posedSurface(const Model& model, const Pose& pose) {
         if (node.mesh < 0) continue;
         if (node.skin >= 0) skinMatrices(model, node.skin, pose, joints);
         for (const Primitive& primitive : model.meshes[node.mesh].primitives)
-            append(model, node, static_cast<uint16_t>(index), pose, joints, primitive, surface);
+            append(model, index, pose, joints, primitive, surface);
     }
     return surface;
 }
 
 Bounds posedBounds(const Model& model, const Pose& pose) {
-    const Surface surface = posedSurface(model, pose);
-    if (surface.positions.empty()) return {};
-    Bounds bounds{surface.positions[0], surface.positions[0]};
-    for (const glm::vec3& p : surface.positions) {
-        bounds.low = glm::min(bounds.low, p);
-        bounds.high = glm::max(bounds.high, p);
-    }
-    return bounds;
-}
-
-bool isBlended(const Model& model, const Primitive& primitive) {
-    return model.materialOf(primitive).alphaMode == AlphaMode::Blend;
+    return boundsOf(posedSurface(model, pose).positions);
 }
 
 glm::vec3 meanBaseColour(const Model& model) {
@@ -132,36 +137,18 @@ glm::vec3 meanBaseColour(const Model& model) {
     return all > 0 ? glm::vec3(sum / all) : glm::vec3(0);
 }
 
-namespace {
-
-// Returns the minimum of a channel, 0 to 1, ignoring the smallest hundredth of its values.
-float minOf(const ImageRgba8& texels, size_t channel) {
-    std::array<size_t, 256> counts{};
-    for (size_t i = channel; i < texels.pixels.size(); i += 4) ++counts[texels.pixels[i]];
-    size_t below = 0, value = 0;
-    while (value < 255 && (below += counts[value]) * 100 <= texels.pixels.size() / 4) ++value;
-    return static_cast<float>(value) / 255.0f;
-}
-
-float meanOf(const ImageRgba8& texels, size_t channel) {
-    double sum = 0;
-    for (size_t i = channel; i < texels.pixels.size(); i += 4) sum += texels.pixels[i];
-    return static_cast<float>(sum * 4 /
-                              (255.0 * static_cast<double>(std::max<size_t>(texels.pixels.size(), 4))));
-}
-
-} // namespace
-
 Gloss glossOf(const Model& model, const Material& material) {
     float least = material.roughness, roughness = material.roughness, metallic = material.metallic;
     if (const ImageRgba8* texels = model.imageOf(material.metallicRoughness)) {
-        least *= minOf(*texels, 1);
-        roughness *= meanOf(*texels, 1);
-        metallic *= meanOf(*texels, 2);
+        const ChannelStatistics rough = statisticsOf(*texels, 1);
+        least *= rough.minimum;
+        roughness *= rough.mean;
+        metallic *= statisticsOf(*texels, 2).mean;
     }
     if (material.clearcoat > 0) {
         const ImageRgba8* texels = model.imageOf(material.coatRoughness);
-        least = std::min(least, material.clearcoatRoughness * (texels ? minOf(*texels, 1) : 1));
+        least =
+            std::min(least, material.clearcoatRoughness * (texels ? statisticsOf(*texels, 1).minimum : 1));
     }
     return {least, roughness, metallic};
 }

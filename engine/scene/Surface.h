@@ -20,8 +20,6 @@ struct Surface {
 // Joins every primitive of every node, in the order of model.order. The pose's globals must be up to date.
 Surface posedSurface(const Model& model, const Pose& pose);
 
-bool isBlended(const Model& model, const Primitive& primitive);
-
 // Returns the mean linear base colour of all primitives, weighted by the area of their triangles; a texture
 // counts by its mean colour.
 glm::vec3 meanBaseColour(const Model& model);

@@ -20,8 +20,14 @@ template <class T> void take(std::vector<T>& values, std::span<const uint32_t> s
     values = std::move(taken);
 }
 
-glm::vec3 triangleNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    return safeNormalize(glm::cross(b - a, c - a), {0, 1, 0});
+// Returns the triangles' normals, three times each. vertex(i): position of vertex i, as doubles.
+template <class Vertex> std::vector<glm::vec3> flatNormals(size_t count, Vertex vertex) {
+    std::vector<glm::vec3> normals(count);
+    for (size_t i = 0; i + 2 < count; i += 3) {
+        const glm::dvec3 a = vertex(i), b = vertex(i + 1), c = vertex(i + 2);
+        normals[i] = normals[i + 1] = normals[i + 2] = safeNormalize(glm::cross(b - a, c - a), {0, 1, 0});
+    }
+    return normals;
 }
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
@@ -59,6 +65,10 @@ Mapping mappingOf(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec
     return {alongU, flat ? kFlat : twiceArea > 0 ? kTurnsWith : kTurnsAgainst};
 }
 
+constexpr size_t kMinTriangles = 24;                               // of a level of detail
+constexpr float kLargestError = 0.1f;                              // of the primitive's extent
+constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.25f; // reported share: a quarter from 0.20 on
+
 } // namespace
 
 glm::vec3 safeNormalize(const glm::dvec3& v, const glm::vec3& otherwise) {
@@ -89,35 +99,24 @@ void takeVertices(Primitive& primitive, std::span<const uint32_t> source) {
     for (MorphTarget& target : primitive.morphTargets) {
         take(target.positions, source);
         take(target.normals, source);
-        take(target.tangents, source);
     }
 }
 
 void makeFlatNormals(Primitive& primitive) {
-    primitive.normals.clear();
     primitive.tangents.clear();
-    for (MorphTarget& target : primitive.morphTargets) target.normals.clear(), target.tangents.clear();
     const std::vector<uint32_t> source = std::move(primitive.indices);
     takeVertices(primitive, source);
     primitive.indices.resize(source.size());
     std::iota(primitive.indices.begin(), primitive.indices.end(), 0u);
 
     const auto& p = primitive.positions;
-    primitive.normals.resize(p.size());
-    for (size_t i = 0; i + 2 < p.size(); i += 3)
-        primitive.normals[i] = primitive.normals[i + 1] = primitive.normals[i + 2] =
-            triangleNormal(p[i], p[i + 1], p[i + 2]);
+    primitive.normals = flatNormals(p.size(), [&](size_t i) { return glm::dvec3(p[i]); });
     for (MorphTarget& target : primitive.morphTargets) {
         const auto& d = target.positions;
+        target.normals.clear();
         if (d.empty()) continue;
-        target.normals.resize(p.size());
-        for (size_t i = 0; i + 2 < p.size(); i += 3) {
-            const glm::vec3 morphed = triangleNormal(glm::dvec3(p[i]) + glm::dvec3(d[i]),
-                                                     glm::dvec3(p[i + 1]) + glm::dvec3(d[i + 1]),
-                                                     glm::dvec3(p[i + 2]) + glm::dvec3(d[i + 2]));
-            target.normals[i] = target.normals[i + 1] = target.normals[i + 2] =
-                morphed - primitive.normals[i];
-        }
+        target.normals = flatNormals(p.size(), [&](size_t i) { return glm::dvec3(p[i]) + glm::dvec3(d[i]); });
+        for (size_t i = 0; i < p.size(); ++i) target.normals[i] -= primitive.normals[i];
     }
 }
 
@@ -175,35 +174,20 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
     return result;
 }
 
-namespace {
-
-constexpr size_t kMinTriangles = 24;
-constexpr float kLargestError = 0.1f;                              // of the primitive's extent
-constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.25f; // reported share: a quarter from 0.20 on
-
-Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {
-    std::vector<uint32_t> place(vertexCount); // new index; ~0 if not used
-    const size_t used =
-        meshopt_optimizeVertexFetchRemap(place.data(), indices.data(), indices.size(), vertexCount);
-    Lod lod{std::vector<uint32_t>(used), std::vector<uint32_t>(indices.size()), error};
-    for (uint32_t v = 0; v < vertexCount; ++v)
-        if (place[v] != ~0u) lod.vertices[place[v]] = v;
-    meshopt_remapIndexBuffer(lod.indices.data(), indices.data(), indices.size(), place.data());
-    return lod;
-}
-
-} // namespace
-
 std::vector<Lod> makeLods(const Primitive& primitive) {
     std::vector<Lod> lods;
     if (!primitive.morphTargets.empty() || primitive.positions.empty()) return lods;
     const size_t vertexCount = primitive.positions.size();
     const float* positions = &primitive.positions[0].x;
     const float extent = meshopt_simplifyScale(positions, vertexCount, sizeof(glm::vec3));
-    std::vector<uint32_t> coarser(primitive.indices.size());
+    std::vector<uint32_t> coarser(primitive.indices.size()), every(vertexCount); // every: all vertices
+    std::iota(every.begin(), every.end(), 0u);
     const auto keep = [&](float relativeError) {
         meshopt_optimizeVertexCache(coarser.data(), coarser.data(), coarser.size(), vertexCount);
-        lods.push_back(compact(coarser, vertexCount, relativeError * extent));
+        Lod& lod = lods.emplace_back(Lod{every, coarser, relativeError * extent});
+        lod.vertices.resize(meshopt_optimizeVertexFetch(lod.vertices.data(), lod.indices.data(),
+                                                        lod.indices.size(), every.data(), vertexCount,
+                                                        sizeof every[0]));
     };
     // Each level is made from the original mesh, so that errors do not add up.
     size_t triangles = primitive.indices.size() / 3;

@@ -5,8 +5,10 @@
 #include "engine/math/Trigonometry.h"
 
 #include <glm/glm.hpp>
+#include <opencv2/core.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 namespace shoal::water {
@@ -41,52 +43,36 @@ struct VeilCell {
     float weight;
 };
 
-// Solves the symmetric positive definite a x = b in place (Cholesky).
-void solve(std::array<std::array<double, kVeilTerms>, kVeilTerms>& a, std::array<double, kVeilTerms>& b) {
-    for (size_t i = 0; i < kVeilTerms; ++i) {
-        for (size_t j = 0; j <= i; ++j) {
-            double sum = a[i][j];
-            for (size_t k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
-            a[i][j] = i == j ? std::sqrt(std::max(sum, 1e-12)) : sum / a[j][j];
-        }
-        for (size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
-        b[i] /= a[i][i];
-    }
-    for (size_t i = kVeilTerms; i-- > 0;) {
-        for (size_t k = i + 1; k < kVeilTerms; ++k) b[i] -= a[k][i] * b[k];
-        b[i] /= a[i][i];
-    }
-}
+using VeilFit = cv::Vec<double, kVeilTerms>; // factors of the terms
 
 // Fits a lower envelope of the cells by iteratively reweighted least squares: weight 1 below the fit,
 // Lorentzian weights above. level: the veil at the horizon, the starting value.
-std::array<double, kVeilTerms> lowerFit(std::span<const VeilCell> cells, int channel, double level) {
+VeilFit lowerFit(std::span<const VeilCell> cells, int channel, double level) {
     constexpr int kRounds = 8;
     constexpr double kTolerance = 0.1; // share of the level: excess at which the weight is a half
     // Regularisation of bands 1 and 2, relative to the sum of weights.
-    constexpr std::array<double, kVeilTerms> kRegularisation = {0,    0.004, 0.004, 0.004, 0.02,
-                                                                0.02, 0.02,  0.02,  0.02};
-    std::array<double, kVeilTerms> fit{level};
+    constexpr double kRegularisation[kVeilTerms] = {0, 0.004, 0.004, 0.004, 0.02, 0.02, 0.02, 0.02, 0.02};
+    VeilFit fit;
+    fit[0] = level;
     for (int round = 0; round < kRounds; ++round) {
-        std::array<std::array<double, kVeilTerms>, kVeilTerms> a{};
-        std::array<double, kVeilTerms> b{};
+        cv::Matx<double, kVeilTerms, kVeilTerms> a; // symmetric; the solver reads the lower half
+        VeilFit b;
         double weights = 0;
         for (const VeilCell& cell : cells) {
             const auto seen = static_cast<double>(cell.seen[channel]);
             double fitted = 0;
-            for (size_t i = 0; i < kVeilTerms; ++i) fitted += fit[i] * static_cast<double>(cell.terms[i]);
+            for (int i = 0; i < fit.rows; ++i) fitted += fit[i] * static_cast<double>(cell.terms[i]);
             const double above = std::max(seen - fitted, 0.0) / (kTolerance * level + 1e-4);
             const double weight = static_cast<double>(cell.weight) / (1 + above * above);
             weights += weight;
-            for (size_t i = 0; i < kVeilTerms; ++i) {
+            for (int i = 0; i < fit.rows; ++i) {
                 const double term = weight * static_cast<double>(cell.terms[i]);
-                for (size_t j = 0; j <= i; ++j) a[i][j] += term * static_cast<double>(cell.terms[j]);
+                for (int j = 0; j <= i; ++j) a(i, j) += term * static_cast<double>(cell.terms[j]);
                 b[i] += term * seen;
             }
         }
-        for (size_t i = 0; i < kVeilTerms; ++i) a[i][i] += weights * kRegularisation[i] + 1e-9;
-        solve(a, b);
-        fit = b;
+        for (int i = 0; i < fit.rows; ++i) a(i, i) += weights * kRegularisation[i] + 1e-9;
+        fit = a.solve(b, cv::DECOMP_CHOLESKY);
     }
     return fit;
 }
@@ -98,8 +84,7 @@ void WaterEstimator::sample(const light::FrameView& frame) {
     cellsLin_.assign(static_cast<size_t>(kRows * kSectors), glm::vec3(0));
     const int first = frame.bgr ? 2 : 0, last = 2 - first;
     for (int row = rowAt(kVeilTop_deg); row < rowAt(-kVeilBottom_deg); ++row) {
-        const uint8_t* line =
-            frame.pixels + (static_cast<int64_t>(2 * row + 1) * frame.height / (2 * kRows)) * frame.rowStride;
+        const uint8_t* line = frame.row(static_cast<int64_t>(2 * row + 1) * frame.height / (2 * kRows));
         for (int sector = 0; sector < kSectors; ++sector) {
             glm::vec3 sum(0);
             for (int i = 0; i < kPerSector; ++i) {
@@ -108,40 +93,33 @@ void WaterEstimator::sample(const light::FrameView& frame) {
                 const uint8_t* pixel = line + 3 * column;
                 sum += glm::vec3(table[pixel[first]], table[pixel[1]], table[pixel[last]]);
             }
-            cellsLin_[static_cast<size_t>(row * kSectors + sector)] = sum / static_cast<float>(kPerSector);
+            cellsLin_[row * kSectors + sector] = sum / static_cast<float>(kPerSector);
         }
     }
 }
 
 glm::vec3 WaterEstimator::meanLin(int sector, int firstRow, int lastRow) const {
     glm::vec3 sum(0);
-    for (int row = firstRow; row < lastRow; ++row)
-        sum += cellsLin_[static_cast<size_t>(row * kSectors + sector)];
+    for (int row = firstRow; row < lastRow; ++row) sum += cellsLin_[row * kSectors + sector];
     return sum / static_cast<float>(lastRow - firstRow);
 }
 
 void WaterEstimator::rankSectors(int firstRow, int lastRow) {
-    std::array<std::pair<float, int>, kSectors> byColour;
-    for (int sector = 0; sector < kSectors; ++sector) {
+    std::iota(byOpenness_.begin(), byOpenness_.end(), 0);
+    std::ranges::sort(byOpenness_, {}, [&](int sector) {
         const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
-        byColour[static_cast<size_t>(sector)] = {mean.x - std::max(mean.y, mean.z), sector};
-    }
-    std::sort(byColour.begin(), byColour.end());
-    for (size_t i = 0; i < byColour.size(); ++i) byOpenness_[i] = byColour[i].second;
+        return std::pair(mean.x - std::max(mean.y, mean.z), sector);
+    });
 }
 
 glm::vec3 WaterEstimator::medianLin(int sectors, int firstRow, int lastRow) const {
-    std::array<std::array<float, kSectors>, 3> values;
     const auto count = static_cast<size_t>(sectors);
-    for (size_t i = 0; i < count; ++i) {
-        const glm::vec3 mean = meanLin(byOpenness_[i], firstRow, lastRow);
-        for (size_t c = 0; c < 3; ++c) values[c][i] = mean[static_cast<int>(c)];
-    }
     glm::vec3 median;
     for (int c = 0; c < 3; ++c) {
-        auto& of = values[static_cast<size_t>(c)];
-        std::sort(of.begin(), of.begin() + sectors);
-        median[c] = 0.5f * (of[(count - 1) / 2] + of[count / 2]);
+        std::array<float, kSectors> values;
+        for (size_t i = 0; i < count; ++i) values[i] = meanLin(byOpenness_[i], firstRow, lastRow)[c];
+        std::sort(values.begin(), values.begin() + sectors);
+        median[c] = 0.5f * (values[(count - 1) / 2] + values[count / 2]);
     }
     return median;
 }
@@ -194,8 +172,8 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
     // The level is that of all sectors: a tunnel's veil is as dark as its walls, even if the sea is bright.
     const glm::vec3 level = squaredCoded(medianLin(kSectors, horizonTop, rowAt(0)));
     for (int c = 0; c < 3; ++c) {
-        const auto fit = lowerFit(cells, c, static_cast<double>(level[c]));
-        for (size_t i = 0; i < kVeilTerms; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);
+        const VeilFit fit = lowerFit(cells, c, static_cast<double>(level[c]));
+        for (int i = 0; i < fit.rows; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);
     }
     return result;
 }

@@ -1,9 +1,5 @@
 #include "engine/xr/OpenXr.h"
 
-#include "engine/xr/Tracked.h"
-
-#include <cstring>
-
 namespace shoal::xr {
 
 // Bindings of a controller: squeeze closes the hand, trigger bends the index finger, menu pauses. A
@@ -56,34 +52,25 @@ std::vector<const char*> Actions::extensions() {
     return names;
 }
 
-Actions Actions::make(const Instance& connection, XrSession session) {
-    const XrInstance instance = connection.handle.name();
-    Actions made;
-    for (size_t i = 0; i < 2; ++i) made.hands_[i] = pathOf(instance, kHands[i]);
-    XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO};
-    std::strncpy(setInfo.actionSetName, "dive", sizeof setInfo.actionSetName - 1);
-    std::strncpy(setInfo.localizedActionSetName, "Dive", sizeof setInfo.localizedActionSetName - 1);
-    SHOAL_XR(xrCreateActionSet(instance, &setInfo, made.set_.fresh()));
+Actions::Actions(const Instance& connection, XrSession session) {
+    const XrInstance instance = connection.handle.get();
+    for (size_t i = 0; i < 2; ++i) hands_[i] = pathOf(instance, kHands[i]);
+    const XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "dive", "Dive"};
+    XrActionSet set = XR_NULL_HANDLE;
+    SHOAL_XR(xrCreateActionSet(instance, &setInfo, &set));
+    set_.reset(set);
 
-    struct Row {
-        XrAction* action;
-        XrActionType type;
-        const char* name;
-        const char* shown;
+    const XrPath* const hands = hands_.data();
+    constexpr auto kType = XR_TYPE_ACTION_CREATE_INFO;
+    const auto create = [&](XrAction& action, const XrActionCreateInfo& info) {
+        SHOAL_XR(xrCreateAction(set, &info, &action));
     };
-    for (const Row& row : {Row{&made.grip_, XR_ACTION_TYPE_POSE_INPUT, "hand", "Hand"},
-                           Row{&made.squeeze_, XR_ACTION_TYPE_FLOAT_INPUT, "close", "Close the hand"},
-                           Row{&made.trigger_, XR_ACTION_TYPE_FLOAT_INPUT, "index", "Bend the index finger"},
-                           Row{&made.menu_, XR_ACTION_TYPE_BOOLEAN_INPUT, "pause", "Pause"},
-                           Row{&made.haptic_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "feel", "Feel"}}) {
-        XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-        std::strncpy(info.actionName, row.name, sizeof info.actionName - 1);
-        std::strncpy(info.localizedActionName, row.shown, sizeof info.localizedActionName - 1);
-        info.actionType = row.type;
-        info.countSubactionPaths = static_cast<uint32_t>(made.hands_.size());
-        info.subactionPaths = made.hands_.data();
-        SHOAL_XR(xrCreateAction(made.set_.name(), &info, row.action));
-    }
+    create(grip_, {kType, nullptr, "hand", XR_ACTION_TYPE_POSE_INPUT, 2, hands, "Hand"});
+    create(squeeze_, {kType, nullptr, "close", XR_ACTION_TYPE_FLOAT_INPUT, 2, hands, "Close the hand"});
+    create(trigger_,
+           {kType, nullptr, "index", XR_ACTION_TYPE_FLOAT_INPUT, 2, hands, "Bend the index finger"});
+    create(menu_, {kType, nullptr, "pause", XR_ACTION_TYPE_BOOLEAN_INPUT, 2, hands, "Pause"});
+    create(haptic_, {kType, nullptr, "feel", XR_ACTION_TYPE_VIBRATION_OUTPUT, 2, hands, "Feel"});
 
     for (const InteractionProfile& profile : kProfiles) {
         if (profile.extension && !connection.uses(profile.extension)) continue;
@@ -93,11 +80,11 @@ Actions Actions::make(const Instance& connection, XrSession session) {
                 bindings.push_back({action, pathOf(instance, std::string(kHands[hand]) + below)});
             };
             const std::string input = "/input/";
-            bind(made.grip_, "/input/grip/pose");
-            bind(made.squeeze_, input + profile.squeeze);
-            bind(made.trigger_, input + profile.trigger);
-            if (profile.vibrates) bind(made.haptic_, "/output/haptic");
-            if (profile.menu && (hand == 0 || profile.menuOnRight)) bind(made.menu_, input + profile.menu);
+            bind(grip_, "/input/grip/pose");
+            bind(squeeze_, input + profile.squeeze);
+            bind(trigger_, input + profile.trigger);
+            if (profile.vibrates) bind(haptic_, "/output/haptic");
+            if (profile.menu && (hand == 0 || profile.menuOnRight)) bind(menu_, input + profile.menu);
         }
         const XrInteractionProfileSuggestedBinding suggested{
             XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
@@ -108,18 +95,18 @@ Actions Actions::make(const Instance& connection, XrSession session) {
             check(result, "xrSuggestInteractionProfileBindings");
     }
     for (size_t i = 0; i < 2; ++i) {
-        const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, made.grip_,
-                                           made.hands_[i], poseTo({})};
-        SHOAL_XR(xrCreateActionSpace(session, &info, made.gripSpaces_[i].fresh()));
+        const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip_, hands_[i],
+                                           poseTo({})};
+        XrSpace space = XR_NULL_HANDLE;
+        SHOAL_XR(xrCreateActionSpace(session, &info, &space));
+        gripSpaces_[i].reset(space);
     }
-    const XrActionSet set = made.set_.name();
     const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
     SHOAL_XR(xrAttachSessionActionSets(session, &attach));
-    return made;
 }
 
 void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const {
-    const XrActiveActionSet active{set_.name(), XR_NULL_PATH};
+    const XrActiveActionSet active{set_.get(), XR_NULL_PATH};
     const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
     const XrResult synced = SHOAL_XR(xrSyncActions(session, &sync));
     for (size_t i = 0; i < 2; ++i) {
@@ -129,12 +116,12 @@ void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<C
         XrActionStatePose held{XR_TYPE_ACTION_STATE_POSE};
         const XrActionStateGetInfo askPose = infoOf(grip_, hands_[i]);
         SHOAL_XR(xrGetActionStatePose(session, &askPose, &held));
-        controller.active = held.isActive == XR_TRUE;
-        if (!controller.active) continue;
+        if (!held.isActive) continue;
         XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-        SHOAL_XR(xrLocateSpace(gripSpaces_[i].name(), world, time, &location));
-        controller.worldFromGrip = poseFrom(location.pose);
-        controller.gripValid = valid(location.locationFlags) && believable(controller.worldFromGrip);
+        SHOAL_XR(xrLocateSpace(gripSpaces_[i].get(), world, time, &location));
+        const Pose worldFromGrip = poseFrom(location.pose);
+        if (valid(location.locationFlags) && believable(worldFromGrip))
+            controller.worldFromGrip = worldFromGrip;
         for (const auto& [action, value] :
              {std::pair(squeeze_, &controller.squeeze), std::pair(trigger_, &controller.trigger)}) {
             XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
@@ -156,7 +143,8 @@ void Actions::vibrate(XrSession session, int hand, float amplitude, float freque
         SHOAL_XR(xrStopHapticFeedback(session, &info));
         return;
     }
-    const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, kVibration_ns, frequency_Hz,
+    constexpr XrDuration kLongest_ns = 100'000'000; // more than a frame; it ends soon if the game dies
+    const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, kLongest_ns, frequency_Hz,
                                       std::min(amplitude, 1.0f)};
     SHOAL_XR(xrApplyHapticFeedback(session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
 }

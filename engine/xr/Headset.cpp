@@ -4,7 +4,6 @@
 #include "engine/core/Log.h"
 #include "engine/xr/NewerOpenXr.h"
 #include "engine/xr/OpenXr.h"
-#include "engine/xr/Tracked.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -20,9 +19,9 @@ Space makeSpace(XrSession session, const Pose& referenceFromSpace,
                 XrReferenceSpaceType reference = XR_REFERENCE_SPACE_TYPE_LOCAL) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, reference,
                                           poseTo(referenceFromSpace)};
-    Space space;
-    SHOAL_XR(xrCreateReferenceSpace(session, &info, space.fresh()));
-    return space;
+    XrSpace space = XR_NULL_HANDLE;
+    SHOAL_XR(xrCreateReferenceSpace(session, &info, &space));
+    return Space(space);
 }
 
 // Returns a space with its origin on the floor: below LOCAL's origin, else in the play area that the player
@@ -32,8 +31,7 @@ Space makeFloor(XrSession session) {
                                    xrEnumerateReferenceSpaces, session);
     for (const XrReferenceSpaceType type :
          {XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, XR_REFERENCE_SPACE_TYPE_STAGE})
-        if (std::find(offered.begin(), offered.end(), type) != offered.end())
-            return makeSpace(session, {}, type);
+        if (std::ranges::find(offered, type) != offered.end()) return makeSpace(session, {}, type);
     return {};
 }
 
@@ -44,7 +42,7 @@ int64_t formatOf(XrSession session, std::initializer_list<int64_t> wanted) {
     const auto offered =
         enumerate(int64_t{0}, "xrEnumerateSwapchainFormats", xrEnumerateSwapchainFormats, session);
     for (const int64_t format : wanted)
-        if (std::find(offered.begin(), offered.end(), format) != offered.end()) return format;
+        if (std::ranges::find(offered, format) != offered.end()) return format;
     return 0;
 }
 
@@ -52,64 +50,26 @@ int64_t formatOf(XrSession session, std::initializer_list<int64_t> wanted) {
 class Swapchain {
   public:
     Swapchain() = default;
-    // Makes one for display-coded values (sRGB's format, written raw).
-    static Swapchain ofColour(XrSession session, glm::ivec2 size) {
-        // The first format tells the runtime that the picture is display-coded; it is written unchanged
-        // (GL_FRAMEBUFFER_SRGB stays off). Some runtimes take the second for linear, most for coded.
-        const int64_t format = formatOf(session, {GL_SRGB8_ALPHA8, GL_RGBA8});
-        if (format == 0)
-            throw Failure("the headset's runtime takes no pictures of 8 bits a colour (GL_SRGB8_ALPHA8)");
-        return make(session, size, format, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, GL_COLOR_ATTACHMENT0);
-    }
-    static Swapchain ofDepth(XrSession session, glm::ivec2 size, int64_t format) {
-        return make(session, size, format, XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                    GL_DEPTH_ATTACHMENT);
-    }
-
-    // Returns a framebuffer on the next picture once the runtime is done with it; release() hands it over.
-    GLuint acquire() {
-        uint32_t index = 0;
-        const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
-        SHOAL_XR(xrAcquireSwapchainImage(name(), &acquire, &index));
-        acquired_ = true;
-        // The wait is limited, because a runtime that hangs must not stop the window too.
-        constexpr XrDuration kPatience_ns = 2'000'000'000;
-        const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, kPatience_ns};
-        const XrResult waited = SHOAL_XR(xrWaitSwapchainImage(name(), &wait));
-        if (waited == XR_TIMEOUT_EXPIRED || index >= framebuffers_.size())
-            throw Failure("the headset's runtime gives no picture to draw into");
-        return framebuffers_[index].name();
-    }
-    void release() {
-        if (!std::exchange(acquired_, false)) return;
-        const XrSwapchainImageReleaseInfo info{XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO};
-        SHOAL_XR(xrReleaseSwapchainImage(name(), &info));
-    }
-
-    XrSwapchain name() const { return handle_.name(); }
-    glm::ivec2 size() const { return size_; }
-
-  private:
-    static Swapchain make(XrSession session, glm::ivec2 size, int64_t format, XrSwapchainUsageFlags usage,
-                          GLenum attachment) {
+    // attachment: GL_COLOR_ATTACHMENT0 or GL_DEPTH_ATTACHMENT, as the format is.
+    Swapchain(XrSession session, glm::ivec2 size, int64_t format, GLenum attachment) : size_(size) {
         XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
         info.format = format;
-        info.usageFlags = usage | XR_SWAPCHAIN_USAGE_SAMPLED_BIT;
+        info.usageFlags = XR_SWAPCHAIN_USAGE_SAMPLED_BIT |
+                          (attachment == GL_DEPTH_ATTACHMENT ? XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                                             : XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT);
         info.sampleCount = info.faceCount = info.arraySize = info.mipCount = 1;
         info.width = static_cast<uint32_t>(size.x);
         info.height = static_cast<uint32_t>(size.y);
-        Swapchain chain;
-        chain.size_ = size;
-        SHOAL_XR(xrCreateSwapchain(session, &info, chain.handle_.fresh()));
+        XrSwapchain swapchain = XR_NULL_HANDLE;
+        SHOAL_XR(xrCreateSwapchain(session, &info, &swapchain));
+        handle_.reset(swapchain);
         const auto list = [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
-            return xrEnumerateSwapchainImages(chain.name(), capacity, count,
-                                              reinterpret_cast<XrSwapchainImageBaseHeader*>(items));
+            auto* const given = reinterpret_cast<XrSwapchainImageBaseHeader*>(items);
+            return xrEnumerateSwapchainImages(swapchain, capacity, count, given);
         };
-        const auto images = enumerate(XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
-                                      "xrEnumerateSwapchainImages", list);
-        for (const XrSwapchainImageOpenGLKHR& image : images) {
-            chain.framebuffers_.push_back(gl::Framebuffer::make());
-            glBindFramebuffer(GL_FRAMEBUFFER, chain.framebuffers_.back().name());
+        for (const auto& image : enumerate(XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
+                                           "xrEnumerateSwapchainImages", list)) {
+            glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_.emplace_back(gl::Framebuffer::make()).name());
             if (attachment == GL_DEPTH_ATTACHMENT) {
                 glDrawBuffer(GL_NONE);
                 glReadBuffer(GL_NONE);
@@ -119,12 +79,33 @@ class Swapchain {
                 throw Failure("the runtime's pictures cannot be drawn into");
         }
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        return chain;
     }
 
+    // Returns a framebuffer on the next picture once the runtime is done with it; release() hands it over.
+    GLuint acquire() {
+        uint32_t index = 0;
+        const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
+        SHOAL_XR(xrAcquireSwapchainImage(name(), &acquire, &index));
+        // The wait is limited, because a runtime that hangs must not stop the window too.
+        constexpr XrDuration kPatience_ns = 2'000'000'000;
+        const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, kPatience_ns};
+        const XrResult waited = SHOAL_XR(xrWaitSwapchainImage(name(), &wait));
+        if (waited == XR_TIMEOUT_EXPIRED || index >= framebuffers_.size())
+            throw Failure("the headset's runtime gives no picture to draw into");
+        return framebuffers_[index].name();
+    }
+    void release() {
+        const XrSwapchainImageReleaseInfo info{XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO};
+        SHOAL_XR(xrReleaseSwapchainImage(name(), &info));
+    }
+
+    XrSwapchain name() const { return handle_.get(); }
+    glm::ivec2 size() const { return size_; }
+
+  private:
     // Finishes drawing first: the driver's threads may still draw into pictures that are freed with the
     // swapchain.
-    static XrResult XRAPI_CALL destroyDrawn(XrSwapchain swapchain) {
+    static XrResult destroyDrawn(XrSwapchain swapchain) {
         glFinish();
         return xrDestroySwapchain(swapchain);
     }
@@ -132,21 +113,21 @@ class Swapchain {
     Handle<XrSwapchain, destroyDrawn> handle_;
     std::vector<gl::Framebuffer> framebuffers_; // one a picture
     glm::ivec2 size_{0};
-    bool acquired_ = false;
 };
+
+constexpr auto kMeasured = XR_SPACE_LOCATION_POSITION_TRACKED_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
 
 // Hands without controllers, tracked through XR_EXT_hand_tracking.
 class HandTrackers {
   public:
     // Hands are never active without the extension.
-    static HandTrackers make(const Instance& instance, XrSession session) {
-        HandTrackers made;
-        if (!instance.bareHands) return made;
-        const XrInstance name = instance.handle.name();
+    HandTrackers(const Instance& instance, XrSession session) {
+        if (!instance.properties.bareHands) return;
+        const XrInstance name = instance.handle.get();
         const auto create = functionOf<PFN_xrCreateHandTrackerEXT>(name, "xrCreateHandTrackerEXT");
         const auto destroy = functionOf<PFN_xrDestroyHandTrackerEXT>(name, "xrDestroyHandTrackerEXT");
-        made.locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
-        if (!create || !destroy || !made.locate_)
+        locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
+        if (!create || !destroy || !locate_)
             throw Failure("the runtime promises XR_EXT_hand_tracking and lacks its functions");
         // Joints that a runtime makes up for a hand with a controller are not wanted: see Controller.
         auto bare = XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
@@ -164,9 +145,8 @@ class HandTrackers {
                 created = create(session, &info, &tracker);
             }
             check(created, "xrCreateHandTrackerEXT");
-            made.trackers_.emplace_back(tracker, destroy);
+            trackers_.emplace_back(tracker, destroy);
         }
-        return made;
     }
     void locate(XrSpace world, XrTime time, std::array<hands::HandPose, 2>& out) const {
         for (size_t i = 0; i < trackers_.size(); ++i) {
@@ -183,8 +163,7 @@ class HandTrackers {
                 const XrHandJointLocationEXT& joint = joints[j];
                 const Pose worldFromJoint = poseFrom(joint.pose);
                 hand.tracked = valid(joint.locationFlags) && believable(worldFromJoint);
-                seen += both(joint.locationFlags, XR_SPACE_LOCATION_POSITION_TRACKED_BIT,
-                             XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT);
+                seen += (joint.locationFlags & kMeasured) == kMeasured;
                 hand.joints[j].position = worldFromJoint.position;
                 hand.joints[j].orientation = worldFromJoint.orientation;
                 if (joint.radius >= 0.001f && joint.radius <= 0.1f) hand.joints[j].radius = joint.radius;
@@ -199,23 +178,20 @@ class HandTrackers {
     PFN_xrLocateHandJointsEXT locate_ = nullptr;
 };
 
-// Requests a higher refresh rate: some headsets begin with fewer pictures a second than they can show.
+// Requests a higher refresh rate: some headsets begin with fewer pictures a second than they can show. A
+// failure is no reason not to play.
 void askForRefreshRate(const Instance& instance, XrSession session) {
     constexpr float kWanted_Hz = 90, kSame_Hz = 0.5f;
-    if (!instance.choosesRate) return;
-    const XrInstance name = instance.handle.name();
+    if (!instance.uses(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME)) return;
+    const XrInstance name = instance.handle.get();
     const auto list =
         functionOf<PFN_xrEnumerateDisplayRefreshRatesFB>(name, "xrEnumerateDisplayRefreshRatesFB");
-    const auto get = functionOf<PFN_xrGetDisplayRefreshRateFB>(name, "xrGetDisplayRefreshRateFB");
     const auto request = functionOf<PFN_xrRequestDisplayRefreshRateFB>(name, "xrRequestDisplayRefreshRateFB");
-    if (!list || !get || !request) return;
+    if (!list || !request) return;
     const Status asked = statusOf([&] {
         for (const float rate_Hz : enumerate(0.0f, "xrEnumerateDisplayRefreshRatesFB", list, session))
             if (std::abs(rate_Hz - kWanted_Hz) < kSame_Hz)
                 check(request(session, rate_Hz), "xrRequestDisplayRefreshRateFB");
-        float now_Hz = 0;
-        check(get(session, &now_Hz), "xrGetDisplayRefreshRateFB");
-        log::debug("the headset shows {:.0f} pictures a second", now_Hz);
     });
     if (!asked) log::debug("{}", asked.error().message());
 }
@@ -224,11 +200,12 @@ void askForRefreshRate(const Instance& instance, XrSession session) {
 
 struct Headset::State {
     // Members use the members before them, so they are destroyed before those.
-    Instance instance;
-    SessionHandle session;
-    Space local, world, floor;
-    HandTrackers hands;
-    Actions actions;
+    Instance instance = Instance::open(true);
+    SessionHandle session = createSession(instance);
+    Space local = makeSpace(session.get(), {}), world = makeSpace(session.get(), {});
+    Space floor = makeFloor(session.get());
+    HandTrackers hands{instance, session.get()};
+    Actions actions{instance, session.get()};
     std::array<Swapchain, 5> pictures; // by Picture
 
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
@@ -265,62 +242,50 @@ bool Headset::isThere() {
 }
 
 Result<Headset> Headset::open(glm::ivec2 panelSize) {
-    auto state = std::make_unique<State>();
-    State& s = *state;
+    std::unique_ptr<State> state;
     Status opened = statusOf([&] {
-        s.instance = Instance::open(true);
-        s.session = createSession(s.instance);
-        const XrSession session = s.session.name();
-        askForRefreshRate(s.instance, session);
-        s.local = makeSpace(session, {});
-        s.world = makeSpace(session, {});
-        s.floor = makeFloor(session);
-        s.hands = HandTrackers::make(s.instance, session);
-        s.actions = Actions::make(s.instance, session);
+        state = std::make_unique<State>();
+        const XrSession session = state->session.get();
+        Properties& properties = state->instance.properties;
+        askForRefreshRate(state->instance, session);
+        // The first format tells the runtime that the picture is display-coded; it is written unchanged
+        // (GL_FRAMEBUFFER_SRGB stays off). Some runtimes take the second for linear, most for coded.
+        const int64_t colours = formatOf(session, {GL_SRGB8_ALPHA8, GL_RGBA8});
+        if (colours == 0)
+            throw Failure("the headset's runtime takes no pictures of 8 bits a colour (GL_SRGB8_ALPHA8)");
         for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
-            s.picture(p) = Swapchain::ofColour(session, p == Picture::Panel ? panelSize : s.instance.eyeSize);
+            state->picture(p) = Swapchain(session, p == Picture::Panel ? panelSize : properties.eyeSize,
+                                          colours, GL_COLOR_ATTACHMENT0);
         // 16 bits are too coarse for depths from a hand to the far plane.
-        const int64_t depths =
-            s.instance.takesDepth ? formatOf(session, {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F}) : 0;
-        s.instance.takesDepth = depths != 0;
+        const int64_t depths = formatOf(session, {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F});
+        properties.takesDepth &= depths != 0;
         for (const Picture p : {Picture::LeftDepth, Picture::RightDepth})
-            if (depths != 0) s.picture(p) = Swapchain::ofDepth(session, s.instance.eyeSize, depths);
+            if (properties.takesDepth)
+                state->picture(p) = Swapchain(session, properties.eyeSize, depths, GL_DEPTH_ATTACHMENT);
     });
     if (!opened) return opened.error();
     return Headset(std::move(state));
 }
 
 Status Headset::poll() {
-    return state_->guard([&] {
+    State& s = *state_;
+    return s.guard([&] {
         for (;;) {
             XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-            if (SHOAL_XR(xrPollEvent(state_->instance.handle.name(), &event)) == XR_EVENT_UNAVAILABLE) return;
-            // Also sent when the session begins to run. Not in the switch: older headers lack the enumerator.
-            if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT && state_->instance.sensesWearer) {
-                state_->worn =
-                    reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;
-                continue;
-            }
-            switch (event.type) {
-            case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
-                state_->enter(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state);
-                break;
-            case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+            if (SHOAL_XR(xrPollEvent(s.instance.handle.get(), &event)) == XR_EVENT_UNAVAILABLE) return;
+            if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) {
+                s.enter(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state);
+            } else if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) {
                 throw Failure("the headset's runtime is going away", true);
-            case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
+            } else if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT &&
+                       s.instance.sensesWearer) {
+                // Also sent when the session begins to run.
+                s.worn = reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;
+            } else if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
                 // The floor's space is located anew in every frame.
                 const auto& change = reinterpret_cast<XrEventDataReferenceSpaceChangePending&>(event);
                 if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL)
-                    state_->recentresAt_ns = change.changeTime;
-                break;
-            }
-            case XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB:
-                log::debug(
-                    "the headset shows {:.0f} pictures a second from now on",
-                    reinterpret_cast<XrEventDataDisplayRefreshRateChangedFB&>(event).toDisplayRefreshRate);
-                break;
-            default:
-                break;
+                    s.recentresAt_ns = change.changeTime;
             }
         }
     });
@@ -330,11 +295,11 @@ void Headset::State::enter(XrSessionState next) {
     state = next;
     if (state == XR_SESSION_STATE_READY) {
         const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, kStereo};
-        SHOAL_XR(xrBeginSession(session.name(), &info));
+        SHOAL_XR(xrBeginSession(session.get(), &info));
         running = true;
     } else if (state == XR_SESSION_STATE_STOPPING) {
         running = false;
-        SHOAL_XR(xrEndSession(session.name()));
+        SHOAL_XR(xrEndSession(session.get()));
     } else if (state == XR_SESSION_STATE_LOSS_PENDING) {
         throw Failure("the headset was lost; is its cable in place?", true);
     }
@@ -345,7 +310,7 @@ Result<Frame> Headset::waitFrame() {
     Status waited = s.guard([&] {
         const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
         XrFrameState next{XR_TYPE_FRAME_STATE};
-        SHOAL_XR(xrWaitFrame(s.session.name(), &wait, &next));
+        SHOAL_XR(xrWaitFrame(s.session.get(), &wait, &next));
         s.frame.display_ns = next.predictedDisplayTime;
         s.frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
         s.frame.drawn = next.shouldRender == XR_TRUE;
@@ -356,8 +321,8 @@ Result<Frame> Headset::waitFrame() {
         }
         s.locateEyes();
         s.locateFloor();
-        s.hands.locate(s.world.name(), s.frame.display_ns, s.tracking.hands);
-        s.actions.locate(s.session.name(), s.world.name(), s.frame.display_ns, s.tracking.controllers);
+        s.hands.locate(s.world.get(), s.frame.display_ns, s.tracking.hands);
+        s.actions.locate(s.session.get(), s.world.get(), s.frame.display_ns, s.tracking.controllers);
     });
     if (!waited) return waited.error();
     return s.frame;
@@ -372,11 +337,11 @@ void Headset::State::locateEyes() {
     const auto middle = [&] { return between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f); };
     const auto locate = [&](const Space& space) { // returns whether the head's orientation is known
         const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, kStereo, frame.display_ns,
-                                    space.name()};
+                                    space.get()};
         XrViewState viewState{XR_TYPE_VIEW_STATE};
         std::array<XrView, 2> views{XrView{XR_TYPE_VIEW}, XrView{XR_TYPE_VIEW}};
         uint32_t count = 0;
-        SHOAL_XR(xrLocateViews(session.name(), &info, &viewState, static_cast<uint32_t>(views.size()), &count,
+        SHOAL_XR(xrLocateViews(session.get(), &info, &viewState, static_cast<uint32_t>(views.size()), &count,
                                views.data()));
         const XrViewStateFlags flags = viewState.viewStateFlags;
         const bool measured = flags & XR_VIEW_STATE_POSITION_TRACKED_BIT;
@@ -393,7 +358,7 @@ void Headset::State::locateEyes() {
     };
     // Once a position has been known, the dive is centred only at a known one, never at the last.
     if (centring && locate(local) && (placed || !everPlaced)) {
-        world = makeSpace(session.name(), originAt(middle()));
+        world = makeSpace(session.get(), originAt(middle()));
         centring = false;
         centredBlind = !placed;
     }
@@ -418,9 +383,9 @@ void Headset::State::locateEyes() {
 void Headset::State::locateFloor() {
     constexpr float kHighestEyes_m = 3;
     tracking.floor_m.reset();
-    if (floor.name() == XR_NULL_HANDLE) return;
+    if (floor.get() == XR_NULL_HANDLE) return;
     XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-    SHOAL_XR(xrLocateSpace(floor.name(), world.name(), frame.display_ns, &location));
+    SHOAL_XR(xrLocateSpace(floor.get(), world.get(), frame.display_ns, &location));
     const Pose worldFromFloor = poseFrom(location.pose);
     const float eyes_m = tracking.worldFromHead.position.y - worldFromFloor.position.y;
     if (valid(location.locationFlags) && believable(worldFromFloor) && eyes_m > 0 && eyes_m < kHighestEyes_m)
@@ -430,7 +395,7 @@ void Headset::State::locateFloor() {
 Status Headset::begin() {
     const XrFrameBeginInfo info{XR_TYPE_FRAME_BEGIN_INFO};
     // XR_FRAME_DISCARDED counts as success.
-    return state_->guard([&] { SHOAL_XR(xrBeginFrame(state_->session.name(), &info)); });
+    return state_->guard([&] { SHOAL_XR(xrBeginFrame(state_->session.get(), &info)); });
 }
 
 Status Headset::end(const Shown& shown) {
@@ -445,43 +410,33 @@ Status Headset::end(const Shown& shown) {
                     {eye.fov.left, eye.fov.right, eye.fov.up, eye.fov.down},
                     {s.pictures[i].name(), {{0, 0}, {shown.eyeSize.x, shown.eyeSize.y}}, 0}};
         if (!shown.planes) continue;
-        depths[i] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
-                     nullptr,
-                     views[i].subImage,
-                     0,
-                     1,
-                     shown.planes->near_m,
-                     shown.planes->far_m};
+        const auto [near_m, far_m] = *shown.planes;
+        depths[i] = {
+            XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR, nullptr, views[i].subImage, 0, 1, near_m, far_m};
         depths[i].subImage.swapchain = s.picture(i == 0 ? Picture::LeftDepth : Picture::RightDepth).name();
         views[i].next = &depths[i];
     }
+    constexpr XrCompositionLayerFlags kByAlpha = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+    const XrCompositionLayerFlags flags = shown.room ? kByAlpha : 0;
     const XrCompositionLayerProjection projection{
-        XR_TYPE_COMPOSITION_LAYER_PROJECTION,
-        nullptr,
-        shown.room ? XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT : XrCompositionLayerFlags{0},
-        s.world.name(),
-        2,
-        views.data()};
-    Swapchain& text = s.picture(Picture::Panel);
+        XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, flags, s.world.get(), 2, views.data()};
+    const Swapchain& text = s.picture(Picture::Panel);
     const XrCompositionLayerQuad panel{XR_TYPE_COMPOSITION_LAYER_QUAD,
                                        nullptr,
-                                       XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT,
-                                       s.world.name(),
+                                       kByAlpha,
+                                       s.world.get(),
                                        XR_EYE_VISIBILITY_BOTH,
                                        {text.name(), {{0, 0}, {text.size().x, text.size().y}}, 0},
                                        poseTo(shown.worldFromPanel),
                                        {shown.panelSize_m.x, shown.panelSize_m.y}};
+    const auto blend = shown.room ? XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND : s.instance.blend;
     std::array<const XrCompositionLayerBaseHeader*, 2> layers{};
     uint32_t count = 0;
     if (shown.eyes) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection);
     if (shown.panel) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&panel);
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,
-                              nullptr,
-                              s.frame.display_ns,
-                              shown.room ? XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND : s.instance.blend,
-                              count,
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,         nullptr, s.frame.display_ns, blend, count,
                               count ? layers.data() : nullptr};
-    return s.guard([&] { SHOAL_XR(xrEndFrame(s.session.name(), &info)); });
+    return s.guard([&] { SHOAL_XR(xrEndFrame(s.session.get(), &info)); });
 }
 
 Headset::Headset(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -493,7 +448,7 @@ Headset::~Headset() {
     if (!state_ || !state_->running || state_->lost) return;
     constexpr int kMaxFrames = 120;
     for (int hand = 0; hand < 2; ++hand) (void)vibrate(hand, 0, 0);
-    if (!state_->guard([&] { SHOAL_XR(xrRequestExitSession(state_->session.name())); })) return;
+    if (!state_->guard([&] { SHOAL_XR(xrRequestExitSession(state_->session.get())); })) return;
     for (int i = 0; i < kMaxFrames && state_->running; ++i) {
         if (!poll()) return;
         if (state_->running && (!waitFrame() || !begin() || !end({}))) return;
@@ -506,6 +461,7 @@ bool Headset::plays() const { return state_->state == XR_SESSION_STATE_FOCUSED &
 bool Headset::leaving() const { return state_->state == XR_SESSION_STATE_EXITING; }
 void Headset::recentre() { state_->centring = true; }
 const Tracking& Headset::tracking() const { return state_->tracking; }
+const Properties& Headset::properties() const { return state_->instance.properties; }
 
 Result<GLuint> Headset::acquire(Picture picture) {
     GLuint framebuffer = 0;
@@ -519,15 +475,7 @@ Status Headset::release(Picture picture) {
 
 Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {
     return state_->guard(
-        [&] { state_->actions.vibrate(state_->session.name(), hand, amplitude, frequency_Hz); });
-}
-
-glm::ivec2 Headset::eyeSize() const { return state_->instance.eyeSize; }
-bool Headset::seesRoom() const { return state_->instance.seesRoom; }
-bool Headset::takesDepth() const { return state_->instance.takesDepth; }
-bool Headset::bareHands() const { return state_->instance.bareHands; }
-std::string Headset::name() const {
-    return state_->instance.systemName + " (" + state_->instance.runtimeName + ")";
+        [&] { state_->actions.vibrate(state_->session.get(), hand, amplitude, frequency_Hz); });
 }
 
 Result<std::string> activeRuntime() {

@@ -29,11 +29,19 @@ struct Frame {
     bool drawn = false;     // whether it is visible and must be drawn
 };
 
+struct Properties {
+    std::string name;        // names of headset and runtime
+    glm::ivec2 eyeSize{0};   // the runtime's recommendation, pixels
+    bool seesRoom = false;   // its cameras' picture of the room can be shown behind ours, by our alpha
+    bool takesDepth = false; // it corrects pictures by depth between two frames
+    bool bareHands = false;  // hands without controllers can be tracked
+};
+
 // Choice of pictures that end() shows, among those released since begin().
 struct Shown {
     bool eyes = false;
     bool room = false;            // the room shows through the eyes' pictures where their alpha is below 1
-    glm::ivec2 eyeSize{0};        // size of the drawn part, from the lower left; at most eyeSize()
+    glm::ivec2 eyeSize{0};        // size of the drawn part, from the lower left; at most Properties::eyeSize
     std::optional<Planes> planes; // planes of depth 0 (near) and 1 (far) of the eyes' depths; none if empty
     bool panel = false;           // with premultiplied alpha
     Pose worldFromPanel;          // pose of its middle; its front is +Z
@@ -67,8 +75,8 @@ class Headset {
     const Tracking& tracking() const; // tracking data predicted for the time when the frame is shown
 
     Status begin();
-    // Returns a framebuffer of eyeSize() or panelSize: colour only, for display-coded values (sRGB), or depth
-    // only.
+    // Returns a framebuffer of Properties::eyeSize or panelSize: colour only, for display-coded values
+    // (sRGB), or depth only.
     Result<GLuint> acquire(Picture picture);
     Status release(Picture picture);
     Status end(const Shown& shown);
@@ -76,11 +84,7 @@ class Headset {
     // Vibrates for up to a tenth of a second. hand: 0 left, 1 right; amplitude 0 to 1, 0 stops it.
     Status vibrate(int hand, float amplitude, float frequency_Hz);
 
-    glm::ivec2 eyeSize() const; // the runtime's recommendation, pixels
-    bool seesRoom() const;      // it can show the player's room behind the pictures
-    bool takesDepth() const;    // it corrects pictures by depth between two frames
-    bool bareHands() const;     // hands without controllers can be tracked
-    std::string name() const;   // names of headset and runtime
+    const Properties& properties() const;
 
   private:
     struct State;

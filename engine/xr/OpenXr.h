@@ -4,7 +4,7 @@
 
 #include "engine/core/Result.h"
 #include "engine/gl/Objects.h"
-#include "engine/xr/Tracked.h"
+#include "engine/xr/Headset.h"
 
 #include <epoxy/gl.h>
 
@@ -12,13 +12,13 @@
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
 
-#include <glm/vec2.hpp>
-
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,28 +69,12 @@ std::vector<Item> enumerate(const Item& blank, const char* name, List list, Of..
     return items;
 }
 
-// An OpenXR handle, destroyed with the object.
-template <class Name, XrResult(XRAPI_PTR* kDestroy)(Name)> class Handle {
-  public:
-    Handle() = default;
-    Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, Name{})) {}
-    Handle& operator=(Handle&& other) noexcept {
-        std::swap(name_, other.name_);
-        return *this;
-    }
-    ~Handle() {
-        if (name_ != Name{}) kDestroy(name_);
-    }
-    Name name() const { return name_; }
-    // Returns a place for a creating function to fill; destroys the old handle.
-    Name* fresh() {
-        *this = Handle();
-        return &name_;
-    }
-
-  private:
-    Name name_{};
+template <auto kDestroy> struct Destroyer {
+    template <class Object> void operator()(Object* object) const { kDestroy(object); }
 };
+// An OpenXR handle, destroyed with the object.
+template <class Name, auto kDestroy>
+using Handle = std::unique_ptr<std::remove_pointer_t<Name>, Destroyer<kDestroy>>;
 
 constexpr auto kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 
@@ -98,18 +82,14 @@ constexpr auto kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 struct Instance {
     Handle<XrInstance, xrDestroyInstance> handle;
     XrSystemId system = XR_NULL_SYSTEM_ID;
-    std::string runtimeName, systemName;
-    std::vector<std::string> enabled; // extensions
-    bool bareHands = false;           // XR_EXT_hand_tracking, supported by the headset
+    std::string runtimeName;
+    std::vector<const char*> enabled; // extensions
     bool sensesWearer = false;        // XR_EXT_user_presence, supported by the headset
-    bool choosesRate = false;         // XR_FB_display_refresh_rate
-    bool takesDepth = false;          // XR_KHR_composition_layer_depth
-    glm::ivec2 eyeSize{0};            // the runtime's recommendation, pixels
-    bool seesRoom = false;            // its cameras' picture can be blended with ours by our alpha
+    Properties properties;
     XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE; // while the room is not shown
 
     bool uses(std::string_view extension) const {
-        return std::find(enabled.begin(), enabled.end(), extension) != enabled.end();
+        return std::ranges::find(enabled, extension) != enabled.end();
     }
     // withHeadset: whether a headset is needed; false only finds out which runtime is active.
     static Instance open(bool withHeadset);
@@ -128,27 +108,21 @@ inline XrPosef poseTo(const Pose& pose) {
     return {{q.x, q.y, q.z, q.w}, {pose.position.x, pose.position.y, pose.position.z}};
 }
 
-inline bool both(XrSpaceLocationFlags flags, XrSpaceLocationFlags a, XrSpaceLocationFlags b) {
-    return (flags & a) && (flags & b);
-}
 inline bool valid(XrSpaceLocationFlags flags) {
-    return both(flags, XR_SPACE_LOCATION_POSITION_VALID_BIT, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT);
+    return (flags & XR_SPACE_LOCATION_POSITION_VALID_BIT) &&
+           (flags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT);
 }
 
 // Input and vibration of controllers: OpenXR's actions, bound for the common controllers.
 class Actions {
   public:
-    Actions() = default;
     // Extensions for controllers, to be enabled if the runtime has them.
     static std::vector<const char*> extensions();
-    static Actions make(const Instance& instance, XrSession session);
+    Actions(const Instance& instance, XrSession session);
 
     void locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const;
-    // Vibrates until the next call, but for kVibration_ns at most. amplitude: 0 to 1; 0 stops.
+    // Vibrates until the next call, but for a tenth of a second at most. amplitude: 0 to 1; 0 stops.
     void vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const;
-
-    // Longest vibration: longer than a frame, to be continuous; short, so that it ends if the game dies.
-    static constexpr XrDuration kVibration_ns = 100'000'000;
 
   private:
     Handle<XrActionSet, xrDestroyActionSet> set_;

@@ -23,11 +23,11 @@ static std::string versionText(XrVersion version) {
 
 // The extension demands that the requirements are queried before a session is made.
 static void checkRequirements(const Instance& instance) {
-    const auto get = functionOf<PFN_xrGetOpenGLGraphicsRequirementsKHR>(instance.handle.name(),
+    const auto get = functionOf<PFN_xrGetOpenGLGraphicsRequirementsKHR>(instance.handle.get(),
                                                                         "xrGetOpenGLGraphicsRequirementsKHR");
     if (!get) throw Failure("the runtime lacks xrGetOpenGLGraphicsRequirementsKHR");
     XrGraphicsRequirementsOpenGLKHR wanted{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
-    check(get(instance.handle.name(), instance.system, &wanted), "xrGetOpenGLGraphicsRequirementsKHR");
+    check(get(instance.handle.get(), instance.system, &wanted), "xrGetOpenGLGraphicsRequirementsKHR");
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
@@ -59,9 +59,9 @@ SessionHandle createSession(const Instance& instance) {
             XFree(visual);
         }
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, &binding, 0, instance.system};
-    SessionHandle session;
-    SHOAL_XR(xrCreateSession(instance.handle.name(), &info, session.fresh()));
-    return session;
+    XrSession session = XR_NULL_HANDLE;
+    SHOAL_XR(xrCreateSession(instance.handle.get(), &info, &session));
+    return SessionHandle(session);
 }
 
 } // namespace shoal::xr

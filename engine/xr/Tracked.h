@@ -47,11 +47,9 @@ struct Eye {
 
 // A controller held in a hand.
 struct Controller {
-    bool active = false;
-    bool gripValid = false;
-    Pose worldFromGrip; // OpenXR's grip pose: in the palm
-    float squeeze = 0;  // pressure on the button under the middle finger, 0 to 1
-    float trigger = 0;  // pressure on the button under the index finger, 0 to 1
+    std::optional<Pose> worldFromGrip; // OpenXR's grip pose: in the palm; empty: not held, or not tracked
+    float squeeze = 0;                 // pressure on the button under the middle finger, 0 to 1
+    float trigger = 0;                 // pressure on the button under the index finger, 0 to 1
     bool menu = false;
 };
 

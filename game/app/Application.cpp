@@ -420,7 +420,9 @@ void Application::photograph() {
 
 void Application::simulate() {
     GameSession& session = play_->session;
-    statistics_.sim_ms = play_->advance_ms();
+    const double began_ms = play_->clock.sinceBegin_ms();
+    session.advance(play_->elapsed_s);
+    statistics_.sim_ms = static_cast<float>(play_->clock.sinceBegin_ms() - began_ms);
     const bool attended = display_->audience() == Audience::HeadsetPlayer || play_->controls.input.focused;
     soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(play_->elapsed_s), attended,
                             content_.environment().player().videoPosition_s());

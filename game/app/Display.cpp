@@ -176,8 +176,8 @@ Result<HeadsetDisplay> HeadsetDisplay::open(platform::Window& window, const hand
     if (!passes) return passes.error();
     auto headset = xr::Headset::open(kPanelPixels);
     if (!headset) return headset.error();
-    log::debug("playing in {}, {}", headset->name(),
-               headset->bareHands() ? "with bare hands or controllers" : "with controllers");
+    log::debug("playing in {}, {}", headset->properties().name,
+               headset->properties().bareHands ? "with bare hands or controllers" : "with controllers");
     return HeadsetDisplay(window, rig, std::move(*headset), std::move(*passes), samples);
 }
 
@@ -241,7 +241,7 @@ void HeadsetDisplay::recentre() {
 }
 
 bool HeadsetDisplay::showRoom(bool wanted) {
-    const bool can = headset_.seesRoom();
+    const bool can = headset_.properties().seesRoom;
     surroundings_ = wanted && can ? render::Surroundings::Room : render::Surroundings::Film;
     noRoom_s_ = wanted && !can ? kNoRoom_s : 0;
     return can || !wanted;
@@ -290,7 +290,8 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     else
         target.blitTo(*framebuffer, 0, size.x, size.y);
     if (eye == 0 && windowSize.x > 0 && windowSize.y > 0) mirror(target, *framebuffer, windowSize, view);
-    if (Status released = headset_.release(picture); !released || !headset_.takesDepth()) return released;
+    if (Status released = headset_.release(picture); !released || !headset_.properties().takesDepth)
+        return released;
     const xr::Picture depth = eye == 0 ? xr::Picture::LeftDepth : xr::Picture::RightDepth;
     const auto depthBuffer = headset_.acquire(depth);
     if (!depthBuffer) return depthBuffer.error();
@@ -342,7 +343,8 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
     xr::Shown shown;
     shown.room = surroundings_ == render::Surroundings::Room;
     if (drawn) {
-        const glm::ivec2 size = glm::max(glm::vec2(headset_.eyeSize()) * scale + 0.5f, glm::vec2(16));
+        const glm::ivec2 size =
+            glm::max(glm::vec2(headset_.properties().eyeSize) * scale + 0.5f, glm::vec2(16));
         resize(targets_, 2, size, samples_);
         for (int eye = 0; eye < 2; ++eye)
             if (Status done = drawEye(eye, painter, windowSize); !done) return done.error();

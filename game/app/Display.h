@@ -205,7 +205,7 @@ class HeadsetDisplay : public Display {
     void feed(GameSession& session) override;
     std::optional<float> eyesAboveFloor_m() const override;
     void recentre() override;
-    bool seesRoom() const override { return headset_.seesRoom(); }
+    bool seesRoom() const override { return headset_.properties().seesRoom; }
     bool showRoom(bool wanted) override;
     Status vibrate(const haptics::HapticFrame& frame, bool paused) override;
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;

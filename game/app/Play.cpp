@@ -72,7 +72,7 @@ Status playUnseen(const PlayOptions& options) {
     do {
         runner.beginFrame({});
         runner.moveMouse(nullptr, {16, 9});
-        runner.advance_ms();
+        runner.session.advance(runner.elapsed_s);
     } while (!runner.isOver() && stopSignal == 0);
     Statistics statistics{.renderer = "none"};
     const Status verdict = runner.end(statistics);

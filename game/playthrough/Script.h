@@ -4,10 +4,10 @@
 #include "engine/core/Hash.h"
 #include "game/feedback/EventTable.h"
 #include "game/rules/Dive.h"
-#include "game/rules/ReachHelp.h"
 #include "input/hands/MouseHands.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -112,7 +112,7 @@ class ScriptRun {
     // Makes the input of the next tick, from the snapshot after the last one.
     void next(const Snapshot&, TickInput& out);
     // Takes the events of the tick just stepped, the state's hash, and the snapshot after it.
-    void observe(const Events&, uint64_t stateHash, const Snapshot&);
+    void observe(std::span<const Event>, uint64_t stateHash, const Snapshot&);
 
     bool finished() const { return finished_; }
     // Returns success, or the first step that timed out or expectation that failed, once finished().
@@ -156,7 +156,7 @@ class ScriptRun {
     std::array<ScriptHand, 2> hands_{};
     hands::MouseHands mouse_; // for a script that moves the mouse
     hands::MouseInput mouseInput_;
-    ReachHelp reach_;
+    int reachTarget_ = -1; // see reachHelp()
     float yaw_ = 0, pitch_ = 0;
     size_t step_ = 0;
     uint64_t tick_ = 0, stepBegan_ = 0;

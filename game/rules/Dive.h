@@ -5,10 +5,10 @@
 #include "engine/sim/Recording.h"
 #include "game/rules/DiveState.h"
 #include "game/rules/FishBehaviour.h"
-#include "game/rules/HandContacts.h"
+#include "game/rules/Grasping.h"
 #include "game/rules/Snapshot.h"
-#include "game/rules/TickInput.h"
 
+#include <span>
 #include <vector>
 
 namespace shoal::game {
@@ -50,6 +50,11 @@ class Dive {
     HandContacts handContacts_;
     std::vector<Neighbours> neighbours_;
 };
+
+// The input as bytes for a Recording: little-endian floats, fixed size.
+constexpr size_t kTickInputBytes = 2 * (3 * 4 + 2 + 8 + hands::kJointCount * 8 * 4) + 7 * 4 + 1;
+void toBytes(const TickInput&, std::span<uint8_t, kTickInputBytes> out);
+TickInput fromBytes(std::span<const uint8_t, kTickInputBytes>);
 
 sim::RecordingHeader recordingHeader(const Dive&);
 

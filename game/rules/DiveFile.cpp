@@ -137,9 +137,8 @@ Goal readGoal(TomlTable& table, const SpeciesTable& known) {
 } // namespace
 
 int findSpecies(const SpeciesTable& table, std::string_view name) {
-    for (size_t i = 0; i < table.size(); ++i)
-        if (table[i].name == name) return static_cast<int>(i);
-    return -1;
+    const auto found = std::ranges::find(table, name, &Species::name);
+    return found == table.end() ? -1 : static_cast<int>(found - table.begin());
 }
 
 std::vector<bool> speciesShown(const SpeciesTable& table, const DiveFile& dive) {

@@ -1,7 +1,5 @@
 #include "game/rules/DiveState.h"
 
-#include <bit>
-
 namespace shoal::game {
 
 // Fish and shark as a dive begins.
@@ -195,51 +193,14 @@ void trackHands(const TickInput& input, Viewpoint& view, Hands& hands) {
     for (size_t i = 0; i < hands.size(); ++i) trackHand(input.hands[i], view, hands[i]);
 }
 
-// Points and goals.
-
-int Score::combo() const { return std::min(std::popcount(run), kMaxCombo); }
-
-int Score::countCatch(int kind, int kindPoints) {
-    const uint64_t bit = uint64_t{1} << kind;
-    run = (run & bit) != 0 ? bit : run | bit;
-    bestCombo = std::max(bestCombo, combo());
-    ++caught;
-    ++species[kind].caught;
-    const int given = kindPoints * combo();
-    points += given;
-    return given;
-}
-
-void Score::countLoss(int kind) {
-    ++lost;
-    ++species[kind].lost;
-    run = 0;
-}
-
-Score newScore(const SpeciesTable& species, const DiveFile& dive) {
-    Score score;
-    score.species.resize(species.size());
-    score.reached.resize(dive.goals.size());
-    return score;
-}
+// Goals.
 
 int progressOf(const Goal& goal, const Score& score) {
-    const auto progress = [&]() -> int {
-        switch (goal.kind) {
-        case GoalKind::Catch:
-            return goal.species < 0 ? score.caught : score.species[goal.species].caught;
-        case GoalKind::Different:
-            return static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));
-        case GoalKind::Score:
-            return score.points;
-        case GoalKind::NoLoss:
-            return score.lost == 0 ? goal.count : 0;
-        case GoalKind::Combo:
-            return score.bestCombo;
-        }
-        return 0;
-    };
-    return std::min(progress(), goal.count);
+    const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));
+    const std::array<int, kGoalNames.size()> progress = {
+        goal.species < 0 ? score.caught : score.species[goal.species].caught, different, score.points,
+        score.lost == 0 ? goal.count : 0, score.bestCombo}; // by GoalKind
+    return std::min(progress[static_cast<size_t>(goal.kind)], goal.count);
 }
 
 bool isReached(const Goal& goal, const Score& score, bool over) {

@@ -9,10 +9,10 @@
 #include "engine/scene/HandPose.h"
 #include "game/rules/FilmSpace.h"
 #include "game/rules/Swimmer.h"
-#include "game/rules/TickInput.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -93,8 +93,8 @@ struct Fish : Swimmer {
     int heldBy = -1;         // 0 left, 1 right, -1 none
     FishHold hold;
     Visit visit;
-    float catchable = 0; // both as CreatureView's
-    int catchableBy = -1;
+    float catchable = 0;  // as CreatureView's
+    int catchableBy = -1; // the hand that takes it then: 0 left, 1 right, -1 none
 
     bool free() const { return state != State::Held && state != State::Mouth; }
 
@@ -134,7 +134,6 @@ struct Shark : Swimmer {
         state = next;
         state_s = 0;
     }
-    glm::vec3 mouthPosition(float length_m) const { return position + forward * (0.46f * length_m); }
 };
 
 // The giant of the dive's encounter (a whale), which swims past once.
@@ -253,6 +252,17 @@ struct Viewpoint {
     glm::vec3 ahead() const { return worldFromView * glm::vec3(0, 0, -1); }
 };
 
+constexpr float kHeadReach_m = 10; // a head position farther out, or not finite, is ignored
+
+// All input of one tick. Nothing else enters the simulation from outside.
+struct TickInput {
+    std::array<hands::HandPose, 2> hands{}; // left, right; viewer's frame
+    glm::quat worldFromView{1, 0, 0, 0};
+    glm::vec3 headWorld{0}; // between the eyes; within kHeadReach_m of the origin
+    bool pause = false;     // held: the tick changes nothing but `paused`
+    bool restart = false;   // on the tick it becomes true: a new dive with the next seed
+};
+
 // Updates view and hands from the tick's input. Values that are not finite or not plausible are ignored: the
 // last good ones stay.
 void trackHands(const TickInput&, Viewpoint&, Hands&);
@@ -268,12 +278,25 @@ struct Score {
     std::vector<SpeciesTally> species; // by index into the species table
     std::vector<bool> reached;         // by index into DiveFile::goals
 
-    int combo() const;                       // of the last catch; 0: no run
-    int countCatch(int species, int points); // returns the points that it gave
-    void countLoss(int species);
+    // Returns the combo of the last catch; 0: no run.
+    int combo() const { return std::min(std::popcount(run), kMaxCombo); }
+    // Counts a catch; returns the points that it gave.
+    int countCatch(int kind, int kindPoints) {
+        const uint64_t bit = uint64_t{1} << kind;
+        run = (run & bit) != 0 ? bit : run | bit;
+        bestCombo = std::max(bestCombo, combo());
+        ++caught;
+        ++species[kind].caught;
+        const int given = kindPoints * combo();
+        points += given;
+        return given;
+    }
+    void countLoss(int kind) {
+        ++lost;
+        ++species[kind].lost;
+        run = 0;
+    }
 };
-
-Score newScore(const SpeciesTable&, const DiveFile&);
 
 // Returns how far a goal has been reached, 0 to Goal::count.
 int progressOf(const Goal&, const Score&);

@@ -4,7 +4,6 @@
 #include "game/rules/Swimmer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shoal::game {
@@ -168,14 +167,6 @@ float FilmSpace::lookUp(const std::vector<uint16_t>& grid, const Moment& moment,
     };
     const float before = inStep(moment.before), after = inStep(moment.after);
     return 0.001f * (before + (after - before) * moment.share);
-}
-
-float FilmSpace::surface_m(const Moment& moment, glm::vec3 dir) const {
-    return lookUp(surface_mm_, moment, dir);
-}
-
-float FilmSpace::room_m(const Moment& moment, glm::vec3 dir, Room of) const {
-    return lookUp(room_mm_[static_cast<size_t>(of)], moment, dir);
 }
 
 float FilmMoment::gap_m(glm::vec3 place) const {

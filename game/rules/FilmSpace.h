@@ -37,7 +37,6 @@ class FilmSpace {
 
     // Returns the hash of length and distances: equal hashes, equal dives.
     uint64_t hash() const;
-    size_t bytes() const { return 3 * surface_mm_.size() * sizeof(uint16_t); }
     int steps() const { return steps_; }
     double length_s() const { return length_s_; }
 
@@ -49,10 +48,12 @@ class FilmSpace {
     Moment at(double time_s) const;
 
     // Returns the distance from the camera to the surface that the film shows.
-    float surface_m(const Moment&, glm::vec3 dir) const;
+    float surface_m(const Moment& at, glm::vec3 dir) const { return lookUp(surface_mm_, at, dir); }
     // Returns the distance from the camera up to which bodies may be: at most the surface's, and changing so
     // slowly, with time and direction, that a body kept within it swims and does not jump.
-    float room_m(const Moment&, glm::vec3 dir, Room of = Room::Fish) const;
+    float room_m(const Moment& at, glm::vec3 dir, Room of = Room::Fish) const {
+        return lookUp(room_mm_[static_cast<size_t>(of)], at, dir);
+    }
 
   private:
     void makeRoom(Room of);

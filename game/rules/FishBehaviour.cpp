@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace shoal::game {
 
@@ -148,20 +147,15 @@ void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random& rando
 
 // Returns the fish ahead of the player with the least distance over curiosity; -1: none may come.
 int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
-    int best = -1;
-    float bestCost = std::numeric_limits<float>::max();
-    for (size_t i = 0; i < fish.size(); ++i) {
-        const Fish& f = fish[i];
+    return leastCost(fish, kNever, [&](const Fish& f) {
         const float curiosity = in.kindOf(f).curiosity;
-        if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || f.visit.rest_s > 0) continue;
-        if (curiosity <= 0 || f.uncatchable_s > 0 || f.flight.rest_s > 0) continue;
+        if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || f.visit.rest_s > 0) return kNever;
+        if (curiosity <= 0 || f.uncatchable_s > 0 || f.flight.rest_s > 0) return kNever;
         const float distance = glm::distance(f.position, hand.graspCentre);
-        if (distance < kNearest_m || distance > kFarthest_m) continue;
-        if (glm::dot(f.position - in.head(), in.state.view.ahead()) < 0.3f) continue;
-        const float cost = distance / curiosity;
-        if (cost < bestCost) bestCost = cost, best = static_cast<int>(i);
-    }
-    return best;
+        if (distance < kNearest_m || distance > kFarthest_m) return kNever;
+        if (glm::dot(f.position - in.head(), in.state.view.ahead()) < 0.3f) return kNever;
+        return distance / curiosity;
+    });
 }
 
 } // namespace

@@ -2,15 +2,16 @@
 
 #include "engine/math/Trigonometry.h"
 #include "engine/physics/ContactModel.h"
-#include "game/rules/HandContacts.h"
+#include "game/rules/FishBehaviour.h"
 #include "game/rules/Intent.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace shoal::game {
 
 namespace {
+
+constexpr uint32_t kTouchKept = 12; // ticks for which a touch is remembered
+constexpr float kGentle_mps = 0.6f; // speed of a palm below which its touch does not frighten...
+constexpr float kPatience_s = 1.5f; // ...for this time
 
 // Returns the strength of a fish's struggle after held_s in a hand, 1 at first.
 float tired(float held_s) { return std::max(physics::kTiredOut, 1 - physics::kTires_Hz * held_s); }
@@ -66,22 +67,114 @@ void wrapFinger(int finger, const physics::Capsule& body, Hand& hand) {
 
 } // namespace
 
+void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
+                           std::vector<physics::Contact>& contacts) {
+    const Hands& hands = in.state.hands;
+    const Shark& shark = in.state.shark;
+    const size_t maxBodies = fish.size() + 1, maxMovers = 2 * hands::kJointCount;
+    bodies_.reserve(maxBodies);
+    movers_.reserve(maxMovers);
+    for (auto* found : {&contacts, &last_}) found->reserve(maxBodies * maxMovers);
+    movers_.clear();
+    for (int h = 0; h < 2; ++h) {
+        const Hand& hand = hands[h];
+        if (!hand.solid) continue;
+        const float give = hand.grasp.closed ? 1.0f : physics::kGive; // fingers of an open hand give way
+        for (int j = hands::kWristJoint + 1; j < hands::kJointCount; ++j)
+            movers_.push_back({bone(hand.before, j), bone(hand.joints, j),
+                               give * hand.velocities[hands::kJointParent[j]], give * hand.velocities[j], h,
+                               j});
+    }
+    bodies_.clear();
+    // Adds the swimmer's body if a solid hand's path in this tick comes near it.
+    const auto addBody = [&](const Swimmer& swimmer, size_t id, const Species& kind) {
+        const auto near = [&](const Hand& hand) {
+            const glm::vec3 a = hand.before[hands::kPalmJoint].position, b = hand.palm().position;
+            const float reach_m = kind.bodyHalf_m + kind.bodyRadius_m;
+            return hand.solid &&
+                   physics::separation({a, b, 0.25f}, {swimmer.position, swimmer.position, reach_m}) < 0;
+        };
+        if (!near(hands[0]) && !near(hands[1])) return;
+        const glm::vec3 reach = swimmer.forward * kind.bodyHalf_m, way = swimmer.velocity * kDt;
+        const glm::vec3 nose = swimmer.position + reach, tail = swimmer.position - reach;
+        bodies_.push_back({static_cast<uint32_t>(id),
+                           {tail - way, nose - way, kind.bodyRadius_m},
+                           {tail, nose, kind.bodyRadius_m},
+                           swimmer.velocity});
+    };
+    for (size_t i = 0; i < fish.size(); ++i) {
+        Fish& f = fish[i];
+        f.separation = glm::vec3(0);
+        if (f.state == Fish::State::Mouth || (f.heldBy >= 0 && !hands[f.heldBy].solid)) continue;
+        f.hold.noPush_s = std::max(0.0f, f.hold.noPush_s - kDt);
+        if (f.hold.noPush_s > 0) continue;
+        addBody(f, i, in.kindOf(f));
+    }
+    if (shark.present) addBody(shark, fish.size(), in.kindOf(shark));
+    std::swap(contacts, last_);
+    physics::collide(bodies_, movers_, kDt, last_, contacts);
+}
+
+void feel(const physics::Contact& contact, const Fish& f, Hands& hands) {
+    Hand& hand = hands[contact.group];
+    const glm::vec3 relative = contact.moverVelocity - f.velocity;
+    const float along = glm::dot(relative, contact.normal);
+    TouchView& under = hand.touching[partOfBone(contact.tag)];
+    under.touches = true;
+    if (hand.grasp.encloses != static_cast<int>(contact.body))
+        under.depth_m = std::max(under.depth_m, contact.depth);
+    under.press_mps = std::max(under.press_mps, along);
+    under.slide_mps = std::max(under.slide_mps, glm::length(relative - along * contact.normal));
+    if (f.heldBy == contact.group) under.struggle = f.hold.struggle;
+}
+
+void pushFish(Fish& f, int id, std::span<const physics::Contact> own, const DiveContext& in, Random& random,
+              Events& events) {
+    f.flight.touchedGently_s += kDt;
+    for (const physics::Contact& contact : own) {
+        const int h = contact.group, part = partOfBone(contact.tag);
+        if (in.state.tick > f.touchedUntil[h][part])
+            events.push_back({EventKind::Touch, id, h, contact.point, part, contact.closingSpeed});
+        f.touchedUntil[h][part] = in.state.tick + kTouchKept;
+        const Hand& hand = in.state.hands[h];
+        const float palmClosing = glm::dot(hand.calmVelocity - f.velocity, contact.normal);
+        if (helpedTo(hand, id)) continue;
+        if (palmClosing > kGentle_mps || f.flight.touchedGently_s > kPatience_s ||
+            (hand.grasp.closed && hand.grasp.window == 0))
+            startle(f, id, hand.palm().position, in, random, events);
+    }
+    // Fingers that close around the fish do not push it away. Neither does an open hand that it swims into,
+    // because a player's fingers would give way.
+    const auto bats = [&](int h) {
+        const Hand& hand = in.state.hands[h];
+        const bool lets = !hand.grasp.closed && onPalmSide(f, hand) &&
+                          graspGap(f, in.kindOf(f), hand) < 1.5f * kGraspRadius_m;
+        return hand.grasp.encloses != id && !helpedTo(hand, id) && !lets;
+    };
+    const std::array<bool, 2> hits = {bats(0), bats(1)};
+    const auto from = std::find_if(own.begin(), own.end(), [&](const auto& c) { return hits[c.group]; });
+    const auto to = std::find_if(from, own.end(), [&](const auto& c) { return !hits[c.group]; });
+    const std::span<const physics::Contact> pushing(from, to);
+    const glm::vec3 kept = f.forward * f.speed + f.push; // without the separation, which leaves no speed
+    f.push = limited(f.push + physics::pushed(kept, pushing) - kept, kMaxSpeed_mps);
+    f.separation = physics::separating(pushing);
+}
+
 void wrapFingers(const physics::Capsule& body, Hand& hand) {
     hand.fingers.pressCount = 0;
     pressPalm(body, hand);
     for (int finger = 0; finger < hands::kFingerCount; ++finger) wrapFinger(finger, body, hand);
 }
 
-physics::Hold holdOn(int fish, const Hands& hands, std::span<const physics::Contact> contacts,
-                     glm::vec3 asked_N) {
+physics::Hold holdOn(int fish, const DiveState& state, glm::vec3 asked_N) {
     std::array<physics::Press, 2 * hands::kJointCount> presses;
     size_t count = 0;
-    for (const Hand& hand : hands)
+    for (const Hand& hand : state.hands)
         if (hand.grasp.encloses == fish)
             for (int i = 0; i < hand.fingers.pressCount; ++i) presses[count++] = hand.fingers.presses[i];
-    for (const physics::Contact& contact : contacts) // adds contacts of hands that only press on it
+    for (const physics::Contact& contact : state.contacts) // adds contacts of hands that only press on it
         if (static_cast<int>(contact.body) == fish && contact.lasting &&
-            hands[contact.group].grasp.encloses != fish && count < presses.size())
+            state.hands[contact.group].grasp.encloses != fish && count < presses.size())
             presses[count++] = {contact.normal, physics::pressForce_N(contact.depth)};
     return physics::hold({presses.data(), count}, asked_N);
 }
@@ -100,14 +193,9 @@ bool graspable(const Fish& f, const Hand& hand, int h, const DiveContext& in) {
 
 // Returns the graspable fish nearest to the grasp centre, or -1.
 int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in) {
-    int nearest = -1;
-    float gap = std::numeric_limits<float>::max();
-    for (size_t i = 0; i < fish.size(); ++i) {
-        if (!graspable(fish[i], hand, h, in)) continue;
-        const float distance = graspGap(fish[i], in.kindOf(fish[i]), hand);
-        if (distance < gap) gap = distance, nearest = static_cast<int>(i);
-    }
-    return nearest;
+    return leastCost(fish, kNever, [&](const Fish& f) {
+        return graspable(f, hand, h, in) ? graspGap(f, in.kindOf(f), hand) : kNever;
+    });
 }
 
 void wrapAround(const Fish& f, Hand& hand, const DiveContext& in) {
@@ -180,7 +268,7 @@ void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveContext& in,
         if (taken || own.front().group == own.back().group || id >= static_cast<int>(fish.size())) return;
         Fish& f = fish[id];
         if (!in.mayBeTaken(f) || in.hides(f.position)) return;
-        if (holdOn(id, hands, in.state.contacts, glm::vec3(0)).margin_N < physics::kFirm_N) return;
+        if (holdOn(id, in.state, glm::vec3(0)).margin_N < physics::kFirm_N) return;
         const Species& kind = in.kindOf(f);
         const int h = graspGap(f, kind, hands[0]) < graspGap(f, kind, hands[1]) ? 0 : 1;
         grab(f, id, hands[h], h, events);
@@ -189,11 +277,10 @@ void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveContext& in,
 }
 
 // Takes hold of the fish between the fingers, or else moves it into the hand. Returns whether it is held.
-bool takeHold(Hands& hands, int h, int id, Fish& f, const DiveContext& in, Events& events) {
-    Hand& hand = hands[h];
+bool takeHold(Hand& hand, int h, int id, Fish& f, const DiveContext& in, Events& events) {
     wrapAround(f, hand, in);
     hand.grasp.encloses = id;
-    if (holdOn(id, hands, in.state.contacts, glm::vec3(0)).margin_N > physics::kFirm_N) {
+    if (holdOn(id, in.state, glm::vec3(0)).margin_N > physics::kFirm_N) {
         grab(f, id, hand, h, events);
         return true;
     }
@@ -217,8 +304,7 @@ bool sting(Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in,
     return true;
 }
 
-void closeHand(Hands& hands, int h, std::span<Fish> fish, const DiveContext& in, Events& events) {
-    Hand& hand = hands[h];
+void closeHand(Hand& hand, int h, std::span<Fish> fish, const DiveContext& in, Events& events) {
     Grasp& grasp = hand.grasp;
     const bool wasClosed = grasp.closed;
     readGrip(hand);
@@ -237,7 +323,7 @@ void closeHand(Hands& hands, int h, std::span<Fish> fish, const DiveContext& in,
     }
     if (sting(hand, h, fish, in, events)) return;
     const int id = helped ? hand.intent.fish : nearestGraspable(hand, h, fish, in);
-    if (id >= 0 && takeHold(hands, h, id, fish[id], in, events)) return;
+    if (id >= 0 && takeHold(hand, h, id, fish[id], in, events)) return;
     if (--grasp.window > 0 || !grasp.closed) return;
     hand.lastMiss = hand.intent.miss;
     hand.sinceMiss_s = 0;
@@ -262,16 +348,13 @@ glm::vec3 askedForce_N(Fish& f, const Species& kind, const Hand& hand) {
 bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) {
     const Species& kind = in.kindOf(f);
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
-    const auto holds = [&](glm::vec3 asked_N) {
-        return holdOn(id, in.state.hands, in.state.contacts, asked_N);
-    };
     FishHold& hold = f.hold;
     // The fish is drawn into the hollow of the hand at first; then friction keeps it where it lies.
     if (hold.time_s < physics::kSettle_s) {
         const glm::vec3 hollow = palmFromWorld * (hand.hollow(kind.bodyRadius_m) - hand.graspCentre);
         hold.palmOffset += (hollow - hold.palmOffset) * (20 * kDt);
     }
-    const physics::Hold grip = holds(askedForce_N(f, kind, hand));
+    const physics::Hold grip = holdOn(id, in.state, askedForce_N(f, kind, hand));
     if (grip.margin_N < 0) {
         const float mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
         hold.slide += palmFromWorld * grip.gives * (-grip.margin_N / mass * kDt);
@@ -282,7 +365,7 @@ bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) {
     }
     hold.palmOffset += hold.slide * kDt;
     hold.slid_m += glm::length(hold.slide) * kDt;
-    hold.unopposed = holds(glm::vec3(0)).margin_N > 0 ? 0 : hold.unopposed + 1;
+    hold.unopposed = holdOn(id, in.state, glm::vec3(0)).margin_N > 0 ? 0 : hold.unopposed + 1;
     return hold.slid_m < physics::kSlideOut_m && hold.unopposed < physics::kUnopposed;
 }
 
@@ -292,7 +375,7 @@ void closeHands(Hands& hands, std::span<Fish> fish, const DiveContext& in, Event
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         if (hand.solid)
-            closeHand(hands, h, fish, in, events);
+            closeHand(hand, h, fish, in, events);
         else if (!hand.visible && hand.grasp.holds >= 0 && hand.untrackedTicks > kHandDropTicks)
             drop(hand, h, fish, in, events);
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace shoal::game {
 
@@ -38,7 +37,6 @@ constexpr float kShow_Hz = 12;         // easing rate of Fish::catchable
 // Returns the smaller of the fish's distances from the hand now and in kLook_s, in units of the range (0 in
 // the hand, 1 at the range's edge), plus a penalty for speed; very large if the fish cannot be the target.
 float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
-    constexpr float kNever = std::numeric_limits<float>::max();
     const Help& help = kHelp[static_cast<size_t>(in.assist)];
     if (!in.mayBeTaken(f)) return kNever;
     const glm::vec3 apart = f.velocity - hand.calmVelocity;
@@ -71,8 +69,8 @@ void readIntent(Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
         intent.fish = -1;
         return;
     }
-    const auto reach = [&](int id) { return reachOf(fish[id], hand, in); };
-    const float kept = intent.fish >= 0 ? reach(intent.fish) : 1e9f;
+    const auto reach = [&](const Fish& f) { return reachOf(f, hand, in); };
+    const float kept = intent.fish >= 0 ? reach(fish[intent.fish]) : 1e9f;
     intent.unseen_s = kept < 1 ? 0 : intent.unseen_s + kDt;
     if (kept > kKeep || intent.unseen_s > kForget_s) intent.fish = -1;
     const bool closes = isClosing(hand);
@@ -81,12 +79,10 @@ void readIntent(Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
         return;
     }
     // Another fish becomes the target if it is clearly nearer, and never while the fingers close.
-    float best = intent.fish >= 0 ? (closes ? 0.0f : kept - 0.25f) : kEnter;
-    for (size_t i = 0; i < fish.size(); ++i) {
-        const float here = reach(static_cast<int>(i));
-        if (here >= std::min(best, kEnter)) continue;
-        best = here;
-        intent.fish = static_cast<int>(i);
+    const float limit = intent.fish < 0 ? kEnter : closes ? 0.0f : std::min(kept - 0.25f, kEnter);
+    const int nearer = leastCost(fish, limit, reach);
+    if (nearer >= 0) {
+        intent.fish = nearer;
         intent.unseen_s = 0;
     }
     intent.inRange = intent.fish >= 0 && intent.unseen_s == 0;
@@ -101,14 +97,6 @@ void moveBack(Hand& hand) {
 }
 
 } // namespace
-
-float graspGap(const Fish& f, const Species& kind, const Hand& hand) {
-    return physics::separation({hand.graspCentre, hand.graspCentre, 0}, capsuleOf(f, kind));
-}
-
-bool onPalmSide(const Fish& f, const Hand& hand) {
-    return glm::dot(f.position - hand.palm().position, hand.outOfPalm()) > 0;
-}
 
 void readIntents(Hands& hands, std::span<Fish> fish, const DiveContext& in) {
     std::array<int, 2> meant{};
@@ -150,44 +138,66 @@ bool isClosing(const Hand& hand) {
     return hand.grasp.window > 0 || (hand.intent.closing_Hz > kClosing_Hz && hand.grip > kBegun);
 }
 
-bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.intent.fish == fish; }
-
 Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     constexpr float kCone = 0.12f, kBeside_m = 0.12f; // cone around the line of sight: tangent, radius at eye
     constexpr float kFarthestMeant_m = 3;
     const glm::vec3 sight = normalizedOr(hand.graspCentre - in.head(), {0, 0, -1});
-    const Fish* meant = nullptr;
-    float nearest = 1, depth = 0; // depth: distance beyond the hand, metres
-    glm::vec3 beside(0);
-    for (const Fish& f : fish) {
-        if (!f.free() || f.uncatchable_s > 0) continue;
-        const glm::vec3 fromHead = f.position - in.head();
-        const float along = glm::dot(fromHead, sight);
-        if (along < 0.2f || along > kFarthestMeant_m) continue;
-        const glm::vec3 across = fromHead - along * sight;
-        const float room = kBeside_m + 0.5f * in.kindOf(f).length_m + kCone * along;
-        const float beyond = along - glm::distance(hand.graspCentre, in.head());
+    const auto along = [&](const Fish& f) { return glm::dot(f.position - in.head(), sight); };
+    const auto across = [&](const Fish& f) { return f.position - in.head() - along(f) * sight; };
+    const auto beyond = [&](const Fish& f) { return along(f) - glm::distance(hand.graspCentre, in.head()); };
+    const int id = leastCost(fish, 1, [&](const Fish& f) {
+        if (!f.free() || f.uncatchable_s > 0 || in.hides(f.position)) return kNever;
+        if (along(f) < 0.2f || along(f) > kFarthestMeant_m) return kNever;
+        const float room = kBeside_m + 0.5f * in.kindOf(f).length_m + kCone * along(f);
+        const float beside = glm::length(across(f));
         // Depth counts a little: of two fish beside the line the nearer one was meant.
-        const float cost = glm::length(across) / room + 0.15f * std::fabs(beyond);
-        if (cost >= nearest || glm::length(across) > room) continue;
-        if (in.hides(f.position)) continue;
-        nearest = cost;
-        meant = &f;
-        depth = beyond;
-        beside = across;
-    }
-    if (!meant) return Miss::Nothing;
-    if (hand.intent.fastest_mps > kFastHand_mps || meant->state == Fish::State::Dart) return Miss::TooFast;
-    const float reach = kGraspRadius_m + in.kindOf(*meant).bodyRadius_m;
+        return beside > room ? kNever : beside / room + 0.15f * std::fabs(beyond(f));
+    });
+    if (id < 0) return Miss::Nothing;
+    const Fish& meant = fish[id];
+    if (hand.intent.fastest_mps > kFastHand_mps || meant.state == Fish::State::Dart) return Miss::TooFast;
+    const float depth = beyond(meant); // distance beyond the hand, metres
+    const float reach = kGraspRadius_m + in.kindOf(meant).bodyRadius_m;
     if (depth > reach) return Miss::TooFar;
-    const bool leaves = glm::dot(meant->velocity, beside) > 0;
-    if (depth < -reach || (leaves && glm::length(beside) > reach)) return Miss::Behind;
+    const bool leaves = glm::dot(meant.velocity, across(meant)) > 0;
+    if (depth < -reach || (leaves && glm::length(across(meant)) > reach)) return Miss::Behind;
     return Miss::TooEarly;
 }
 
 EventKind eventOf(Miss miss) {
     constexpr auto kFirst = static_cast<int>(EventKind::Miss); // both enumerations have the same order
     return static_cast<EventKind>(kFirst + std::max(0, static_cast<int>(miss) - 1));
+}
+
+std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species, glm::vec3 rayView,
+                               float hand_m, int& target) {
+    // Reach of hands that are tracked above a desk, a third of a metre ahead of its middle (see Mount in
+    // input/hands/HandTracker.h), so that mouse and hands have the same fish within reach. The wheel goes
+    // beyond.
+    constexpr float kNear_m = 0.3f, kFar_m = 1.3f;
+    // Angles between the ray and the fish's outline, as tangents: full help up to the first (4 degrees), none
+    // from the second on (12 degrees).
+    constexpr float kFull = 0.07f, kNone = 0.21f;
+    constexpr float kKeptTo = 0.06f;      // bonus of the present target, a tangent...
+    constexpr float kNearerPer_m = 0.08f; // ...and bonus for each metre that a fish is nearer
+    constexpr float kLead_s = 0.15f;      // look-ahead that makes up for the hand's delay behind the fish
+    const glm::vec3 ray = now.worldFromView * rayView;
+    const auto along = [&](const CreatureView& c) { return glm::dot(c.position - now.headWorld, ray); };
+    const auto beside = [&](const CreatureView& c) { // angle from ray to outline, a tangent
+        const float across_m = glm::length(c.position - now.headWorld - ray * along(c));
+        return std::max(0.0f, across_m - 0.3f * c.length) / along(c);
+    };
+    target = leastCost(now.creatures, kNever, [&](const CreatureView& c) {
+        const bool free = c.heldBy < 0 && c.gait.motion != Motion::Struggle;
+        if (!isCatchable(species[c.species]) || !free || c.hidden) return kNever;
+        if (along(c) < kNear_m || along(c) > kFar_m || beside(c) >= kNone) return kNever;
+        return beside(c) + kNearerPer_m * along(c) - (static_cast<int>(c.id) == target ? kKeptTo : 0);
+    });
+    if (target < 0) return std::nullopt;
+    const CreatureView& fish = now.creatures[target];
+    const float goal = std::clamp(along(fish) + kLead_s * glm::dot(fish.velocity, ray), kNear_m, kFar_m);
+    const float edge = std::clamp((kNone - beside(fish)) / (kNone - kFull), 0.0f, 1.0f);
+    return hand_m + (goal - hand_m) * edge * edge * (3 - 2 * edge);
 }
 
 } // namespace shoal::game

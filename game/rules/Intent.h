@@ -12,6 +12,7 @@
 
 #include "game/rules/DiveState.h"
 
+#include <optional>
 #include <span>
 
 namespace shoal::game {
@@ -19,8 +20,12 @@ namespace shoal::game {
 constexpr float kGraspRadius_m = 0.075f; // closing fingers draw in fish this near to hands::graspCentre
 
 // Returns the distance from the hand's grasp centre to the body's surface, metres.
-float graspGap(const Fish&, const Species&, const Hand&);
-bool onPalmSide(const Fish&, const Hand&);
+inline float graspGap(const Fish& f, const Species& kind, const Hand& hand) {
+    return physics::separation({hand.graspCentre, hand.graspCentre, 0}, capsuleOf(f, kind));
+}
+inline bool onPalmSide(const Fish& f, const Hand& hand) {
+    return glm::dot(f.position - hand.palm().position, hand.outOfPalm()) > 0;
+}
 
 // Updates each hand's intent and how catchable that makes each fish; called every tick before anything moves.
 // A hand or a fish that the film hides takes no part.
@@ -37,7 +42,7 @@ void helpClosing(Fish&, Hand&, const DiveContext&);
 bool isClosing(const Hand&);
 
 // Returns whether the hand is being helped to that fish, which therefore is not frightened by it.
-bool helpedTo(const Hand&, int fish);
+inline bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.intent.fish == fish; }
 
 constexpr float kFastHand_mps = 1.2f;
 
@@ -47,5 +52,13 @@ constexpr float kFastHand_mps = 1.2f;
 Miss missOf(const Hand&, std::span<const Fish>, const DiveContext&);
 
 EventKind eventOf(Miss);
+
+// Returns the distance from the eye, metres, that a pointer's hand on the ray should have: that of the fish
+// near it, predicted a short time ahead; empty if no catchable fish is near the ray. rayView: unit, viewer's
+// frame; hand_m: the hand's distance now. target: id of the fish, -1 none; it stays until the pointer is
+// clearly nearer to another. Each pointer has its own, which is no part of the simulation's state. Called
+// once a frame.
+std::optional<float> reachHelp(const Snapshot&, const SpeciesTable&, glm::vec3 rayView, float hand_m,
+                               int& target);
 
 } // namespace shoal::game

@@ -10,8 +10,11 @@ namespace shoal::game {
 
 using State = Shark::State;
 
-float openRadius(glm::vec3 place, const SharkPlan& plan, const Species& kind, const FilmMoment& film) {
-    if (!film.known()) return plan.radius_m;
+float openRadius(glm::vec3 place, const DiveContext& in, float ahead_s) {
+    const SharkPlan& plan = in.dive.shark;
+    if (!in.film.known()) return plan.radius_m;
+    const Species& kind = in.species[plan.species];
+    const FilmMoment film = in.film.as(FilmSpace::Room::Shark, ahead_s);
     const glm::vec3 outward = placeOf(place).outward, along = glm::cross(kUp, outward) * kind.bodyHalf_m;
     float fits = kSharkEyeRoom_m, tooFar = plan.radius_m + 0.1f;
     for (int halving = 0; halving < 6; ++halving) { // accurate to 6 cm for a radius of 4.2 m
@@ -24,18 +27,13 @@ float openRadius(glm::vec3 place, const SharkPlan& plan, const Species& kind, co
 
 namespace {
 
-float openRadius(glm::vec3 place, const DiveContext& in, float ahead_s = 0) {
-    return openRadius(place, in.dive.shark, in.species[in.dive.shark.species],
-                      in.film.as(FilmSpace::Room::Shark, ahead_s));
-}
-
 // Returns the smaller of the two values of openRadius() at kSoon_s and at kLater_s from now.
 float futureOpenRadius(glm::vec3 place, const DiveContext& in) {
     return std::min(openRadius(place, in, kSoon_s), openRadius(place, in, kLater_s));
 }
 
 glm::vec3 mouthOf(const Shark& shark, const DiveContext& in) {
-    return shark.mouthPosition(in.kindOf(shark).length_m);
+    return shark.position + shark.forward * (0.46f * in.kindOf(shark).length_m);
 }
 
 float fromMouth(const Shark& shark, const Hand& hand, const DiveContext& in) {
@@ -44,15 +42,9 @@ float fromMouth(const Shark& shark, const Hand& hand, const DiveContext& in) {
 
 // Returns the hand that holds a fish, or else the one nearest to the shark's mouth; -1 if none is visible.
 int watchedHand(const Shark& shark, const DiveContext& in) {
-    int best = -1;
-    float minimum = 1e9f;
-    for (int h = 0; h < 2; ++h) {
-        const Hand& hand = in.state.hands[h];
-        if (!hand.visible) continue;
-        const float distance = fromMouth(shark, hand, in) - (hand.grasp.holds >= 0 ? 10.0f : 0.0f);
-        if (distance < minimum) minimum = distance, best = h;
-    }
-    return best;
+    return leastCost(in.state.hands, kNever, [&](const Hand& hand) {
+        return hand.visible ? fromMouth(shark, hand, in) - (hand.grasp.holds >= 0 ? 10.0f : 0.0f) : kNever;
+    });
 }
 
 // Returns how much nearer the shark's mouth may come while it threatens that hand; negative if it is too

@@ -28,8 +28,8 @@ constexpr float kVisitRoom_m = 2.2f;          // open radius below which the vis
 constexpr float kWide_m = 2.6f;               // radius from which it begins the next approach
 
 // Returns the largest circle radius, at most the plan's, at which the shark's body fits into the film's room
-// at the bearing of the place.
-float openRadius(glm::vec3 place, const SharkPlan&, const Species&, const FilmMoment&);
+// at the bearing of the place, ahead_s from now.
+float openRadius(glm::vec3 place, const DiveContext&, float ahead_s = 0);
 
 // Places the shark where the film leaves room for it, before it is first seen.
 void startInRoom(Shark&, const DiveContext&);

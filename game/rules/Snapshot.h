@@ -3,16 +3,21 @@
 #pragma once
 
 #include "engine/scene/HandPose.h"
+#include "engine/sim/FixedStep.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace shoal::game {
+
+constexpr float kDt = sim::kTick_s;
 
 // World frame: the env frame of engine/math/LatLong.h, metres; the viewer's eyes rest at the origin, and a
 // headset moves them.
@@ -39,8 +44,16 @@ struct Gait {
     float blend = 1;   // 0: all `before`, 1: all `motion`
     float phase_s = 0; // time inside the motion's clip, for all but the spine; not wrapped
 
-    void set(Motion next);
-    void advance(float rate); // rate 1: at the clip's own pace
+    void set(Motion next) {
+        if (next == motion) return;
+        before = std::exchange(motion, next);
+        blend = 0;
+    }
+    void advance(float rate) { // rate 1: at the clip's own pace
+        constexpr float kBlend_s = 0.2f;
+        phase_s += kDt * rate;
+        blend = std::min(1.0f, blend + kDt / kBlend_s);
+    }
 };
 
 struct CreatureView {
@@ -51,11 +64,9 @@ struct CreatureView {
     glm::vec3 velocity{0};               // m/s
     float length = 0.2f;                 // metres, nose to tail
     Gait gait;
-    BodyShape shape; // the spine
-    int heldBy = -1; // 0 left, 1 right, -1 free
-    // 1 if a hand that closes now takes it, else 0, eased in between. catchableBy: that hand, -1 none.
-    float catchable = 0;
-    int catchableBy = -1;
+    BodyShape shape;     // the spine
+    int heldBy = -1;     // 0 left, 1 right, -1 free
+    float catchable = 0; // 1 if a hand that closes now takes it, else 0, eased in between
     bool hidden = false; // the film hides it from the player's head
 };
 
@@ -78,9 +89,6 @@ struct HandView {
     int holds = -1;                                        // creature id
     float holdProgress = 0;                                // share of kHoldToCatch_s that it has been held
     std::array<TouchView, hands::kHandParts> touching{};   // five fingers and the palm
-    Miss lastMiss = Miss::None;                            // None: it has taken hold since, or not closed yet
-    float sinceMiss_s = 0;
-    float stung_s = 0; // seconds left in which a stung hand cannot hold
     // Direction from the wrist to the elbow, world frame: unit where a tracker gives it, else 0. The session
     // adds it; the rules do not know it.
     glm::vec3 towardsElbow{0};

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "engine/physics/Capsule.h"
-#include "engine/sim/FixedStep.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
 
@@ -14,10 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shoal::game {
-
-constexpr float kDt = sim::kTick_s;
 
 struct Swimmer {
     glm::vec3 position{0};      // middle of the body
@@ -31,23 +29,11 @@ struct Swimmer {
     BodyShape shape;
 };
 
-// The body's collision shape, no thicker than maxRadius_m.
-physics::Capsule capsuleOf(const Swimmer&, const Species&, float maxRadius_m = 1);
-
-// Puts a swimmer on a circle around the vertical axis through the player, swimming along it; outward is unit
-// and level; sense: +1 to the left as seen by a player who looks outward, -1 to the right.
-void startCircling(Swimmer&, glm::vec3 position, glm::vec3 outward, float sense, float speed_mps);
-
-// Banks a swimmer into its turn: towards `gain` times the yaw rate, at most maxBank, at `rate` 1/s.
-void bankIntoTurn(Swimmer&, float gain, float maxBank, float rate);
-
-// Returns the value moved towards the goal by the share `rate` times the tick.
-float eased(float value, float goal, float rate);
-
-// Returns the angle between head and tail, radians, of a body bent along its path, for the desired turning
-// rate about one axis. The body bends before its heading turns.
-float bendFor(const Swimmer&, float rate_radps, float length_m, float maximum);
-constexpr float kMaxBendLeft = 0.9f; // radians between head and tail, swimming
+// Returns the body's collision shape, no thicker than maxRadius_m.
+inline physics::Capsule capsuleOf(const Swimmer& s, const Species& kind, float maxRadius_m = 1) {
+    const glm::vec3 half = s.forward * kind.bodyHalf_m;
+    return {s.position - half, s.position + half, std::min(kind.bodyRadius_m, maxRadius_m)};
+}
 
 // Small fish can beat faster (Wardle 1975, "Limit of fish swimming speed"), but a display could not show it.
 constexpr float kFastestBeat_Hz = 12;
@@ -65,7 +51,19 @@ inline float tailBeat_Hz(float speed_mps, float length_m, float stride) {
 inline float tailAmplitude(float pace) { return kFullBeat * pace / (pace + 0.3f); }
 
 // Beats the tail for its speed and stride, but at least minBeat_Hz.
-void beatTail(Swimmer&, const Species&, float minBeat_Hz = 0);
+inline void beatTail(Swimmer& s, const Species& kind, float minBeat_Hz = 0) {
+    s.shape.beats += std::max(tailBeat_Hz(s.speed, kind.length_m, kind.stride), minBeat_Hz) * kDt;
+}
+
+constexpr float kMaxBendLeft = 0.9f; // radians between head and tail, swimming
+// Returns the angle between head and tail, radians, of a body bent along its path, for the desired turning
+// rate about one axis. The body bends before its heading turns.
+inline float bendFor(const Swimmer& s, float rate_radps, float length_m, float maximum) {
+    // The path's curvature is the turning rate divided by the speed. The speed's lower bound, body lengths a
+    // second, keeps a hovering body from curling up.
+    constexpr float kMinSpeed_lps = 1.5f;
+    return std::clamp(rate_radps * length_m / std::max(s.speed, kMinSpeed_lps * length_m), -maximum, maximum);
+}
 
 // Arithmetic of everything that swims: only roots, which IEEE 754 rounds exactly.
 
@@ -74,6 +72,16 @@ constexpr glm::vec3 kUp(0, 1, 0);
 inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
     const float squared = glm::dot(v, v);
     return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
+}
+
+constexpr float kNever = std::numeric_limits<float>::max(); // cost of what is no candidate
+
+// Returns the index of the item with the least cost below the limit, the first of equal ones; -1: none.
+template <class Items, class CostOf> int leastCost(const Items& items, float limit, CostOf costOf) {
+    int best = -1;
+    for (size_t i = 0; i < items.size(); ++i)
+        if (const float cost = costOf(items[i]); cost < limit) limit = cost, best = static_cast<int>(i);
+    return best;
 }
 
 // Position relative to the vertical axis through the player.
@@ -148,6 +156,27 @@ inline glm::quat blended(glm::quat from, glm::quat to, float t) {
 
 inline float towards(float value, float goal, float step) {
     return value + std::clamp(goal - value, -step, step);
+}
+
+// Returns the value moved towards the goal by the share `rate` times the tick.
+inline float eased(float value, float goal, float rate) {
+    return value + (goal - value) * std::min(1.0f, rate * kDt);
+}
+
+// Puts a swimmer on a circle around the vertical axis through the player, swimming along it; outward is unit
+// and level; sense: +1 to the left as seen by a player who looks outward, -1 to the right.
+inline void startCircling(Swimmer& s, glm::vec3 position, glm::vec3 outward, float sense, float speed_mps) {
+    s.position = position;
+    s.forward = glm::cross(kUp, outward) * sense;
+    s.speed = speed_mps;
+    s.velocity = s.forward * s.speed;
+    s.worldFromBody = bodyTurn(s.forward, 0);
+}
+
+// Banks a swimmer into its turn: towards `gain` times the yaw rate, at most maxBank, at `rate` 1/s.
+inline void bankIntoTurn(Swimmer& s, float gain, float maxBank, float rate) {
+    const float goal = std::clamp(gain * glm::dot(s.spin, kUp), -maxBank, maxBank);
+    s.bank += (goal - s.bank) * (rate * kDt);
 }
 
 } // namespace shoal::game

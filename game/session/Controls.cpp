@@ -2,8 +2,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-
 namespace shoal::app {
 
 const std::array<ActionRow, kActions> kActionRows = {{

@@ -12,37 +12,15 @@ namespace shoal::app {
 
 namespace {
 
-// Parses "KIND" or "KIND:ARGUMENT".
-Result<HandSourceChoice> parseHandSource(const std::string& text) {
-    const size_t colon = text.find(':');
-    const bool hasArgument = colon != std::string::npos;
-    if (const auto kind = enumNamed<HandSourceKind>(text.substr(0, colon))) {
-        const bool needsArgument = *kind == HandSourceKind::Script || *kind == HandSourceKind::Replay;
-        if (hasArgument == needsArgument || *kind == HandSourceKind::Webcam)
-            return HandSourceChoice{*kind, hasArgument ? text.substr(colon + 1) : ""};
-    }
-    return Error{"--hands " + text,
-                 "is not auto, mouse, leap, webcam[:FILE or number], openxr, script:FILE or replay:FILE"};
-}
-
 HandSource makeSource(const SessionConfig& config) {
     if (config.script)
         return game::ScriptRun(*config.script, config.rig, config.species, config.dive.space != nullptr);
-    if (config.replay) return ReplaySource(*config.replay);
+    if (config.replay) return ReplaySource{*config.replay};
     if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
     return MouseSource(config.rig, config.species);
 }
 
 } // namespace
-
-Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
-    const std::string& text = options.hands.source;
-    if (options.xr && (text.empty() || text == "auto")) return HandSourceChoice{HandSourceKind::OpenXr, {}};
-    auto choice = parseHandSource(!text.empty() ? text : options.headless ? "mouse" : "auto");
-    if (choice && choice->kind == HandSourceKind::OpenXr && !options.xr)
-        return Error{"--hands openxr", "needs --xr: these hands are tracked by a headset"};
-    return choice;
-}
 
 uint64_t drawnSeed() {
     std::random_device device;
@@ -74,8 +52,6 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
         diveName = recording->header().dive;
         config.seed = recording->header().seed;
         config.replay = std::move(*recording);
-    } else if (Status there = checkHandSource(config.handSource); !there) {
-        return there.error();
     }
     auto files = config.script ? game::loadDiveFiles(*config.script) : game::loadDiveFiles(diveName);
     if (!files) return files.error();
@@ -127,16 +103,15 @@ void GameSession::tick(float share, float ago_s) {
             return;
         }
     }
-    tickEvents_.clear();
-    dive.step(input, tickEvents_);
+    const size_t firstEvent = events.size();
+    dive.step(input, events);
     const uint64_t hash = recording_ || !playedByAPerson(source) ? dive.stateHash() : 0;
     std::swap(before, after);
     dive.snapshot(after);
     ++ticks;
-    events.insert(events.end(), tickEvents_.begin(), tickEvents_.end());
     if (recording_) addToRecording(input, hash);
     if (auto* script = std::get_if<game::ScriptRun>(&source)) {
-        script->observe(tickEvents_, hash, after);
+        script->observe(std::span(events).subspan(firstEvent), hash, after);
         if (script->finished()) {
             ended = true;
             verdict = script->verdict();
@@ -165,10 +140,9 @@ void GameSession::addToRecording(const game::TickInput& input, uint64_t hash) {
 }
 
 Status GameSession::endRecording() {
-    if (!recording_) return recorded_;
-    const Status finished = recording_->finish();
+    if (recording_) recorded_ = recording_->finish();
     recording_.reset();
-    return finished;
+    return recorded_;
 }
 
 void GameSession::advance(double elapsed_s) {
@@ -184,22 +158,11 @@ void GameSession::advance(double elapsed_s) {
     if (tracked) tracked->showElbows(shown);
 }
 
-void DiveRunner::beginFrame(std::optional<double> display_s) {
-    clock.beginFrame();
-    elapsed_s = clock.elapsed_s(display_s) * static_cast<double>(options_.speed);
-}
-
 void DiveRunner::moveMouse(const Controls* controls, glm::ivec2 size) {
     const glm::vec2 shape = glm::max(size, 1);
     if (auto* mouse = std::get_if<MouseSource>(&session.source))
         mouse->frame(controls, options_.controls, session.shown, static_cast<float>(elapsed_s),
                      glm::radians(options_.fov_deg), shape.x / shape.y);
-}
-
-float DiveRunner::advance_ms() {
-    const auto began = std::chrono::steady_clock::now();
-    session.advance(elapsed_s);
-    return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
 bool DiveRunner::isOver() const {

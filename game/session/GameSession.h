@@ -38,9 +38,6 @@ struct SessionConfig {
 // Returns a random seed of six digits, so that it can be read out and typed.
 uint64_t drawnSeed();
 
-// Returns the options' hand source, with the defaults that depend on other options.
-Result<HandSourceChoice> handSourceFor(const PlayOptions& options);
-
 // Reads the files that the options name. A script or replay brings its own dive and seed.
 Result<SessionConfig> makeSessionConfig(const PlayOptions& options);
 
@@ -78,7 +75,6 @@ struct GameSession {
     std::optional<sim::RecordingWriter> recording_;
     Status recorded_ = Done{};           // error at which the recording ended while the game goes on
     std::optional<xr::Pose> headBefore_; // of the last frame
-    game::Events tickEvents_;
 };
 
 // The game time that each frame of a dive takes, and the time of its drawing.
@@ -140,11 +136,12 @@ class DiveRunner {
         : session(config), clock(clockMode, static_cast<double>(options.fps)), options_(options) {}
 
     // Begins a frame. display_s: time between two pictures by the display; empty: it does not know.
-    void beginFrame(std::optional<double> display_s);
+    void beginFrame(std::optional<double> display_s) {
+        clock.beginFrame();
+        elapsed_s = clock.elapsed_s(display_s) * static_cast<double>(options_.speed);
+    }
     // Moves the mouse's hand, if the session has it. controls: null where nobody plays. size: of the picture.
     void moveMouse(const Controls* controls, glm::ivec2 size);
-    // Runs the ticks of this frame; returns the time that they took.
-    float advance_ms();
     // Returns whether the session is complete; one that nobody watches ends with its results.
     bool isOver() const;
     // Ends the session: completes its recording and its figures. Returns its verdict.

@@ -3,6 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
+#include "game/rules/Intent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,19 @@ hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handS
     return {.file = index ? "" : which, .index = index.value_or(0), .live = live, .handSize = handSize};
 }
 
+// Parses "KIND" or "KIND:ARGUMENT".
+Result<HandSourceChoice> parseHandSource(const std::string& text) {
+    const size_t colon = text.find(':');
+    const bool hasArgument = colon != std::string::npos;
+    if (const auto kind = enumNamed<HandSourceKind>(text.substr(0, colon))) {
+        const bool needsArgument = *kind == HandSourceKind::Script || *kind == HandSourceKind::Replay;
+        if (hasArgument == needsArgument || *kind == HandSourceKind::Webcam)
+            return HandSourceChoice{*kind, hasArgument ? text.substr(colon + 1) : ""};
+    }
+    return Error{"--hands " + text,
+                 "is not auto, mouse, leap, webcam[:FILE or number], openxr, script:FILE or replay:FILE"};
+}
+
 // Returns the turn of the view in this frame: +x right, +y up, radians. snapped: state kept between frames.
 glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
     const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
@@ -49,6 +63,20 @@ glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, b
 }
 
 } // namespace
+
+Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
+    const std::string& text = options.hands.source;
+    if (options.xr && (text.empty() || text == "auto")) return HandSourceChoice{HandSourceKind::OpenXr, {}};
+    auto choice = parseHandSource(!text.empty() ? text : options.headless ? "mouse" : "auto");
+    if (choice && choice->kind == HandSourceKind::OpenXr && !options.xr)
+        return Error{"--hands openxr", "needs --xr: these hands are tracked by a headset"};
+    std::error_code code;
+    const bool isClip = choice && choice->kind == HandSourceKind::Webcam &&
+                        !webcamFrom(choice->argument, false, 1).file.empty();
+    if (isClip && !std::filesystem::is_regular_file(choice->argument, code))
+        return Error{choice->argument, "there is no such clip"};
+    return choice;
+}
 
 void MouseSource::frame(const Controls* controls, const ControlOptions& options, const game::Snapshot& shown,
                         float dt_s, float verticalFov, float aspect) {
@@ -83,27 +111,16 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         const bool down = pressed && !awaitsOpen_;
         if (options.closing == Closing::Toggle) {
             toggled_ = toggled_ != (down && !wasDown_);
-            mouse.close = toggled_;
-        } else {
-            mouse.close = down;
-            if (!holds) mouse.closeTo = trigger;
+            mouse.close = toggled_ ? 1.0f : 0.0f;
+        } else if (down) {
+            mouse.close = holds ? 1.0f : trigger;
         }
         wasDown_ = down;
-        mouse.reach_m = reach_.update(shown, species_, rayThroughCursor(mouse), hands_.distance_m());
+        mouse.reach_m =
+            game::reachHelp(shown, species_, rayThroughCursor(mouse), hands_.distance_m(), reachTarget_);
         mouse.reachHelp = options.reachHelp;
     }
     poses_ = hands_.update(mouse, dt_s);
-}
-
-void MouseSource::idle(float dt_s, float yaw_radps) {
-    look_.turnBy({yaw_radps * dt_s, 0});
-    poses_ = {};
-}
-
-void MouseSource::next(game::TickInput& out) const {
-    out = {};
-    out.hands = poses_;
-    out.worldFromView = look_.worldFromView();
 }
 
 TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& options,
@@ -144,20 +161,6 @@ void TrackedHands::frame(double elapsed_s) {
     if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
 }
 
-void TrackedHands::tick(game::TickInput& input, float ago_s) {
-    choice_.tick(hands_, input.hands, ago_s, static_cast<float>(sim::kTick_s));
-}
-
-void TrackedHands::showElbows(game::Snapshot& shown) const {
-    for (size_t side = 0; side < 2; ++side)
-        shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
-}
-
-bool TrackedHands::look(ImageRgba8& out) {
-    hands::CameraPreview* preview = tracker_->preview();
-    return preview && preview->look(out);
-}
-
 std::optional<float> TrackedHands::openHand_m() const {
     std::optional<float> found;
     for (int side = 0; side < 2; ++side) {
@@ -184,14 +187,6 @@ std::optional<game::Notice> TrackedHands::needs() const {
 
 const game::Notice* TrackedHands::notice() const {
     return announcement_ && played_s_ - announcedAt_s_ < kCaption_s ? &*announcement_ : nullptr;
-}
-
-Status checkHandSource(const HandSourceChoice& source) {
-    const bool isClip =
-        source.kind == HandSourceKind::Webcam && !webcamFrom(source.argument, false, 1).file.empty();
-    std::error_code code;
-    if (!isClip || std::filesystem::is_regular_file(source.argument, code)) return Done{};
-    return Error{source.argument, "there is no such clip"};
 }
 
 void OpenXrSource::next(game::TickInput& out, float share) const {

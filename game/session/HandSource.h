@@ -3,11 +3,9 @@
 #pragma once
 
 #include "engine/core/Result.h"
-#include "engine/platform/Window.h"
 #include "engine/sim/Recording.h"
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
-#include "game/rules/ReachHelp.h"
 #include "game/session/Controls.h"
 #include "game/settings/PlayOptions.h"
 #include "input/hands/HandSourceSelector.h"
@@ -20,6 +18,10 @@
 
 namespace shoal::app {
 
+// Returns the options' hand source, with the defaults that depend on other options. Fails if it is a clip
+// that does not exist.
+Result<HandSourceChoice> handSourceFor(const PlayOptions& options);
+
 // Input by mouse, keys and gamepad. Poses change once a frame and are the same for all its ticks.
 class MouseSource {
   public:
@@ -30,10 +32,16 @@ class MouseSource {
     void frame(const Controls* controls, const ControlOptions& options, const game::Snapshot& shown,
                float dt_s, float verticalFov, float aspect);
     // Hides the hands and turns the head by itself, while nobody plays. yaw: radians a second, to the right.
-    void idle(float dt_s, float yaw_radps);
+    void idle(float dt_s, float yaw_radps) {
+        look_.turnBy({yaw_radps * dt_s, 0});
+        poses_ = {};
+    }
     // Keeps hands and view as they are while a menu is open; the press that ends the menu closes no hand.
     void release() { awaitsOpen_ = true; }
-    void next(game::TickInput& out) const;
+    void next(game::TickInput& out) const {
+        out.hands = poses_;
+        out.worldFromView = look_.worldFromView();
+    }
     void recentre() { look_ = {}; }
     // Speed at which the player turns the view, radians a second, smoothed: for the comfort setting vignette.
     float turning_radps() const { return turning_radps_; }
@@ -41,7 +49,7 @@ class MouseSource {
   private:
     hands::MouseHands hands_;
     game::SpeciesTable species_;
-    game::ReachHelp reach_;
+    int reachTarget_ = -1; // see reachHelp()
     std::array<hands::HandPose, 2> poses_{};
     LookAngles look_;
     float turning_radps_ = 0;
@@ -55,8 +63,6 @@ class MouseSource {
 
 // The inputs of a recording; compares its states with those that the inputs lead to now.
 struct ReplaySource {
-    explicit ReplaySource(sim::RecordingReader from) : recording(std::move(from)) {}
-
     // Reads the next input; false: there is none.
     bool next(game::TickInput& input);
     void compare(uint64_t stateHash); // compares the state after that input
@@ -81,17 +87,20 @@ class TrackedHands {
 
     // Replaces the mouse's hands in `input` by those of the device, if it sees hands; once a tick, which lies
     // ago_s before the frame's time.
-    void tick(game::TickInput& input, float ago_s);
+    void tick(game::TickInput& input, float ago_s) { choice_.tick(hands_, input.hands, ago_s, sim::kTick_s); }
 
     // Sets the elbow directions that the device sees, for arms in the picture; they are not recorded.
-    void showElbows(game::Snapshot& shown) const;
+    void showElbows(game::Snapshot& shown) const {
+        for (size_t side = 0; side < 2; ++side)
+            shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
+    }
 
     // Returns the hands that the device sees now, viewer's frame; the others are not tracked.
     std::array<hands::HandPose, 2> seen() const;
 
     // Replaces `out` if the device's camera has a newer picture, and returns whether it has. To be called
     // once a frame while the picture is shown.
-    bool look(ImageRgba8& out);
+    bool look(ImageRgba8& out) { return hasCamera() && tracker_->preview()->look(out); }
     bool hasCamera() const { return tracker_->preview() != nullptr; }
 
     // Returns the distance in metres from the camera to the palm if exactly one hand is seen and it is open,
@@ -117,9 +126,6 @@ class TrackedHands {
     std::optional<game::Notice> announcement_;
     double played_s_ = 0, announcedAt_s_ = 0;
 };
-
-// Fails if the source is a clip that does not exist.
-Status checkHandSource(const HandSourceChoice& source);
 
 // Hands that a headset tracks, predicted for the display time of its next frame; see HeadsetDisplay.
 class OpenXrSource {

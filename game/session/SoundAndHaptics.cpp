@@ -1,7 +1,6 @@
 #include "game/session/SoundAndHaptics.h"
 
 #include "engine/core/Log.h"
-#include "input/haptics/HapticDevices.h"
 
 namespace shoal::app {
 

@@ -66,8 +66,7 @@ void haptic(bool test) {
 // Lists the cameras by name only: opening one would turn it on.
 void listCameras(const char* prefix, const char* none) {
     const auto cameras = media::listCameras();
-    for (const media::CameraListed& camera : cameras)
-        std::printf("  %s:%d: %s\n", prefix, camera.index, camera.name.c_str());
+    for (const auto& [number, name] : cameras) std::printf("  %s:%d: %s\n", prefix, number, name.c_str());
     if (cameras.empty()) std::printf("  %s\n", none);
 }
 

@@ -48,7 +48,7 @@ void Environment::upload() {
             const media::EyePart part = media::eyePart(player_->layout(), eye, picture.width, picture.height);
             on.setFrame({picture.at(part.x, part.y), part.width, part.height, picture.width});
         }
-        if (!frame.depth.inverse.empty()) on.setDepth(&frame.depth, &frame.widened, &frame.depthRange);
+        if (!frame.depth.inverse.empty()) on.setDepth({&frame.depth, &frame.widened, &frame.depthRange});
         on.uploadLight(frame.found.light, frame.found.smooth);
         if (setup_.player.cameraResponse && !player_->isHdr()) on.uploadScattered(frame.found.glare.spread);
     }

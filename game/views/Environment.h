@@ -45,7 +45,7 @@ class Environment {
     void setLightEvery(int frames) { player_->setLightEvery(frames); }
 
     // Distances to the surfaces in the frame; null: unknown. In a stereo film, those of the left picture.
-    const depth::DepthMap* depth() const { return gpu_[0].depth(); }
+    const depth::DepthMap* depth() const { return gpu_[0].depth().map; }
     // eye: 0 left, 1 right.
     const render::EnvironmentGpu& gpu(int eye) const {
         return gpu_[eyesSeeTheSame() ? 0 : static_cast<size_t>(eye)];

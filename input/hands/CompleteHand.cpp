@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -69,12 +70,9 @@ float HandCompleter::sizeOf(const PartialHand& hand) const {
         measured += glm::distance(*at[i], *at[parent]);
         rigs += rig_.boneLength(i);
     }
-    float size = 1;
-    if (rigs > 0)
-        size = measured / rigs;
-    else if (hand.palmWidth_m)
-        size = *hand.palmWidth_m / 0.085f; // the rig's, between the outer edges of its knuckles
-    return std::clamp(size, kSizeMin, kSizeMax);
+    constexpr float kRigWidth_m = 0.085f; // between the outer edges of its knuckles
+    const float byPalm = hand.palmWidth_m.value_or(kRigWidth_m) / kRigWidth_m;
+    return std::clamp(rigs > 0 ? measured / rigs : byPalm, kSizeMin, kSizeMax);
 }
 
 // Assigns the loose fingertips to fingers, in the same order across the hand: to those whose angles, seen
@@ -89,26 +87,21 @@ HandCompleter::Fit HandCompleter::fitTips(const PartialHand& hand, Side side) co
         fingers[f] = angle(glm::conjugate(rest.joints[kPalmJoint].orientation) *
                            (rest.joints[kFingerJoints[f].tip].position - rest.joints[kPalmJoint].position));
     std::array<std::pair<float, int>, kFingerCount> tips;
-    tips.fill({-std::numeric_limits<float>::infinity(), -1});
     const int count = hand.looseTipCount;
     for (int t = 0; t < count; ++t) tips[t] = {angle(palmFromDevice * (hand.looseTips[t] - hand.palm)), t};
-    std::sort(tips.begin(), tips.end(), std::greater<>()); // the thumb's side first
+    std::sort(tips.begin(), tips.begin() + count, std::greater<>()); // the thumb's side first
 
-    Fit best;
-    best.cost = std::numeric_limits<float>::max();
+    Fit best{.cost = std::numeric_limits<float>::max()};
     for (unsigned chosen = 0; chosen < 1u << kFingerCount; ++chosen) {
+        if (std::popcount(chosen) != count) continue;
         Fit fit;
-        int t = 0;
-        for (int f = 0; f < kFingerCount; ++f) {
+        for (int f = 0, t = 0; f < kFingerCount; ++f) {
             if (!(chosen >> f & 1u)) continue;
-            if (t < count) {
-                const float apart = tips[t].first - fingers[f];
-                fit.cost += apart * apart;
-                fit.fingerOfTip[tips[t].second] = f;
-            }
-            ++t;
+            const float apart = tips[t].first - fingers[f];
+            fit.cost += apart * apart;
+            fit.fingerOfTip[tips[t++].second] = f;
         }
-        if (t == count && fit.cost < best.cost) best = fit;
+        if (fit.cost < best.cost) best = fit;
     }
     return best;
 }

@@ -97,8 +97,8 @@ Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
     return gesture_;
 }
 
-HandPose carried(const HandPose& hand, const Palm& from, const Palm& to) {
-    const glm::quat turn = to.turn * glm::conjugate(from.turn);
+HandPose carried(const HandPose& hand, const JointPose& from, const JointPose& to) {
+    const glm::quat turn = to.orientation * glm::conjugate(from.orientation);
     HandPose pose = hand;
     for (Joint& joint : pose.joints) {
         joint.position = to.position + turn * (joint.position - from.position);
@@ -107,12 +107,7 @@ HandPose carried(const HandPose& hand, const Palm& from, const Palm& to) {
     return pose;
 }
 
-HandFilter::HandFilter()
-    : palm_(kPosition), palmTurn_(kOrientation), palmMotion_(kPalmVelocity), palmSpin_(kPalmSpin),
-      palmFromJoint_(kJointCount, OneEuroPoint(kFinger)),
-      palmFromJointTurn_(kJointCount, OneEuroTurn(kOrientation)) {}
-
-Palm HandFilter::palm(float after_s) const {
+JointPose HandFilter::palm(float after_s) const {
     return {palmMotion_.ahead(palm_.value(), after_s + palm_.lag_s()),
             palmSpin_.ahead(palmTurn_.value(), after_s + palmTurn_.lag_s())};
 }
@@ -140,15 +135,15 @@ void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
     const glm::quat palmFromView = glm::conjugate(palm.orientation);
     if (!goesOn) {
         ++stretch_;
-        latch_.reset();
+        latch_ = {};
         palmMotion_.reset();
         palmSpin_.reset();
     }
-    const Palm before{palm_.value(), palmTurn_.value()};
+    const JointPose before{palm_.value(), palmTurn_.value()};
     const glm::vec3 palmAt = filtered(palm_, palm.position);
     const glm::quat palmTurn = filtered(palmTurn_, palm.orientation);
     palmMotion_.step(before.position, palmAt, dt_s);
-    palmSpin_.step(before.turn, palmTurn, dt_s);
+    palmSpin_.step(before.orientation, palmTurn, dt_s);
 
     pose_ = raw_;
     for (int i = 0; i < kJointCount; ++i) {

@@ -110,7 +110,6 @@ enum class Gesture { Open, Pinch, Fist };
 // Decides with hysteresis which gesture a hand makes, from the strengths that a tracker measures.
 class GestureLatch {
   public:
-    void reset() { *this = {}; }
     // Keeps the strength of the decided gesture at kClosedMin or above, and the others at kOpenMax or below.
     Gesture step(float& grip, float& pinch, float dt_s);
 
@@ -120,19 +119,13 @@ class GestureLatch {
     bool begun_ = false;
 };
 
-struct Palm {
-    glm::vec3 position{0};
-    glm::quat turn{1, 0, 0, 0};
-};
 // Moves a whole hand as its palm moves.
-HandPose carried(const HandPose& hand, const Palm& from, const Palm& to);
+HandPose carried(const HandPose& hand, const JointPose& from, const JointPose& to);
 
 // Filter of one hand. The palm is filtered in the viewer's frame and every other joint in the palm's, so that
 // fingers do not trail behind a moving hand; bones keep the length that the device gave them.
 class HandFilter {
   public:
-    HandFilter();
-
     // Takes a frame of the device; a hand that is not plausible() counts as not seen.
     void step(const HandPose& seen, int64_t identity, int64_t time_us);
 
@@ -144,16 +137,16 @@ class HandFilter {
     float interval_s() const { return interval_s_; }
 
     // Predicts the palm at that time after the hand was last seen, without the filter's lag.
-    Palm palm(float after_s) const;
+    JointPose palm(float after_s) const;
 
   private:
     HandPose pose_, raw_;
-    OneEuroPoint palm_;
-    OneEuroTurn palmTurn_;
-    DeadReckoning<glm::vec3> palmMotion_;
-    DeadReckoning<glm::quat> palmSpin_;
-    std::vector<OneEuroPoint> palmFromJoint_; // by joint
-    std::vector<OneEuroTurn> palmFromJointTurn_;
+    OneEuroPoint palm_{tuning::kPosition};
+    OneEuroTurn palmTurn_{tuning::kOrientation};
+    DeadReckoning<glm::vec3> palmMotion_{tuning::kPalmVelocity};
+    DeadReckoning<glm::quat> palmSpin_{tuning::kPalmSpin};
+    std::vector<OneEuroPoint> palmFromJoint_{kJointCount, OneEuroPoint(tuning::kFinger)}; // by joint
+    std::vector<OneEuroTurn> palmFromJointTurn_{kJointCount, OneEuroTurn(tuning::kOrientation)};
     GestureLatch latch_;
     Gesture gesture_ = Gesture::Open;
     int64_t identity_ = 0;

@@ -30,13 +30,6 @@ constexpr std::array<Range, kJointCount> kRanges = {{
     {},       {80, -13}, {95}, {60}, {}, // little
 }};
 
-Joint mirrored(Joint joint) {
-    joint.position.x = -joint.position.x;
-    joint.orientation.y = -joint.orientation.y;
-    joint.orientation.z = -joint.orientation.z;
-    return joint;
-}
-
 // Throws nlohmann's exceptions where it is no vector.
 glm::vec3 vectorFrom(const nlohmann::json& json) {
     const auto v = json.get<std::array<float, 3>>();
@@ -87,10 +80,7 @@ Result<HandRig> HandRig::load(const Path& file) {
     }
     for (int i = 0; i < kJointCount; ++i) {
         const int parent = kJointParent[i];
-        if (parent < 0) {
-            rig.parentFromJointTurn_[i] = turn[i]; // of the wrist within the skeleton's own frame
-            continue;
-        }
+        if (parent < 0) continue;
         const glm::quat parentFromRest = glm::conjugate(turn[parent]);
         rig.parentFromJointOffset_[i] = parentFromRest * (position[i] - position[parent]);
         rig.parentFromJointTurn_[i] = parentFromRest * turn[i];
@@ -98,19 +88,15 @@ Result<HandRig> HandRig::load(const Path& file) {
     return rig;
 }
 
-HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist) const {
-    std::array<Joint, kJointCount> rest;
-    const auto place = [&](int i) {
-        const int parent = kJointParent[i];
-        Joint& joint = rest[i];
+HandPose HandRig::pose(Side side, const HandShape& shape, const JointPose& wrist) const {
+    HandPose hand{.tracked = true, .confidence = 1};
+    const auto place = [&](int i) { // of a right hand with its wrist at the origin
+        Joint& joint = hand.joints[i];
         joint.radius = radius_[i];
-        if (parent < 0) {
-            joint.position = glm::vec3(0);
-            joint.orientation = glm::quat(1, 0, 0, 0);
-            return;
-        }
-        joint.position = rest[parent].position + rest[parent].orientation * parentFromJointOffset_[i];
-        joint.orientation = rest[parent].orientation * parentFromJointTurn_[i];
+        if (i == kWristJoint) return;
+        const Joint& parent = hand.joints[kJointParent[i]];
+        joint.position = parent.position + parent.orientation * parentFromJointOffset_[i];
+        joint.orientation = parent.orientation * parentFromJointTurn_[i];
         const int finger = fingerOfJoint(i);
         if (finger < 0) return;
         const float bend = -(kRanges[i].bend_deg * kDegree) * std::clamp(shape.curl[finger], 0.0f, 1.0f);
@@ -124,14 +110,14 @@ HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist
     place(kPalmJoint);
     for (int i = kWristJoint + 1; i < kJointCount; ++i) place(i);
 
-    HandPose hand;
-    hand.tracked = true;
-    hand.confidence = 1;
-    for (int i = 0; i < kJointCount; ++i) {
-        const Joint joint = side == Side::Left ? mirrored(rest[i]) : rest[i];
-        hand.joints[i].position = wrist.position + wrist.orientation * joint.position;
-        hand.joints[i].orientation = wrist.orientation * joint.orientation;
-        hand.joints[i].radius = joint.radius;
+    for (Joint& joint : hand.joints) {
+        if (side == Side::Left) { // mirrors it
+            joint.position.x = -joint.position.x;
+            joint.orientation.y = -joint.orientation.y;
+            joint.orientation.z = -joint.orientation.z;
+        }
+        joint.position = wrist.position + wrist.orientation * joint.position;
+        joint.orientation = wrist.orientation * joint.orientation;
     }
     hand.grip = gripOf(hand.joints);
     hand.pinch = pinchOf(hand.joints);

@@ -19,8 +19,8 @@ struct HandShape {
     float spread = 0;                       // -1 fingers together, 0 as at rest, 1 fanned
 };
 
-// Pose of the wrist joint, viewer's frame.
-struct WristPose {
+// Pose of a wrist or a palm, viewer's frame.
+struct JointPose {
     glm::vec3 position{0};
     glm::quat orientation{1, 0, 0, 0}; // -Z towards the fingers, +Y out of the back of the hand
 };
@@ -31,7 +31,7 @@ class HandRig {
     static Result<HandRig> load(const Path& file);
 
     // Returns a tracked hand; grip and pinch follow from its joints. The left hand mirrors the right.
-    HandPose pose(Side, const HandShape&, const WristPose&) const;
+    HandPose pose(Side, const HandShape&, const JointPose& wrist) const;
 
     // Returns the length of the bone from kJointParent[joint] to the joint, metres; 0 for the wrist.
     float boneLength(int joint) const;

@@ -22,8 +22,7 @@ bool DeviceHands::due(HandStream& stream, HandFrame& frame) {
         silent_ = !stream.take(next, silent_ ? std::chrono::milliseconds(0) : kPatience);
         if (silent_) return false;
         // When a device's clock starts or restarts, its time is matched to the game's present time.
-        if (!begun_ || next.time_us < last_us_) gameFromDevice_us_ = game_us_ - next.time_us;
-        begun_ = true;
+        if (next.time_us < last_us_) gameFromDevice_us_ = game_us_ - next.time_us;
         last_us_ = next.time_us;
         ahead_ = next;
     }
@@ -115,7 +114,7 @@ void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>
         }
         const HandFilter& seen = device.hand(side);
         const float age_s = device.age_s(side) - ago_s;
-        const Palm palm = seen.palm(age_s);
+        const JointPose palm = seen.palm(age_s);
         const Joint& filtered = seen.pose().joints[kPalmJoint];
         const HandPose newest = carried(seen.pose(), {filtered.position, filtered.orientation}, palm);
         const bool isNew = seen.pose().time_us != hand.target.time_us;

@@ -4,6 +4,7 @@
 
 #include "input/hands/HandFilter.h"
 
+#include <limits>
 #include <optional>
 
 namespace shoal::hands {
@@ -40,10 +41,9 @@ class DeviceHands {
     // Used for DeviceTime::Stamps.
     int64_t game_us_ = 0;
     int64_t gameFromDevice_us_ = 0;
-    int64_t last_us_ = 0;
+    int64_t last_us_ = std::numeric_limits<int64_t>::max(); // by the device's clock
     std::optional<HandFrame> ahead_; // a frame taken from the stream whose time is still to come
-    bool begun_ = false;
-    bool silent_ = false; // nothing came in time: no further wait until something does
+    bool silent_ = false;            // nothing came in time: no further wait until something does
 };
 
 // The pose of one hand in the simulation, tick by tick: short losses are bridged, and a hand that comes back

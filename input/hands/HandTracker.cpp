@@ -8,8 +8,6 @@ namespace shoal::hands {
 Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
 Path handModelFolder() { return scoreFolder() / "models"; }
 
-HandStream::HandStream(size_t capacity, Full full) : capacity_(capacity), full_(full) {}
-
 void HandStream::push(HandFrame frame) {
     if (frame.seenAt == Clock::time_point()) frame.seenAt = Clock::now();
     std::unique_lock lock(mutex_);

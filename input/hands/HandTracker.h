@@ -44,7 +44,7 @@ class HandStream {
   public:
     // Action of push() when the queue is full: drop the oldest frame, or wait for room.
     enum class Full { Drop, Wait };
-    explicit HandStream(size_t capacity = 1024, Full full = Full::Drop);
+    explicit HandStream(size_t capacity = 1024, Full full = Full::Drop) : capacity_(capacity), full_(full) {}
 
     void push(HandFrame frame); // a frame without seenAt counts as seen now
     // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time;

@@ -48,19 +48,13 @@ HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float clos
     // Fingers point along the forearm and slightly up; the hand's back faces outwards, up and the player.
     const glm::vec3 fingers = glm::normalize(glm::normalize(grasp - shoulder) + glm::vec3(0, 0.35f, 0));
     const glm::vec3 back = glm::vec3(sign * 0.65f, 0.6f, 0.35f);
-    WristPose wrist;
-    wrist.orientation = glm::normalize(glm::quatLookAt(fingers, back));
-
     const float smooth = closed * closed * (3 - 2 * closed);
-    HandShape shape;
-    shape.curl = {0.05f + 0.75f * smooth, 0.10f + 0.80f * smooth, 0.12f + 0.80f * smooth,
-                  0.14f + 0.80f * smooth, 0.16f + 0.80f * smooth};
-    shape.spread = 0.5f * (1 - smooth);
-    // The grasp centre depends only on the palm, and the palm only on the wrist: the fingers move neither.
-    const HandPose atOrigin = rig.pose(side, shape, wrist);
-    wrist.position = grasp - graspCentre(atOrigin.joints);
-    HandPose hand = atOrigin;
-    for (Joint& joint : hand.joints) joint.position += wrist.position;
+    const HandShape shape{.curl = {0.05f + 0.75f * smooth, 0.10f + 0.80f * smooth, 0.12f + 0.80f * smooth,
+                                   0.14f + 0.80f * smooth, 0.16f + 0.80f * smooth},
+                          .spread = 0.5f * (1 - smooth)};
+    HandPose hand = rig.pose(side, shape, {{}, glm::normalize(glm::quatLookAt(fingers, back))});
+    const glm::vec3 wrist = grasp - graspCentre(hand.joints);
+    for (Joint& joint : hand.joints) joint.position += wrist;
     return hand;
 }
 
@@ -99,16 +93,14 @@ const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float
         const bool active = side == active_;
         Hand& hand = hands_[i];
         const glm::vec3 goal = active ? ray * distance_m() : restingPlace(side, corner.x, corner.y);
-        if (hand.placed)
-            hand.grasp += (goal - hand.grasp) * math::followShare(dt_s, active ? kFollow_s : kSwap_s);
+        if (hand.grasp)
+            *hand.grasp += (goal - *hand.grasp) * math::followShare(dt_s, active ? kFollow_s : kSwap_s);
         else
             hand.grasp = goal;
-        hand.placed = true;
-        const float closedGoal =
-            active ? (input.close ? input.closeTo : 0.0f) : (hand.closed > 0.5f ? 1.0f : 0.0f);
+        const float closedGoal = active ? input.close : (hand.closed > 0.5f ? 1.0f : 0.0f);
         const float step = dt_s / kCloseTime_s;
         hand.closed += std::clamp(closedGoal - hand.closed, -step, step);
-        poses_[i] = reachingHand(rig_, side, hand.grasp, hand.closed);
+        poses_[i] = reachingHand(rig_, side, *hand.grasp, hand.closed);
     }
     return poses_;
 }

@@ -13,8 +13,7 @@ namespace shoal::hands {
 struct MouseInput {
     glm::vec2 cursor{0};     // -1 to 1 across the window, +x right, +y up
     float wheel = 0;         // notches since the last call; positive reaches farther
-    bool close = false;      // button held: the active hand closes
-    float closeTo = 1;       // how far, 0 to 1: a gamepad's trigger closes it by degrees
+    float close = 0;         // how far the active hand closes, 0 to 1: a gamepad's trigger does so by degrees
     bool swapHands = false;  // true on the frame the key goes down
     float aspect = 16.f / 9; // width / height
     float fovY = 1.2f;       // radians
@@ -43,9 +42,8 @@ class MouseHands {
 
   private:
     struct Hand {
-        glm::vec3 grasp{0}; // viewer's frame
-        float closed = 0;   // 0 open to 1
-        bool placed = false;
+        std::optional<glm::vec3> grasp; // viewer's frame; empty before the first update
+        float closed = 0;               // 0 open to 1
     };
     void followReach(const MouseInput&, float dt_s);
 

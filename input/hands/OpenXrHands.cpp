@@ -36,21 +36,17 @@ HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead) 
 
 HandPose handFromController(const HandRig& rig, Side side, const xr::Controller& controller,
                             const xr::Pose& worldFromHead) {
-    if (!controller.active || !controller.gripValid) return {};
-    const xr::Pose headFromGrip = xr::inverse(worldFromHead) * controller.worldFromGrip;
+    if (!controller.worldFromGrip) return {};
+    const xr::Pose headFromGrip = xr::inverse(worldFromHead) * *controller.worldFromGrip;
     const auto bend = [](float pressed) {
         return kRelaxed + (0.95f - kRelaxed) * std::clamp(pressed, 0.0f, 1.0f);
     };
-    HandShape shape;
-    shape.curl[static_cast<size_t>(Finger::Thumb)] =
-        0.8f * bend(std::max(controller.trigger, controller.squeeze));
-    shape.curl[static_cast<size_t>(Finger::Index)] = bend(controller.trigger);
-    for (const Finger finger : {Finger::Middle, Finger::Ring, Finger::Little})
-        shape.curl[static_cast<size_t>(finger)] = bend(controller.squeeze);
-    WristPose wrist;
-    wrist.orientation = glm::normalize(headFromGrip.orientation * gripFromWrist(side));
+    const float byTrigger = bend(controller.trigger), bySqueeze = bend(controller.squeeze);
+    const HandShape shape{
+        .curl = {0.8f * std::max(byTrigger, bySqueeze), byTrigger, bySqueeze, bySqueeze, bySqueeze}};
     // The grip pose lies on the palm's surface; the palm's place depends on the wrist, not on the fingers.
-    HandPose hand = rig.pose(side, shape, wrist);
+    HandPose hand =
+        rig.pose(side, shape, {{}, glm::normalize(headFromGrip.orientation * gripFromWrist(side))});
     const Joint& palm = hand.joints[0];
     const glm::vec3 surface = palm.position - palm.orientation * glm::vec3(0, palm.radius, 0);
     for (Joint& joint : hand.joints) joint.position += headFromGrip.position - surface;

@@ -31,22 +31,14 @@ struct Driver {
     void (*seal)(Report&, uint8_t sequence) = nullptr;
     std::vector<Report> initialReports; // written first, sealed likewise
 
-    Report sealed(const HapticFrame& frame, uint8_t sequence) const {
-        Report report = encode(frame);
+    Report sealed(Report report, uint8_t sequence) const {
         if (seal) seal(report, sequence);
         return report;
     }
 };
 
-// The device that a driver is made for.
-struct DeviceContext {
-    uint16_t product;
-    bool bluetooth;
-    HidDevice& device;
-};
-
-// Functions that make the drivers.
-using MakeDriver = Driver(const DeviceContext&);
+// Functions that make the driver of an open device.
+using MakeDriver = Driver(const HidInfo&, HidDevice&);
 MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia, makeSwitch, makeGlove, makeForceFeedback;
 
 struct DeviceRow {

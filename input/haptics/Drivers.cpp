@@ -17,7 +17,7 @@ uint8_t scaled(float amplitude, float full) {
 }
 
 // Adds the CRC-32 that Sony wants over Bluetooth, of the whole packet; 0xA2 is an output report's header.
-void addSonyChecksum(Report& report) {
+void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
     constexpr uint8_t kHeader = 0xA2;
     constexpr size_t kAt = 74;
     uLong crc = crc32(0, &kHeader, 1);
@@ -27,51 +27,19 @@ void addSonyChecksum(Report& report) {
 
 // Returns whether the newer bit enables vibration: from firmware 2.21 on, and on every DualSense Edge.
 // Feature report 0x20 holds the firmware's version.
-bool hasNewVibration(const DeviceContext& given) {
+bool hasNewVibration(const HidInfo& info, HidDevice& device) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;
-    if (given.product == kEdge) return true;
+    if (info.product == kEdge) return true;
     std::array<uint8_t, 64> bytes{0x20};
-    return given.device.readFeature(bytes) == bytes.size() &&
+    return device.readFeature(bytes) == bytes.size() &&
            (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
-}
-
-// Bytes: id; over Bluetooth also sequence number and 0x10 (for the controller itself, not its audio); enable
-// 1 (bit 0: vibration, bit 1: haptics instead of audio); enable 2; right motor; left motor. Enable 3 (bit 2:
-// vibration with new firmware) lies 38 bytes after enable 1.
-Report dualSense(const HapticFrame& frame, bool bluetooth, bool newVibration) {
-    const Motors motors = motorsOf(frame);
-    Report report{.size = bluetooth ? 78u : 48u};
-    const size_t at = bluetooth ? 3 : 1;
-    report.bytes[0] = bluetooth ? 0x31 : 0x02;
-    if (bluetooth) report.bytes[2] = 0x10;
-    report.bytes[at] = newVibration ? 0x02 : 0x03;
-    report.bytes[at + 2] = scaled(motors.weak, 255);
-    report.bytes[at + 3] = scaled(motors.strong, 255);
-    if (newVibration) report.bytes[at + 38] = 0x04;
-    return report;
 }
 
 void sealDualSenseBluetooth(Report& report, uint8_t sequence) {
     report.bytes[1] = static_cast<uint8_t>(sequence << 4);
-    addSonyChecksum(report);
+    addSonyChecksum(report, sequence);
 }
-
-// Bytes: id; over Bluetooth also 0xC0 (HID report with a checksum) and an unused one; enable (bit 0: rumble);
-// two unused; right motor; left motor. The light and its blinking are not enabled.
-Report dualShock4(const HapticFrame& frame, bool bluetooth) {
-    const Motors motors = motorsOf(frame);
-    Report report{.size = bluetooth ? 78u : 32u};
-    const size_t at = bluetooth ? 3 : 1;
-    report.bytes[0] = bluetooth ? 0x11 : 0x05;
-    if (bluetooth) report.bytes[1] = 0xC0;
-    report.bytes[at] = 0x01;
-    report.bytes[at + 3] = scaled(motors.weak, 255);
-    report.bytes[at + 4] = scaled(motors.strong, 255);
-    return report;
-}
-
-void sealDualShock4Bluetooth(Report& report, uint8_t) { addSonyChecksum(report); }
 
 // Bytes: id; motors to enable (all four); left trigger, right trigger, strong and weak motor, in per cent; on
 // for 2.55 s; no pause; repeats, so that it runs until the next report. Each trigger serves a hand's fingers.
@@ -111,13 +79,9 @@ Report tones(const HapticFrame& frame, size_t size) {
     Report report{.size = size};
     report.bytes[0] = 0x10;
     for (int hand = 0; hand < 2; ++hand) {
-        std::array<Actuation, kActuatorsPerHand + 1> felt; // the hand, and the body in both
-        const auto fingers = handOf(frame, hand);
-        std::copy(fingers.begin(), fingers.end(), felt.begin());
-        felt.back() = frame.body;
-        const auto bytes =
-            encodeSwitchTones(strongestOf(felt, kHighFrom_Hz), strongestOf(felt, 0, kHighFrom_Hz));
-        std::copy(bytes.begin(), bytes.end(), report.bytes.begin() + 2 + 4 * hand);
+        const auto bytes = encodeSwitchTones(strongestOf(frame, hand, kHighFrom_Hz),
+                                             strongestOf(frame, hand, 0, kHighFrom_Hz));
+        std::ranges::copy(bytes, report.bytes.begin() + 2 + 4 * hand);
     }
     return report;
 }
@@ -133,15 +97,13 @@ Report enable(size_t size) {
 
 void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
 
-// The fingertip glove of content/glove/GLOVE.md.
-// Bytes: 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The body's vibration, for
-// which a glove has no actuator, goes to both palms.
+// Bytes of the fingertip glove: 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The
+// body's vibration, for which a glove has no actuator, goes to both palms.
 Report gloveReport(const HapticFrame& frame) {
     Report report{.size = 1 + glove::kReportBytes};
     for (size_t i = 0; i < kActuatorCount; ++i) {
         Actuation felt = frame.actuators[i];
-        if (i % kActuatorsPerHand == hands::kPalmPart && frame.body.amplitude > felt.amplitude)
-            felt = frame.body;
+        if (i % kActuatorsPerHand == hands::kPalmPart) felt = stronger(felt, frame.body);
         if (!(felt.amplitude > 0)) continue; // NaN too
         report.bytes[2 + i] = static_cast<uint8_t>(std::lround(std::min(felt.amplitude, 1.0f) * 255));
         report.bytes[2 + kActuatorCount + i] = static_cast<uint8_t>(
@@ -154,21 +116,48 @@ void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
 
 } // namespace
 
-Driver makeDualSense(const DeviceContext& device) {
-    const bool bluetooth = device.bluetooth, newVibration = hasNewVibration(device);
-    return {.encode = [=](const HapticFrame& frame) { return dualSense(frame, bluetooth, newVibration); },
-            .seal = bluetooth ? sealDualSenseBluetooth : nullptr};
+// Bytes: id; over Bluetooth also sequence number and 0x10 (for the controller itself, not its audio); enable
+// 1 (bit 0: vibration, bit 1: haptics instead of audio); enable 2; right motor; left motor. Enable 3 (bit 2:
+// vibration with new firmware) lies 38 bytes after enable 1.
+Driver makeDualSense(const HidInfo& info, HidDevice& device) {
+    const bool bluetooth = info.transport == Transport::Bluetooth,
+               newVibration = hasNewVibration(info, device);
+    const auto encode = [=](const HapticFrame& frame) {
+        const Motors motors = motorsOf(frame);
+        Report report{.size = bluetooth ? 78u : 48u};
+        const size_t at = bluetooth ? 3 : 1;
+        report.bytes[0] = bluetooth ? 0x31 : 0x02;
+        if (bluetooth) report.bytes[2] = 0x10;
+        report.bytes[at] = newVibration ? 0x02 : 0x03;
+        report.bytes[at + 2] = scaled(motors.weak, 255);
+        report.bytes[at + 3] = scaled(motors.strong, 255);
+        if (newVibration) report.bytes[at + 38] = 0x04;
+        return report;
+    };
+    return {encode, bluetooth ? sealDualSenseBluetooth : nullptr};
 }
 
-Driver makeDualShock4(const DeviceContext& device) {
-    const bool bluetooth = device.bluetooth;
-    return {.encode = [=](const HapticFrame& frame) { return dualShock4(frame, bluetooth); },
-            .seal = bluetooth ? sealDualShock4Bluetooth : nullptr};
+// Bytes: id; over Bluetooth also 0xC0 (HID report with a checksum) and an unused one; enable (bit 0: rumble);
+// two unused; right motor; left motor. The light and its blinking are not enabled.
+Driver makeDualShock4(const HidInfo& info, HidDevice&) {
+    const bool bluetooth = info.transport == Transport::Bluetooth;
+    const auto encode = [=](const HapticFrame& frame) {
+        const Motors motors = motorsOf(frame);
+        Report report{.size = bluetooth ? 78u : 32u};
+        const size_t at = bluetooth ? 3 : 1;
+        report.bytes[0] = bluetooth ? 0x11 : 0x05;
+        if (bluetooth) report.bytes[1] = 0xC0;
+        report.bytes[at] = 0x01;
+        report.bytes[at + 3] = scaled(motors.weak, 255);
+        report.bytes[at + 4] = scaled(motors.strong, 255);
+        return report;
+    };
+    return {encode, bluetooth ? addSonyChecksum : nullptr};
 }
 
-Driver makeXbox(const DeviceContext&) { return {.encode = xbox}; }
-Driver makeStadia(const DeviceContext&) { return {.encode = stadia}; }
-Driver makeForceFeedback(const DeviceContext&) { return {.encode = forceFeedback}; }
+Driver makeXbox(const HidInfo&, HidDevice&) { return {.encode = xbox}; }
+Driver makeStadia(const HidInfo&, HidDevice&) { return {.encode = stadia}; }
+Driver makeForceFeedback(const HidInfo&, HidDevice&) { return {.encode = forceFeedback}; }
 
 // The table's amplitudes grow by a constant factor in each of three ranges of the index: 2^(1/4) below 16,
 // 2^(1/16) below 32, 2^(1/32) above; 119.6, 17.03 and 8.7 fit their entries to the last place.
@@ -196,13 +185,13 @@ std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation&
             static_cast<uint8_t>(0x40 + lowIndex / 2)};
 }
 
-Driver makeSwitch(const DeviceContext& device) {
-    const size_t size = device.bluetooth ? 49 : 64;
+Driver makeSwitch(const HidInfo& info, HidDevice&) {
+    const size_t size = info.transport == Transport::Bluetooth ? 49 : 64;
     return {.encode = [=](const HapticFrame& frame) { return tones(frame, size); },
             .seal = sealSwitch,
             .initialReports = {enable(size)}};
 }
 
-Driver makeGlove(const DeviceContext&) { return {.encode = gloveReport, .seal = sealGlove}; }
+Driver makeGlove(const HidInfo&, HidDevice&) { return {.encode = gloveReport, .seal = sealGlove}; }
 
 } // namespace shoal::haptics

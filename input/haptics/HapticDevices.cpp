@@ -55,15 +55,13 @@ std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double
     Device device{.listed = {describe(row, info), info.path, row.motors, ""},
                   .physical = info.device,
                   .row = &row,
-                  .driver = row.driver({row.product, info.transport == Transport::Bluetooth, *open}),
+                  .driver = row.driver(info, *open),
                   .open = std::move(open)};
-    device.stopped = device.sent = device.driver.encode({});
-    device.open->stopAtCrash(device.driver.sealed({}, 0).view());
-    for (Report initialReport : device.driver.initialReports) {
-        if (device.driver.seal) device.driver.seal(initialReport, device.sequence++);
-        device.sent_s = now_s;
-        if (!device.open->write(initialReport.view())) return "does not answer";
-    }
+    device.stopped = device.driver.encode({});
+    device.open->stopAtCrash(device.driver.sealed(device.stopped, 0).view());
+    for (const Report& initialReport : device.driver.initialReports)
+        if (!write(device, initialReport, now_s)) return "does not answer";
+    device.sent = device.stopped;
     devices_.push_back(std::move(device));
     return {};
 }
@@ -91,11 +89,9 @@ void HapticDevices::findDevices(double now_s) {
 }
 
 bool HapticDevices::write(Device& device, const Report& unsealed, double now_s) {
-    Report report = unsealed;
-    if (device.driver.seal) device.driver.seal(report, device.sequence++);
     device.sent = unsealed;
     device.sent_s = now_s;
-    return device.open->write(report.view());
+    return device.open->write(device.driver.sealed(unsealed, device.sequence++).view());
 }
 
 double HapticDevices::step(const HapticFrame& frame, double now_s) {
@@ -115,7 +111,7 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
             }
             if (!write(device, report, now_s)) {
                 // The device may still receive reports, so one more stops it.
-                device.open->write(device.driver.sealed({}, device.sequence).view());
+                write(device, device.stopped, now_s);
                 return true;
             }
         }
@@ -126,15 +122,12 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
 }
 
 bool HapticDevices::allStopped() const {
-    return std::all_of(devices_.begin(), devices_.end(),
-                       [](const Device& device) { return device.sent == device.stopped; });
+    return std::ranges::all_of(devices_, [](const Device& each) { return each.sent == each.stopped; });
 }
 
-void HapticDevices::stop() {
+HapticDevices::~HapticDevices() {
     for (Device& device : devices_)
         if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
-    devices_.clear();
-    found_s_ = -1e9; // the next step looks for devices
 }
 
 std::vector<HapticDevices::Listed> HapticDevices::list() const {
@@ -154,20 +147,18 @@ void HapticOutput::submit(const HapticFrame& frame) {
     changed_.notify_one();
 }
 
-// Returns the newest frame, once there is one or the time is over; empty when the output ends.
-std::optional<HapticOutput::Submitted> HapticOutput::wait(const std::stop_token& ending, double max_s) {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, ending, std::chrono::duration<double>(max_s), [&] { return fresh_; });
-    fresh_ = false;
-    return ending.stop_requested() ? std::nullopt : std::optional(newest_);
-}
-
 void HapticOutput::run(const std::stop_token& ending, const HidBus& bus) {
     HapticDevices hapticDevices(bus);
     const Clock::time_point began = Clock::now();
-    for (double next_s = 0; const auto submitted = wait(ending, next_s);) {
-        const double left_s = kFelt_s - secondsSince(submitted->when);
-        next_s = hapticDevices.step(left_s > 0 ? submitted->frame : HapticFrame(), secondsSince(began));
+    for (double next_s = 0;;) {
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, ending, std::chrono::duration<double>(next_s), [&] { return fresh_; });
+        if (ending.stop_requested()) break;
+        fresh_ = false;
+        const Submitted submitted = newest_;
+        lock.unlock();
+        const double left_s = kFelt_s - secondsSince(submitted.when);
+        next_s = hapticDevices.step(left_s > 0 ? submitted.frame : HapticFrame(), secondsSince(began));
         for (const std::string& warning : hapticDevices.takeWarnings()) log::warn("{}", warning);
         if (left_s > 0) next_s = std::min(next_s, left_s);
     }

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -20,7 +19,7 @@ constexpr double kFindDevices_s = 1.0; // time between two searches for new devi
 class HapticDevices {
   public:
     explicit HapticDevices(HidBus bus) : bus_(std::move(bus)) {}
-    ~HapticDevices() { stop(); }
+    ~HapticDevices(); // stops all motors at once
     HapticDevices(const HapticDevices&) = delete;
     HapticDevices& operator=(const HapticDevices&) = delete;
 
@@ -29,9 +28,6 @@ class HapticDevices {
     // A device that cannot be written to is dropped, and looked for again. Returns the longest time until the
     // next call, seconds. now_s: a monotonic clock, an argument so that tests need not wait.
     double step(const HapticFrame& frame, double now_s);
-
-    // Stops all motors at once and lets go of the devices.
-    void stop();
 
     bool allStopped() const; // no motor runs
 
@@ -89,7 +85,6 @@ class HapticOutput {
         HapticFrame frame;
         Clock::time_point when{};
     };
-    std::optional<Submitted> wait(const std::stop_token& ending, double max_s);
     void run(const std::stop_token& ending, const HidBus& bus);
 
     std::mutex mutex_; // guards newest_ and fresh_; held for a copy of one frame at a time

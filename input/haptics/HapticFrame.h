@@ -44,8 +44,9 @@ inline Actuation stronger(const Actuation& a, const Actuation& b) {
     return b.amplitude > a.amplitude ? b : a;
 }
 
-// Returns the strongest actuation with a frequency from min_Hz to below limit_Hz; amplitude 0 if none.
-Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz = 0,
+// Returns the strongest of a hand's actuations and the body's with a frequency from min_Hz to below limit_Hz;
+// amplitude 0 if none.
+Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz = 0,
                       float limit_Hz = std::numeric_limits<float>::infinity());
 
 // Returns the drive of a motor with an eccentric weight, 0 to 1. Such motors start only at about a fifth of

@@ -10,9 +10,7 @@
 #include <filesystem>
 #include <linux/input.h>
 #include <optional>
-#include <spawn.h>
 #include <sys/ioctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace shoal::haptics {
@@ -39,61 +37,56 @@ class HidapiDevice final : public HidDevice {
     std::optional<CrashStop> crashStop_;
 };
 
-// Returns HidInfo::device of a path, for which hidapi 0.13 has no call.
-std::string deviceOf(const std::string& path) {
+// Returns HidInfo::device of a node, for which hidapi 0.13 has no call. folder: of the node's class in
+// /sys; link: from the node's entry there to the device.
+std::string deviceOf(const char* folder, const std::string& node, const char* link) {
     std::error_code none;
-    return fs::canonical(fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device", none).string();
+    return fs::canonical(fs::path(folder) / fs::path(node).filename() / link, none).string();
 }
 
-// Detector of device nodes that came or went, so that a costly list of devices is made only then.
-class DeviceFolder {
+// The devices with nodes in a folder, searched for only after nodes came or went: a search is costly.
+class DeviceList {
   public:
-    explicit DeviceFolder(fs::path folder) : folder_(std::move(folder)) {}
+    DeviceList(fs::path folder, std::vector<HidInfo> (*find)()) : folder_(std::move(folder)), find_(find) {}
 
-    // Returns whether a list that was made at the last call may be out of date; also for a while after a
-    // change, because a device is not set up in one moment, and if the folder cannot be read.
-    bool mayHaveChanged() {
+    // Searches also for a while after a change, because a device is not set up in one moment, and if the
+    // folder cannot be read.
+    const std::vector<HidInfo>& get() {
         constexpr std::chrono::seconds kSettles{3};
         std::error_code code;
         const auto changed = fs::last_write_time(folder_, code);
         const auto now = fs::file_time_type::clock::now();
-        if (!code && listed_ > changed + kSettles && listed_ <= now) return false;
-        listed_ = now;
-        return true;
+        if (!code && searched_ > changed + kSettles && searched_ <= now) return found_;
+        searched_ = now;
+        return found_ = find_();
     }
 
   private:
     fs::path folder_;
-    fs::file_time_type listed_ = fs::file_time_type::min();
+    std::vector<HidInfo> (*find_)();
+    std::vector<HidInfo> found_;
+    fs::file_time_type searched_ = fs::file_time_type::min();
 };
 
-struct Hidapi {
+std::vector<HidInfo> findHidDevices() {
     std::vector<HidInfo> found;
-    DeviceFolder folder{"/dev"};
-
-    Hidapi() { hid_init(); }
-    ~Hidapi() { hid_exit(); }
-
-    void list() {
-        found.clear();
-        hid_device_info* first = hid_enumerate(0, 0);
-        for (const hid_device_info* info = first; info; info = info->next) {
-            if (!info->path || std::any_of(found.begin(), found.end(), [&](const HidInfo& other) {
-                    return other.path == info->path; // one entry for each usage of a device
-                }))
-                continue;
-            std::string name;
-            for (const wchar_t* c = info->product_string; c && *c; ++c)
-                name += *c > 31 && *c < 127 ? static_cast<char>(*c) : '?';
-            found.push_back({info->path, info->vendor_id, info->product_id,
-                             info->bus_type == HID_API_BUS_USB         ? Transport::Usb
-                             : info->bus_type == HID_API_BUS_BLUETOOTH ? Transport::Bluetooth
-                                                                       : Transport::Any,
-                             std::move(name), deviceOf(info->path), info->usage_page, info->usage});
-        }
-        hid_free_enumeration(first);
+    hid_device_info* first = hid_enumerate(0, 0);
+    for (const hid_device_info* info = first; info; info = info->next) {
+        if (!info->path || std::ranges::find(found, info->path, &HidInfo::path) != found.end())
+            continue; // one entry for each usage of a device
+        std::string name;
+        for (const wchar_t* c = info->product_string; c && *c; ++c)
+            name += *c > 31 && *c < 127 ? static_cast<char>(*c) : '?';
+        found.push_back({info->path, info->vendor_id, info->product_id,
+                         info->bus_type == HID_API_BUS_USB         ? Transport::Usb
+                         : info->bus_type == HID_API_BUS_BLUETOOTH ? Transport::Bluetooth
+                                                                   : Transport::Any,
+                         std::move(name), deviceOf("/sys/class/hidraw", info->path, "device"),
+                         info->usage_page, info->usage});
     }
-};
+    hid_free_enumeration(first);
+    return found;
+}
 
 constexpr uint16_t kPlay_ms = 1000; // an effect ends by itself, unless it is written again before
 
@@ -116,11 +109,12 @@ class EventNode final : public HidDevice {
         ::ioctl(fd_, EVIOCGNAME(name.size() - 1), name.data());
         for (char& c : name)
             if (c && (c < ' ' || c > '~')) c = '?';
-        std::error_code none;
-        const fs::path input = fs::path("/sys/class/input") / fs::path(path_).filename() / "device/device";
-        return {path_,       id.vendor,
-                id.product,  Transport::ForceFeedback,
-                name.data(), fs::canonical(input, none).string()};
+        return {.path = path_,
+                .vendor = id.vendor,
+                .product = id.product,
+                .transport = Transport::ForceFeedback,
+                .name = name.data(),
+                .device = deviceOf("/sys/class/input", path_, "device/device")};
     }
 
     bool write(std::span<const uint8_t> report) override {
@@ -158,64 +152,44 @@ class EventNode final : public HidDevice {
     int16_t effect_ = -1; // in the device; -1: none yet
 };
 
+std::vector<HidInfo> findRumblingPads() {
+    std::vector<HidInfo> found;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator("/dev/input", none)) {
+        if (!entry.path().filename().string().starts_with("event")) continue;
+        if (const EventNode node(entry.path().string()); node.rumbles()) found.push_back(node.info());
+    }
+    return found;
+}
+
 } // namespace
 
 HidBus hidapiBus() {
-    auto hidapi = std::make_shared<Hidapi>();
-    HidBus bus;
-    bus.list = [hidapi] {
-        if (hidapi->folder.mayHaveChanged()) hidapi->list();
-        return hidapi->found;
-    };
-    bus.open = [hidapi](const std::string& path) -> std::unique_ptr<HidDevice> {
+    const auto open = [](const std::string& path) -> std::unique_ptr<HidDevice> {
         hid_device* device = hid_open_path(path.c_str());
         return device ? std::make_unique<HidapiDevice>(path, device) : nullptr;
     };
-    return bus;
+    return {[devices = DeviceList("/dev", findHidDevices)]() mutable { return devices.get(); }, open};
 }
 
 // The shell waits for a line from a pipe. The destructor sends one; if the process dies, the pipe closes
 // without a line. Signals that end the program may also reach the shell, so it ignores them.
 CrashStop::CrashStop(const std::string& file, std::span<const uint8_t> stop) {
-    constexpr const char* kScript =
-        R"(trap '' HUP INT QUIT TERM; read -r line || printf "$1" 2>/dev/null >"$0")";
     std::string octal;
     for (const uint8_t byte : stop) octal += fmt::format("\\{:03o}", byte);
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return;
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    const char* arguments[] = {"sh", "-c", kScript, file.c_str(), octal.c_str(), nullptr};
-    if (posix_spawn(&shell_, "/bin/sh", &actions, nullptr, const_cast<char**>(arguments), environ) != 0)
-        shell_ = -1;
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[0]);
-    pipe_ = ends[1];
+    const std::string script =
+        fmt::format("trap '' HUP INT QUIT TERM; read -r line || printf '{}' 2>/dev/null >'{}'", octal, file);
+    shell_.reset(popen(script.c_str(), "we")); // e: no other program inherits the pipe
 }
 
 CrashStop::~CrashStop() {
-    if (shell_ > 0 && write(pipe_, "\n", 1) == 1) waitpid(shell_, nullptr, 0);
-    if (pipe_ >= 0) close(pipe_);
+    if (shell_) std::fputs("\n", shell_.get());
 }
 
 HidBus withForceFeedback(HidBus bus) {
-    struct Nodes {
-        DeviceFolder folder{"/dev/input"};
-        std::vector<HidInfo> found;
-    };
-    const auto list = [nodes = std::make_shared<Nodes>(), other = bus.list] {
-        std::error_code none;
-        if (nodes->folder.mayHaveChanged()) {
-            nodes->found.clear();
-            for (const fs::directory_entry& entry : fs::directory_iterator("/dev/input", none)) {
-                if (!entry.path().filename().string().starts_with("event")) continue;
-                const EventNode node(entry.path().string());
-                if (node.isOpen() && node.rumbles()) nodes->found.push_back(node.info());
-            }
-        }
+    const auto list = [pads = DeviceList("/dev/input", findRumblingPads), other = bus.list]() mutable {
         std::vector<HidInfo> all = other();
-        all.insert(all.end(), nodes->found.begin(), nodes->found.end());
+        std::ranges::copy(pads.get(), std::back_inserter(all));
         return all;
     };
     const auto open = [other = bus.open](const std::string& path) -> std::unique_ptr<HidDevice> {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace shoal::haptics {
@@ -41,7 +41,7 @@ struct HidBus {
     std::function<std::unique_ptr<HidDevice>(const std::string& path)> open; // null: it may not be opened
 };
 
-// Makes hidapi's bus. One thread at a time; lives until the last copy goes.
+// Makes hidapi's bus, for one thread at a time.
 HidBus hidapiBus();
 
 // Returns the bus with gamepads appended that rumble through the kernel's own drivers: force feedback of
@@ -53,16 +53,13 @@ HidBus withForceFeedback(HidBus bus);
 // A helper process that stops a device's motors when the program dies, however it dies.
 class CrashStop {
   public:
-    // Starts a shell that writes the report to the device's file when this process has ended, unless this
-    // object was destroyed before. Without a shell nothing is guarded.
+    // Starts a shell that writes the report to the device's file, whose path has no quotation mark, when this
+    // process has ended, unless this object was destroyed before. Without a shell nothing is guarded.
     CrashStop(const std::string& file, std::span<const uint8_t> stop);
     ~CrashStop();
-    CrashStop(const CrashStop&) = delete;
-    CrashStop& operator=(const CrashStop&) = delete;
 
   private:
-    int pipe_ = -1;
-    pid_t shell_ = -1;
+    std::unique_ptr<FILE, int (*)(FILE*)> shell_{nullptr, pclose}; // its standard input; null: none
 };
 
 } // namespace shoal::haptics

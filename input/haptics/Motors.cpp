@@ -10,24 +10,21 @@ namespace {
 constexpr float kLow_Hz = 60, kHigh_Hz = 200;
 constexpr float kMinFelt = 0.2f; // share of a motor's range at which it starts
 
-void add(Motors& motors, const Actuation& actuation) {
-    const float quick = std::clamp((actuation.frequency_Hz - kLow_Hz) / (kHigh_Hz - kLow_Hz), 0.0f, 1.0f);
-    motors.strong = std::max(motors.strong, actuation.amplitude * (1 - quick)); // this order drops NaN
-    motors.weak = std::max(motors.weak, actuation.amplitude * quick);
-}
-
 } // namespace
 
 Motors motorsOf(std::span<const Actuation> actuations) {
     Motors motors;
-    for (const Actuation& actuation : actuations) add(motors, actuation);
+    for (const Actuation& each : actuations) {
+        const float quick = std::clamp((each.frequency_Hz - kLow_Hz) / (kHigh_Hz - kLow_Hz), 0.0f, 1.0f);
+        motors.strong = std::max(motors.strong, each.amplitude * (1 - quick)); // this order drops NaN
+        motors.weak = std::max(motors.weak, each.amplitude * quick);
+    }
     return motors;
 }
 
 Motors motorsOf(const HapticFrame& frame) {
-    Motors motors = motorsOf(frame.actuators);
-    add(motors, frame.body);
-    return motors;
+    const Motors hands = motorsOf(frame.actuators), body = motorsOf({&frame.body, 1});
+    return {std::max(hands.strong, body.strong), std::max(hands.weak, body.weak)};
 }
 
 std::span<const Actuation> handOf(const HapticFrame& frame, int hand) {
@@ -35,10 +32,13 @@ std::span<const Actuation> handOf(const HapticFrame& frame, int hand) {
         .subspan(static_cast<size_t>(hand) * kActuatorsPerHand, kActuatorsPerHand);
 }
 
-Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz, float limit_Hz) {
+Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz, float limit_Hz) {
     Actuation best;
-    for (const Actuation& each : actuations)
+    const auto compare = [&](const Actuation& each) {
         if (each.frequency_Hz >= min_Hz && each.frequency_Hz < limit_Hz) best = stronger(best, each);
+    };
+    std::ranges::for_each(handOf(frame, hand), compare);
+    compare(frame.body);
     return best;
 }
 
@@ -48,7 +48,7 @@ float driveOf(float amplitude) {
 }
 
 Actuation vibrationOf(const HapticFrame& frame, int hand) {
-    Actuation strongest = stronger(strongestOf(handOf(frame, hand)), frame.body);
+    Actuation strongest = strongestOf(frame, hand);
     strongest.amplitude = std::min(strongest.amplitude, 1.0f);
     return strongest;
 }

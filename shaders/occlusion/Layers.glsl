@@ -28,27 +28,23 @@ vec2 spiral(int i, int count, float turn, out float square) {
     return vec2(cos(angle), sin(angle));
 }
 
-struct Met {
-    bool any;
-    vec3 radiance; // from the body
-};
-
-// Follows a ray from its origin on the body until it leaves the body, for at most kBounces bounces.
-Met reflectedByBody(vec3 origin, vec3 direction, float metal, float rough) {
-    Met met = Met(false, vec3(0.0));
+// Follows a ray from its origin on the body until it leaves the body, for at most kBounces bounces. Returns the radiance from the
+// body, and in w 1 if the ray meets the body; else all 0.
+vec4 reflectedByBody(vec3 origin, vec3 direction, float metal, float rough) {
+    vec4 met = vec4(0.0);
     vec3 throughput = vec3(1.0);
     for (int bounce = 0; bounce < kBounces; ++bounce) {
         vec4 hit = traceLayers(origin, direction, layersNearest);
         if (hit.x < 0.0) break;
-        met.any = true;
+        met.w = 1.0;
         vec3 normal = hit.yzw;
         Reflectance at = reflectanceOf(bodyAlbedo, metal, rough, clamp(-dot(normal, direction), 1e-3, 1.0));
-        met.radiance += throughput * at.around * diffuseRadiance(envFromWorld * normal);
+        met.rgb += throughput * at.around * diffuseRadiance(envFromWorld * normal);
         throughput *= at.mirrored;
         origin += hit.x * direction;
         direction = reflect(direction, normal);
     }
-    if (met.any) met.radiance += throughput * glossyRadiance(envFromWorld * direction, rough);
+    if (met.w > 0.0) met.rgb += throughput * glossyRadiance(envFromWorld * direction, rough);
     return met;
 }
 
@@ -76,19 +72,14 @@ vec3 glossyWithLayers(vec3 place, vec3 mirror, vec3 geometric, vec3 mirrored, fl
     int count = rough < kSharp ? 1 : kGlossyRays;
     mat3 frame = frameAround(mirror);
     float alpha = rough * rough, turn = turnOfPixel(), square;
-    vec3 reflected = vec3(0.0);
-    float blocked = 0.0;
+    vec4 met = vec4(0.0); // sums over the rays
     for (int i = 0; i < count; ++i) {
         // Half vectors distributed by GGX: Karis 2013, "Real Shading in Unreal Engine 4".
         vec2 across = spiral(i, count, turn, square);
         float cosine = count == 1 ? 1.0 : sqrt((1.0 - square) / (1.0 + (alpha * alpha - 1.0) * square));
         vec3 half_ = vec3(sqrt(1.0 - cosine * cosine) * across, cosine);
         vec3 direction = frame * (2.0 * half_.z * half_ - vec3(0.0, 0.0, 1.0));
-        if (dot(direction, geometric) <= 0.0) continue;
-        Met met = reflectedByBody(place, direction, metal, rough);
-        if (!met.any) continue;
-        blocked += 1.0;
-        reflected += met.radiance;
+        if (dot(direction, geometric) > 0.0) met += reflectedByBody(place, direction, metal, rough);
     }
-    return (mirrored * (float(count) - blocked) + reflected) / float(count);
+    return (mirrored * (float(count) - met.w) + met.rgb) / float(count);
 }

@@ -1,14 +1,10 @@
 // Draws the environment. Level 0 is sampled explicitly: a computed mip level would be wrong along the seam.
 // AS_IS: shows the video's coded values unchanged, if the curve undoes their decoding and the exposure is 0.
 #include "light/LatLong.glsl"
-#ifndef AS_IS
 #include "render/Output.glsl"
-#endif
 
 uniform sampler2D frame;
-#ifdef SHADED
-uniform sampler2D shadowsLeft; // factor for the frame's coded values
-#endif
+uniform sampler2D shadowsLeft; // SHADED: factor for the frame's coded values
 noperspective in vec2 mapUv;
 noperspective in vec3 direction;
 out vec4 colour;

@@ -1,4 +1,4 @@
-// Copies depth. FILM: takes the film's depth where that is nearer. Pairs with engine/render/DepthPass.
+// Copies depth. FILM: takes the film's depth where that is nearer. Pairs with engine/render/HeadsetPasses.
 uniform sampler2D depth;
 uniform float part; // share of its width and height that is copied, about the middle
 noperspective in vec2 uv;

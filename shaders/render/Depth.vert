@@ -1,2 +1,2 @@
-// Pairs with engine/render/DepthPass.
+// Pairs with engine/render/HeadsetPasses.
 #include "render/WholePicture.glsl"

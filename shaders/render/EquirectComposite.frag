@@ -5,9 +5,7 @@ uniform sampler2D layer;
 uniform vec2 rayScale; // half extent of the layer's image plane at distance 1
 uniform vec2 rayShift; // its centre
 uniform sampler2D frame; // without objects
-#ifdef SHADED
-uniform sampler2D shadowsLeft; // factor for the frame
-#endif
+uniform sampler2D shadowsLeft; // SHADED: factor for the frame
 noperspective in vec3 eyeRay;
 out vec4 colour;
 

@@ -6,10 +6,8 @@
 layout(location = ATTRIBUTE_POSITION) in vec2 uv;
 uniform mat3 eyeFromEnv;
 noperspective out vec3 eyeRay;
-#ifdef FILMED
 uniform sampler2D scattered; // light around each place; changes more slowly than tiles do
 noperspective out vec3 scatteredLight;
-#endif
 
 void main() {
     float longitude = (uv.x - 0.5) * 2.0 * kPi, latitude = (0.5 - uv.y) * kPi;

@@ -5,9 +5,7 @@ uniform mat3 envFromWorld;
 #include "light/Environment.glsl"
 #include "light/Surface.glsl"
 #include "render/LightDifference.glsl"
-#ifdef CLEARCOAT
 #include "render/Clearcoat.glsl"
-#endif
 #ifdef PHONG_RINGS
 #include "light/PhongRings.glsl"
 #endif
@@ -16,48 +14,30 @@ uniform mat3 envFromWorld;
 #endif
 #include "render/Output.glsl"
 #include "render/Highlight.glsl"
-#ifdef FILM_DEPTH
 #include "render/FilmDepth.glsl"
-in vec3 fromEyeEnv;
-#endif
 
 uniform vec3 eyeWorld;
 uniform vec4 baseColourLin;
 uniform vec3 emissiveLin;
 uniform float metallic;
 uniform float roughness;
-#ifdef DIELECTRIC
 uniform vec3 dielectricF0;
 uniform float dielectricF90;
-uniform sampler2D specularMap, specularColourMap; // white if the material has none
-uniform int specularUv, specularColourUv;
-#endif
-#ifdef CLEARCOAT
-uniform sampler2D coatMap, coatRoughnessMap; // white if there is none
-uniform int coatUv, coatRoughnessUv;
-#endif
+uniform sampler2D specularMap, specularColourMap, coatMap, coatRoughnessMap; // white if the material has none
+uniform int specularUv, specularColourUv, coatUv, coatRoughnessUv;
 uniform float normalScale;
 uniform float occlusionStrength;
 uniform float alphaCutoff;
 uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
 
-#ifdef VERTEX_LIT
+// Object.vert writes those that the features need.
 in vec4 perMapExposed;
-#ifndef UNLIT
 in vec3 besidesExposed;
-#endif
-#else
-in vec3 worldPosition;
-in vec3 worldNormal;
-in vec4 worldTangent;
-#ifdef OCCLUDED
-in vec4 envSelfOcclusion;
-#endif
-#ifdef VERTEX_COLOURS
-in vec4 vertexColourLin;
-#endif
-#endif
+in vec3 worldPosition, worldNormal, fromEyeEnv, diffuseLin;
+in vec4 worldTangent, envSelfOcclusion, vertexColourLin;
+in vec3 waterLeft, waterVeiled; // render/Water.glsl
+in float litUp;                 // from highlightOf()
 #ifdef SECOND_UV
 in vec4 vertexUv;
 vec2 uvOf(int set) { return set == 0 ? vertexUv.xy : vertexUv.zw; }
@@ -66,23 +46,11 @@ in vec2 vertexUv;
 vec2 uvOf(int set) { return vertexUv; }
 #endif
 #ifdef VERTEX_DIFFUSE
-in vec3 diffuseLin;
-#endif
-#ifdef OCCLUDED
-#ifdef VERTEX_DIFFUSE
 in vec4 bodiesInLobe;
-#elif !defined(VERTEX_LIT)
+#elif defined(OCCLUDED) && !defined(VERTEX_LIT)
 #include "occlusion/Bodies.glsl"
 #endif
-#endif
-#ifdef WATER
-in vec3 waterLeft, waterVeiled; // render/Water.glsl
-#endif
-#ifdef VERTEX_LIT
-in float litUp; // from highlightOf()
-#else
 uniform float highlight; // 0 to 1
-#endif
 out vec4 colour;
 
 // Returns the linear base colour and coverage; VERTEX_LIT: times light and exposure. Discards masked pixels.
@@ -252,13 +220,11 @@ vec3 litByVertex(vec3 baseExposed) {
 }
 #endif
 
-#ifdef FILM_DEPTH
 // Returns 0 behind the film to 1 in front of it, over about a pixel, or 2 % of the distance where a body touches the film.
 float filmVisibility(vec3 fromEyeEnv) {
     float before = inverseBeforeFilm(fromEyeEnv);
     return clamp(before / max(fwidth(before), 0.02 / length(fromEyeEnv)) + 0.5, 0.0, 1.0);
 }
-#endif
 
 void main() {
     vec4 base = baseColour();

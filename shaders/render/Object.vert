@@ -4,27 +4,17 @@ layout(location = ATTRIBUTE_POSITION) in vec3 position;
 layout(location = ATTRIBUTE_NORMAL) in vec3 normal;
 layout(location = ATTRIBUTE_TANGENT) in vec4 tangent;
 layout(location = ATTRIBUTE_UV0) in vec2 uv0;
-#ifdef SECOND_UV
 layout(location = ATTRIBUTE_UV1) in vec2 uv1;
-#endif
-#ifdef VERTEX_COLOURS
 layout(location = ATTRIBUTE_COLOUR) in vec4 colourLin;
-#endif
 layout(location = ATTRIBUTE_JOINTS) in uvec4 joints;
 layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
-
-#ifdef OCCLUDED
 layout(location = ATTRIBUTE_SELF_OCCLUSION) in vec4 selfOcclusion;
 layout(location = ATTRIBUTE_SELF_OCCLUSION_BESIDE_OWN) in vec4 selfOcclusionBesideOwn;
 uniform float ownStrength; // strength of the body's own occluders, 0 to 1
-#endif
 
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
-
-#if defined(WATER) || defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT) || defined(OCCLUDED) || defined(FILM_DEPTH)
 uniform mat3 envFromWorld;
-#endif
 #if defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
@@ -33,54 +23,33 @@ uniform mat3 envFromWorld;
 #if defined(OCCLUDED) && (defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT))
 #include "occlusion/Bodies.glsl"
 #endif
-#ifdef VERTEX_DIFFUSE
-out vec3 diffuseLin;
-#ifdef OCCLUDED
 uniform float roughness;
-out vec4 bodiesInLobe; // radiance that bodies send into the glossy lobe, and the free share of it
-#endif
-#endif
 #ifdef VERTEX_LIT
 #include "render/VertexLight.glsl"
+#endif
+#include "render/Output.glsl"
+#ifdef WATER
+#include "render/Water.glsl"
+#else
+uniform vec3 eyeWorld;
+#endif
+#include "render/Highlight.glsl"
 uniform vec4 baseColourLin;
 uniform vec3 emissiveLin;
-uniform float twoSided; // 1: the normal turns towards the eye
+uniform float twoSided;  // 1: the normal turns towards the eye
+uniform float highlight; // 0 to 1
+
+// Each is written if a feature needs it.
+out vec3 worldPosition, worldNormal, waterLeft, waterVeiled, fromEyeEnv;
+out vec4 worldTangent, envSelfOcclusion, vertexColourLin;
+out vec3 diffuseLin;
+out vec4 bodiesInLobe; // radiance that bodies send into the glossy lobe, and the free share of it
+out float litUp;
 // The exposed light sent to the eye is perMapExposed times the base colour's map plus besidesExposed. The
 // alpha of perMapExposed is opacity. Vertices form these products, because software renderers fetch every
 // uniform again for each pixel. UNLIT: perMapExposed is the map's linear factor.
 out vec4 perMapExposed;
-#ifndef UNLIT
 out vec3 besidesExposed;
-#endif
-uniform float highlight; // 0 to 1
-out float litUp;
-#include "render/Highlight.glsl"
-#endif
-#if defined(VERTEX_LIT) || defined(WATER)
-#include "render/Output.glsl"
-#endif
-#if !defined(WATER) && (defined(VERTEX_LIT) || defined(OCCLUDED) || defined(FILM_DEPTH))
-uniform vec3 eyeWorld;
-#endif
-#ifdef WATER
-#include "render/Water.glsl"
-out vec3 waterLeft, waterVeiled;
-#endif
-
-#ifdef FILM_DEPTH
-out vec3 fromEyeEnv;
-#endif
-#ifndef VERTEX_LIT
-out vec3 worldPosition;
-out vec3 worldNormal;
-out vec4 worldTangent;
-#ifdef OCCLUDED
-out vec4 envSelfOcclusion;
-#endif
-#ifdef VERTEX_COLOURS
-out vec4 vertexColourLin;
-#endif
-#endif
 #ifdef SECOND_UV
 out vec4 vertexUv; // set 0 in xy, set 1 in zw
 #else

@@ -4,9 +4,7 @@
 #include "light/Environment.glsl"
 #include "render/Output.glsl"
 #include "render/Water.glsl"
-#ifdef FILM_DEPTH
 #include "render/FilmDepth.glsl"
-#endif
 
 uniform mat4 clipFromWorld;
 uniform mat3 envFromWorld;

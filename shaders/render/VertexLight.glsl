@@ -1,8 +1,8 @@
 // Computes the light that a vertex sends to the eye, for small objects on software renderers: Object.frag's
 // sums without relief, linear in the base colour, by which the pixel multiplies. A metal's further bounces
-// have the base colour once. A clearcoat does not dim emitted light. Needs render/LightDifference.glsl.
+// have the base colour once. A clearcoat does not dim emitted light. Needs render/LightDifference.glsl and roughness.
 uniform sampler2D dfgTable;
-uniform float metallic, roughness;
+uniform float metallic;
 #ifdef DIELECTRIC
 uniform vec3 dielectricF0;
 uniform float dielectricF90;

@@ -24,7 +24,7 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     EXPECT_TRUE(pass->draw({.environment = lit.environment, .view = view, .canvas = target}, {},
                            render::Glossy::Prefiltered));
     std::vector<scene::Sphere> visible;
-    pass->bounds().addVisible(view, visible);
+    pass->addVisible(view, visible);
     EXPECT_EQ(visible.empty(), pass->drawCount() == 0);
     return pass->drawCount();
 }

@@ -1,6 +1,6 @@
 // Nearer parts of a film hide objects, and particles in the water.
 #include "Spheres.h"
-#include "engine/render/DepthPass.h"
+#include "engine/render/HeadsetPasses.h"
 #include "engine/render/ParticlePass.h"
 #include "tests/unit/depth/MadeMap.h"
 
@@ -34,7 +34,7 @@ class FilmDepthGL : public WithContext {
                const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
         setFilm(inverseOf);
         Lit lit(uniformFrame(90, 90, 90));
-        lit.environment.setDepth(&map_, &map_, &range_);
+        lit.environment.setDepth({&map_, &map_, &range_});
         const scene::Model model = sphere(0, 0.5f);
         const render::ModelGpu gpu =
             render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
@@ -64,7 +64,7 @@ class FilmDepthGL : public WithContext {
         Lit lit(uniformFrame(90, 90, 90));
         if (wall_m > 0) {
             setFilm([&](const glm::vec3& d) { return std::max(-d.z, 0.0f) / wall_m; });
-            lit.environment.setDepth(&map_, &map_, &range_);
+            lit.environment.setDepth({&map_, &map_, &range_});
         }
         auto pass = render::ParticlePass::make();
         EXPECT_TRUE(pass) << pass.error().message();
@@ -98,7 +98,7 @@ class FilmDepthGL : public WithContext {
 TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
     setFilm([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / 3; });
     Lit lit(uniformFrame(90, 90, 90));
-    lit.environment.setDepth(&map_, &map_, &range_);
+    lit.environment.setDepth({&map_, &map_, &range_});
     auto pass = render::DepthPass::make();
     ASSERT_TRUE(pass) << pass.error().message();
     const gl::Target drawn(64, 64, 1), into(64, 64, 1);

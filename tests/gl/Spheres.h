@@ -46,7 +46,7 @@ inline scene::Model sphere(float metallic, float roughness) {
         }
     primitive.material = 0;
     model.materials.push_back({.metallic = metallic, .roughness = roughness, .doubleSided = true});
-    model.meshes.push_back({"ball", {primitive}, {}});
+    model.meshes.push_back({{primitive}, {}});
     model.nodes.push_back({.name = "ball", .mesh = 0});
     model.order = {0};
     return model;

@@ -7,6 +7,8 @@
 #include "engine/light/PackedLight.h"
 #include "engine/math/Brdf.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,44 +62,33 @@ template <class Work> ShoalLightStatus guarded(const Work& work) {
 // Returns the size of a pixel; 0 for an unknown format.
 int bytesPerPixel(int32_t format) {
     constexpr std::array kBytes = {3, 3, 4, 4, 12, 16}; // by ShoalLightFormat
-    return format < 0 || format > SHOAL_LIGHT_RGBA32F ? 0 : kBytes[static_cast<size_t>(format)];
+    return format < 0 || format > SHOAL_LIGHT_RGBA32F ? 0 : kBytes[format];
 }
 
-const uint8_t* rowOf(const ShoalLightFrame& frame, ptrdiff_t rowBytes, int y) {
-    return static_cast<const uint8_t*>(frame.pixels) + rowBytes * y;
-}
-
-void makeFromFloats(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff_t rowBytes,
+void makeFromFloats(ShoalLightMaker& maker, const light::FrameView& frame, int pixelBytes,
                     light::EnvironmentLight& out) {
     maker.radianceLin.fit(frame.width, frame.height);
-    const int step = bytesPerPixel(frame.format);
-    for (int y = 0; y < frame.height; ++y) {
-        const uint8_t* row = rowOf(frame, rowBytes, y);
+    for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x)
-            std::memcpy(maker.radianceLin.at(x, y), row + static_cast<ptrdiff_t>(step) * x,
-                        3 * sizeof(float));
-    }
+            std::memcpy(maker.radianceLin.at(x, y), frame.row(y) + pixelBytes * x, 3 * sizeof(float));
     maker.maker.makeFromHdr(maker.radianceLin, out);
 }
 
-void makeFromBytes(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff_t rowBytes,
+void makeFromBytes(ShoalLightMaker& maker, light::FrameView frame, int pixelBytes,
                    light::EnvironmentLight& out) {
-    const bool bgr = frame.format == SHOAL_LIGHT_BGR8 || frame.format == SHOAL_LIGHT_BGRA8;
-    if (bytesPerPixel(frame.format) == 3) {
-        maker.maker.make({rowOf(frame, rowBytes, 0), frame.width, frame.height, rowBytes, bgr}, out);
-        return;
+    if (pixelBytes == 4) {
+        const auto width = static_cast<size_t>(frame.width);
+        maker.threeBytes.resize(3 * width * static_cast<size_t>(frame.height));
+        for (int y = 0; y < frame.height; ++y) {
+            const uint8_t* from = frame.row(y);
+            uint8_t* to = maker.threeBytes.data() + 3 * width * static_cast<size_t>(y);
+            // Copies four bytes at once; the next pixel overwrites the fourth.
+            for (size_t x = 0; x + 1 < width; ++x) std::memcpy(to + 3 * x, from + 4 * x, 4);
+            std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
+        }
+        frame.pixels = maker.threeBytes.data(), frame.rowStride = 3 * frame.width;
     }
-    const auto width = static_cast<size_t>(frame.width);
-    maker.threeBytes.resize(3 * width * static_cast<size_t>(frame.height));
-    for (int y = 0; y < frame.height; ++y) {
-        const uint8_t* from = rowOf(frame, rowBytes, y);
-        uint8_t* to = maker.threeBytes.data() + 3 * width * static_cast<size_t>(y);
-        // Copies four bytes at once; the next pixel overwrites the fourth.
-        for (size_t x = 0; x + 1 < width; ++x) std::memcpy(to + 3 * x, from + 4 * x, 4);
-        std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
-    }
-    maker.maker.make(
-        {maker.threeBytes.data(), frame.width, frame.height, static_cast<ptrdiff_t>(3 * width), bgr}, out);
+    maker.maker.make(frame, out);
 }
 
 ShoalLightTexture textureOf(const light::HalfImage& image) {
@@ -113,8 +104,6 @@ bool canBeLookedUp(const ShoalLight* light, const float* direction) {
 void put(const glm::vec3& colour, float* out) {
     for (int c = 0; c < 3; ++c) out[c] = colour[c];
 }
-
-glm::vec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
 
 } // namespace
 
@@ -186,11 +175,14 @@ ShoalLightStatus shoalLightMake(ShoalLightMaker* maker, const ShoalLightFrame* f
     const ptrdiff_t rowBytes = frame->rowBytes == 0 ? tight : frame->rowBytes;
     if (rowBytes > -tight && rowBytes < tight)
         return bad("the frame's rowBytes are fewer than its pixels take");
+    const bool bgr = frame->format == SHOAL_LIGHT_BGR8 || frame->format == SHOAL_LIGHT_BGRA8;
+    const light::FrameView view{static_cast<const uint8_t*>(frame->pixels), frame->width, frame->height,
+                                rowBytes, bgr};
     const ShoalLightStatus status = guarded([&] {
         if (pixelBytes > 4)
-            makeFromFloats(*maker, *frame, rowBytes, light->made);
+            makeFromFloats(*maker, view, pixelBytes, light->made);
         else
-            makeFromBytes(*maker, *frame, rowBytes, light->made);
+            makeFromBytes(*maker, view, pixelBytes, light->made);
         light::packLight(light->made, maker->mirrors, light->packed, maker->tooBright);
         light->found = {};
         if (maker->finder) maker->finder->find(light->made.radiance, light->found);
@@ -225,7 +217,7 @@ int32_t shoalLightSources(const ShoalLight* light, ShoalLightSource* sources, in
     if (!light || !sources) return 0;
     const auto count = std::min(static_cast<int32_t>(light->found.count), std::max(room, 0));
     for (int32_t i = 0; i < count; ++i) {
-        const light::FoundLight& found = light->found.lights[static_cast<size_t>(i)];
+        const light::FoundLight& found = light->found.lights[i];
         put(found.direction, sources[i].direction);
         put(found.irradiance, sources[i].irradiance);
         sources[i].radius = found.radius;
@@ -241,21 +233,22 @@ ShoalLightStatus shoalLightSurfaceTable(int32_t size, float* scaleBias) {
 }
 
 void shoalLightDiffuse(const ShoalLight* light, const float normal[3], float radiance[3]) {
-    put(canBeLookedUp(light, normal) ? light::lookUp(light->made.diffuse, vec(normal)) : glm::vec3(0),
+    put(canBeLookedUp(light, normal) ? light::lookUp(light->made.diffuse, glm::make_vec3(normal))
+                                     : glm::vec3(0),
         radiance);
 }
 
 void shoalLightGlossy(const ShoalLight* light, const float direction[3], float roughness, float radiance[3]) {
     const float known = roughness > 0 ? std::min(roughness, 1.0f) : 0; // NaN: 0
-    put(canBeLookedUp(light, direction) ? light::lookUpGlossy(light->made, vec(direction), known)
+    put(canBeLookedUp(light, direction) ? light::lookUpGlossy(light->made, glm::make_vec3(direction), known)
                                         : glm::vec3(0),
         radiance);
 }
 
 void shoalLightRadianceFromDisplay(const float display[3], float radiance[3]) {
-    put(light::radianceFromDisplay(vec(display)), radiance);
+    put(light::radianceFromDisplay(glm::make_vec3(display)), radiance);
 }
 
 void shoalLightDisplayFromRadiance(const float radiance[3], float display[3]) {
-    put(light::displayFromRadiance(vec(radiance)), display);
+    put(light::displayFromRadiance(glm::make_vec3(radiance)), display);
 }

@@ -8,27 +8,23 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
-#include <vector>
 
 namespace shoal::media {
 
-struct CameraAddress {
-    int index = 0; // of /dev/videoN
-};
 // Greatest size of a live picture: some 250 MB for the pictures that are decoded and shown at once.
 constexpr int64_t kMaxLivePixels = int64_t{4096} * 4096;
 
-struct StreamAddress {
+struct LiveAddress {
+    int camera = -1;   // of /dev/videoN; -1: a stream or a pipe
     std::string place; // a URL, or the file of a named pipe
     // Protocols that FFmpeg may use for it, comma separated: a server cannot redirect it to files.
     const char* protocols = "";
     bool isPipe = false;
 };
-using LiveAddress = std::variant<CameraAddress, StreamAddress>;
 
 // Parses "camera:N", the name of a named pipe, or a URL of a scheme that is played; empty for other text,
 // such as a file's name. Fails for a malformed camera or URL, or a scheme that is not allowed.
@@ -77,15 +73,10 @@ struct FeedTimeouts {
 // Makes a feed without opening it. A silent camera cannot be interrupted for ten seconds.
 std::shared_ptr<LiveFeed> feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts = {});
 
-// Make the feed of a pipe or a stream, and of a Video4Linux camera.
-std::shared_ptr<LiveFeed> streamFeed(const StreamAddress& address, const FeedTimeouts& timeouts);
-std::shared_ptr<LiveFeed> cameraFeed(const CameraAddress& address);
+// Makes the feed of a pipe or a stream.
+std::shared_ptr<LiveFeed> streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts);
 
-struct CameraListed {
-    int index = 0;
-    std::string name;
-};
-// Lists the system's cameras without opening any.
-std::vector<CameraListed> listCameras();
+// Returns the names of the system's cameras by their numbers, without opening any.
+std::map<int, std::string> listCameras();
 
 } // namespace shoal::media

@@ -21,7 +21,7 @@ struct LivePlayer::Impl {
     std::shared_ptr<LiveFeed> feed;
     LiveOptions options;
 
-    mutable std::mutex mutex;
+    std::mutex mutex;
     std::condition_variable changed;
     // Guarded by mutex:
     FrameSlots slots; // the decode thread owns the one being filled
@@ -69,19 +69,6 @@ struct LivePlayer::Impl {
         if (layout == Layout::Auto) layout = layoutOf(picture);
     }
 
-    void publish(Slot& slot, const LivePicture& picture) {
-        if (Slot* unseen = slots.find(State::Ready)) {
-            unseen->state = State::Free;
-            ++counts.passedOver;
-        }
-        slot.state = State::Ready;
-        counts.passedOver += picture.passedOver;
-        ++counts.made;
-        lastMade_s = options.now_s();
-        lost = false;
-        changed.notify_all();
-    }
-
     // Reads until no more pictures come; returns the reason.
     Error play(std::unique_lock<std::mutex>& lock) {
         while (!stop) {
@@ -103,7 +90,16 @@ struct LivePlayer::Impl {
             lock.unlock();
             slots.prepare(slot, options);
             lock.lock();
-            publish(slot, *picture);
+            if (Slot* unseen = slots.find(State::Ready)) {
+                unseen->state = State::Free;
+                ++counts.passedOver;
+            }
+            slot.state = State::Ready;
+            counts.passedOver += picture->passedOver;
+            ++counts.made;
+            lastMade_s = options.now_s();
+            lost = false;
+            changed.notify_all();
         }
         return Error{};
     }
@@ -130,9 +126,24 @@ struct LivePlayer::Impl {
         changed.notify_all();
     }
 
-    // --- Frame's thread, with the lock held ----------------------------------------------------------------
+    // --- Frame's thread ------------------------------------------------------------------------------------
 
-    // Shows the ready frame; returns false if there is none.
+    // Ends the thread, or leaves it behind if the feed cannot be interrupted.
+    void end() {
+        std::unique_lock lock(mutex);
+        stop = true;
+        changed.notify_all();
+        lock.unlock();
+        feed->interrupt();
+        lock.lock();
+        changed.wait_for(lock, kJoinTimeout, [&] { return finished; });
+        changed.wait(lock, [&] { return finished || inFeed; });
+        const bool joins = finished;
+        lock.unlock();
+        joins ? thread.join() : thread.detach();
+    }
+
+    // Shows the ready frame; needs the lock. Returns false if there is none.
     bool takeReady() {
         Slot* ready = slots.find(State::Ready);
         if (!ready) return false;
@@ -141,6 +152,7 @@ struct LivePlayer::Impl {
         return true;
     }
 
+    // Needs the lock.
     void updateState() {
         const LiveState now = lost                                      ? LiveState::Lost
                               : options.now_s() - lastMade_s > kStill_s ? LiveState::Stopped
@@ -164,12 +176,12 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     impl->options = std::move(options);
     // The thread shares ownership, in case it is left behind.
     impl->thread = std::thread([impl] { impl->run(); });
-    LivePlayer player(impl);
+    LivePlayer player(Owner(impl.get(), [impl](Impl*) { impl->end(); }));
 
     const double last_s = liveNow_s() + impl->options.firstPicture_s;
     std::unique_lock lock(impl->mutex);
     const auto failed = [&](std::string why) {
-        lock.unlock(); // the player's destructor locks it
+        lock.unlock(); // the end of the player locks it
         return Error{impl->feed->name, std::move(why)};
     };
     for (;;) {
@@ -184,26 +196,6 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     }
     lock.unlock();
     return player;
-}
-
-LivePlayer& LivePlayer::operator=(LivePlayer&& other) noexcept {
-    std::swap(impl_, other.impl_);
-    return *this;
-}
-
-LivePlayer::~LivePlayer() {
-    if (!impl_) return;
-    std::unique_lock lock(impl_->mutex);
-    impl_->stop = true;
-    impl_->changed.notify_all();
-    lock.unlock();
-    impl_->feed->interrupt();
-    lock.lock();
-    impl_->changed.wait_for(lock, kJoinTimeout, [&] { return impl_->finished; });
-    impl_->changed.wait(lock, [&] { return impl_->finished || impl_->inFeed; });
-    const bool finished = impl_->finished;
-    lock.unlock();
-    finished ? impl_->thread.join() : impl_->thread.detach();
 }
 
 const VideoFrame* LivePlayer::newest() {

@@ -36,10 +36,6 @@ class LivePlayer {
     static Result<LivePlayer> open(std::shared_ptr<LiveFeed> feed, LiveOptions options = {},
                                    const std::function<bool()>& wait = {});
 
-    LivePlayer(LivePlayer&&) noexcept = default;
-    LivePlayer& operator=(LivePlayer&&) noexcept;
-    ~LivePlayer(); // a feed that cannot be interrupted leaves its thread behind, detached
-
     // Returns the newest complete frame; call it once per displayed frame. Never null. Valid until the next
     // call.
     const VideoFrame* newest();
@@ -60,8 +56,9 @@ class LivePlayer {
 
   private:
     struct Impl;
-    explicit LivePlayer(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
-    std::shared_ptr<Impl> impl_;
+    using Owner = std::unique_ptr<Impl, std::function<void(Impl*)>>;
+    explicit LivePlayer(Owner impl) : impl_(std::move(impl)) {}
+    Owner impl_; // its deleter ends the thread; a feed that cannot be interrupted leaves it behind, detached
 };
 
 // Returns a description of a camera, pipe or stream for `shoal check`. Waits for its first picture, ten

@@ -5,9 +5,11 @@
 #include "engine/media/Ffmpeg.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -21,19 +23,17 @@ class PacketQueue {
         const std::lock_guard lock(mutex_);
         drop(packets_.size());
         wait_ = wait;
-        closed_ = stopped_ = needsKey_ = false;
+        closed_ = needsKey_ = false;
         dropped_ = 0;
     }
 
     // --- The reader's thread
 
-    // Takes over the packet's data. Returns false once stopped or interrupted.
+    // Takes over the packet's data. Returns false once closed or interrupted.
     bool push(AVPacket& packet, double arrived_s) {
         std::unique_lock lock(mutex_);
-        if (wait_)
-            changed_.wait(lock,
-                          [&] { return interrupted_ || stopped_ || packets_.size() < kWaitingPackets; });
-        if (interrupted_ || stopped_) return false;
+        if (wait_) changed_.wait(lock, [&] { return ended() || packets_.size() < kWaitingPackets; });
+        if (ended()) return false;
         const bool key = packet.flags & AV_PKT_FLAG_KEY;
         const auto size = static_cast<size_t>(packet.size);
         if (!wait_ && (packets_.size() == kMaxPackets || bytes_ + size > kMaxBytes)) {
@@ -53,7 +53,8 @@ class PacketQueue {
         return true;
     }
 
-    // Ends the queue for this reason. Packets in it can still be popped.
+    // Ends the queue for this reason, until reset(): the reader's calls return false. Packets in it can still
+    // be popped. Any thread.
     void close(std::string reason) {
         const std::lock_guard lock(mutex_);
         closed_ = true;
@@ -61,11 +62,10 @@ class PacketQueue {
         changed_.notify_all();
     }
 
-    // Returns false if stopped or interrupted meanwhile.
+    // Returns false if closed or interrupted meanwhile.
     bool sleep(double seconds) {
         std::unique_lock lock(mutex_);
-        return !changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                                  [&] { return interrupted_ || stopped_; });
+        return !changed_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return ended(); });
     }
 
     // --- The decoder's thread
@@ -78,7 +78,7 @@ class PacketQueue {
     // Blocks until there is a packet.
     Popped pop() {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return !packets_.empty() || closed_ || interrupted_; });
+        changed_.wait(lock, [&] { return !packets_.empty() || ended(); });
         if (packets_.empty() || interrupted_) return {};
         // Nothing before the newest key frame is needed to decode it.
         size_t first = wait_ ? 0 : packets_.size() - 1;
@@ -90,13 +90,6 @@ class PacketQueue {
         bytes_ -= static_cast<size_t>(popped.packet->size);
         changed_.notify_all();
         return popped;
-    }
-
-    // Makes the reader's calls return false until reset().
-    void stop() {
-        const std::lock_guard lock(mutex_);
-        stopped_ = true;
-        changed_.notify_all();
     }
 
     size_t count() const {
@@ -118,6 +111,8 @@ class PacketQueue {
         changed_.notify_all();
     }
 
+    bool ended() const { return closed_ || interrupted_; }
+
     static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{32} << 20, kWaitingPackets = 4;
 
   private:
@@ -133,7 +128,8 @@ class PacketQueue {
     std::condition_variable changed_;
     std::deque<Popped> packets_;
     size_t bytes_ = 0;
-    bool wait_ = false, closed_ = false, stopped_ = false, interrupted_ = false, needsKey_ = false;
+    bool wait_ = false, needsKey_ = false;
+    std::atomic<bool> closed_{false}, interrupted_{false}; // changed with the lock held
     int dropped_ = 0;
     std::string reason_;
 };
@@ -148,12 +144,6 @@ class TokenBucket {
 
     // Returns the seconds that a packet stamped stamp_s, which came at now_s, has to wait.
     double wait_s(double stamp_s, double now_s) {
-        if (!began_) {
-            began_ = true;
-            stamp_s_ = stamp_s;
-            now_s_ = now_s;
-            return 0;
-        }
         // Senders' clocks run faster than ours by less than this.
         constexpr double kDrift = 1e-3;
         left_s_ = std::min(left_s_ + (now_s - now_s_) * (1 + kDrift), max_s_);
@@ -167,8 +157,9 @@ class TokenBucket {
   private:
     static constexpr double kJump_s = 10;
     double max_s_, left_s_;
-    bool began_ = false;
-    double stamp_s_ = 0, now_s_ = 0;
+    // Of the packet before. Before the first the bucket is full, and no duration is known.
+    double stamp_s_ = std::numeric_limits<double>::quiet_NaN();
+    double now_s_ = -std::numeric_limits<double>::infinity();
 };
 
 } // namespace shoal::media

@@ -1,5 +1,5 @@
 #include "engine/core/ThreadPool.h"
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/live/LiveFeed.h"
 #include "engine/media/live/PacketQueue.h"
 
@@ -10,10 +10,8 @@ extern "C" {
 
 #include <fmt/core.h>
 
-#include <atomic>
 #include <fcntl.h>
 #include <memory>
-#include <optional>
 #include <poll.h>
 #include <sys/stat.h>
 #include <thread>
@@ -48,7 +46,7 @@ constexpr int64_t kMaxBytesBetween = int64_t{32} << 20;
 // A stream or pipe. One thread reads packets as they come, so that none wait in the network; another decodes.
 class Stream final : public LiveFeed {
   public:
-    Stream(const StreamAddress& address, const FeedTimeouts& timeouts)
+    Stream(const LiveAddress& address, const FeedTimeouts& timeouts)
         : LiveFeed(address.isPipe ? address.place : withoutPassword(address.place),
                    address.isPipe ? "pipe" : "stream"),
           address_(address), timeouts_(timeouts) {
@@ -56,16 +54,15 @@ class Stream final : public LiveFeed {
     }
     ~Stream() override {
         stopReader();
+        format_.reset(); // before the members that watch() reads
         if (pipe_ >= 0) ::close(pipe_);
     }
 
     Status open() override {
         stopReader();
         if (Status connected = connect(); !connected) return connected;
-        decoder_.emplace();
         const auto threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
-        const Status opened = decoder_->open(*video().codecpar, video().time_base, FrameThreading::None,
-                                             threads, kMaxLivePixels);
+        const Status opened = decoder_.open(video(), FrameThreading::None, threads, kMaxLivePixels);
         if (!opened) return opened;
         queue_.reset(stored_);
         lastShown_s_ = liveNow_s();
@@ -78,15 +75,15 @@ class Stream final : public LiveFeed {
         LivePicture picture;
         double began_s = liveNow_s();
         for (;;) {
-            while (decoder_->receive()) {
+            while (decoder_.receive()) {
                 // The picture is outdated: it was decoded only because later pictures refer to it.
                 if (queue_.count() > 0 && !stored_ && liveNow_s() - lastShown_s_ < kMaxHidden_s) {
                     ++picture.passedOver;
                     continue;
                 }
-                if (Status converted = decoder_->convert(bgr); !converted) return converted.error();
-                picture.arrived_s = static_cast<double>(decoder_->frame().pts) * 1e-6;
-                picture.chromaTexels = decoder_->chromaTexels();
+                if (Status converted = decoder_.convert(bgr); !converted) return converted.error();
+                picture.arrived_s = static_cast<double>(decoder_.frame().pts) * 1e-6;
+                picture.chromaTexels = decoder_.chromaTexels();
                 lastShown_s_ = liveNow_s();
                 picture.decode_ms = 1e3 * (lastShown_s_ - began_s);
                 return picture;
@@ -94,29 +91,26 @@ class Stream final : public LiveFeed {
             if (ended_) return Error{"", queue_.reason()};
             const PacketQueue::Popped popped = queue_.pop();
             began_s = liveNow_s();
-            if (popped.dropped > 0) decoder_->flush();
+            if (popped.dropped > 0) decoder_.flush();
             picture.passedOver += popped.dropped;
             ended_ = !popped.packet; // reported once the decoder is drained
             const bool hurry = !stored_ && queue_.count() >= kBehind;
             // The stamp carries the packet's time of arrival, microseconds: the decoder returns it with the
             // picture, in whatever order pictures come.
             if (popped.packet) popped.packet->pts = static_cast<int64_t>(popped.arrived_s * 1e6);
-            decoder_->send(popped.packet.get(), hurry);
+            decoder_.send(popped.packet.get(), hurry);
         }
     }
 
-    void interrupt() override {
-        interrupted_ = true;
-        queue_.interrupt();
-    }
+    void interrupt() override { queue_.interrupt(); }
 
   private:
-    bool givesUp() const { return interrupted_ || stopped_ || tooMuch_ || liveNow_s() > deadline_s_; }
+    bool givesUp() const { return queue_.ended() || tooMuch_ || liveNow_s() > deadline_s_; }
 
     // Called by FFmpeg while it waits: returns whether to give up.
     static int watch(void* self) {
         auto& stream = *static_cast<Stream*>(self);
-        if (AVFormatContext* format = stream.watched_) {
+        if (AVFormatContext* format = stream.format_.get()) {
             stream.tooMuch_ |= stream.bytesRead() - stream.packetBegan_ > kMaxBytesBetween;
             // The connection being made is the only one: an RTSP server cannot redirect us to another.
             const bool isRtsp = !stream.address_.isPipe && stream.address_.place.starts_with("rtsp");
@@ -126,7 +120,7 @@ class Stream final : public LiveFeed {
         return stream.givesUp();
     }
 
-    int64_t bytesRead() const { return watched_ && watched_->pb ? watched_->pb->bytes_read : 0; }
+    int64_t bytesRead() const { return format_ && format_->pb ? format_->pb->bytes_read : 0; }
     const AVStream& video() const { return *format_->streams[stream_]; }
 
     // Opens a pipe for its present writer, or the next.
@@ -154,7 +148,7 @@ class Stream final : public LiveFeed {
         AVFormatContext* format = avformat_alloc_context();
         if (!format) return Error{"", "cannot be opened: there is no memory"};
         format->interrupt_callback = {watch, this};
-        watched_ = format;
+        format_.reset(format); // which watch() reads
         const std::string opened = address_.isPipe ? "pipe:" + std::to_string(pipe_) : address_.place;
         const std::pair<const char*, const char*> wanted[] = {{"format_whitelist", kFormats},
                                                               {"protocol_whitelist", address_.protocols},
@@ -165,27 +159,25 @@ class Stream final : public LiveFeed {
         for (const auto& [option, value] : wanted) av_dict_set(&options, option, value, 0);
         format->max_analyze_duration = AV_TIME_BASE;
         format->fps_probe_size = 0; // live frames arrive slowly: do not wait for several
-        int error = avformat_open_input(&format, opened.c_str(), nullptr, &options); // frees it on failure
+        int error = avformat_open_input(&format, opened.c_str(), nullptr, &options);
         av_dict_free(&options);
-        format_.reset(format);
-        watched_ = format;
+        if (!format) (void)format_.release(); // freed by the failure
         if (error >= 0) {
             // FFmpeg's parser finds the end of a picture by the beginning of the next, which would delay each
             // by one. In these formats packets are pictures already; a parser of our own finds the key
             // frames.
             const std::string_view container = format->iformat->name;
-            unparsed_ = container == "mpegts" || container == "rtsp";
-            if (unparsed_) format->flags |= AVFMT_FLAG_NOPARSE | AVFMT_FLAG_NOFILLIN;
+            if (container == "mpegts" || container == "rtsp")
+                format->flags |= AVFMT_FLAG_NOPARSE | AVFMT_FLAG_NOFILLIN;
             std::vector<AVDictionary*> decoders(format->nb_streams); // options of those that find parameters
             for (AVDictionary*& each : decoders) av_dict_set_int(&each, "max_pixels", kMaxLivePixels, 0);
             error = avformat_find_stream_info(format, decoders.data());
             for (AVDictionary*& each : decoders) av_dict_free(&each);
         }
         if (error >= 0) return Done{};
-        watched_ = nullptr;
         format_.reset();
         if (tooMuch_) return Error{"", "sends too much for one picture"};
-        if (!interrupted_ && liveNow_s() > deadline_s_)
+        if (!queue_.ended() && liveNow_s() > deadline_s_)
             return Error{"", "did not answer within " + seconds(timeouts_.open_s)};
         if (error == AVERROR_INVALIDDATA || error == AVERROR(EIO) || error == AVERROR_EOF)
             return Error{
@@ -204,10 +196,9 @@ class Stream final : public LiveFeed {
     }
 
     Status connect() {
-        watched_ = nullptr;
         format_.reset();
         stream_ = -1;
-        stopped_ = false;
+        queue_.reset(false);
         packetBegan_ = 0;
         tooMuch_ = closed_ = false;
         deadline_s_ = liveNow_s() + timeouts_.open_s;
@@ -223,14 +214,13 @@ class Stream final : public LiveFeed {
                                          coded.width, coded.height)};
         if (coded.width > 0)
             if (Status playable = checkPictureSize(coded.width, coded.height); !playable) return playable;
-        parser_.reset(unparsed_ ? av_parser_init(coded.codec_id) : nullptr);
+        parser_.reset(format_->flags & AVFMT_FLAG_NOPARSE ? av_parser_init(coded.codec_id) : nullptr);
         parsed_.reset(avcodec_alloc_context3(nullptr));
         if (parser_ && parsed_ && avcodec_parameters_to_context(parsed_.get(), &coded) >= 0)
             parser_->flags |= PARSER_FLAG_COMPLETE_FRAMES;
         else
             parser_.reset();
         stored_ = format_->pb && avio_size(format_->pb) > 0;
-        stamped_ = !(format_->iformat->flags & AVFMT_NOTIMESTAMPS);
         return Done{};
     }
 
@@ -261,9 +251,11 @@ class Stream final : public LiveFeed {
         const Packet packet = makePacket();
         TokenBucket bucket(stored_ ? kStoredBurst_s : kLiveBurst_s);
         const double unit_s = av_q2d(video().time_base);
+        const bool stamped =
+            !(format_->iformat->flags & AVFMT_NOTIMESTAMPS); // else FFmpeg invents the stamps
         for (;;) {
             if (Status read = readPacket(*packet); !read) return queue_.close(read.error().reason);
-            if (stamped_ && packet->dts != AV_NOPTS_VALUE) {
+            if (stamped && packet->dts != AV_NOPTS_VALUE) {
                 const double wait_s = bucket.wait_s(static_cast<double>(packet->dts) * unit_s, liveNow_s());
                 if (wait_s > 0 && !queue_.sleep(wait_s)) break;
             }
@@ -274,42 +266,36 @@ class Stream final : public LiveFeed {
 
     void stopReader() {
         if (!reader_.joinable()) return;
-        stopped_ = true;
-        queue_.stop();
+        queue_.close("was stopped");
         reader_.join();
     }
 
     // Used by the thread that opens, then by the reader's:
-    StreamAddress address_;
+    LiveAddress address_;
     FeedTimeouts timeouts_;
     int pipe_ = -1; // descriptor of a pipe
-    Input format_;
+    Input format_;  // open, or being opened
     int stream_ = -1;
-    AVFormatContext* watched_ = nullptr; // open, or being opened
-    bool closed_ = false;                // closed to further connections
-    int64_t packetBegan_ = 0;            // bytes received before the packet
-    bool tooMuch_ = false;               // more than kMaxBytesBetween have come
-    bool unparsed_ = false;              // each packet is one picture
+    bool closed_ = false;     // closed to further connections
+    int64_t packetBegan_ = 0; // bytes received before the packet
+    bool tooMuch_ = false;    // more than kMaxBytesBetween have come
     std::unique_ptr<AVCodecParserContext, FreeBy<av_parser_close>> parser_;
     Codec parsed_;
     double deadline_s_ = 0;
 
     bool stored_ = false; // a file on a server, of known length: it sends as fast as it is read
-    bool stamped_ = true; // time stamps are the sender's, not invented by FFmpeg
-    // Flags that make open() and read() return soon: until the next open(), or permanently.
-    std::atomic<bool> stopped_{false}, interrupted_{false};
     PacketQueue queue_;
     std::thread reader_;
 
     // Used by the decoder's thread:
-    std::optional<PictureDecoder> decoder_;
+    Decoder decoder_;
     double lastShown_s_ = 0;
     bool ended_ = false;
 };
 
 } // namespace
 
-std::shared_ptr<LiveFeed> streamFeed(const StreamAddress& address, const FeedTimeouts& timeouts) {
+std::shared_ptr<LiveFeed> streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts) {
     return std::make_shared<Stream>(address, timeouts);
 }
 

@@ -15,8 +15,7 @@ namespace shoal::render {
 namespace {
 
 bool canSample(const EyePicture& picture) {
-    return canSampleFrames() && showsFrameAsCoded(picture.environment, picture.exposure) &&
-           picture.canvas.samples() == 1;
+    return canSampleFrames() && picture.showsFrameAsCoded() && picture.canvas.samples() == 1;
 }
 
 // Writes the factors of FilmShadows::left(), enlarged linearly, for texels low to high - 1 of a frame. Places
@@ -49,10 +48,10 @@ SHOAL_VECTORISE void multiply(const uint8_t* a, const uint8_t* b, size_t count, 
 SoftwareBackground::SoftwareBackground()
     : threadPool_(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4) - 1) {}
 
-void SoftwareBackground::SampleRow::operator()(int row) const {
-    const size_t first = pass->grid_.rowBegin(row), cells = pass->grid_.rowBegin(row + 1) - first;
-    for (const State& state : std::span(pass->states_).subspan(first, cells))
-        if (state.due)
+void SoftwareBackground::SamplePart::operator()(int part) const {
+    const auto endOf = [&](int k) { return static_cast<size_t>(k) * pass->states_.size() / kParts; };
+    for (size_t k = endOf(part); k < endOf(part + 1); ++k)
+        if (const State& state = pass->states_[k]; state.due)
             sampleCell(state.painted ? pass->painted() : pass->film_.frame, state.sampled,
                        pass->picture_.data(), pass->film_.size.x);
 }
@@ -93,7 +92,7 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
         state.due = state.here && !state.painted && !state.showsFrame;
         state.showsFrame |= state.due;
     }
-    threadPool_.start(grid_.rows(), sampleRow_);
+    threadPool_.start(kParts, samplePart_);
     started_ = true;
 }
 
@@ -115,7 +114,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         want(layer ? layer->tiles : picture.shadows->tiles(), cell);
     }
     paintFrame(picture, layer);
-    threadPool_.parallelFor(grid_.rows(), sampleRow_);
+    threadPool_.parallelFor(kParts, samplePart_);
     if (drawn_.size() < states_.size()) {
         glBindTexture(GL_TEXTURE_2D, picture.canvas.texture());
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -146,9 +145,7 @@ TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLay
 // Writes the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
 void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer* layer) {
     tiles_.clear();
-    for (int y = 0; y < FrameTiles::kCount.y; ++y)
-        for (int x = 0; x < FrameTiles::kCount.x; ++x)
-            if (wanted_[FrameTiles::indexOf(x, y)]) tiles_.push_back({x, y});
+    FrameTiles::eachOf(wanted_, [&](const glm::ivec2& tile) { tiles_.push_back(tile); });
     if (tiles_.empty()) return;
     const DisplayFrame& frame = film_.frame;
     const glm::ivec2 size(frame.width, frame.height);

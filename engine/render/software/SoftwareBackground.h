@@ -42,9 +42,10 @@ class SoftwareBackground final : public BackgroundPass {
         bool painted = false;    // whether there may be shadows or objects in it
         bool due = false;        // whether it is sampled next
     };
-    struct SampleRow { // samples the due cells of a row
+    static constexpr int kParts = 32; // of the cells, for threads
+    struct SamplePart {               // samples the due cells of a part
         SoftwareBackground* pass;
-        void operator()(int row) const;
+        void operator()(int part) const;
     };
 
     void classify(const EyePicture& picture);
@@ -62,7 +63,7 @@ class SoftwareBackground final : public BackgroundPass {
     std::unique_ptr<uint32_t[]> texels_;
     glm::ivec2 texelsSize_{0};
     std::vector<glm::ivec2> tiles_; // scratch: the wanted tiles
-    SampleRow sampleRow_{this};
+    SamplePart samplePart_{this};
     ThreadPool threadPool_; // last, so that its threads end before their data
 };
 

@@ -1,10 +1,12 @@
 #include "input/hands/leap/LeapMessage.h"
 
-#include "engine/core/JsonBounds.h"
 #include "engine/core/Number.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <span>
 
 namespace shoal::hands {
 
@@ -16,14 +18,22 @@ constexpr size_t kMaxHands = 8, kMaxPointables = 64;
 constexpr double kMetresFromMillimetres = 1e-3;
 constexpr double kFarthest_m = 5; // far beyond the device's range, which is below a metre
 
-const json* member(const json& object, const char* key) {
+// Returns null where there is none, or `object` is another value.
+const json& member(const json& object, const char* key) {
+    static const json none;
     const auto found = object.find(key);
-    return found == object.end() ? nullptr : &*found;
+    return found == object.end() ? none : *found;
+}
+
+// Returns an array's first entries; none of another value.
+std::span<const json> entries(const json& object, const char* key, size_t most) {
+    const auto* array = member(object, key).get_ptr<const json::array_t*>();
+    return array ? std::span(*array).first(std::min(array->size(), most)) : std::span<const json>();
 }
 
 std::optional<double> number(const json& object, const char* key) {
-    const json* value = member(object, key);
-    return value && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
+    const json& value = member(object, key);
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
 std::optional<int64_t> whole(const json& object, const char* key) {
@@ -37,24 +47,20 @@ std::optional<float> share(const json& object, const char* key) {
     return v ? std::optional(static_cast<float>(std::clamp(*v, 0.0, 1.0))) : std::nullopt;
 }
 
-bool yes(const json& object, const char* key) {
-    const json* value = member(object, key);
-    return value && value->is_boolean() && value->get<bool>();
-}
+bool yes(const json& object, const char* key) { return member(object, key) == true; }
 
 std::string words(const json& object, const char* key) {
-    const json* value = member(object, key);
-    return value && value->is_string() ? value->get<std::string>().substr(0, 64) : "";
+    const json& value = member(object, key);
+    return value.is_string() ? value.get<std::string>().substr(0, 64) : "";
 }
 
 std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double maximum) {
-    const json* value = member(object, key);
-    if (!value || !value->is_array() || value->size() != 3) return std::nullopt;
+    const std::span<const json> array = entries(object, key, 4); // one more than it may have
+    if (array.size() != 3) return std::nullopt;
     glm::vec3 v(0);
     for (int i = 0; i < 3; ++i) {
-        const json& entry = (*value)[i];
-        if (!entry.is_number()) return std::nullopt;
-        const double given = entry.get<double>() * scale;
+        if (!array[i].is_number()) return std::nullopt;
+        const double given = array[i].get<double>() * scale;
         if (!isWithin(given, -maximum, maximum)) return std::nullopt;
         v[i] = static_cast<float>(given);
     }
@@ -66,18 +72,13 @@ std::optional<glm::vec3> point(const json& object, const char* key) {
 }
 
 std::optional<PartialHand> readHand(const json& from) {
-    if (!from.is_object()) return std::nullopt;
     const auto identity = whole(from, "id");
     const auto palm = point(from, "palmPosition");
     const auto normal = triple(from, "palmNormal", 1, 10), direction = triple(from, "direction", 1, 10);
     if (!identity || !palm || !normal || !direction) return std::nullopt;
     const float sine = glm::length(glm::cross(glm::normalize(*normal), glm::normalize(*direction)));
     if (!(sine > 4e-3f)) return std::nullopt; // NaN too
-    PartialHand hand;
-    hand.identity = *identity;
-    hand.palm = *palm;
-    hand.normal = *normal;
-    hand.direction = *direction;
+    PartialHand hand{.identity = *identity, .palm = *palm, .normal = *normal, .direction = *direction};
     const std::string type = words(from, "type");
     if (type == "left") hand.side = Side::Left;
     if (type == "right") hand.side = Side::Right;
@@ -94,15 +95,10 @@ std::optional<PartialHand> readHand(const json& from) {
 // Adds a pointable's joints to its hand; ignores tools. The thumb's metacarpal has no length in the service's
 // model: what it calls carp and mcp is one point, our metacarpal.
 void readPointable(const json& from, std::vector<PartialHand>& hands) {
-    if (!from.is_object() || yes(from, "tool")) return;
-    const auto owner = whole(from, "handId");
-    const auto hand = std::find_if(hands.begin(), hands.end(),
-                                   [&](const PartialHand& h) { return owner && h.identity == *owner; });
+    if (yes(from, "tool")) return;
+    const auto hand = std::ranges::find(hands, whole(from, "handId"), &PartialHand::identity);
     if (hand == hands.end()) return;
-    const auto tip = [&] {
-        const auto bone = point(from, "btipPosition");
-        return bone ? bone : point(from, "tipPosition");
-    }();
+    const auto bone = point(from, "btipPosition"), tip = bone ? bone : point(from, "tipPosition");
     const auto mcp = point(from, "mcpPosition"), pip = point(from, "pipPosition"),
                dip = point(from, "dipPosition");
     auto type = whole(from, "type");
@@ -125,12 +121,9 @@ void readPointable(const json& from, std::vector<PartialHand>& hands) {
 LeapFrame readFrame(const json& from) {
     LeapFrame frame;
     frame.time_us = whole(from, "timestamp");
-    if (const json* hands = member(from, "hands"); hands && hands->is_array())
-        for (size_t i = 0; i < std::min(hands->size(), kMaxHands); ++i)
-            if (auto hand = readHand((*hands)[i])) frame.hands.push_back(*hand);
-    if (const json* pointables = member(from, "pointables"); pointables && pointables->is_array())
-        for (size_t i = 0; i < std::min(pointables->size(), kMaxPointables); ++i)
-            readPointable((*pointables)[i], frame.hands);
+    for (const json& entry : entries(from, "hands", kMaxHands))
+        if (auto hand = readHand(entry)) frame.hands.push_back(*hand);
+    for (const json& entry : entries(from, "pointables", kMaxPointables)) readPointable(entry, frame.hands);
     return frame;
 }
 
@@ -148,18 +141,14 @@ glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
 
 Result<LeapMessage> readLeapMessage(std::string_view text) {
     const Error tooLarge{"", "is larger or deeper than any frame of hands"};
-    if (text.size() > kLeapMessageBytes) return tooLarge;
-    const JsonBounds bounds{kLeapMessageDepth, kLeapMessageValues, kLeapMessageValues};
-    if (!exceededBound(text, bounds).empty()) return tooLarge;
+    if (text.size() > kLeapMessageBytes || !exceededBound(text, kLeapMessageBounds).empty()) return tooLarge;
     const json message = json::parse(text, nullptr, false);
     if (!message.is_object()) return Error{"", "is no JSON object"};
     if (message.contains("hands") || message.contains("pointables") || message.contains("timestamp"))
         return LeapMessage(readFrame(message));
-    if (const json* event = member(message, "event"); event && event->is_object())
-        if (const json* state = member(*event, "state");
-            words(*event, "type") == "deviceEvent" && state && state->is_object())
-            return LeapMessage(
-                LeapDevice{yes(*state, "attached"), yes(*state, "streaming"), words(*state, "type")});
+    const json &event = member(message, "event"), &state = member(event, "state");
+    if (words(event, "type") == "deviceEvent" && state.is_object())
+        return LeapMessage(LeapDevice{yes(state, "attached"), yes(state, "streaming"), words(state, "type")});
     return LeapMessage();
 }
 

@@ -2,6 +2,7 @@
 // its frames as the game wants them.
 #pragma once
 
+#include "engine/core/JsonBounds.h"
 #include "engine/core/Result.h"
 #include "input/hands/CompleteHand.h"
 #include "input/hands/HandTracker.h"
@@ -28,8 +29,7 @@ using LeapMessage = std::variant<std::monostate, LeapDevice, LeapFrame>; // mono
 
 // Bounds of a message; a frame with two hands and all their bones has 30 kB, 2000 values and depth 5.
 constexpr size_t kLeapMessageBytes = 256 * 1024;
-constexpr size_t kLeapMessageValues = 16 * 1024;
-constexpr int kLeapMessageDepth = 16;
+constexpr JsonBounds kLeapMessageBounds{.depth = 16, .values = 16 * 1024, .objects = 16 * 1024};
 
 // Fails if the text is no JSON object or exceeds the bounds above, before memory is taken for it.
 Result<LeapMessage> readLeapMessage(std::string_view text);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstring>
 #include <thread>
 #include <vector>
@@ -18,12 +17,6 @@ namespace {
 constexpr uint16_t kUnknownVersion = 1001; // the service's close code for a protocol it does not speak
 // A ping after three silent seconds; after ten the connection counts as dead.
 constexpr lws_retry_bo_t kLiveness = {nullptr, 0, 0, 3, 10, 0};
-
-int64_t now_us() {
-    return std::chrono::duration_cast<std::chrono::microseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
 
 // All members but `stopping_` belong to the thread.
 class LeapTracker final : public HandTracker {
@@ -84,8 +77,8 @@ class LeapTracker final : public HandTracker {
         info.retry_and_idle_policy = &kLiveness;
         info.ssl_connection = LCCSCF_HTTP_NO_FOLLOW_REDIRECT; // a server on this port cannot redirect us
         info.pwsi = &socket_;
-        greeted_ = tooLong_ = false;
-        tried_us_ = now_us();
+        greeted_ = false;
+        tried_us_ = lws_now_usecs();
         closeCode_ = 0;
         message_.clear();
         unsent_.clear();
@@ -104,18 +97,12 @@ class LeapTracker final : public HandTracker {
     }
 
     void receive(const char* bytes, size_t count) {
-        if (lws_is_first_fragment(socket_)) {
-            message_.clear();
-            tooLong_ = false;
-        }
-        tooLong_ |= message_.size() + count > kLeapMessageBytes;
-        if (tooLong_)
-            message_.clear();
-        else
-            message_.append(bytes, count);
+        if (lws_is_first_fragment(socket_)) message_.clear();
+        // A message that is too long is cut to a byte too many, and so refused by readLeapMessage().
+        message_.append(bytes, std::min(count, kLeapMessageBytes + 1 - message_.size()));
         if (lws_is_final_fragment(socket_) && lws_remaining_packet_payload(socket_) == 0) {
             if (!greeted_) sendSettings();
-            if (!tooLong_) handleMessage();
+            handleMessage();
             message_.clear();
         }
     }
@@ -128,7 +115,7 @@ class LeapTracker final : public HandTracker {
                                             (event->streaming ? " attached" : " attached but not streaming")
                                       : "no device attached";
         if (const auto* frame = std::get_if<LeapFrame>(&*read))
-            stream().push(tracks_.frame(*frame, frame->time_us.value_or(now_us())));
+            stream().push(tracks_.frame(*frame, frame->time_us.value_or(lws_now_usecs())));
         const bool unplugged = device_ == "no device attached";
         setState(!unplugged, "protocol " + std::to_string(version_) + " at " + address() +
                                  (device_.empty() ? "" : ", " + device_));
@@ -145,37 +132,25 @@ class LeapTracker final : public HandTracker {
         }
         version_ = kNewestLeapVersion;
         // A service that accepts and closes at once is tried only once in this time.
-        connectIn(std::max<int64_t>(1, tried_us_ + int64_t{options_.retry_ms} * 1000 - now_us()));
+        connectIn(std::max<int64_t>(1, tried_us_ + int64_t{options_.retry_ms} * 1000 - lws_now_usecs()));
     }
 
     int callback(lws* wsi, lws_callback_reasons reason, void* in, size_t length) {
-        switch (reason) {
-        case LWS_CALLBACK_CLIENT_RECEIVE:
-            receive(static_cast<const char*>(in), length);
-            break;
-        case LWS_CALLBACK_CLIENT_WRITEABLE:
-            if (!unsent_.empty()) {
-                const size_t count = std::strlen(unsent_.front());
-                std::array<unsigned char, LWS_PRE + 32> buffer;
-                std::memcpy(buffer.data() + LWS_PRE, unsent_.front(), count);
-                if (lws_write(wsi, buffer.data() + LWS_PRE, count, LWS_WRITE_TEXT) < 0) return -1;
-                unsent_.erase(unsent_.begin());
-                if (!unsent_.empty()) lws_callback_on_writable(wsi);
-            }
-            break;
-        case LWS_CALLBACK_WS_PEER_INITIATED_CLOSE:
-            if (length >= 2) {
-                const auto* code = static_cast<const unsigned char*>(in);
-                closeCode_ = static_cast<uint16_t>(code[0] << 8 | code[1]);
-            }
-            break;
-        case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
-        case LWS_CALLBACK_CLIENT_CLOSED:
-            disconnected();
-            break;
-        default:
-            break;
+        if (reason == LWS_CALLBACK_CLIENT_RECEIVE) receive(static_cast<const char*>(in), length);
+        if (reason == LWS_CALLBACK_CLIENT_WRITEABLE && !unsent_.empty()) {
+            const size_t count = std::strlen(unsent_.front());
+            std::array<unsigned char, LWS_PRE + 32> buffer;
+            std::memcpy(buffer.data() + LWS_PRE, unsent_.front(), count);
+            if (lws_write(wsi, buffer.data() + LWS_PRE, count, LWS_WRITE_TEXT) < 0) return -1;
+            unsent_.erase(unsent_.begin());
+            if (!unsent_.empty()) lws_callback_on_writable(wsi);
         }
+        if (reason == LWS_CALLBACK_WS_PEER_INITIATED_CLOSE && length >= 2) {
+            const auto* code = static_cast<const unsigned char*>(in);
+            closeCode_ = static_cast<uint16_t>(code[0] << 8 | code[1]);
+        }
+        if (reason == LWS_CALLBACK_CLIENT_CONNECTION_ERROR || reason == LWS_CALLBACK_CLIENT_CLOSED)
+            disconnected();
         return 0;
     }
 
@@ -201,8 +176,7 @@ class LeapTracker final : public HandTracker {
     uint16_t closeCode_ = 0;
     std::vector<const char*> unsent_;
     std::string message_; // so far
-    bool tooLong_ = false;
-    std::string device_; // as the service describes it
+    std::string device_;  // as the service describes it
 
     std::thread thread_; // last: it uses all of the above
 };

@@ -3,7 +3,7 @@
 #include "HandClip.h"
 #include "engine/core/WriteFile.h"
 #include "engine/sim/Recording.h"
-#include "game/rules/TickInput.h"
+#include "game/rules/Dive.h"
 #include "input/hands/HandTracker.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 #include "tests/Recorded.h"

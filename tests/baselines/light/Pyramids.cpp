@@ -1,7 +1,7 @@
 #include "tests/baselines/light/Baselines.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/light/Pyramid.h"
-#include "engine/light/Vectorise.h"
 
 #include <algorithm>
 #include <memory>

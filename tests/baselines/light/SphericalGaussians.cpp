@@ -1,6 +1,6 @@
 #include "tests/baselines/light/Baselines.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 #include "tests/baselines/light/Harmonics.h"
 #include "tests/baselines/light/Solve.h"

@@ -1,7 +1,7 @@
 #include "tests/baselines/light/Taps.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/light/Lookup.h"
-#include "engine/light/Vectorise.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/LatLong.h"
 #include "tests/baselines/light/Ggx.h"

@@ -4,7 +4,7 @@
 #include "engine/core/Image.h"
 #include "engine/core/WriteFile.h"
 #include "engine/math/Colour.h"
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 #include "tests/bench/Bench.h"
 
 #include <fmt/format.h>
@@ -189,9 +189,8 @@ bool readTruth(const Path& file, int frame, ImageRgb8& image) {
 bool measure(const Path& clip, const Path& truth, bool water, Figures& figures) {
     const media::Input input = media::openInput(clip);
     if (!input || avformat_find_stream_info(input.get(), nullptr) < 0) return false;
-    media::PictureDecoder decoder;
-    const AVStream& stream = *input->streams[0];
-    if (!decoder.open(*stream.codecpar, stream.time_base, media::FrameThreading::None, 1)) return false;
+    media::Decoder decoder;
+    if (!decoder.open(*input->streams[0], media::FrameThreading::None, 1)) return false;
     const media::Packet packet = media::makePacket();
     double decode_ms = 0, convert_ms = 0, bytes = 0, blocks = 0;
     int frames = 0, compared = 0;

@@ -1,6 +1,6 @@
 #include "tests/bench/player/PlayedDive.h"
 
-#include "game/rules/ReachHelp.h"
+#include "game/rules/Intent.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/MouseHands.h"
 
@@ -29,7 +29,7 @@ class AtTheMouse {
         mouse.cursor = action.cursor_px / kHalfScreen_px;
         mouse.close = action.close;
         const glm::vec3 ray = glm::normalize(glm::vec3(action.cursor_px / kFocal_px, -1));
-        mouse.reach_m = reach_.update(shown, species_, ray, hands_.distance_m());
+        mouse.reach_m = game::reachHelp(shown, species_, ray, hands_.distance_m(), target_);
         mouse.reachHelp = reachHelp_;
         poses_ = hands_.update(mouse, kFrame_s);
     }
@@ -39,7 +39,7 @@ class AtTheMouse {
     hands::MouseHands hands_;
     const game::SpeciesTable& species_;
     float reachHelp_;
-    game::ReachHelp reach_;
+    int target_ = -1; // of the help with depth
     std::array<hands::HandPose, 2> poses_{};
 };
 
@@ -99,7 +99,8 @@ void count(const game::Events& events, const game::Snapshot& now, PlayedDive& pl
         played.escapes += event.kind == EventKind::Escape;
         played.startles += event.kind == EventKind::Startle;
         const bool missed = event.kind >= EventKind::Miss && event.kind <= EventKind::MissBehind;
-        if (missed) ++played.misses[static_cast<size_t>(now.hands[1].lastMiss)];
+        if (missed)
+            ++played.misses[static_cast<size_t>(event.kind) - static_cast<size_t>(EventKind::Miss) + 1];
     }
 }
 

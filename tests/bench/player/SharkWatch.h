@@ -50,10 +50,8 @@ struct SharkWatch {
         std::nth_element(radii_.begin(), middle, radii_.end());
         const bool isFarther = game::placeOf(shark.position).radius > *middle;
         farther += isFarther;
-        const game::FilmMoment film(dive.space.get(), static_cast<double>(s.tick) / sim::kTickRate_Hz,
-                                    game::FilmSpace::Room::Shark);
-        const bool room =
-            game::openRadius(shark.position, dive.shark, species[shark.species], film) > *middle + 0.3f;
+        const game::FilmMoment film(dive.space.get(), static_cast<double>(s.tick) / sim::kTickRate_Hz);
+        const bool room = game::openRadius(shark.position, {dive, species, s, film}) > *middle + 0.3f;
         roomTicks += room;
         fartherWithRoom += room && isFarther;
         const physics::Capsule body = game::capsuleOf(shark, species[shark.species]);

@@ -2,7 +2,7 @@
 // where Linux would have it.
 #include "engine/media/Pictures.h"
 #include "game/app/Application.h"
-#include "game/rules/TickInput.h"
+#include "game/rules/Dive.h"
 #include "game/settings/KeptFiles.h"
 #include "tests/Recorded.h"
 #include "tests/TestPaths.h"

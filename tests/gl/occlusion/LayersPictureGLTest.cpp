@@ -34,7 +34,7 @@ class LayersPicture : public WithContext {
         primitive.material = 0;
         model.materials.push_back(
             {.baseColourLin = glm::vec4(base, 1), .metallic = metallic, .roughness = roughness});
-        model.meshes.push_back({"torus", {primitive}, {}});
+        model.meshes.push_back({{primitive}, {}});
         model.nodes.push_back({.name = "torus", .mesh = 0});
         model.order = {0};
         return model;

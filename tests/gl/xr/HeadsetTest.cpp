@@ -1,6 +1,5 @@
 // A headset through the real loader and the fake runtime of the tests.
 #include "engine/xr/Headset.h"
-#include "engine/core/Log.h"
 #include "engine/xr/Tracked.h"
 #include "tests/gl/xr/Fixture.h"
 
@@ -57,9 +56,9 @@ TEST_F(HeadsetGL, BeginsAndEndsInGoodOrder) {
         EXPECT_FALSE(open().wantsFrames());
         fake.boundProfiles.clear();
         const Headset headset = focused();
-        EXPECT_EQ(headset.name(), "Fake headset (Fake runtime)");
-        EXPECT_EQ(headset.eyeSize(), glm::ivec2(200, 240));
-        EXPECT_TRUE(headset.bareHands());
+        EXPECT_EQ(headset.properties().name, "Fake headset (Fake runtime)");
+        EXPECT_EQ(headset.properties().eyeSize, glm::ivec2(200, 240));
+        EXPECT_TRUE(headset.properties().bareHands);
         EXPECT_FALSE(headset.leaving());
     }
     EXPECT_TRUE(fake.called.contains("xrRequestExitSession"));
@@ -79,21 +78,14 @@ TEST_F(HeadsetGL, AsksForNinetyPicturesASecondWhereTheyAreOffered) {
     (void)open();
     EXPECT_FALSE(fake.called.contains("xrEnumerateDisplayRefreshRatesFB")) << "the extension is not there";
     fake.extensions.insert(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME);
-    testing::internal::CaptureStderr();
-    log::setUp(true);
-    {
-        Headset headset = focused(); // and the change was told
-    }
-    log::setUp(false);
-    const std::string said = testing::internal::GetCapturedStderr();
+    { Headset headset = focused(); }
     EXPECT_EQ(fake.refreshRate_Hz, 90);
-    EXPECT_NE(said.find("shows 90 pictures a second from now on"), std::string::npos) << said;
     // A rate that is not offered is not asked for, and a failure is no reason not to play.
     fake.refreshRates_Hz = {60, 72};
     fake.refreshRate_Hz = 72;
     fake.called.clear();
     (void)open();
-    EXPECT_TRUE(fake.called.contains("xrGetDisplayRefreshRateFB"));
+    EXPECT_TRUE(fake.called.contains("xrEnumerateDisplayRefreshRatesFB"));
     EXPECT_FALSE(fake.called.contains("xrRequestDisplayRefreshRateFB"));
     fake.failing["xrEnumerateDisplayRefreshRatesFB"] = XR_ERROR_RUNTIME_FAILURE;
     (void)open();
@@ -299,10 +291,10 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
 
 // The eyes' pictures blend by alpha, premultiplied; the mode may change in each frame, as is specified.
 TEST_F(HeadsetGL, TheRoomIsBlendedWhereTheRuntimeOffersIt) {
-    EXPECT_FALSE(open().seesRoom());
+    EXPECT_FALSE(open().properties().seesRoom);
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
     Headset headset = focused();
-    EXPECT_TRUE(headset.seesRoom());
+    EXPECT_TRUE(headset.properties().seesRoom);
     for (const bool room : {true, false, true}) {
         begin(headset);
         for (const Picture picture : {Picture::LeftEye, Picture::RightEye}) {
@@ -319,15 +311,15 @@ TEST_F(HeadsetGL, TheRoomIsBlendedWhereTheRuntimeOffersIt) {
 
 // XR_KHR_composition_layer_depth, where the runtime takes depth of enough bits.
 TEST_F(HeadsetGL, DepthGoesWithTheEyes) {
-    EXPECT_FALSE(open().takesDepth());
+    EXPECT_FALSE(open().properties().takesDepth);
     fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
     fake.formats.push_back(GL_DEPTH_COMPONENT16);
-    EXPECT_FALSE(open().takesDepth());
+    EXPECT_FALSE(open().properties().takesDepth);
     fake.keepPictures = true;
     for (const int64_t format : {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24}) {
         fake.formats.push_back(format);
         Headset headset = focused();
-        ASSERT_TRUE(headset.takesDepth());
+        ASSERT_TRUE(headset.properties().takesDepth);
         begin(headset);
         for (const Picture picture :
              {Picture::LeftEye, Picture::RightEye, Picture::LeftDepth, Picture::RightDepth}) {
@@ -367,15 +359,15 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     ASSERT_TRUE(now.hands[1].tracked);
     EXPECT_NEAR(now.hands[1].joints[25].position.x, 0.25f, 1e-6f);
     EXPECT_EQ(now.hands[1].confidence, 1);
-    EXPECT_TRUE(now.controllers[0].active && now.controllers[0].gripValid && now.controllers[0].menu);
+    ASSERT_TRUE(now.controllers[0].worldFromGrip && now.controllers[0].menu);
     EXPECT_EQ(now.controllers[0].squeeze, 0.7f);
     EXPECT_EQ(now.controllers[0].trigger, 0.2f);
-    EXPECT_NEAR(now.controllers[0].worldFromGrip.position.z, -0.5f, 1e-6f);
-    EXPECT_FALSE(now.controllers[1].active);
+    EXPECT_NEAR(now.controllers[0].worldFromGrip->position.z, -0.5f, 1e-6f);
+    EXPECT_FALSE(now.controllers[1].worldFromGrip);
 
     fake.say(XR_SESSION_STATE_VISIBLE); // a menu of the runtime: what is pressed there is not ours
     emptyFrame(headset);
-    EXPECT_FALSE(headset.tracking().controllers[0].active);
+    EXPECT_FALSE(headset.tracking().controllers[0].worldFromGrip);
 }
 
 // The fake runtime knows what the registry says that each has, and complains of all else.
@@ -445,7 +437,7 @@ TEST_F(HeadsetGL, WorksWithoutHandTracking) {
     fake.extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME};
     fake.hands[0].active = true;
     Headset headset = focused();
-    EXPECT_FALSE(headset.bareHands());
+    EXPECT_FALSE(headset.properties().bareHands);
     emptyFrame(headset);
     EXPECT_FALSE(headset.tracking().hands[0].tracked);
     EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/Log.h"
-#include "game/rules/TickInput.h"
+#include "game/rules/Dive.h"
 #include "game/tools/Commands.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"

@@ -92,7 +92,7 @@ TEST_F(ProgramStatesTest, ResultsKeepTheScoreAndLeadToTheTitle) {
 TEST_F(ProgramStatesTest, AReplayCannotBePausedOnlyLeft) {
     tests::ScratchFolder folder;
     ASSERT_TRUE(tests::write(folder / "a.replay", tests::Recorded(game::recordingHeader(session_.dive))));
-    session_.source = ReplaySource(sim::RecordingReader::open(folder / "a.replay").value());
+    session_.source = ReplaySource{sim::RecordingReader::open(folder / "a.replay").value()};
     states_->input({}, true, leaving_);
     EXPECT_FALSE(session_.paused);
     press(Action::Pause);

@@ -86,7 +86,7 @@ TEST(Contact, TwoPalmsHoldAFishBetweenThem) {
     const auto palms = [&](float apart) {
         for (int side = 0; side < 2; ++side) {
             hands::HandShape flat;
-            hands::WristPose wrist;
+            hands::JointPose wrist;
             // Fingers ahead, palms towards each other: the right hand's -Y points to the left.
             const float roll = side == 1 ? -1.0f : 1.0f;
             wrist.orientation = glm::angleAxis(roll * 1.5707963f, glm::vec3(0, 0, 1));

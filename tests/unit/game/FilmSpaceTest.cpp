@@ -1,6 +1,6 @@
 // Animals in the space of a film: made walls, a tunnel, a wall that comes nearer, a pillar.
 #include "Fixture.h"
-#include "game/rules/ReachHelp.h"
+#include "game/rules/Intent.h"
 #include "tests/playthrough/MadeSpace.h"
 
 namespace shoal::game {
@@ -208,11 +208,11 @@ TEST(FilmSpace, AHiddenFishIsNeitherShownNorHelpedToNorTaken) {
         EXPECT_EQ(one.fish().heldBy, hidden ? -1 : 1);
         EXPECT_EQ(now.creatures[0].hidden, hidden);
         if (!hidden) continue;
-        ReachHelp help;
+        int target = -1;
         const glm::vec3 ray = glm::normalize(behind);
-        EXPECT_FALSE(help.update(now, cove().species, ray, 0.5f));
+        EXPECT_FALSE(reachHelp(now, cove().species, ray, 0.5f, target));
         now.creatures[0].hidden = false;
-        EXPECT_TRUE(help.update(now, cove().species, ray, 0.5f));
+        EXPECT_TRUE(reachHelp(now, cove().species, ray, 0.5f, target));
     }
 }
 

@@ -129,7 +129,7 @@ TEST(Misses, SayWhy) {
             one.hand(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
         }
         EXPECT_EQ(std::ranges::count(one.events, c.says, &Event::kind), 1) << c.what;
-        const HandView hand = one.shown().hands[1];
+        const Hand& hand = one.world.hands[1];
         EXPECT_EQ(eventOf(hand.lastMiss), c.says) << c.what;
         EXPECT_LT(hand.sinceMiss_s, 0.3f);
     }

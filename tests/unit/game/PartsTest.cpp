@@ -1,8 +1,7 @@
 // Parts of the simulation one by one, each given its inputs by hand.
 #include "Fixture.h"
 #include "engine/core/WriteFile.h"
-#include "game/rules/DiveState.h"
-#include "game/rules/ReachHelp.h"
+#include "game/rules/Intent.h"
 #include "tests/Recorded.h"
 #include "tests/unit/Heap.h"
 
@@ -89,15 +88,16 @@ TEST(HandTracking, ALostHandStaysForATenthOfASecondAndAJumpGivesNoSpeed) {
 TEST(FingerWrap, FingersPressOnWhatLiesInTheFistFromBothSides) {
     TickInput input;
     Viewpoint view;
-    Hands hands;
+    DiveState state;
+    Hands& hands = state.hands;
     input.hands[1] = handAt(kPlace, 1);
     trackHands(input, view, hands);
     const physics::Capsule fish{kPlace - glm::vec3(0.03f, 0, 0), kPlace + glm::vec3(0.03f, 0, 0), 0.024f};
     wrapFingers(fish, hands[1]);
     EXPECT_GT(hands[1].fingers.pressCount, 2);
     hands[1].grasp.encloses = 4;
-    EXPECT_GT(holdOn(4, hands, {}, glm::vec3(0)).margin_N, 0);
-    EXPECT_EQ(holdOn(5, hands, {}, glm::vec3(0)).margin_N, 0) << "another fish is not pressed";
+    EXPECT_GT(holdOn(4, state, glm::vec3(0)).margin_N, 0);
+    EXPECT_EQ(holdOn(5, state, glm::vec3(0)).margin_N, 0) << "another fish is not pressed";
 }
 
 TEST(Script, NamesADiveFileBesideIt) {
@@ -217,11 +217,11 @@ TEST(ReachHelp, FindsTheFishUnderTheCursor) {
     now.creatures[0].position = {0.2f, 0, -0.8f};
     const glm::vec3 ray = glm::normalize(now.creatures[0].position);
     now.creatures[0].velocity = glm::vec3(0);
-    ReachHelp help;
-    const auto reach_m = help.update(now, cove().species, ray, 0.5f);
+    int target = -1;
+    const auto reach_m = reachHelp(now, cove().species, ray, 0.5f, target);
     ASSERT_TRUE(reach_m);
     EXPECT_NEAR(*reach_m, glm::length(now.creatures[0].position), 1e-5f);
-    EXPECT_FALSE(help.update(now, cove().species, {-1, 0, 0}, 0.5f));
+    EXPECT_FALSE(reachHelp(now, cove().species, {-1, 0, 0}, 0.5f, target));
 }
 
 // A tick takes no memory from the heap once its scratch memory has its size.

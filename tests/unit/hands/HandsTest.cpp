@@ -27,7 +27,7 @@ TEST(HandRig, RestIsTheFilesOwnPose) {
     // The wrist's -Z points to middle_proximal in the file.
     const glm::vec3 z = -glm::normalize(glm::vec3(-0.004f, 0.004f, -0.096f));
     const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
-    const WristPose wrist{{0, 0, 0}, glm::quat_cast(glm::mat3(x, glm::cross(z, x), z))};
+    const JointPose wrist{{0, 0, 0}, glm::quat_cast(glm::mat3(x, glm::cross(z, x), z))};
     const HandPose hand = rig().pose(Side::Right, shape(0), wrist);
     EXPECT_NEAR(glm::distance(hand.joints[0].position, glm::vec3(-0.004f, -0.004f, -0.060f)), 0, kTol);
     EXPECT_NEAR(glm::distance(hand.joints[15].position, glm::vec3(-0.004f, 0.001f, -0.191f)), 0, kTol);
@@ -41,7 +41,7 @@ TEST(HandRig, BonesKeepTheirLengthAndJointsTheirConvention) {
     for (Side side : {Side::Left, Side::Right})
         for (float curl : {0.0f, 0.3f, 0.7f, 1.0f})
             for (float spread : {-1.0f, 0.0f, 1.0f}) {
-                const WristPose wrist{{0.1f, -0.2f, -0.5f},
+                const JointPose wrist{{0.1f, -0.2f, -0.5f},
                                       glm::normalize(glm::quat(0.8f, 0.1f, -0.5f, 0.3f))};
                 const HandPose pose = hand.pose(side, shape(curl, spread), wrist);
                 ASSERT_TRUE(plausible(pose));
@@ -196,13 +196,13 @@ TEST(MouseHands, ClosesInAboutTheSameTimeAtAnyFrameRate) {
         MouseHands mouse(rig());
         MouseInput input = pointing(0, 0);
         settle(mouse, input);
-        input.close = true;
+        input.close = 1;
         float elapsed = 0;
         while (mouse.update(input, 1.0f / static_cast<float>(fps))[1].grip < 0.9f && elapsed < 1)
             elapsed += 1.0f / static_cast<float>(fps);
         EXPECT_GT(elapsed, 0.05f) << fps;
         EXPECT_LT(elapsed, 0.13f) << fps;
-        input.close = false;
+        input.close = 0;
         EXPECT_LT(settle(mouse, input)[1].grip, 0.2f);
     }
 }
@@ -230,12 +230,12 @@ TEST(MouseHands, HelpWithDepthIsTakenWhileOpenAndOverruledByTheWheel) {
     settle(mouse, input);
     EXPECT_NEAR(mouse.distance_m(), 1.1f, 1e-3f);
     input.reach_m.reset();
-    input.close = true;
+    input.close = 1;
     settle(mouse, input);
     input.reach_m = 0.4f;
     settle(mouse, input);
     EXPECT_NEAR(mouse.distance_m(), 1.1f, 1e-3f) << "a closed hand stays where it closed";
-    input.close = false;
+    input.close = 0;
     input.wheel = 1;
     mouse.update(input, 1.0f / 60);
     input.wheel = 0;

@@ -165,12 +165,12 @@ TEST(Prediction, AHandThatTurnsIsTurnedOn) {
                                  {{0, 0, -0.5f}, glm::angleAxis(radians, glm::vec3(0, 0, 1))});
     };
     for (int i = 0; i < 60; ++i) filter.step(at(angle += kSpin_radps * kInterval_s), 1, i * 10'000);
-    const Palm now = filter.palm(0), ahead = filter.palm(0.03f);
+    const JointPose now = filter.palm(0), ahead = filter.palm(0.03f);
     const auto between = [](const glm::quat& a, const glm::quat& b) {
         return glm::angle(glm::conjugate(a) * b);
     };
-    EXPECT_NEAR(between(at(angle).joints[kPalmJoint].orientation, now.turn), 0, 0.015f);
-    EXPECT_NEAR(between(now.turn, ahead.turn), kSpin_radps * 0.03f, 0.02f);
+    EXPECT_NEAR(between(at(angle).joints[kPalmJoint].orientation, now.orientation), 0, 0.015f);
+    EXPECT_NEAR(between(now.orientation, ahead.orientation), kSpin_radps * 0.03f, 0.02f);
     const Joint& seen = filter.pose().joints[kPalmJoint];
     const HandPose turned = carried(filter.pose(), {seen.position, seen.orientation}, ahead);
     for (int i = 2; i < kJointCount; ++i)

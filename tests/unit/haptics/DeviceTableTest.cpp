@@ -174,7 +174,7 @@ TEST(Glove, UnderstandsWhatTheGameSends) {
     frame.actuators[7] = {0.5f, 250};
     frame.body = {0.25f, 60};
     const Driver driver = driverOf(kGlove, Transport::Usb);
-    const Report report = driver.sealed(frame, 9);
+    const Report report = driver.sealed(driver.encode(frame), 9);
     ASSERT_EQ(report.bytes[0], 0); // hidapi's word for a report without a number; it is not sent
     glove::State state;
     ASSERT_TRUE(glove::receive(state, report.bytes.data() + 1, report.size - 1, 5));

@@ -21,7 +21,7 @@ inline Driver driverOf(const DeviceRow& row, Transport transport) {
     struct Deaf final : HidDevice {
         bool write(std::span<const uint8_t>) override { return false; }
     } deaf;
-    return row.driver({row.product, transport == Transport::Bluetooth, deaf});
+    return row.driver({.product = row.product, .transport = transport}, deaf);
 }
 
 // A vendor number that is assigned to nobody, for a device that is in no table.

@@ -47,8 +47,8 @@ TEST_P(BlockMeans, OneColourGivesItsRadiance) {
                     frame.pixels[i + 1] = static_cast<uint8_t>(green);
                     frame.pixels[i + 2] = static_cast<uint8_t>(blue);
                 }
-                makeBlockMeans({frame.pixels.data(), width, height, 3 * width, false}, weights, out,
-                               GetParam());
+                makeBlockMeans({frame.pixels.data(), width, height, 3 * width, false}, FrameRadiance::Thesis,
+                               weights, out, GetParam());
                 const glm::dvec3 want = radianceOf(red, green, blue);
                 for (int x = 0; x < out.width; ++x)
                     for (int c = 0; c < 3; ++c)
@@ -82,8 +82,8 @@ TEST_P(BlockMeans, NoiseGivesWeighedMeansTheSameForEveryLoop) {
     for (const bool bgr : {true, false}) {
         ImageRgbF out(width / 4, height / 4), plain(width / 4, height / 4);
         const FrameView view = frame.view(bgr);
-        makeBlockMeans(view, weights, out, GetParam());
-        makeBlockMeans(view, weights, plain, BlockLoop::Plain);
+        makeBlockMeans(view, FrameRadiance::Thesis, weights, out, GetParam());
+        makeBlockMeans(view, FrameRadiance::Thesis, weights, plain, BlockLoop::Plain);
         EXPECT_EQ(out.pixels, plain.pixels);
         for (int y = 0; y < out.height; ++y)
             for (int x = 0; x < out.width; ++x) {
@@ -110,15 +110,14 @@ TEST_P(BlockMeans, OneColourGivesDecodedSrgb) {
     const int width = 64, height = 4;
     ImageRgb8 frame(width, height);
     ImageRgbF out(width / 4, 1);
-    ImageF clipped;
     const std::vector<float> weights(4, 0.25f);
     for (int value = 0; value < 256; ++value)
         for (const bool bgr : {true, false}) {
             const std::array<int, 3> colour = {value, 255 - value, value / 2};
             for (size_t i = 0; i < frame.pixels.size(); ++i)
                 frame.pixels[i] = static_cast<uint8_t>(colour[bgr ? 2 - i % 3 : i % 3]);
-            makeLinearBlockMeans({frame.pixels.data(), width, height, 3 * width, bgr}, weights, {}, out,
-                                 clipped, GetParam());
+            makeBlockMeans({frame.pixels.data(), width, height, 3 * width, bgr}, FrameRadiance::Linear,
+                           weights, out, GetParam());
             for (int x = 0; x < out.width; ++x)
                 for (size_t c = 0; c < 3; ++c)
                     ASSERT_NEAR(out.at(x, 0)[c], linearOf(colour[c]), allowed(colour[c])) << colour[c];
@@ -137,11 +136,11 @@ TEST_P(BlockMeans, NoiseGivesDecodedAndClippedMeansTheSameForEveryLoop) {
         ImageRgbF out(width / 4, height / 4), plain(width / 4, height / 4);
         ImageF clipped(width / 4, height / 4), plainClipped(width / 4, height / 4);
         const FrameView view = frame.view(bgr);
-        makeLinearBlockMeans(view, weights, shares, out, clipped, GetParam());
-        makeLinearBlockMeans(view, weights, shares, plain, plainClipped, BlockLoop::Plain);
+        makeBlockMeans(view, FrameRadiance::Auto, weights, out, GetParam(), shares, &clipped);
+        makeBlockMeans(view, FrameRadiance::Auto, weights, plain, BlockLoop::Plain, shares, &plainClipped);
         EXPECT_EQ(out.pixels, plain.pixels);
         EXPECT_EQ(clipped.pixels, plainClipped.pixels);
-        makeLinearBlockMeans(view, weights, {}, plain, plainClipped, GetParam());
+        makeBlockMeans(view, FrameRadiance::Linear, weights, plain, GetParam());
         EXPECT_EQ(out.pixels, plain.pixels);
         for (int y = 0; y < out.height; ++y)
             for (int x = 0; x < out.width; ++x) {

@@ -1,5 +1,5 @@
 #include "engine/core/Random.h"
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/VideoPlayer.h"
 #include "tests/unit/media/TestFiles.h"
 
@@ -30,7 +30,7 @@ TEST(YuvToBgr, IsTheFormulaRounded) {
             for (int differences = 0; differences < 256 * 256; differences += 61) {
                 std::ranges::fill(cb, static_cast<uint8_t>(differences >> 8));
                 std::ranges::fill(cr, static_cast<uint8_t>(differences));
-                toBgr({{luma.data(), cb.data(), cr.data()}, {}, 1, matrix, full}, image);
+                toBgr({luma.data(), cb.data(), cr.data()}, {}, 1, matrix, full, image);
                 for (size_t i = 0; i < 512; ++i) {
                     const auto wanted = bgrOf(luma[i], cb[0], cr[0], lumaOf(matrix), full);
                     for (size_t c = 0; c < 3; ++c)
@@ -48,7 +48,7 @@ TEST(YuvToBgr, EveryWidthIsTheSameToTheLastPixel) {
         for (uint8_t& value : *plane) value = static_cast<uint8_t>(random.below(256));
     const auto converted = [](const auto& y, const auto& b, const auto& r, int width) {
         ImageRgb8 bgr(width, 1);
-        toBgr({{y.data(), b.data(), r.data()}, {}, 1, ColourMatrix::Bt709, false}, bgr);
+        toBgr({y.data(), b.data(), r.data()}, {}, 1, ColourMatrix::Bt709, false, bgr);
         return bgr.pixels;
     };
     const std::vector<uint8_t> whole = converted(luma, cb, cr, 130);

@@ -163,7 +163,7 @@ TEST(WrapBlend, EndsMeet) {
 TEST(Panorama, WrapStepIsNoStrongerThanThePicturesOwnGradients) {
     for (const bench::Scene& scene : {bench::beach(480, 360), bench::forest(480, 360)}) {
         const auto grown = tests::valueOf(panoramaFromPhoto(scene.photo, {.fov_deg = bench::kSceneFov_deg}));
-        EXPECT_LE(grown.wrapStep, grown.usualStep);
+        EXPECT_LE(grown.seam.wrapStep, grown.seam.usualStep);
         // Both lights are wider than 2 degrees and one has a ragged edge.
         EXPECT_LT(glm::distance(grown.lightInPhoto, scene.light) / 480 * bench::kSceneFov_deg, 0.5);
     }

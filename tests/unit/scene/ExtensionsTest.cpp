@@ -304,15 +304,6 @@ TEST(Variants, DressThePrimitivesThatTheyName) {
     EXPECT_EQ(model.meshes[0].primitives[0].material, 0);
 }
 
-TEST(Variants, AVariantThatNothingWearsNeedsNoTexture) {
-    Model model = dressed().model();
-    for (Material& material : model.materials) material.baseColour.texture = 0;
-    ASSERT_TRUE(applyVariant(model, "plain"));
-    EXPECT_EQ(model.materials[0].baseColour.texture, 0);
-    EXPECT_EQ(model.materials[1].baseColour.texture, 0);
-    EXPECT_EQ(model.materials[2].baseColour.texture, -1);
-}
-
 TEST(Variants, ReferToWhatIsThere) {
     Gltf file = dressed();
     Json& mappings =

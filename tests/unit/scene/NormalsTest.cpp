@@ -21,7 +21,7 @@ TEST_P(Normals, StandOnTheEllipsoid) {
                 directionFromLatLong(glm::vec2(static_cast<float>(x) / 16, static_cast<float>(y) / 8)));
     primitive.normals = primitive.positions;
     Model model;
-    model.meshes.push_back({"ball", {primitive}, {}});
+    model.meshes.push_back({{primitive}, {}});
     model.nodes.push_back({.mesh = 0});
     model.order = {0};
     GetParam().transform(model);

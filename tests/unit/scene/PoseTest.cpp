@@ -147,7 +147,7 @@ Model bar() {
     primitive.joints = {{0, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}};
     primitive.weights = {{1, 0, 0, 0}, {0.5f, 0.5f, 0, 0}, {1, 0, 0, 0}};
     primitive.indices = {0, 1, 2};
-    model.meshes.push_back({"bar", {primitive}, {}});
+    model.meshes.push_back({{primitive}, {}});
     return model;
 }
 
@@ -205,8 +205,8 @@ TEST(Bounds, FollowMorphs) {
     Primitive primitive;
     primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     primitive.normals.resize(3, {0, 0, 1});
-    primitive.morphTargets.push_back({{{0, 0, 0}, {4, 0, 0}, {0, 0, -2}}, {}, {}});
-    model.meshes.push_back({"", {primitive}, {0.5f}});
+    primitive.morphTargets.push_back({{{0, 0, 0}, {4, 0, 0}, {0, 0, -2}}, {}});
+    model.meshes.push_back({{primitive}, {0.5f}});
     Pose pose;
     restPose(model, pose);
     EXPECT_EQ(posedBounds(model, pose).high, glm::vec3(3, 1, 0));

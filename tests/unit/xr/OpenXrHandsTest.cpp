@@ -53,13 +53,8 @@ TEST(OpenXrHands, JointsComeBackInTheViewersFrame) {
 
 xr::Controller heldUpright(float squeeze = 0, float trigger = 0) {
     // A rod held upright ahead, as for shaking hands: OpenXR has -Z up along it, +X right, +Y to the player.
-    xr::Controller controller{.active = true, .gripValid = true};
-    controller.worldFromGrip.position = {0.2f, -0.2f, -0.4f};
-    controller.worldFromGrip.orientation =
-        glm::quat_cast(glm::mat3(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, -1, 0)));
-    controller.squeeze = squeeze;
-    controller.trigger = trigger;
-    return controller;
+    const glm::mat3 turn(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, -1, 0));
+    return {xr::Pose{{0.2f, -0.2f, -0.4f}, glm::quat_cast(turn)}, squeeze, trigger};
 }
 
 TEST(OpenXrHands, AControllerIsHeldAsOpenXrSays) {
@@ -76,14 +71,14 @@ TEST(OpenXrHands, AControllerIsHeldAsOpenXrSays) {
         EXPECT_GT(hand.joints[5].position.y, hand.joints[25].position.y + 0.05f);
         // The palm's surface at the grip.
         const glm::vec3 surface = palm.position - back * palm.radius;
-        EXPECT_LT(glm::distance(surface, heldUpright().worldFromGrip.position), kTol);
+        EXPECT_LT(glm::distance(surface, heldUpright().worldFromGrip->position), kTol);
     }
 }
 
 TEST(OpenXrHands, AControllerIsSeenFromTheHead) {
     const HandPose straight = handFromController(rig(), Side::Right, heldUpright(), {});
     xr::Controller moved = heldUpright();
-    moved.worldFromGrip = kHead * moved.worldFromGrip;
+    moved.worldFromGrip = kHead * *moved.worldFromGrip;
     const HandPose turned = handFromController(rig(), Side::Right, moved, kHead);
     for (size_t i = 0; i < straight.joints.size(); ++i)
         EXPECT_LT(glm::distance(straight.joints[i].position, turned.joints[i].position), kTol);
@@ -114,7 +109,7 @@ TEST(OpenXrHands, BareHandsComeBeforeControllersBeforeNothing) {
     EXPECT_FALSE(hands[0].tracked);
     EXPECT_FALSE(hands[1].tracked);
     tracking.controllers[0] = heldUpright();
-    tracking.controllers[0].gripValid = false;
+    tracking.controllers[0].worldFromGrip.reset();
     EXPECT_FALSE(openXrHands(rig(), tracking)[0].tracked);
 }
 

@@ -65,10 +65,9 @@ std::vector<glm::vec4> inMeshFrames(const scene::Model& model, const scene::Pose
         if (node.mesh < 0) continue;
         if (node.skin >= 0) scene::skinMatrices(model, node.skin, pose, joints);
         for (const scene::Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
-            const bool mapped =
-                primitive.material >= 0 &&
-                model.materials[static_cast<size_t>(primitive.material)].occlusion.texture >= 0;
-            const bool none = mapped || scene::isBlended(model, primitive);
+            const scene::Material& material = model.materialOf(primitive);
+            const bool none =
+                material.occlusion.texture >= 0 || material.alphaMode == scene::AlphaMode::Blend;
             const bool skinned = node.skin >= 0 && !primitive.joints.empty();
             for (size_t v = 0; v < primitive.positions.size(); ++v, ++next) {
                 const glm::mat3 meshFromModel = glm::inverse(

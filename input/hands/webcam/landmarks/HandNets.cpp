@@ -27,15 +27,6 @@ constexpr size_t kMaxPalms = 8;
 enum PalmOutput : size_t { kBoxes, kScores };
 enum LandmarkOutput : size_t { kPlaces, kPresence, kRight, kShape };
 
-struct ModelFile {
-    const char* name;
-    std::string_view sha256;
-};
-constexpr ModelFile kPalmFile{"palm_detection_full.tflite",
-                              "2f25e740121983f68ffc05f99991d524dc0ea812134f6316a26125816941ee85"};
-constexpr ModelFile kLandmarkFile{"hand_landmark_full.tflite",
-                                  "8c026882c9ec059ce0f8e75266bee5a9a23c341a40e0000df755374d3d1b9b68"};
-
 std::string sha256(const std::vector<uint8_t>& bytes) {
     const std::unique_ptr<AVSHA, decltype(&av_free)> sha(av_sha_alloc(), av_free);
     std::array<uint8_t, 32> sum{};
@@ -45,22 +36,12 @@ std::string sha256(const std::vector<uint8_t>& bytes) {
     return fmt::format("{:02x}", fmt::join(sum, ""));
 }
 
-Result<NeuralNet> loadNet(const Path& folder, const ModelFile& model, size_t picture,
-                          const std::vector<size_t>& outputs) {
-    const Path file = folder / model.name;
+Result<NeuralNet> loadNet(const Path& file, std::string_view checksum) {
     const auto bytes = readFile(file, 16u << 20);
-    const bool right = bytes && sha256(*bytes) == model.sha256;
-    if (!right)
-        return Error{file.string(),
-                     (bytes ? std::string("is damaged, or of another version") : bytes.error().reason) +
-                         "; " + handModelScript().string() + " fetches it"};
-    auto net = NeuralNet::read(*bytes, file.string());
-    if (!net) return net;
-    bool fits =
-        net->inputShape() == std::vector<size_t>{1, picture, picture, 3} && net->outputs() == outputs.size();
-    for (size_t i = 0; fits && i < outputs.size(); ++i) fits = net->output(i).size() == outputs[i];
-    if (!fits) return Error{file.string(), "has other inputs or outputs than expected"};
-    return net;
+    if (bytes && sha256(*bytes) == checksum) return NeuralNet::read(*bytes, file.string());
+    return Error{file.string(),
+                 (bytes ? std::string("is damaged, or of another version") : bytes.error().reason) + "; " +
+                     handModelScript().string() + " fetches it"};
 }
 
 cv::Point2f turned(const cv::Point2f& v, float turn) {
@@ -108,23 +89,24 @@ Crop cropAround(const Landmarks& hand) {
 }
 
 Result<HandNets> HandNets::load(const Path& folder) {
-    auto palms = loadNet(folder, kPalmFile, kPalmPicture, {kAnchors * kPerAnchor, kAnchors});
+    auto palms = loadNet(folder / "palm_detection_full.tflite",
+                         "2f25e740121983f68ffc05f99991d524dc0ea812134f6316a26125816941ee85");
     if (!palms) return palms.error();
-    auto landmarks =
-        loadNet(folder, kLandmarkFile, kHandPicture, {3 * kLandmarkCount, 1, 1, 3 * kLandmarkCount});
+    auto landmarks = loadNet(folder / "hand_landmark_full.tflite",
+                             "8c026882c9ec059ce0f8e75266bee5a9a23c341a40e0000df755374d3d1b9b68");
     if (!landmarks) return landmarks.error();
-    return HandNets(std::move(*palms), std::move(*landmarks));
-}
-
-HandNets::HandNets(NeuralNet palms, NeuralNet landmarks)
-    : palms_(std::move(palms)), landmarks_(std::move(landmarks)), anchors_(makeAnchors()) {
-    found_.reserve(kAnchors);
+    HandNets nets;
+    nets.palms_ = std::move(*palms);
+    nets.landmarks_ = std::move(*landmarks);
+    nets.anchors_ = makeAnchors();
+    nets.found_.reserve(kAnchors);
+    return nets;
 }
 
 // Fills a network's input, red first, 0 to 1, with the part of the picture that the affine map takes to it.
 void HandNets::takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPicture, int size, int border,
-                           std::span<float> input) {
-    cv::Mat to(size, size, CV_32FC3, input.data());
+                           NeuralNet& net) {
+    cv::Mat to(size, size, CV_32FC3, net.input.data());
     cv::warpAffine(bgr, part_, inputFromPicture, {size, size}, cv::INTER_LINEAR, border);
     cv::cvtColor(part_, rgb_, cv::COLOR_BGR2RGB);
     rgb_.convertTo(to, CV_32F, 1.0 / 255);
@@ -138,9 +120,9 @@ std::span<const FoundPalm> HandNets::findPalms(const cv::Mat& bgr) {
     cv::resize(bgr, small_, {std::max(1, cvRound(size.x * scale)), std::max(1, cvRound(size.y * scale))}, 0,
                0, cv::INTER_AREA);
     takePicture(small_, {1, 0, margin.x * scale, 0, 1, margin.y * scale}, kPalmPicture, cv::BORDER_CONSTANT,
-                palms_.input());
+                palms_);
     if (!palms_.run()) return {};
-    const std::span<const float> numbers = palms_.output(kBoxes), scores = palms_.output(kScores);
+    const std::span<const float> numbers = palms_.outputs[kBoxes], scores = palms_.outputs[kScores];
     found_.clear();
     for (size_t i = 0; i < kAnchors; ++i) {
         const float score = 1 / (1 + std::exp(-std::clamp(scores[i], -100.0f, 100.0f)));
@@ -167,13 +149,12 @@ std::span<const FoundPalm> HandNets::findPalms(const cv::Mat& bgr) {
               [](const FoundPalm& a, const FoundPalm& b) { return a.score > b.score; });
     size_t kept = 0;
     for (const FoundPalm& palm : found_) {
-        const std::span before(found_.data(), kept);
-        const bool known = std::any_of(before.begin(), before.end(), [&](const FoundPalm& other) {
+        const bool known = std::ranges::any_of(std::span(found_).first(kept), [&](const FoundPalm& other) {
             return overlap(other.box, palm.box) > kSamePalm;
         });
         if (!known && kept < kMaxPalms) found_[kept++] = palm;
     }
-    return {found_.data(), kept};
+    return std::span(found_).first(kept);
 }
 
 Landmarks HandNets::findLandmarks(const cv::Mat& bgr, const Crop& crop) {
@@ -183,18 +164,18 @@ Landmarks HandNets::findLandmarks(const cv::Mat& bgr, const Crop& crop) {
     takePicture(bgr,
                 {x.x, y.x, half - x.x * crop.middle.x - y.x * crop.middle.y, //
                  x.y, y.y, half - x.y * crop.middle.x - y.y * crop.middle.y},
-                kHandPicture, cv::BORDER_REPLICATE, landmarks_.input());
+                kHandPicture, cv::BORDER_REPLICATE, landmarks_);
     Landmarks out;
     if (!landmarks_.run()) return out;
-    const std::span<const float> at = landmarks_.output(kPlaces), shape = landmarks_.output(kShape);
+    const std::span<const float> at = landmarks_.outputs[kPlaces], shape = landmarks_.outputs[kShape];
     for (size_t i = 0; i < kLandmarkCount; ++i) {
         out.at[i] =
             crop.middle + turned(cv::Point2f(at[3 * i] - half, at[3 * i + 1] - half) / scale, crop.turn);
         const cv::Point2f across = turned({shape[3 * i], shape[3 * i + 1]}, crop.turn);
         out.shape[i] = {across.x, across.y, shape[3 * i + 2]};
     }
-    out.presence = landmarks_.output(kPresence)[0];
-    out.right = landmarks_.output(kRight)[0]; // in a picture that is not mirrored
+    out.presence = landmarks_.outputs[kPresence][0];
+    out.right = landmarks_.outputs[kRight][0]; // in a picture that is not mirrored
     return out;
 }
 

@@ -46,35 +46,20 @@ struct Landmarks {
 Crop cropAround(const Landmarks& hand);
 
 // A convolutional network, read from a TensorFlow Lite file and run by XNNPACK on the calling thread.
-class NeuralNet {
-  public:
+struct NeuralNet {
     // Reads a file whose checksum was verified before; its contents are not checked. name: for the error.
     static Result<NeuralNet> read(std::span<const uint8_t> tfLite, const std::string& name);
 
-    // The one input, to be filled before run(): rows of pixels of channels.
-    std::span<float> input() { return {input_.data(), inputCount_}; }
-    const std::vector<size_t>& inputShape() const { return inputShape_; } // dimensions, first the batch (1)
     bool run();
-    // Outputs in the file's order.
-    size_t outputs() const { return outputs_.size(); }
-    std::span<const float> output(size_t number) const {
-        return {outputs_[number].data(), outputCounts_[number]};
-    }
 
-  private:
-    NeuralNet() = default;
+    // XNNPACK reads a little beyond the ends of arrays: all are longer than the file says.
+    std::vector<float> input;                         // to be filled before run(): rows of pixels of channels
+    std::vector<std::vector<float>> outputs, weights; // in the file's order
+
     struct Delete {
         void operator()(xnn_runtime* runtime) const;
     };
-    class Builder;
-
-    // XNNPACK reads a little beyond the ends of arrays: all are longer than counted.
-    std::vector<float> input_;
-    size_t inputCount_ = 0;
-    std::vector<size_t> inputShape_;
-    std::vector<std::vector<float>> outputs_, weights_;
-    std::vector<size_t> outputCounts_;
-    std::unique_ptr<xnn_runtime, Delete> runtime_; // last: it uses all of the above
+    std::unique_ptr<xnn_runtime, Delete> runtime; // last: it uses all of the above
 };
 
 class HandNets {
@@ -87,9 +72,9 @@ class HandNets {
     Landmarks findLandmarks(const cv::Mat& bgr, const Crop& crop);
 
   private:
-    HandNets(NeuralNet palms, NeuralNet landmarks);
+    HandNets() = default;
     void takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPicture, int size, int border,
-                     std::span<float> input);
+                     NeuralNet& net);
 
     NeuralNet palms_, landmarks_;
     std::vector<cv::Point2f> anchors_;

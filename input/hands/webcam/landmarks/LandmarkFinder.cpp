@@ -81,63 +81,24 @@ double gainFor(const cv::Mat& bgr) {
     return light < kDark ? std::min(kBright / std::max(light, 1.0), kMaxGain) : 1.0;
 }
 
-} // namespace
-
-LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
-    : nets_(std::move(nets)), completer_(rig),
-      rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {
-    tracks_.reserve(2);
-    for (const auto& [a, b] : kPalmBones)
-        palmBones_m_ += glm::distance(landmarkOf(rest_[1], a), landmarkOf(rest_[1], b));
-}
-
-void LandmarkFinder::follow(const cv::Mat& bgr) {
-    for (Track& track : tracks_) {
-        track.hand = nets_.findLandmarks(bgr, cropAround(track.hand));
-        ++track.pictures;
-    }
-    std::erase_if(tracks_, [](const Track& track) {
-        return !(track.hand.presence >= (track.isSure() ? kPresent : kNew));
-    });
-    // Both tracks may end up on the hand in front when hands cross.
-    if (tracks_.size() == 2 && same(tracks_[0].hand, tracks_[1].hand)) tracks_.pop_back();
-}
-
-void LandmarkFinder::lookForNew(const cv::Mat& bgr) {
-    for (const FoundPalm& palm : nets_.findPalms(bgr)) {
-        if (tracks_.size() == 2) return;
-        const auto isFollowed = [&](const Landmarks& hand) {
-            return std::any_of(tracks_.begin(), tracks_.end(),
-                               [&](const Track& track) { return same(track.hand, hand); });
-        };
-        const Landmarks hand = nets_.findLandmarks(bgr, palm.hand);
-        if (hand.presence >= kNew && !isFollowed(hand))
-            tracks_.push_back({.hand = hand, .pictures = 1, .right = hand.right, .identity = ++identities_});
-    }
-}
-
-// Decides the hands' sides: two hands are always a right and a left one, whichever pairing is likelier.
-void LandmarkFinder::decideSides() {
-    for (Track& track : tracks_) track.right = std::lerp(track.right, track.hand.right, kSideShare);
-    const auto decide = [&](Track& track, bool right) {
-        const Side side = right ? Side::Right : Side::Left;
-        if (side != track.side && track.isSure()) track.identity = ++identities_;
-        track.side = side;
-    };
-    if (tracks_.size() == 2) {
-        const bool firstIsRight = tracks_[0].right > tracks_[1].right;
-        decide(tracks_[0], firstIsRight);
-        decide(tracks_[1], !firstIsRight);
-    } else if (tracks_.size() == 1) {
-        decide(tracks_[0], tracks_[0].right > 0.5f);
-    }
-}
+// A hand in the camera's frame: x right, y up, z towards the camera.
+struct Seen {
+    std::array<glm::vec3, kLandmarkCount> ray;   // z is -1
+    std::array<glm::vec3, kLandmarkCount> shape; // metres, in the size of the rig's hand
+};
+struct Fit {
+    glm::quat turn;
+    glm::vec3 wrist;
+    HandShape hand;
+};
+constexpr int kResiduals = 3 * kLandmarkCount + 1 + kFingerCount, kUnknowns = 12;
+using Residuals = cv::Vec<float, kResiduals>;
+using Step = cv::Vec<float, kUnknowns>; // radians, metres, five curls, spread
 
 // The landmarks are exact within a few pixels across the picture, but not in depth: the network bends the
 // fingers of an open hand by 40 mm at their tips. So the rig's hand is fitted to them, by Levenberg and
 // Marquardt's method from the network's shape; depth decides only where the picture is ambiguous.
-LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
-                                             const std::array<glm::vec3, kLandmarkCount>& rest) const {
+Fit firstFit(const Seen& seen, const std::array<glm::vec3, kLandmarkCount>& rest) {
     // Least squares for the place p of the shape: (p + shape).xy = ray.xy (p + shape).z / ray.z at every
     // landmark.
     glm::mat3 normal(0);
@@ -167,18 +128,17 @@ LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
     return fit;
 }
 
-LandmarkFinder::Residuals LandmarkFinder::residuals(const Fit& fit, const Seen& seen, Side side) const {
+Residuals residuals(const HandRig& rig, const Fit& fit, const Seen& seen, Side side) {
     // Standard deviations. The wrist's is larger: nothing marks it on an arm, and a sleeve hides it.
     constexpr float kAcross_m = 0.003f, kWristAcross_m = 0.01f, kDepth_m = 0.3f, kSpread = 2, kCurl = 0.3f;
-    const HandPose pose = rig_.pose(side, fit.hand, {fit.wrist, fit.turn});
+    const HandPose pose = rig.pose(side, fit.hand, {fit.wrist, fit.turn});
     Residuals out;
-    for (int i = 0; i < kLandmarkCount; ++i) {
-        const auto at = static_cast<size_t>(i);
-        const glm::vec3 p = landmarkOf(pose, at);
-        const float across_m = at == kWrist ? kWristAcross_m : kAcross_m;
-        out(3 * i) = (p.x + seen.ray[at].x * p.z) / across_m;
-        out(3 * i + 1) = (p.y + seen.ray[at].y * p.z) / across_m;
-        out(3 * i + 2) = (p.z - fit.wrist.z - seen.shape[at].z + seen.shape[kWrist].z) / kDepth_m;
+    for (size_t i = 0; i < kLandmarkCount; ++i) {
+        const glm::vec3 p = landmarkOf(pose, i);
+        const float across_m = i == kWrist ? kWristAcross_m : kAcross_m;
+        out.val[3 * i] = (p.x + seen.ray[i].x * p.z) / across_m;
+        out.val[3 * i + 1] = (p.y + seen.ray[i].y * p.z) / across_m;
+        out.val[3 * i + 2] = (p.z - fit.wrist.z - seen.shape[i].z + seen.shape[kWrist].z) / kDepth_m;
     }
     out(3 * kLandmarkCount) = fit.hand.spread / kSpread;
     for (int finger = 0; finger < kFingerCount; ++finger)
@@ -186,7 +146,7 @@ LandmarkFinder::Residuals LandmarkFinder::residuals(const Fit& fit, const Seen& 
     return out;
 }
 
-LandmarkFinder::Fit LandmarkFinder::moved(Fit fit, const Step& by) {
+Fit moved(Fit fit, const Step& by) {
     fit.turn = glm::normalize(glm::quat(1, by(0) / 2, by(1) / 2, by(2) / 2) * fit.turn);
     fit.wrist += glm::vec3(by(3), by(4), by(5));
     for (int finger = 0; finger < kFingerCount; ++finger) {
@@ -197,12 +157,12 @@ LandmarkFinder::Fit LandmarkFinder::moved(Fit fit, const Step& by) {
     return fit;
 }
 
-HandPose LandmarkFinder::fitted(const Seen& seen, Side side) const {
-    const HandPose& rest = rest_[side == Side::Left ? 0 : 1];
+HandPose fitted(const HandRig& rig, const Seen& seen, Side side) {
+    const HandPose rest = rig.pose(side, {}, {});
     std::array<glm::vec3, kLandmarkCount> restAt;
     for (size_t i = 0; i < kLandmarkCount; ++i) restAt[i] = rest.joints[kJointAt[i]].position;
     Fit fit = firstFit(seen, restAt);
-    Residuals off = residuals(fit, seen, side);
+    Residuals off = residuals(rig, fit, seen, side);
     float damping = 1e-3f;
     for (int round = 0; round < 10; ++round) {
         constexpr float kDelta = 1e-3f; // radians, metres, shares
@@ -213,21 +173,63 @@ HandPose LandmarkFinder::fitted(const Seen& seen, Side side) const {
             // Steps away from the end of a range, beyond which nothing changes.
             if (k >= 6 && k < 11 && fit.hand.curl[k - 6] > 0.5f) delta(k) = -kDelta;
             if (k == 11 && fit.hand.spread > 0) delta(k) = -kDelta;
-            const Residuals changed = (residuals(moved(fit, delta), seen, side) - off) * (1 / delta(k));
+            const Residuals changed = (residuals(rig, moved(fit, delta), seen, side) - off) * (1 / delta(k));
             for (int i = 0; i < kResiduals; ++i) slope(i, k) = changed(i);
         }
         auto normal = slope.t() * slope;
         for (int k = 0; k < kUnknowns; ++k) normal(k, k) *= 1 + damping;
         const Step step = normal.solve(slope.t() * off, cv::DECOMP_CHOLESKY) * -1.0f;
         const Fit next = moved(fit, step);
-        const Residuals nextOff = residuals(next, seen, side);
+        const Residuals nextOff = residuals(rig, next, seen, side);
         const bool better = nextOff.dot(nextOff) < off.dot(off);
         damping *= better ? 0.3f : 10.0f;
         if (!better) continue;
         fit = next;
         off = nextOff;
     }
-    return rig_.pose(side, fit.hand, {fit.wrist, fit.turn});
+    return rig.pose(side, fit.hand, {fit.wrist, fit.turn});
+}
+
+} // namespace
+
+LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
+    : nets_(std::move(nets)), completer_(rig), rig_(rig) {
+    tracks_.reserve(2);
+}
+
+void LandmarkFinder::follow(const cv::Mat& bgr) {
+    for (Track& track : tracks_) {
+        track.hand = nets_.findLandmarks(bgr, cropAround(track.hand));
+        ++track.pictures;
+    }
+    std::erase_if(tracks_, [](const Track& track) {
+        return !(track.hand.presence >= (track.isSure() ? kPresent : kNew));
+    });
+    // Both tracks may end up on the hand in front when hands cross.
+    if (tracks_.size() == 2 && same(tracks_[0].hand, tracks_[1].hand)) tracks_.pop_back();
+}
+
+void LandmarkFinder::lookForNew(const cv::Mat& bgr) {
+    for (const FoundPalm& palm : nets_.findPalms(bgr)) {
+        if (tracks_.size() == 2) return;
+        const Landmarks hand = nets_.findLandmarks(bgr, palm.hand);
+        const auto isFollowedBy = [&](const Track& track) { return same(track.hand, hand); };
+        if (hand.presence >= kNew && std::ranges::none_of(tracks_, isFollowedBy))
+            tracks_.push_back({.hand = hand, .pictures = 1, .right = hand.right, .identity = ++identities_});
+    }
+}
+
+// Decides the hands' sides: two hands are always a right and a left one, whichever pairing is likelier.
+void LandmarkFinder::decideSides() {
+    for (Track& track : tracks_) track.right = std::lerp(track.right, track.hand.right, kSideShare);
+    if (tracks_.empty()) return;
+    bool right = tracks_[0].right > (tracks_.size() == 2 ? tracks_[1].right : 0.5f);
+    for (Track& track : tracks_) {
+        const Side side = right ? Side::Right : Side::Left;
+        if (side != track.side && track.isSure()) track.identity = ++identities_;
+        track.side = side;
+        right = !right;
+    }
 }
 
 std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size picture) const {
@@ -238,9 +240,13 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
     const auto rayTo = [&](const cv::Point2f& p) {
         return glm::vec3((p.x + 0.5f - middle.x) / focal_px, (middle.y - p.y - 0.5f) / focal_px, -1);
     };
-    float bones = 0;
-    for (const auto& [a, b] : kPalmBones) bones += glm::distance(hand.shape[a], hand.shape[b]);
-    const float scale = palmBones_m_ / std::max(bones, 1e-3f);
+    const HandPose rest = rig_.pose(Side::Right, {}, {});
+    float bones = 0, bonesOfRig_m = 0;
+    for (const auto& [a, b] : kPalmBones) {
+        bones += glm::distance(hand.shape[a], hand.shape[b]);
+        bonesOfRig_m += glm::distance(landmarkOf(rest, a), landmarkOf(rest, b));
+    }
+    const float scale = bonesOfRig_m / std::max(bones, 1e-3f);
     // The network sees a crop as if its middle were straight ahead.
     const glm::quat turn(glm::vec3(0, 0, -1), glm::normalize(rayTo(palmOf(hand))));
     Seen seen;
@@ -248,7 +254,7 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
         seen.ray[i] = rayTo(hand.at[i]);
         seen.shape[i] = turn * (hand.shape[i] * glm::vec3(scale, -scale, -scale));
     }
-    const HandPose fit = fitted(seen, track.side);
+    const HandPose fit = fitted(rig_, seen, track.side);
     PartialHand partial;
     for (size_t i = 0; i < kLandmarkCount; ++i) {
         const auto joint = static_cast<size_t>(kJointAt[i]);

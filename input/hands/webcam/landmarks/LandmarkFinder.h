@@ -45,30 +45,10 @@ class LandmarkFinder {
     void decideSides();
     std::optional<HandPose> poseOf(const Track& track, cv::Size picture) const;
 
-    // A hand in the camera's frame: x right, y up, z towards the camera.
-    struct Seen {
-        std::array<glm::vec3, kLandmarkCount> ray;   // z is -1
-        std::array<glm::vec3, kLandmarkCount> shape; // metres, in the size of the rig's hand
-    };
-    struct Fit {
-        glm::quat turn;
-        glm::vec3 wrist;
-        HandShape hand;
-    };
-    static constexpr int kResiduals = 3 * kLandmarkCount + 1 + kFingerCount, kUnknowns = 12;
-    using Residuals = cv::Vec<float, kResiduals>;
-    using Step = cv::Vec<float, kUnknowns>; // radians, metres, five curls, spread
-    Fit firstFit(const Seen& seen, const std::array<glm::vec3, kLandmarkCount>& rest) const;
-    Residuals residuals(const Fit& fit, const Seen& seen, Side side) const;
-    static Fit moved(Fit fit, const Step& by);
-    HandPose fitted(const Seen& seen, Side side) const;
-
     HandNets nets_;
     HandCompleter completer_;
     HandRig rig_;
-    std::array<HandPose, 2> rest_; // left, right: flat, wrist at the origin
-    float palmBones_m_ = 0;        // the rig's sum of kPalmBones
-    std::vector<Track> tracks_;    // two at most, the older first
+    std::vector<Track> tracks_; // two at most, the older first
     std::vector<cv::Point2f> marks_;
     cv::Mat brightened_;
     int64_t identities_ = 0, pictures_ = 0;

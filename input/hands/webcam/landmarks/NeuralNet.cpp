@@ -43,26 +43,33 @@ struct Tensor {
     uint32_t externalId = XNN_INVALID_VALUE_ID, flags = 0;
 };
 
-} // namespace
-
-void NeuralNet::Delete::operator()(xnn_runtime* runtime) const { xnn_delete_runtime(runtime); }
-
-class NeuralNet::Builder {
+class Builder {
   public:
-    const char* build(std::span<const uint8_t> file); // returns null, or the reason why it failed
     NeuralNet net;
 
-  private:
-    void readTensors(const tflite::Model& model, const tflite::SubGraph& graph);
-    void placeInputAndOutputs(const tflite::SubGraph& graph);
-    // Returns false if the operator is none of those below, or XNNPACK refuses it.
-    bool add(const Operator& op);
-    void dequantize(const Operator& op);
-    xnn_status addConvolution(const Operator& op);
-    xnn_status addDepthwise(const Operator& op);
-    xnn_status addMaxPool(const Operator& op);
-    xnn_status addPad(const Operator& op);
+    // Returns null, or the reason why it failed.
+    const char* build(std::span<const uint8_t> file) {
+        const tflite::Model& model = *tflite::GetModel(file.data());
+        const tflite::SubGraph& graph = *model.subgraphs()->Get(0);
+        for (const tflite::OperatorCode* code : *model.operator_codes()) codes_.push_back(code->code());
+        readTensors(model, graph);
+        placeInputAndOutputs(graph);
+        if (xnn_initialize(nullptr) != xnn_status_success ||
+            xnn_create_subgraph(static_cast<uint32_t>(externals_.size()), 0, &graph_) != xnn_status_success)
+            return "cannot be run: XNNPACK does not work on this processor";
+        const std::unique_ptr<xnn_subgraph, decltype(&xnn_delete_subgraph)> owner(graph_,
+                                                                                  xnn_delete_subgraph);
+        for (const Operator* op : *graph.operators())
+            if (add(*op) != xnn_status_success) return "is not the known model";
+        xnn_runtime_t runtime = nullptr;
+        const bool made = xnn_create_runtime(graph_, &runtime) == xnn_status_success;
+        net.runtime.reset(runtime);
+        if (!made || xnn_setup_runtime(runtime, externals_.size(), externals_.data()) != xnn_status_success)
+            return "is refused by XNNPACK";
+        return nullptr;
+    }
 
+  private:
     tflite::Operation kind(const Operator& op) const { return codes_[op.code()]; }
     Tensor& tensor(const flatbuffers::Vector<int32_t>& list, uint32_t place) {
         return tensors_[list.Get(place)];
@@ -70,7 +77,156 @@ class NeuralNet::Builder {
     // Return the tensor as defined to XNNPACK, in single precision.
     const Tensor& in(const Operator& op, uint32_t place) { return define(tensor(*op.inputs(), place)); }
     const Tensor& out(const Operator& op) { return define(tensor(*op.outputs(), 0)); }
-    const Tensor& define(Tensor& tensor);
+
+    void readTensors(const tflite::Model& model, const tflite::SubGraph& graph) {
+        for (const tflite::Tensor* from : *graph.tensors()) {
+            Tensor& tensor = tensors_.emplace_back();
+            if (from->shape()) tensor.shape.assign(from->shape()->begin(), from->shape()->end());
+            tensor.count =
+                std::accumulate(tensor.shape.begin(), tensor.shape.end(), size_t{1}, std::multiplies<>());
+            if (const auto* data = model.buffers()->Get(from->buffer())->data())
+                tensor.bytes = {data->data(), data->size()};
+        }
+    }
+
+    // The parts of a concatenation of rows are written one behind the other, so that it needs no operator.
+    void placeInputAndOutputs(const tflite::SubGraph& graph) {
+        const auto place = [&](Tensor& part, float* at, uint32_t flags) {
+            part.externalId = static_cast<uint32_t>(externals_.size());
+            part.flags = flags;
+            externals_.push_back({part.externalId, at});
+        };
+        Tensor& input = tensor(*graph.inputs(), 0);
+        net.input.resize(input.count + kExtra);
+        place(input, net.input.data(), XNN_VALUE_FLAG_EXTERNAL_INPUT);
+        for (uint32_t number = 0; number < graph.outputs()->size(); ++number) {
+            Tensor& output = tensor(*graph.outputs(), number);
+            float* at = net.outputs.emplace_back(output.count + kExtra).data();
+            const Operator* joins = nullptr;
+            for (const Operator* op : *graph.operators())
+                if (kind(*op) == tflite::Operation::Concatenation && &tensor(*op->outputs(), 0) == &output)
+                    joins = op;
+            if (!joins) {
+                place(output, at, XNN_VALUE_FLAG_EXTERNAL_OUTPUT);
+                continue;
+            }
+            for (uint32_t k = 0; k < joins->inputs()->size(); ++k) {
+                Tensor& part = tensor(*joins->inputs(), k);
+                place(part, at, XNN_VALUE_FLAG_EXTERNAL_OUTPUT);
+                at += part.count;
+            }
+        }
+    }
+
+    const Tensor& define(Tensor& tensor) {
+        if (tensor.id != XNN_INVALID_VALUE_ID) return tensor;
+        if (!tensor.weights && !tensor.bytes.empty()) {
+            std::vector<float>& numbers = net.weights.emplace_back(tensor.count + kExtra);
+            std::memcpy(numbers.data(), tensor.bytes.data(), tensor.bytes.size());
+            tensor.weights = numbers.data();
+        }
+        // XNNPACK refuses an operator on a tensor that it did not accept here.
+        xnn_define_tensor_value(graph_, xnn_datatype_fp32, tensor.shape.size(), tensor.shape.data(),
+                                tensor.weights, tensor.externalId, tensor.flags, &tensor.id);
+        return tensor;
+    }
+
+    // Converts weights of half precision.
+    xnn_status dequantize(const Operator& op) {
+        const Tensor& half = tensor(*op.inputs(), 0);
+        Tensor& whole = tensor(*op.outputs(), 0);
+        std::vector<float>& numbers = net.weights.emplace_back(whole.count + kExtra);
+        std::vector<uint8_t> aligned(half.bytes.begin(), half.bytes.end());
+        const auto count = static_cast<int>(whole.count);
+        cv::Mat to(1, count, CV_32F, numbers.data());
+        cv::Mat(1, count, CV_16F, aligned.data()).convertTo(to, CV_32F);
+        whole.weights = numbers.data();
+        return xnn_status_success;
+    }
+
+    // Calls one of XNNPACK's functions for convolutions. outChannels: the channels of its output, for those
+    // that want them.
+    template <class Define, class Options, class... Counts>
+    xnn_status addConvolution(Define xnnDefine, const Operator& op, const Options& options,
+                              Counts... outChannels) {
+        const Tensor &from = in(op, 0), &filter = in(op, 1), &bias = in(op, 2), &to = out(op);
+        const Limits limits = limitsOf(options.activation());
+        return xnnDefine(graph_, 0, 0, 0, 0, static_cast<uint32_t>(filter.shape[1]),
+                         static_cast<uint32_t>(filter.shape[2]), static_cast<uint32_t>(options.stride_h()),
+                         static_cast<uint32_t>(options.stride_w()), 1, 1, 1, from.shape[3], outChannels...,
+                         limits.low, limits.high, from.id, filter.id, bias.id, to.id,
+                         flagsOf(options.padding()));
+    }
+
+    xnn_status addMaxPool(const Operator& op) {
+        const Tensor &from = in(op, 0), &to = out(op);
+        const auto& options = *op.options_as_PoolOptions();
+        const Limits limits = limitsOf(options.activation());
+        return xnn_define_max_pooling_2d(graph_, 0, 0, 0, 0, static_cast<uint32_t>(options.height()),
+                                         static_cast<uint32_t>(options.width()),
+                                         static_cast<uint32_t>(options.stride_h()),
+                                         static_cast<uint32_t>(options.stride_w()), 1, 1, limits.low,
+                                         limits.high, from.id, to.id, flagsOf(options.padding()));
+    }
+
+    xnn_status addPad(const Operator& op) {
+        const Tensor &from = in(op, 0), &to = out(op);
+        const std::span<const uint8_t> bytes = tensor(*op.inputs(), 1).bytes;
+        std::vector<int32_t> by(bytes.size() / sizeof(int32_t)); // two for each dimension
+        std::memcpy(by.data(), bytes.data(), bytes.size());
+        Shape before, after;
+        for (size_t i = 0; i < from.shape.size(); ++i) {
+            before.push_back(static_cast<size_t>(by[2 * i]));
+            after.push_back(static_cast<size_t>(by[2 * i + 1]));
+        }
+        return xnn_define_static_constant_pad(graph_, before.data(), after.data(), 0, from.id, to.id, 0);
+    }
+
+    // Fails if the operator is none of these, or XNNPACK refuses it.
+    xnn_status add(const Operator& op) {
+        const Limits none = limitsOf(tflite::Activation::None);
+        switch (kind(op)) {
+        case tflite::Operation::Concatenation: // its parts are in place
+            return xnn_status_success;
+        case tflite::Operation::Dequantize:
+            return dequantize(op);
+        case tflite::Operation::Convolution:
+            return addConvolution(xnn_define_convolution_2d, op, *op.options_as_ConvolutionOptions(),
+                                  tensor(*op.outputs(), 0).shape[3]);
+        case tflite::Operation::DepthwiseConvolution:
+            return addConvolution(xnn_define_depthwise_convolution_2d, op, *op.options_as_DepthwiseOptions());
+        case tflite::Operation::MaxPool:
+            return addMaxPool(op);
+        case tflite::Operation::FullyConnected: {
+            const Limits limits = limitsOf(op.options_as_FullyConnectedOptions()->activation());
+            return xnn_define_fully_connected(graph_, limits.low, limits.high, in(op, 0).id, in(op, 1).id,
+                                              in(op, 2).id, out(op).id, 0);
+        }
+        case tflite::Operation::Pad:
+            return addPad(op);
+        case tflite::Operation::Add: {
+            const Limits limits = limitsOf(op.options_as_AddOptions()->activation());
+            return xnn_define_add2(graph_, limits.low, limits.high, in(op, 0).id, in(op, 1).id, out(op).id,
+                                   0);
+        }
+        case tflite::Operation::Logistic:
+            return xnn_define_sigmoid(graph_, in(op, 0).id, out(op).id, 0);
+        case tflite::Operation::Prelu:
+            return xnn_define_prelu(graph_, in(op, 0).id, in(op, 1).id, out(op).id, 0);
+        case tflite::Operation::Reshape: {
+            const Shape& to = out(op).shape;
+            return xnn_define_static_reshape(graph_, to.size(), to.data(), in(op, 0).id, out(op).id, 0);
+        }
+        case tflite::Operation::Mean: // over the whole picture
+            return xnn_define_global_average_pooling_2d(graph_, none.low, none.high, in(op, 0).id, out(op).id,
+                                                        0);
+        case tflite::Operation::ResizeBilinear: { // between the middles of pixels
+            const Shape& to = out(op).shape;
+            return xnn_define_static_resize_bilinear_2d(graph_, to[1], to[2], in(op, 0).id, out(op).id, 0);
+        }
+        }
+        return xnn_status_unsupported_parameter;
+    }
 
     std::vector<Tensor> tensors_;
     std::vector<tflite::Operation> codes_;
@@ -78,196 +234,9 @@ class NeuralNet::Builder {
     xnn_subgraph_t graph_ = nullptr;
 };
 
-void NeuralNet::Builder::readTensors(const tflite::Model& model, const tflite::SubGraph& graph) {
-    for (const tflite::Tensor* from : *graph.tensors()) {
-        Tensor& tensor = tensors_.emplace_back();
-        if (from->shape()) tensor.shape.assign(from->shape()->begin(), from->shape()->end());
-        tensor.count =
-            std::accumulate(tensor.shape.begin(), tensor.shape.end(), size_t{1}, std::multiplies<>());
-        if (const auto* data = model.buffers()->Get(from->buffer())->data())
-            tensor.bytes = {data->data(), data->size()};
-    }
-}
+} // namespace
 
-// The parts of a concatenation of rows are written one behind the other, so that it needs no operator.
-void NeuralNet::Builder::placeInputAndOutputs(const tflite::SubGraph& graph) {
-    Tensor& input = tensor(*graph.inputs(), 0);
-    net.inputShape_ = input.shape;
-    net.inputCount_ = input.count;
-    net.input_.resize(input.count + kExtra);
-    input.externalId = 0;
-    input.flags = XNN_VALUE_FLAG_EXTERNAL_INPUT;
-    externals_.push_back({0, net.input_.data()});
-    const auto place = [&](Tensor& part, float* at) {
-        part.externalId = static_cast<uint32_t>(externals_.size());
-        part.flags = XNN_VALUE_FLAG_EXTERNAL_OUTPUT;
-        externals_.push_back({part.externalId, at});
-    };
-    for (uint32_t number = 0; number < graph.outputs()->size(); ++number) {
-        Tensor& output = tensor(*graph.outputs(), number);
-        net.outputCounts_.push_back(output.count);
-        float* at = net.outputs_.emplace_back(output.count + kExtra).data();
-        const Operator* joins = nullptr;
-        for (const Operator* op : *graph.operators())
-            if (kind(*op) == tflite::Operation::Concatenation && &tensor(*op->outputs(), 0) == &output)
-                joins = op;
-        if (!joins) {
-            place(output, at);
-            continue;
-        }
-        for (uint32_t k = 0; k < joins->inputs()->size(); ++k) {
-            Tensor& part = tensor(*joins->inputs(), k);
-            place(part, at);
-            at += part.count;
-        }
-    }
-}
-
-const Tensor& NeuralNet::Builder::define(Tensor& tensor) {
-    if (tensor.id != XNN_INVALID_VALUE_ID) return tensor;
-    if (!tensor.weights && !tensor.bytes.empty()) {
-        std::vector<float>& numbers = net.weights_.emplace_back(tensor.count + kExtra);
-        std::memcpy(numbers.data(), tensor.bytes.data(), tensor.bytes.size());
-        tensor.weights = numbers.data();
-    }
-    // XNNPACK refuses an operator on a tensor that it did not accept here.
-    xnn_define_tensor_value(graph_, xnn_datatype_fp32, tensor.shape.size(), tensor.shape.data(),
-                            tensor.weights, tensor.externalId, tensor.flags, &tensor.id);
-    return tensor;
-}
-
-// Converts weights of half precision.
-void NeuralNet::Builder::dequantize(const Operator& op) {
-    const Tensor& half = tensor(*op.inputs(), 0);
-    Tensor& whole = tensor(*op.outputs(), 0);
-    std::vector<float>& numbers = net.weights_.emplace_back(whole.count + kExtra);
-    std::vector<uint8_t> aligned(half.bytes.begin(), half.bytes.end());
-    const auto count = static_cast<int>(whole.count);
-    cv::Mat to(1, count, CV_32F, numbers.data());
-    cv::Mat(1, count, CV_16F, aligned.data()).convertTo(to, CV_32F);
-    whole.weights = numbers.data();
-}
-
-xnn_status NeuralNet::Builder::addConvolution(const Operator& op) {
-    const Tensor &from = in(op, 0), &filter = in(op, 1), &bias = in(op, 2), &to = out(op);
-    const auto& options = *op.options_as_ConvolutionOptions();
-    const Limits limits = limitsOf(options.activation());
-    return xnn_define_convolution_2d(
-        graph_, 0, 0, 0, 0, static_cast<uint32_t>(filter.shape[1]), static_cast<uint32_t>(filter.shape[2]),
-        static_cast<uint32_t>(options.stride_h()), static_cast<uint32_t>(options.stride_w()), 1, 1, 1,
-        from.shape[3], to.shape[3], limits.low, limits.high, from.id, filter.id, bias.id, to.id,
-        flagsOf(options.padding()));
-}
-
-xnn_status NeuralNet::Builder::addDepthwise(const Operator& op) {
-    const Tensor &from = in(op, 0), &filter = in(op, 1), &bias = in(op, 2), &to = out(op);
-    const auto& options = *op.options_as_DepthwiseOptions();
-    const Limits limits = limitsOf(options.activation());
-    return xnn_define_depthwise_convolution_2d(
-        graph_, 0, 0, 0, 0, static_cast<uint32_t>(filter.shape[1]), static_cast<uint32_t>(filter.shape[2]),
-        static_cast<uint32_t>(options.stride_h()), static_cast<uint32_t>(options.stride_w()), 1, 1, 1,
-        from.shape[3], limits.low, limits.high, from.id, filter.id, bias.id, to.id,
-        flagsOf(options.padding()));
-}
-
-xnn_status NeuralNet::Builder::addMaxPool(const Operator& op) {
-    const Tensor &from = in(op, 0), &to = out(op);
-    const auto& options = *op.options_as_PoolOptions();
-    const Limits limits = limitsOf(options.activation());
-    return xnn_define_max_pooling_2d(
-        graph_, 0, 0, 0, 0, static_cast<uint32_t>(options.height()), static_cast<uint32_t>(options.width()),
-        static_cast<uint32_t>(options.stride_h()), static_cast<uint32_t>(options.stride_w()), 1, 1,
-        limits.low, limits.high, from.id, to.id, flagsOf(options.padding()));
-}
-
-xnn_status NeuralNet::Builder::addPad(const Operator& op) {
-    const Tensor &from = in(op, 0), &to = out(op);
-    const std::span<const uint8_t> bytes = tensor(*op.inputs(), 1).bytes;
-    std::vector<int32_t> by(bytes.size() / sizeof(int32_t)); // two for each dimension
-    std::memcpy(by.data(), bytes.data(), bytes.size());
-    Shape before, after;
-    for (size_t i = 0; i < from.shape.size(); ++i) {
-        before.push_back(static_cast<size_t>(by[2 * i]));
-        after.push_back(static_cast<size_t>(by[2 * i + 1]));
-    }
-    return xnn_define_static_constant_pad(graph_, before.data(), after.data(), 0, from.id, to.id, 0);
-}
-
-bool NeuralNet::Builder::add(const Operator& op) {
-    const Limits none = limitsOf(tflite::Activation::None);
-    xnn_status status = xnn_status_unsupported_parameter;
-    switch (kind(op)) {
-    case tflite::Operation::Concatenation: // its parts are in place
-        return true;
-    case tflite::Operation::Dequantize:
-        dequantize(op);
-        return true;
-    case tflite::Operation::Convolution:
-        status = addConvolution(op);
-        break;
-    case tflite::Operation::DepthwiseConvolution:
-        status = addDepthwise(op);
-        break;
-    case tflite::Operation::MaxPool:
-        status = addMaxPool(op);
-        break;
-    case tflite::Operation::FullyConnected: {
-        const Limits limits = limitsOf(op.options_as_FullyConnectedOptions()->activation());
-        status = xnn_define_fully_connected(graph_, limits.low, limits.high, in(op, 0).id, in(op, 1).id,
-                                            in(op, 2).id, out(op).id, 0);
-        break;
-    }
-    case tflite::Operation::Pad:
-        status = addPad(op);
-        break;
-    case tflite::Operation::Add: {
-        const Limits limits = limitsOf(op.options_as_AddOptions()->activation());
-        status = xnn_define_add2(graph_, limits.low, limits.high, in(op, 0).id, in(op, 1).id, out(op).id, 0);
-        break;
-    }
-    case tflite::Operation::Logistic:
-        status = xnn_define_sigmoid(graph_, in(op, 0).id, out(op).id, 0);
-        break;
-    case tflite::Operation::Prelu:
-        status = xnn_define_prelu(graph_, in(op, 0).id, in(op, 1).id, out(op).id, 0);
-        break;
-    case tflite::Operation::Reshape: {
-        const Shape& to = out(op).shape;
-        status = xnn_define_static_reshape(graph_, to.size(), to.data(), in(op, 0).id, out(op).id, 0);
-        break;
-    }
-    case tflite::Operation::Mean: // over the whole picture
-        status =
-            xnn_define_global_average_pooling_2d(graph_, none.low, none.high, in(op, 0).id, out(op).id, 0);
-        break;
-    case tflite::Operation::ResizeBilinear: { // between the middles of pixels
-        const Shape& to = out(op).shape;
-        status = xnn_define_static_resize_bilinear_2d(graph_, to[1], to[2], in(op, 0).id, out(op).id, 0);
-        break;
-    }
-    }
-    return status == xnn_status_success;
-}
-
-const char* NeuralNet::Builder::build(std::span<const uint8_t> file) {
-    const tflite::Model& model = *tflite::GetModel(file.data());
-    const tflite::SubGraph& graph = *model.subgraphs()->Get(0);
-    for (const tflite::OperatorCode* code : *model.operator_codes()) codes_.push_back(code->code());
-    readTensors(model, graph);
-    placeInputAndOutputs(graph);
-    if (xnn_initialize(nullptr) != xnn_status_success ||
-        xnn_create_subgraph(static_cast<uint32_t>(externals_.size()), 0, &graph_) != xnn_status_success)
-        return "cannot be run: XNNPACK does not work on this processor";
-    const std::unique_ptr<xnn_subgraph, decltype(&xnn_delete_subgraph)> owner(graph_, xnn_delete_subgraph);
-    for (const Operator* op : *graph.operators())
-        if (!add(*op)) return "is not the known model";
-    xnn_runtime_t runtime = nullptr;
-    const bool made = xnn_create_runtime(graph_, &runtime) == xnn_status_success;
-    net.runtime_.reset(runtime);
-    if (!made || xnn_setup_runtime(runtime, externals_.size(), externals_.data()) != xnn_status_success)
-        return "is refused by XNNPACK";
-    return nullptr;
-}
+void NeuralNet::Delete::operator()(xnn_runtime* runtime) const { xnn_delete_runtime(runtime); }
 
 Result<NeuralNet> NeuralNet::read(std::span<const uint8_t> tfLite, const std::string& name) {
     Builder builder;
@@ -275,6 +244,6 @@ Result<NeuralNet> NeuralNet::read(std::span<const uint8_t> tfLite, const std::st
     return std::move(builder.net);
 }
 
-bool NeuralNet::run() { return xnn_invoke_runtime(runtime_.get()) == xnn_status_success; }
+bool NeuralNet::run() { return xnn_invoke_runtime(runtime.get()) == xnn_status_success; }
 
 } // namespace shoal::hands

@@ -1,4 +1,4 @@
-// Decoder of video packets to pictures, through FFmpeg. Internal to this folder; belongs to one thread.
+// Decoders of pictures and sound, through FFmpeg. Internal to this folder; each belongs to one thread.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -12,12 +12,11 @@ extern "C" {
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 namespace shoal::media {
-
-constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
 
 // Fails if pictures of that size are not played.
 Status checkPictureSize(int width, int height);
@@ -33,38 +32,33 @@ struct Luma {
 };
 Luma lumaOf(ColourMatrix matrix);
 
-// A picture in planes: luma, blue and red difference. Each difference stands for two pixels of a row, the
-// last one of an odd width for one.
-struct YuvPicture {
-    std::array<const uint8_t*, 3> planes;
-    std::array<ptrdiff_t, 3> strides; // bytes
-    int rowsPerDifference;            // 1 or 2
-    ColourMatrix matrix;
-    bool fullRange; // luma 0 to 255, differences span 255; else 16 to 235 and 224 (BT.601 and 709)
-};
-
-// Writes a picture of the size that bgr has. Values are within 0.6 of the formula's, clamped to 0 .. 255.
-void toBgr(const YuvPicture& yuv, ImageRgb8& bgr);
+// Converts a picture in planes (luma, blue and red difference), which are `strides` bytes a row, to the size
+// that bgr has. Each difference stands for two pixels of a row, the last one of an odd width for one, and for
+// rowsPerDifference rows, 1 or 2. fullRange: luma 0 to 255, differences span 255; else 16 to 235 and 224
+// (BT.601 and 709). Values are within 0.6 of the formula's, clamped to 0 .. 255.
+void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>& strides,
+           int rowsPerDifference, ColourMatrix matrix, bool fullRange, ImageRgb8& bgr);
 
 // ByThreads: each thread decodes its own picture, which is faster but delays pictures by one for each thread.
 enum class FrameThreading { None, ByThreads };
 
-class PictureDecoder {
+// Decoder of packets to frames: pictures, or blocks of sound.
+class Decoder {
   public:
     // Fails if no such codec is installed or it does not start. threads: at least 1. maxPixels: larger
     // pictures are skipped like damaged ones.
-    Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
-                int threads, int64_t maxPixels = kMaxPixels);
+    Status open(const AVStream& stream, FrameThreading threading, int threads,
+                int64_t maxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide);
 
     // Sends a packet; null drains the decoder. Skips damaged packets; hurry: non-reference pictures too.
     void send(const AVPacket* packet, bool hurry = false);
     void flush() { avcodec_flush_buffers(codec_.get()); } // after a seek, or after packets were left out
 
-    // Receives the next complete picture; false if there is none.
+    // Receives the next complete frame; false if there is none.
     bool receive();
-    // Properties of the picture received last:
-    const AVFrame& frame() const { return *frame_; }
-    glm::ivec2 chromaTexels() const; // texels that share a colour, across and down
+    // The frame received last.
+    AVFrame& frame() { return *frame_; }
+    glm::ivec2 chromaTexels() const; // texels of a picture that share a colour, across and down
 
     // Converts the picture received last, blue first, by the matrix and range that it states; bgr takes its
     // size. Fails if it is too large, or of an unknown pixel format.
@@ -77,6 +71,25 @@ class PictureDecoder {
     Frame frame_ = makeFrame();
     std::unique_ptr<SwsContext, FreeBy<sws_freeContext>> scaler_; // for rare pixel formats
     std::vector<uint8_t> rows_; // the scaler's output, with a margin behind each row
+};
+
+// Decoder of one stream of a file.
+struct FileDecoder {
+    Input input;
+    int stream = -1;
+    Decoder decoder;
+    Packet packet = makePacket();
+    bool drained = false; // whether the end of the file was sent to the decoder
+
+    const AVStream& opened() const { return *input->streams[stream]; }
+    // Returns the length that the file states; 0 if it does not.
+    double length_s() const {
+        return static_cast<double>(std::max<int64_t>(input->duration, 0)) / AV_TIME_BASE;
+    }
+    // Decodes the next frame. Returns false at the end, or after so many packets of the stream without one.
+    bool next(int maxPackets);
+    // Seeks to a key frame at or before this time stamp. Returns false if the file cannot be read there.
+    bool seek(int64_t stamp, int flags = AVSEEK_FLAG_BACKWARD);
 };
 
 } // namespace shoal::media

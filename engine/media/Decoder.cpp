@@ -1,4 +1,4 @@
-#include "engine/media/PictureDecoder.h"
+#include "engine/media/Decoder.h"
 
 #include "engine/core/Vectorise.h"
 
@@ -79,14 +79,15 @@ Factors factorsOf(ColourMatrix matrix, bool fullRange) {
 
 } // namespace
 
-void toBgr(const YuvPicture& yuv, ImageRgb8& bgr) {
-    const Factors factors = factorsOf(yuv.matrix, yuv.fullRange);
+void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>& strides,
+           int rowsPerDifference, ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
+    const Factors factors = factorsOf(matrix, fullRange);
     const int width = bgr.width, pairs = (width + 1) / 2;
     std::vector<int16_t> add(static_cast<size_t>(6 * pairs));
     std::vector<uint8_t> values(static_cast<size_t>(3 * width));
     for (int y = 0; y < bgr.height; ++y) {
-        const auto row = [&](size_t plane, int at) { return yuv.planes[plane] + at * yuv.strides[plane]; };
-        const int differences = y / yuv.rowsPerDifference;
+        const auto row = [&](size_t plane, int at) { return planes[plane] + ptrdiff_t{at} * strides[plane]; };
+        const int differences = y / rowsPerDifference;
         addends(row(1, differences), row(2, differences), pairs, factors, add.data(), &add[2 * pairs],
                 &add[4 * pairs]);
         cv::Mat channels[3];
@@ -125,13 +126,12 @@ const char* nameOf(ColourMatrix matrix) {
     return matrix == ColourMatrix::Bt709 ? "BT.709" : matrix == ColourMatrix::Bt601 ? "BT.601" : "BT.2020";
 }
 
-Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase,
-                            FrameThreading threading, int threads, int64_t maxPixels) {
-    const AVCodec* kind = avcodec_find_decoder(parameters.codec_id);
+Status Decoder::open(const AVStream& stream, FrameThreading threading, int threads, int64_t maxPixels) {
+    const AVCodec* kind = avcodec_find_decoder(stream.codecpar->codec_id);
     codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
-    if (!codec_ || avcodec_parameters_to_context(codec_.get(), &parameters) < 0)
+    if (!codec_ || avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0)
         return Error{"", "is of a codec that is not installed"};
-    codec_->pkt_timebase = timeBase;
+    codec_->pkt_timebase = stream.time_base;
     codec_->thread_count = threads;
     if (threading == FrameThreading::None) {
         codec_->thread_type = FF_THREAD_SLICE; // threads share a picture
@@ -142,19 +142,38 @@ Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational time
     return Done{};
 }
 
-void PictureDecoder::send(const AVPacket* packet, bool hurry) {
+void Decoder::send(const AVPacket* packet, bool hurry) {
     codec_->skip_frame = hurry ? AVDISCARD_NONREF : AVDISCARD_DEFAULT;
     avcodec_send_packet(codec_.get(), packet);
 }
 
-bool PictureDecoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
+bool Decoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
 
-glm::ivec2 PictureDecoder::chromaTexels() const {
+bool FileDecoder::next(int maxPackets) {
+    for (int sent = 0; !decoder.receive();) {
+        if (drained || sent == maxPackets) return false;
+        av_packet_unref(packet.get());
+        drained = av_read_frame(input.get(), packet.get()) < 0; // the decoder may hold frames still
+        if (!drained && packet->stream_index != stream) continue;
+        decoder.send(drained ? nullptr : packet.get());
+        ++sent;
+    }
+    return true;
+}
+
+bool FileDecoder::seek(int64_t stamp, int flags) {
+    if (av_seek_frame(input.get(), stream, stamp, flags) < 0) return false;
+    decoder.flush();
+    drained = false;
+    return true;
+}
+
+glm::ivec2 Decoder::chromaTexels() const {
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format));
     return format ? glm::ivec2(1 << format->log2_chroma_w, 1 << format->log2_chroma_h) : glm::ivec2(1);
 }
 
-Status PictureDecoder::convert(ImageRgb8& bgr) {
+Status Decoder::convert(ImageRgb8& bgr) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     bgr.fit(width, height);
@@ -167,17 +186,15 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
         return convertBySwscale(matrix, fullRange, bgr);
     // Uses our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND
     // SWS_FULL_CHR_H_INT) or up to 3 of 255 levels off, where ours is within 0.6.
-    toBgr({{frame_->data[0], frame_->data[1], frame_->data[2]},
-           {frame_->linesize[0], frame_->linesize[1], frame_->linesize[2]},
-           chromaTexels().y,
-           matrix,
-           fullRange},
-          bgr);
+    const auto& data = frame_->data;
+    const auto& linesize = frame_->linesize;
+    toBgr({data[0], data[1], data[2]}, {linesize[0], linesize[1], linesize[2]}, chromaTexels().y, matrix,
+          fullRange, bgr);
     return Done{};
 }
 
 // Converts by swscale into memory of its own, because swscale writes beyond the ends of rows.
-Status PictureDecoder::convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
+Status Decoder::convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
     const Error unknown{"", "its picture is of an unknown form"};
     const int width = frame_->width, height = frame_->height;
     scaler_.reset(sws_getCachedContext(
