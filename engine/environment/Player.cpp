@@ -1,17 +1,30 @@
 #include "engine/environment/Player.h"
 
 #include "engine/core/Log.h"
-#include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Pictures.h"
+#include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
+#include "engine/panorama/Panorama.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <future>
+#include <unistd.h>
 
 namespace shoal::environment {
 
 namespace {
+
+// Maximum width of the map for mirror reflections. For a video a quarter of the usual 2048: fish are rough
+// and small, and show nothing finer. A still is analysed once, at its full resolution.
+constexpr int kVideoLightWidth = 512;
+constexpr int kStillLightWidth = 4096;
+
+constexpr int kBesideWidth = 64;         // greatest width of the map for light beside the camera
+constexpr int kSmoothWidth = 32;         // greatest width of the map for light in occlusion
+constexpr int kCameraResponseEvery = 24; // frames between estimates: a camera hardly changes
 
 // Returns the left eye's picture. Its light serves both eyes: theirs differ by less than the light's error.
 light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bgr) {
@@ -21,6 +34,18 @@ light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bg
 
 float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
+}
+
+// Returns whether the picture is lat-long, mono or stereo. Squares and 4:1 strips have the shape of stereo
+// pictures, but are as often ordinary photos, so their content must look like a stereo pair.
+bool isLatLong(const ImageRgb8& picture) {
+    const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
+    if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
+    const media::Layout content = media::layoutFromContent(picture);
+    return content == media::Layout::TopBottom || content == media::Layout::LeftRight;
+}
+bool isLatLong(const ImageRgbF& picture) {
+    return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
 }
 
 // Reads a photo on a thread of its own. grow: extrapolates it to a panorama unless it is one already.
@@ -41,6 +66,57 @@ Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
 
 } // namespace
 
+template <class Picture>
+Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
+                                                  std::optional<double> fov_deg,
+                                                  const std::function<void(double)>& progress) {
+    const auto placement = fov_deg ? std::nullopt : media::panoramaPlacement(file);
+    if (placement && (placement->width < placement->fullWidth || placement->height < placement->fullHeight)) {
+        const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
+        auto placed = panorama::completePanorama(
+            photo,
+            {share(placement->left, placement->fullWidth), share(placement->top, placement->fullHeight),
+             share(placement->left + placement->width, placement->fullWidth),
+             share(placement->top + placement->height, placement->fullHeight)});
+        if (!placed) return Error{file.string(), placed.error().reason};
+        return PhotoEnvironment<Picture>{
+            std::move(*placed), "put where its metadata (GPano) says that it belongs, and completed"};
+    }
+    if (placement || (!fov_deg && isLatLong(photo)))
+        return PhotoEnvironment<Picture>{std::move(photo), "a full environment already, kept as it is"};
+
+    // The progress overwrites a line on a terminal; elsewhere it is one line of the log.
+    const bool watched = isatty(STDERR_FILENO) == 1;
+    if (!watched) log::info("growing {} to a full environment", file.string());
+    int shown = -1;
+    const auto show = [&](double share) {
+        if (progress) progress(share);
+        const int percent = static_cast<int>(share * 100);
+        if (!watched || percent == shown) return;
+        shown = percent;
+        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
+        std::fflush(stderr);
+    };
+    auto grown = panorama::panoramaFromPhoto(photo, {.fov_deg = fov_deg, .progress = show});
+    if (watched) std::fputs("\r\033[K", stderr);
+    if (!grown) return Error{file.string(), grown.error().reason};
+    // The seam where the ends meet is hidden if its step is at most one level of 8 bits, or no larger than
+    // the picture's usual steps.
+    const bool hidden = grown->seam.wrapStep <= std::max(grown->seam.usualStep, 1 / 255.0);
+    return PhotoEnvironment<Picture>{
+        std::move(grown->latLong),
+        fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
+                    "middle; the seam where its ends meet can{} be seen: its largest step is {:.2f} % of "
+                    "white, and a tenth of the picture's own steps are above {:.2f} %",
+                    grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
+                    hidden ? "not" : "", grown->seam.wrapStep * 100, grown->seam.usualStep * 100)};
+}
+
+template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,
+                                                             const std::function<void(double)>&);
+template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>,
+                                                             const std::function<void(double)>&);
+
 void setFile(Source& source, const std::string& file) {
     source.video = source.photo = source.env = {};
     if (file.empty()) return;
@@ -53,7 +129,7 @@ void setFile(Source& source, const std::string& file) {
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {
     std::unique_ptr<Player> player(new Player(setup));
     const Status opened = !setup.source.photo.empty() ? player->openPhoto(wait)
-                          : !setup.source.env.empty() ? player->openHdr()
+                          : setup.source.isHdr()      ? player->openHdr()
                                                       : player->openVideo(wait);
     if (!opened) return opened.error();
     player->update(0, true);
@@ -64,15 +140,18 @@ Status Player::openVideo(const Wait& wait) {
     const std::string& name = setup_.source.video;
     const auto address = media::liveAddress(name);
     if (!address) return address.error();
-    if (!*address && setup_.source.depth) openDepth();
-    prepareFor(setup_.analysis.quality, media::kFrameSlots);
+    const Path track = media::depthTrackOf(name);
+    std::error_code missing;
+    if (!*address && setup_.source.depth && std::filesystem::exists(track, missing))
+        if (Status s = media::DepthTrack::open(track, name).moveTo(depthTrack_); !s)
+            log::warn("{}; the film is shown without depth", s.error().message());
+    prepareFor(setup_.quality, media::kFrameSlots);
     media::PlayerOptions options{.layout = setup_.source.layout, .keepPixels = false};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
     if (*address)
         return media::LivePlayer::open(media::feedFrom(**address), {options},
                                        [&] { return !wait || wait(-1); })
             .moveTo(live_);
-    file_ = name;
     if (const Status opened = media::VideoPlayer::open(name, options).moveTo(player_); !opened) return opened;
     const media::VideoInfo& info = player_->info();
     if (info.layout != media::Layout::Mono && std::string_view(info.layoutSource) == "content")
@@ -90,7 +169,7 @@ Status Player::openPhoto(const Wait& wait) {
     if (grow) layout_ = media::layoutOf(*picture);
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(leftEyeOf(*picture, layout_, false), frames_[0].found);
+    analyse(leftEyeOf(*picture, layout_, false), frames_[0].found);
     light_ms_ = millisecondsSince(began);
     media::toBgra(*picture, false, frames_[0].picture);
     follow(0);
@@ -100,38 +179,29 @@ Status Player::openPhoto(const Wait& wait) {
 Status Player::openHdr() {
     auto picture = media::readHdr(setup_.source.env);
     if (!picture) return picture.error();
-    hdr_ = true;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(picture->radianceLin, frames_[0].found);
+    lightMaker_.makeFromHdr(picture->radianceLin, made_);
+    pack(light::TooBright::Scale, frames_[0].found);
     light_ms_ = millisecondsSince(began);
     if (const std::string repairs = picture->repairs(); !repairs.empty())
         log::warn("{}: {}", setup_.source.env, repairs);
     frames_[0].radianceLin = std::move(picture->radianceLin);
-    if (setup_.analysis.lights) casting_ = lights_.follow(frames_[0].found.lights, 0);
+    if (setup_.lights) casting_ = lights_.follow(frames_[0].found.lights, 0);
     return Done{};
 }
 
 void Player::prepareFor(light::LightQuality quality, size_t slots) {
-    setup_.analysis.quality = quality;
-    setup_.analysis.frames = setup_.source.light;
-    setup_.analysis.lights =
-        setup_.analysis.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
-    analysis_.emplace(setup_.analysis);
+    setup_.quality = quality;
+    setup_.lights = setup_.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
+    lightMaker_ =
+        light::LightMaker({quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
+                           setup_.minRoughness, quality, setup_.source.light});
     frames_.resize(slots);
     shown_ = frames_.data();
 }
 
-// Opens the film's depth track. The depth stays unknown if the track is missing or broken.
-void Player::openDepth() {
-    const Path film = setup_.source.video, file = media::depthTrackOf(film);
-    std::error_code missing;
-    if (!std::filesystem::exists(file, missing)) return;
-    if (Status s = media::DepthTrack::open(file, film).moveTo(depthTrack_); !s)
-        log::warn("{}; the film is shown without depth", s.error().message());
-}
-
-// Refines the depth of a frame; on the decode thread.
+// Refines the depth of a frame.
 void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye) {
     const int number = depthTrack_->frameAt(frame.time_s);
     if (number != trackFrameNumber_ && depthTrack_->read(number, trackFrame_)) trackFrameNumber_ = number;
@@ -143,14 +213,55 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
     made.lightDifference.make(made.found.radianceLin, made.depth);
 }
 
-// Analyses a frame; on the decode thread.
 void Player::prepare(const media::VideoFrame& frame) {
     const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
     Frame& made = frames_[frame.slot];
-    analysis_->analyse(leftEye, made.found);
+    analyse(leftEye, made.found);
     if (depthTrack_ && setup_.drawsDepth) prepareDepth(frame, leftEye);
     made.found.cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, made.picture);
+}
+
+void Player::analyse(const light::FrameView& frame, FrameFindings& out) {
+    makeLight(frame, out);
+    if (!setup_.cameraResponse) return;
+    if (sinceResponse_++ % kCameraResponseEvery == 0) lastResponse_ = responseEstimator_.estimate(frame);
+    out.cameraResponse = lastResponse_;
+    glare_.make(frame, out.glare);
+}
+
+void Player::makeLight(const light::FrameView& frame, FrameFindings& out) {
+    const int every = lightEvery_.load(std::memory_order_relaxed);
+    if (++sinceLight_ < every && !newest_.light.places.empty()) {
+        out = newest_;
+        return;
+    }
+    sinceLight_ = 0;
+    lightMaker_.make(frame, made_);
+    pack(light::TooBright::Cut, out);
+    if (setup_.water) out.water = waterEstimator_.estimate(frame);
+    if (setup_.lights) lightFinder_.find(made_.radiance, out.lights);
+    if (every > 1) newest_ = out;
+}
+
+// Packs made_ into out. The map of roughness 1 is the diffuse map too.
+void Player::pack(light::TooBright tooBright, FrameFindings& out) {
+    if (setup_.diffuse == light::DiffuseMethod::Thesis) {
+        thesisDiffuse_.make(made_.radiance, made_.diffuse);
+        made_.glossy.back().radianceLin = made_.diffuse;
+    }
+    light::packLight(made_,
+                     setup_.pyramid                                       ? light::MirrorMaps::Pyramid
+                     : setup_.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                          : light::MirrorMaps::None,
+                     out.light, tooBright);
+    const auto levelOf = [&](int width) {
+        return std::ranges::find_if(made_.radiance.levels,
+                                    [=](const ImageRgbF& level) { return level.width <= width; });
+    };
+    const auto none = made_.radiance.levels.end();
+    if (const auto small = levelOf(kSmoothWidth); small != none) out.smooth = occlusion::smoothLight(*small);
+    if (const auto small = levelOf(kBesideWidth); small != none) out.radianceLin = *small;
 }
 
 bool Player::update(double time_s, bool exact) {
@@ -189,13 +300,12 @@ bool Player::show(const media::VideoFrame& frame, double time_s) {
 
 // Smooths the findings over time; called for every drawn picture, so that light is smoother than the video.
 void Player::follow(double time_s) {
-    const AnalysisOptions& wanted = setup_.analysis;
     const FrameFindings& now = shown_->found;
     const auto dt_s = static_cast<float>(time_s - lastUpdate_s_);
     lastUpdate_s_ = time_s;
-    if (wanted.water) water_.follow(now.water, setup_.waterIsCertain ? 1 : now.water.evidence, dt_s);
-    if (wanted.lights) casting_ = lights_.follow(now.lights, dt_s);
-    if (wanted.cameraResponse) {
+    if (setup_.water) water_.follow(now.water, setup_.waterIsCertain ? 1 : now.water.evidence, dt_s);
+    if (setup_.lights) casting_ = lights_.follow(now.lights, dt_s);
+    if (setup_.cameraResponse) {
         cameraResponse_.follow(now.cameraResponse, dt_s);
         cameraResponse_.followGlare(now.glare.maxShare, dt_s);
     }

@@ -37,11 +37,10 @@ class ContentLoader {
     };
 
     std::function<bool(float)> progress_;
+    std::optional<Models> loaded_; // the models that there are
+    CreatureModels models_;
     std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> renderer_;
-    std::optional<CreatureModels> models_; // empty while the renderer has them
-    std::optional<Models> loaded_;
-    float minRoughness_ = 1; // of the models
     std::shared_ptr<const game::FilmSpace> space_;
 };
 

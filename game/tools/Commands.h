@@ -67,10 +67,9 @@ struct LightOptions {
         table.add("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json")
             .takes("FOLDER")
             .mustBeGiven();
-        table.add(
-            "--method", choice(method),
-            "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy light "
-            "by 36 samples of a Phong lobe");
+        table.add("--method", choice(method),
+                  "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy "
+                  "light by 36 samples of a Phong lobe");
         table.add("--format", choice(format), "Format of the pictures: 32-bit pfm, exr, or Radiance hdr");
         table.add("--light", choice(frames),
                   "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "

@@ -76,10 +76,9 @@ void makeAsTheThesis(light::EnvironmentLight& made) {
 std::string harmonics(const light::EnvironmentLight& made) {
     const math::ShRgb radiance = math::shProject(made.radiance.levels.front());
     nlohmann::ordered_json json;
-    json["about"] =
-        "Radiance on real orthonormal spherical harmonics, index l (l + 1) + m, without the Condon-Shortley "
-        "phase, linear Rec. 709; +Y up, the picture's centre column looks along -Z, columns grow to +X. "
-        "Times cosine[l] / pi: radiance leaving a white matte surface.";
+    json["about"] = "Radiance on real orthonormal spherical harmonics, index l (l + 1) + m, without the "
+                    "Condon-Shortley phase, linear Rec. 709; +Y up, the picture's centre column looks along "
+                    "-Z, columns grow to +X. Times cosine[l] / pi: radiance leaving a white matte surface.";
     json["cosine"] = math::kShCosine;
     for (const glm::dvec3& c : radiance) json["radiance"].push_back({c.r, c.g, c.b});
     return json.dump(2) + "\n";

@@ -2,7 +2,6 @@
 #include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
-#include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Pictures.h"
 
 #include <cstdio>
@@ -14,16 +13,19 @@ namespace {
 bool isHdrName(const Path& file) { return media::writtenAs(file) == media::WrittenAs::Hdr; }
 
 template <class Picture, class Write>
-Result<std::string> convert(const PanoramaOptions& options, Result<Picture> photo, Write&& write) {
+Status convert(const PanoramaOptions& options, Result<Picture> photo, Write&& write) {
     if (!photo) return photo.error();
     auto made = environment::environmentFrom(options.photo, std::move(*photo), options.fov_deg);
     if (!made) return made.error();
-    if (Status s = write(options.out, made->picture); !s) return s.error();
-    return std::to_string(made->picture.width) + "x" + std::to_string(made->picture.height) + ", " +
-           made->what;
+    if (Status s = write(options.out, made->picture); !s) return s;
+    std::printf("%s: %dx%d, %s\n", options.out.c_str(), made->picture.width, made->picture.height,
+                made->what.c_str());
+    return Done{};
 }
 
-Result<std::string> makePanorama(const PanoramaOptions& options) {
+} // namespace
+
+Status panorama(const PanoramaOptions& options) {
     // Outputs are checked before the work, which takes seconds.
     if (media::writtenAs(options.out) == media::WrittenAs::Nothing)
         return Error{options.out, "is of no kind that can be written; use .png or .jpg, or .hdr, .exr or "
@@ -31,7 +33,7 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
     if (Status possible = checkOutputs(std::array{NamedFile{"--out", options.out}},
                                        std::array{NamedFile{"PHOTO", options.photo}});
         !possible)
-        return possible.error();
+        return possible;
     if (isHdrName(options.photo) && !isHdrName(options.out))
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdrName(options.photo) && isHdrName(options.out))
@@ -41,15 +43,6 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
     auto read = media::readHdr(options.photo);
     return convert(options, read ? Result<ImageRgbF>(std::move(read->radianceLin)) : read.error(),
                    media::writeHdr);
-}
-
-} // namespace
-
-Status panorama(const PanoramaOptions& options) {
-    const auto made = makePanorama(options);
-    if (!made) return made.error();
-    std::printf("%s: %s\n", options.out.c_str(), made->c_str());
-    return Done{};
 }
 
 } // namespace shoal::app
