@@ -16,6 +16,8 @@ class ContentLoader {
   public:
     // progress: draws the loading screen with the share done, -1 if unknown; returns false to stop.
     explicit ContentLoader(std::function<bool(float)> progress) : progress_(std::move(progress)) {}
+    ContentLoader(const ContentLoader&) = delete; // the renderer holds the models' address
+    ContentLoader& operator=(const ContentLoader&) = delete;
 
     // Opens the parts that these options need and that are not open yet, after a change of settings, dive or
     // film. Sets the film's length and distances in the config's dive. seesRoom: the display can show the

@@ -39,8 +39,10 @@ size_t faceOf(glm::vec3 d) {
 // Returns the name of a new file in the folder for pictures, by date and time: shoal-2026-11-22-213045.png.
 // what: "-360" or nothing.
 Path newPictureFile(std::string_view what) {
-    return userFolder(UserFolder::Pictures) /
-           fmt::format("shoal-{:%Y-%m-%d-%H%M%S}{}.png", fmt::localtime(std::time(nullptr)), what);
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    return userFolder(UserFolder::Pictures) / fmt::format("shoal-{:%Y-%m-%d-%H%M%S}{}.png", local, what);
 }
 
 // Returns the names of the keys that move the camera; letters where bound, for they are short.

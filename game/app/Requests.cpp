@@ -186,11 +186,14 @@ Status Application::applySettings() {
         openSound();
     if (play_->session.tracked) play_->session.tracked->setHandSize(options_.hands.size);
     config_.hands.size = options_.hands.size;
-    if (options_.hands.source != applied_.hands.source)
+    if (options_.hands.source != applied_.hands.source) {
         if (const auto chosen = handSourceFor(options_)) {
             config_.handSource = *chosen;
             play_->session.track(config_);
+        } else {
+            screens_.showError(chosen.error().message());
         }
+    }
     config_.rules.assist = options_.assist; // takes effect with the next dive
     applied_ = options_;
     return Done{};

@@ -23,8 +23,10 @@ template <class... Values> std::string filled(const char* text, const Values&...
 
 // Returns a key's name for the player: translated, or the file's name with spaces: "PageUp", "Page up".
 std::string keyLabel(std::string_view name, game::Language language) {
+    const auto text = game::translated(name, language);
+    if (text != name) return std::string(text);
     std::string label;
-    for (const unsigned char c : game::translated(name, language)) {
+    for (const unsigned char c : name) {
         const bool next =
             std::isupper(c) && !label.empty() && std::islower(static_cast<unsigned char>(label.back()));
         if (next) label += ' ';
