@@ -1,8 +1,6 @@
 #include "engine/environment/PhotoEnvironment.h"
 
 #include "engine/core/Log.h"
-#include "engine/media/SphericalMetadata.h"
-#include "engine/media/StereoView.h"
 #include "engine/panorama/Panorama.h"
 
 #include <algorithm>
@@ -38,18 +36,6 @@ class ProgressLine {
     int shown_ = -1;
 };
 
-// Returns whether the picture is lat-long, mono or stereo. Squares and 4:1 strips have the shape of stereo
-// pictures, but are as often ordinary photos, so their content must look like a stereo pair.
-bool isLatLong(const ImageRgb8& picture) {
-    const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
-    if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
-    const media::Layout content = media::layoutFromContent(picture);
-    return content == media::Layout::TopBottom || content == media::Layout::LeftRight;
-}
-bool isLatLong(const ImageRgbF& picture) {
-    return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
-}
-
 // Returns a clause that says whether the seam between a grown environment's two ends is visible. It is not if
 // its step is at most one level of 8 bits, or no larger than the picture's usual steps.
 std::string seamClause(const panorama::WrapDiscontinuity& seam) {
@@ -60,44 +46,56 @@ std::string seamClause(const panorama::WrapDiscontinuity& seam) {
         hidden ? "not" : "", seam.wrapStep * 100, seam.usualStep * 100);
 }
 
+template <class Picture>
+Result<PhotoEnvironment<Picture>> placed(const Path& file, const Picture& photo,
+                                         const media::PhotoMetadata& metadata) {
+    const media::PanoramaPlacement& p = *metadata.placement;
+    const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
+    auto whole = panorama::completePanorama(photo, {share(p.left, p.fullWidth), share(p.top, p.fullHeight),
+                                                    share(p.left + p.width, p.fullWidth),
+                                                    share(p.top + p.height, p.fullHeight)});
+    if (!whole) return Error{file.string(), whole.error().reason};
+    return PhotoEnvironment<Picture>{
+        .picture = std::move(*whole),
+        .envFromPhoto = metadata.envFromPhoto(),
+        .what = "put where its metadata (GPano) says that it belongs, and completed"};
+}
+
+template <class Picture>
+Result<PhotoEnvironment<Picture>> grown(const Path& file, const Picture& photo, const PhotoOptions& options) {
+    ProgressLine line(file);
+    auto full =
+        panorama::panoramaFromPhoto(photo, {.fov_deg = options.fov_deg, .progress = [&](double share) {
+                                                line.show(share);
+                                                if (options.progress) options.progress(share);
+                                            }});
+    if (!full) return Error{file.string(), full.error().reason};
+    return PhotoEnvironment<Picture>{
+        .picture = std::move(full->latLong),
+        .what = fmt::format(
+            "grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
+            "middle; {}",
+            full->lightInPhoto.x, full->lightInPhoto.y, full->lightLatitude_deg, seamClause(full->seam))};
+}
+
 } // namespace
 
 template <class Picture>
 Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
-                                                  std::optional<double> fov_deg,
-                                                  const std::function<void(double)>& progress) {
-    const auto placement = fov_deg ? std::nullopt : media::panoramaPlacement(file);
-    if (placement && (placement->width < placement->fullWidth || placement->height < placement->fullHeight)) {
-        const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
-        auto placed = panorama::completePanorama(
-            photo,
-            {share(placement->left, placement->fullWidth), share(placement->top, placement->fullHeight),
-             share(placement->left + placement->width, placement->fullWidth),
-             share(placement->top + placement->height, placement->fullHeight)});
-        if (!placed) return Error{file.string(), placed.error().reason};
-        return PhotoEnvironment<Picture>{
-            std::move(*placed), "put where its metadata (GPano) says that it belongs, and completed"};
-    }
-    if (placement || (!fov_deg && isLatLong(photo)))
-        return PhotoEnvironment<Picture>{std::move(photo), "a full environment already, kept as it is"};
-
-    ProgressLine line(file);
-    auto grown = panorama::panoramaFromPhoto(photo, {.fov_deg = fov_deg, .progress = [&](double share) {
-                                                         line.show(share);
-                                                         if (progress) progress(share);
-                                                     }});
-    if (!grown) return Error{file.string(), grown.error().reason};
-    return PhotoEnvironment<Picture>{
-        std::move(grown->latLong),
-        fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
-                    "middle; {}",
-                    grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
-                    seamClause(grown->seam))};
+                                                  const media::PhotoMetadata& metadata,
+                                                  const PhotoOptions& options) {
+    if (options.fov_deg) return grown(file, photo, options);
+    if (metadata.isPart()) return placed(file, photo, metadata);
+    media::Layout layout = options.layout;
+    if (layout == media::Layout::Auto) layout = media::layoutOf(photo, metadata);
+    if (layout == media::Layout::Auto) return grown(file, photo, options);
+    return PhotoEnvironment<Picture>{std::move(photo), layout, metadata.envFromPhoto(),
+                                     "a full environment already, kept as it is"};
 }
 
-template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,
-                                                             const std::function<void(double)>&);
-template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>,
-                                                             const std::function<void(double)>&);
+template Result<PhotoEnvironment<ImageRgb8>>
+environmentFrom(const Path&, ImageRgb8, const media::PhotoMetadata&, const PhotoOptions&);
+template Result<PhotoEnvironment<ImageRgbF>>
+environmentFrom(const Path&, ImageRgbF, const media::PhotoMetadata&, const PhotoOptions&);
 
 } // namespace shoal::environment

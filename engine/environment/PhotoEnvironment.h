@@ -4,6 +4,7 @@
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
+#include "engine/media/PhotoMetadata.h"
 
 #include <functional>
 #include <optional>
@@ -12,17 +13,24 @@
 namespace shoal::environment {
 
 template <class Picture> struct PhotoEnvironment {
-    Picture picture;  // lat-long; unchanged if the photo was one
-    std::string what; // description of what was done: one clause, for a message to the user
+    Picture picture; // lat-long; unchanged if the photo was one
+    media::Layout layout = media::Layout::Mono;
+    glm::quat envFromPhoto{1, 0, 0, 0}; // levels the picture; both have the axes of env
+    std::string what;                   // description of what was done: one clause, for a message to the user
+};
+
+struct PhotoOptions {
+    std::optional<double> fov_deg;              // declares an ordinary photo with this field of view
+    media::Layout layout = media::Layout::Auto; // any other declares a full environment
+    std::function<void(double)> progress;       // called with the share done, 0 to 1, while a photo is grown
 };
 
 // Returns the photo as an environment. A partial panorama, whose metadata (GPano) give its place, is put
-// there and completed; a photo that is lat-long (mono or stereo) by its shape and content stays as it is; any
-// other is extrapolated, which takes seconds and shows progress on a terminal. fov_deg: declares an ordinary
-// photo with this field of view. file: the photo's file.
+// there and completed; a photo that is lat-long (media::layoutOf()) stays as it is; any other is
+// extrapolated, which takes seconds and shows progress on a terminal. file: the photo's file.
 template <class Picture> // ImageRgb8, or ImageRgbF of linear light
 Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
-                                                  std::optional<double> fov_deg,
-                                                  const std::function<void(double)>& progress = {});
+                                                  const media::PhotoMetadata& metadata,
+                                                  const PhotoOptions& options);
 
 } // namespace shoal::environment

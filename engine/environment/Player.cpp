@@ -23,16 +23,16 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
-// Reads a photo on a thread of its own. grow: extrapolates it to a panorama unless it is one already.
-Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
+// Reads a photo, and makes an environment of it, on a thread of its own.
+Result<PhotoEnvironment<ImageRgb8>> readEnvironment(const Path& file, media::Layout layout,
+                                                    const Wait& wait) {
     std::atomic<float> share = 0;
-    auto reading = std::async(std::launch::async, [&]() -> Result<ImageRgb8> {
-        auto picture = media::readPicture(file);
-        if (!picture || !grow) return picture;
-        auto full = environmentFrom(file, std::move(*picture), std::nullopt,
-                                    [&](double done) { share = static_cast<float>(done); });
-        if (!full) return full.error();
-        return std::move(full->picture);
+    auto reading = std::async(std::launch::async, [&]() -> Result<PhotoEnvironment<ImageRgb8>> {
+        auto photo = media::readPhoto(file);
+        if (!photo) return photo.error();
+        return environmentFrom(
+            file, std::move(photo->picture), photo->metadata,
+            {.layout = layout, .progress = [&](double done) { share = static_cast<float>(done); }});
     });
     while (reading.wait_for(std::chrono::milliseconds(30)) != std::future_status::ready)
         if (wait) wait(share);
@@ -83,16 +83,15 @@ Status Player::openVideo(const Wait& wait) {
 }
 
 Status Player::openPhoto(const Wait& wait) {
-    layout_ = setup_.source.layout;
-    const bool grow = layout_ == media::Layout::Auto; // a given layout says that it is an environment
-    auto picture = readPhoto(setup_.source.photo, grow, wait);
-    if (!picture) return picture.error();
-    if (grow) layout_ = media::layoutOf(*picture);
+    auto photo = readEnvironment(setup_.source.photo, setup_.source.layout, wait);
+    if (!photo) return photo.error();
+    layout_ = photo->layout;
+    envFromFilm_ = photo->envFromPhoto;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(leftEyeOf(*picture, layout_, false), frames_[0].found);
+    analysis_->analyse(leftEyeOf(photo->picture, layout_, false), frames_[0].found);
     light_ms_ = millisecondsSince(began);
-    media::toBgra(*picture, false, frames_[0].picture);
+    media::toBgra(photo->picture, false, frames_[0].picture);
     follow(0);
     return Done{};
 }

@@ -14,18 +14,16 @@ extern "C" {
 
 namespace shoal::media {
 
-// Returns the text of <name>value</name> or name="value" in XMP; empty if absent. Single values need no XML
-// parser, which hostile entities could attack.
-static std::string_view xmpValue(std::string_view xmp, const std::string& name) {
+std::string_view xmpValue(std::string_view xmp, const std::string& name) {
     const size_t at = xmp.find(name);
     const size_t begin = at == xmp.npos ? at : xmp.find_first_not_of(" \t\r\n=>\"'", at + name.size());
     return begin == xmp.npos ? "" : xmp.substr(begin, xmp.find_first_of(" \t\r\n<\"'", begin) - begin);
 }
 
-static std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
+std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::string& space) {
     constexpr int kMaxPixels = 1 << 20;
     const auto pixels = [&](const char* name) {
-        return parseNumber(xmpValue(xmp, std::string("GPano:") + name), 0, kMaxPixels).value_or(-1);
+        return parseNumber(xmpValue(xmp, space + name), 0, kMaxPixels).value_or(-1);
     };
     const PanoramaPlacement p{.fullWidth = pixels("FullPanoWidthPixels"),
                               .fullHeight = pixels("FullPanoHeightPixels"),
@@ -94,20 +92,6 @@ SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream
                                                        : Layout::Auto;
     m.present = m.projection != Projection::Unknown || m.layout != Layout::Auto;
     return m;
-}
-
-std::optional<PanoramaPlacement> panoramaPlacement(const Path& file) {
-    const auto head = readFileBegin(file, 1 << 20); // the XMP segment is among the first
-    if (!head || !hasText(*head, 0, "\xff\xd8\xff")) return std::nullopt;
-    std::optional<PanoramaPlacement> found;
-    walkJpeg(*head, [&](uint8_t marker, ByteSpan payload) {
-        constexpr std::string_view kXmp{"http://ns.adobe.com/xap/1.0/\0", 29};
-        if (marker != 0xe1 || !hasText(payload, 0, kXmp)) return false;
-        const std::string_view xmp = asText(payload.subspan(kXmp.size()));
-        if (xmpValue(xmp, "GPano:ProjectionType") == "equirectangular") found = placementIn(xmp);
-        return found.has_value();
-    });
-    return found;
 }
 
 } // namespace shoal::media

@@ -1,6 +1,6 @@
 // Spherical metadata of videos and photos: projection, stereo layout, and the part of the sphere covered.
-// Videos: Google's Spherical Video V1 and V2 in MP4, Projection and StereoMode in Matroska. Photos: Google's
-// Photo Sphere XMP in JPEG.
+// Videos: Google's Spherical Video V1 and V2 in MP4, Projection and StereoMode in Matroska. Photos:
+// PhotoMetadata.h.
 // Sources: google/spatial-media docs/spherical-video-rfc.md and -v2-rfc.md; ISO/IEC 14496-12; RFC 9559.
 #pragma once
 
@@ -32,7 +32,11 @@ struct PanoramaPlacement {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-// Reads a JPEG photo's placement; empty if the file cannot be read, does not state it, or contradicts itself.
-std::optional<PanoramaPlacement> panoramaPlacement(const Path& file);
+// Returns the text of <name>value</name> or name="value" in XMP; empty if absent. Single values need no XML
+// parser, which hostile entities could attack.
+std::string_view xmpValue(std::string_view xmp, const std::string& name);
+
+// Reads the placement from XMP whose names begin with `space`; empty if it is missing or contradicts itself.
+std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::string& space);
 
 } // namespace shoal::media

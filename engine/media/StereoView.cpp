@@ -100,9 +100,15 @@ Layout layoutFromContent(const ImageRgb8& frame) {
 
 Layout layoutOf(const ImageRgb8& picture) {
     const Layout shape = layoutFromShape(picture.width, picture.height);
-    if (shape == Layout::TopBottom || shape == Layout::LeftRight) return shape;
+    if (shape == Layout::Auto) return Layout::Auto;
     const Layout content = layoutFromContent(picture);
+    if (shape != Layout::Mono) return content == shape ? shape : Layout::Auto;
     return content == Layout::Auto ? Layout::Mono : content;
+}
+
+Layout layoutOf(const ImageRgbF& picture) {
+    const Layout shape = layoutFromShape(picture.width, picture.height);
+    return shape == Layout::Mono ? shape : Layout::Auto;
 }
 
 } // namespace shoal::media

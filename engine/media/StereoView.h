@@ -28,9 +28,11 @@ Layout layoutFromShape(int width, int height);
 // alike, or both are; Auto if nothing can be told: blank, a fade, plain water. frame: either channel order.
 Layout layoutFromContent(const ImageRgb8& frame);
 
-// Detects a still picture's layout: by shape, but 2:1 may be two eyes' pictures squeezed, so 2:1 and
-// ambiguous shapes are decided by content. Never Auto; Mono when in doubt.
+// Detects a still picture's layout by its shape and content: 2:1 is mono unless it shows two eyes' pictures
+// squeezed; squares and 4:1 strips are as often ordinary pictures, so they must show two eyes. Auto: an
+// ordinary picture. Two eyes are looked for in 8-bit pictures alone.
 Layout layoutOf(const ImageRgb8& picture);
+Layout layoutOf(const ImageRgbF& picture);
 
 } // namespace shoal::media
 

@@ -3,6 +3,7 @@
 #include "game/tools/Commands.h"
 
 #include "engine/core/Log.h"
+#include "engine/environment/PhotoEnvironment.h"
 #include "engine/light/BruteForceDiffuse.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
@@ -19,13 +20,17 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-// Reads a photo's pixels, or the video's frame at that time.
+// Reads a photo as an environment, or the video's frame at that time.
 Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
-    auto picture = media::readPicture(file);
+    auto photo = media::readPhoto(file);
     bgr = false;
-    if (picture) return picture;
+    if (photo) {
+        auto made = environment::environmentFrom(file, std::move(photo->picture), photo->metadata, {});
+        if (!made) return made.error();
+        return std::move(made->picture);
+    }
     auto player = media::VideoPlayer::open(file);
-    if (!player) return std::filesystem::exists(file) ? player.error() : picture.error();
+    if (!player) return std::filesystem::exists(file) ? player.error() : photo.error();
     bgr = true;
     return player->waitFor(static_cast<double>(at_s))->pixelsBgr;
 }

@@ -14,9 +14,10 @@ namespace {
 bool isHdrName(const Path& file) { return media::writtenAs(file) == media::WrittenAs::Hdr; }
 
 template <class Picture, class Write>
-Result<std::string> convert(const PanoramaOptions& options, Result<Picture> photo, Write&& write) {
-    if (!photo) return photo.error();
-    auto made = environment::environmentFrom(options.photo, std::move(*photo), options.fov_deg);
+Result<std::string> convert(const PanoramaOptions& options, Picture photo,
+                            const media::PhotoMetadata& metadata, Write&& write) {
+    auto made =
+        environment::environmentFrom(options.photo, std::move(photo), metadata, {.fov_deg = options.fov_deg});
     if (!made) return made.error();
     if (Status s = write(options.out, made->picture); !s) return s.error();
     return std::to_string(made->picture.width) + "x" + std::to_string(made->picture.height) + ", " +
@@ -36,11 +37,14 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdrName(options.photo) && isHdrName(options.out))
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdrName(options.photo))
-        return convert(options, media::readPicture(options.photo), media::writePicture);
+    if (!isHdrName(options.photo)) {
+        auto photo = media::readPhoto(options.photo);
+        if (!photo) return photo.error();
+        return convert(options, std::move(photo->picture), photo->metadata, media::writePicture);
+    }
     auto read = media::readHdr(options.photo);
-    return convert(options, read ? Result<ImageRgbF>(std::move(read->radianceLin)) : read.error(),
-                   media::writeHdr);
+    if (!read) return read.error();
+    return convert(options, std::move(read->radianceLin), {}, media::writeHdr);
 }
 
 } // namespace

@@ -59,7 +59,8 @@ void Environment::upload() {
 
 glm::mat3 Environment::envFromWorld() const {
     // Positive angles about +Y turn to the left: a direction yaw to the right comes ahead.
-    return glm::mat3_cast(glm::angleAxis(glm::radians(setup_.yaw_deg), glm::vec3(0, 1, 0)));
+    return glm::mat3_cast(glm::conjugate(player_->envFromFilm()) *
+                          glm::angleAxis(glm::radians(setup_.yaw_deg), glm::vec3(0, 1, 0)));
 }
 
 render::Exposure Environment::exposure(Tone chosen, float exposure_ev) const {
