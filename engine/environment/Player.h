@@ -71,6 +71,7 @@ class Player {
     // Returns the frame of the last update(), valid until the next; the functions below describe it too.
     const Frame& frame() const { return *shown_; }
     media::Layout layout() const { return layout_; }
+    const glm::quat& envFromFilm() const { return envFromFilm_; } // how the file turns its sphere
     bool isHdr() const { return hdr_; }
     water::Water water() const { return water_.water(); } // none if the environment is dry
     // Returns the light that casts shadows, env frame. There is none unless the setup asks for lights and
@@ -114,6 +115,7 @@ class Player {
     Setup setup_;
     bool hdr_ = false;
     media::Layout layout_ = media::Layout::Mono;
+    glm::quat envFromFilm_{1, 0, 0, 0};
     std::optional<FrameAnalysis> analysis_;
     // Filled on the decode thread, one for each slot, and handed over with the video's frame. Declared before
     // the players, so that they outlive the players' threads, which write them.

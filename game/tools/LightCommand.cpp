@@ -19,6 +19,23 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
+// Returns the left eye's picture as the file turns it: each texel takes the nearest one.
+ImageRgb8 turnedLeftEye(const media::VideoFrame& frame, const glm::quat& envFromFilm) {
+    const ImageRgb8& pixels = frame.pixelsBgr;
+    const media::EyePart part = media::eyePart(frame.layout, 0, pixels.width, pixels.height);
+    const glm::dmat3 filmFromEnv = glm::transpose(glm::mat3_cast(glm::dquat(envFromFilm)));
+    ImageRgb8 eye(part.width, part.height);
+    for (int y = 0; y < eye.height; ++y)
+        for (int x = 0; x < eye.width; ++x) {
+            const glm::dvec2 at =
+                latLongFromDirection(filmFromEnv * texelDirection<double>(x, y, eye.width, eye.height));
+            const int column = std::min(static_cast<int>(at.x * eye.width), eye.width - 1);
+            const int row = std::min(static_cast<int>(at.y * eye.height), eye.height - 1);
+            std::copy_n(pixels.at(part.x + column, part.y + row), 3, eye.at(x, y));
+        }
+    return eye;
+}
+
 // Reads a photo's pixels, or the video's frame at that time.
 Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
     auto picture = media::readPicture(file);
@@ -27,7 +44,7 @@ Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
     auto player = media::VideoPlayer::open(file);
     if (!player) return std::filesystem::exists(file) ? player.error() : picture.error();
     bgr = true;
-    return player->waitFor(static_cast<double>(at_s))->pixelsBgr;
+    return turnedLeftEye(*player->waitFor(static_cast<double>(at_s)), player->info().metadata.envFromFilm);
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
