@@ -74,18 +74,6 @@ static double statedLength(const FileDecoder& in) {
     return read ? static_cast<double>(microseconds) * 1e-6 : in.length_s();
 }
 
-// Returns the place of an eye's picture of this size in the picture of the whole sphere.
-static PanoramaPlacement placementOf(const SphereBounds& bounds, int width, int height) {
-    const auto fullWidth = static_cast<int>(std::lround(width / bounds.width()));
-    const auto fullHeight = static_cast<int>(std::lround(height / bounds.height()));
-    return {.fullWidth = fullWidth,
-            .fullHeight = fullHeight,
-            .left = std::min(static_cast<int>(std::lround(fullWidth * bounds.left)), fullWidth - width),
-            .top = std::min(static_cast<int>(std::lround(fullHeight * bounds.top)), fullHeight - height),
-            .width = width,
-            .height = height};
-}
-
 Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     setUpDecoders();
     const auto begin = readFileBegin(file, 64 << 10);
@@ -188,26 +176,6 @@ void VideoSource::findPlace() {
     info_.height = down * p.fullHeight;
 }
 
-// Places each eye's picture in its bounds and continues it by mirroring, which is continuous everywhere
-// around a centred half of the sphere.
-template <class Picture> void VideoSource::place(const Picture& upright, Picture& placed) const {
-    const int type = CV_MAKETYPE(cv::DataType<std::decay_t<decltype(placed.pixels[0])>>::depth, 3);
-    const auto partOf = [&](const Picture& picture, int eye) {
-        const EyePart part = eyePart(info_.layout, eye, picture.width, picture.height);
-        const cv::Mat whole(picture.height, picture.width, type,
-                            const_cast<void*>(static_cast<const void*>(picture.pixels.data())));
-        return whole({part.x, part.y, part.width, part.height});
-    };
-    const EyePart from = eyePart(info_.layout, 0, upright.width, upright.height);
-    const PanoramaPlacement p = placementOf(info_.metadata.bounds, from.width, from.height);
-    placed.fit(upright.width / from.width * p.fullWidth, upright.height / from.height * p.fullHeight);
-    for (const int eye : {0, 1}) {
-        cv::Mat to = partOf(placed, eye);
-        cv::copyMakeBorder(partOf(upright, eye), to, p.top, p.fullHeight - p.top - p.height, p.left,
-                           p.fullWidth - p.left - p.width, cv::BORDER_REFLECT | cv::BORDER_ISOLATED);
-    }
-}
-
 // Decodes the picture after the one shown.
 void VideoSource::decodeAhead() {
     in_.decoder.exchange(ahead_);
@@ -254,7 +222,7 @@ bool VideoSource::retrieve(ImageRgb8& bgr) {
     ImageRgb8& stored = orientation_ != 1 ? stored_ : upright;
     if (!in_.decoder.convert(stored)) return false;
     if (orientation_ != 1) makeUpright(stored, orientation_, upright);
-    if (isPlaced_) place(upright, bgr);
+    if (isPlaced_) placeInSphere(upright, info_.layout, info_.metadata.bounds, bgr);
     return true;
 }
 

@@ -49,7 +49,6 @@ class VideoSource {
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
     void findPlace();
-    template <class Picture> void place(const Picture& upright, Picture& placed) const;
 
     Path file_;
     FileDecoder in_; // its frame is shown
