@@ -141,10 +141,10 @@ void VideoSource::readInfo() {
     if (isWithin(aspect, 1 / kMaxAspect, kMaxAspect)) pixelAspect_ = across ? 1 / aspect : aspect;
     const double mean = rateOf(stream.avg_frame_rate), densest = densestRate(file_, in_.stream);
     double rate = mean > 0 && (mean <= kMaxFps || densest == 0) ? mean : densest;
-    if (densest > 1.01 * rate) rate = densest;
+    if (densest > 1.05 * rate) rate = densest; // less is jitter
     if (rate == 0) rate = rateOf(stream.r_frame_rate);
     if (rate == 0) rate = kFallbackFps;
-    info_.storedFps = mean > 0 ? mean : rate;
+    info_.storedFps = std::max(mean > 0 ? mean : rate, 1 / kLongestPicture_s);
     info_.fps = std::clamp(rate, kMinFps, kMaxFps);
     length_s_ = statedLength(in_);
     const bool counted = stream.nb_frames > 0 && info_.fps == mean;
