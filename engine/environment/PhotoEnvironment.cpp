@@ -1,6 +1,7 @@
 #include "engine/environment/PhotoEnvironment.h"
 
 #include "engine/core/Log.h"
+#include "engine/math/LatLong.h"
 #include "engine/panorama/Panorama.h"
 
 #include <algorithm>
@@ -93,6 +94,24 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
                                      "a full environment already, kept as it is"};
 }
 
+template <class Picture>
+Picture turnedLeftEye(const Picture& picture, media::Layout layout, const glm::quat& envFromFilm) {
+    const media::EyePart part = media::eyePart(layout, 0, picture.width, picture.height);
+    const glm::dmat3 filmFromEnv = glm::transpose(glm::mat3_cast(glm::dquat(envFromFilm)));
+    Picture eye(part.width, part.height);
+    for (int y = 0; y < eye.height; ++y)
+        for (int x = 0; x < eye.width; ++x) {
+            const glm::dvec2 at =
+                latLongFromDirection(filmFromEnv * texelDirection<double>(x, y, eye.width, eye.height));
+            const int column = std::min(static_cast<int>(at.x * eye.width), eye.width - 1);
+            const int row = std::min(static_cast<int>(at.y * eye.height), eye.height - 1);
+            std::copy_n(picture.at(part.x + column, part.y + row), 3, eye.at(x, y));
+        }
+    return eye;
+}
+
+template ImageRgb8 turnedLeftEye(const ImageRgb8&, media::Layout, const glm::quat&);
+template ImageRgbF turnedLeftEye(const ImageRgbF&, media::Layout, const glm::quat&);
 template Result<PhotoEnvironment<ImageRgb8>>
 environmentFrom(const Path&, ImageRgb8, const media::PhotoMetadata&, const PhotoOptions&);
 template Result<PhotoEnvironment<ImageRgbF>>

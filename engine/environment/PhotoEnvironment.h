@@ -33,4 +33,8 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
                                                   const media::PhotoMetadata& metadata,
                                                   const PhotoOptions& options);
 
+// Returns the left eye's picture, turned as its file asks: each texel takes the nearest one.
+template <class Picture>
+Picture turnedLeftEye(const Picture& picture, media::Layout layout, const glm::quat& envFromFilm);
+
 } // namespace shoal::environment

@@ -79,6 +79,9 @@ Status Player::openVideo(const Wait& wait) {
         log::info(
             "{}: taken for two eyes' pictures, {}, because its halves are alike; --layout says otherwise",
             name, enumName(info.layout));
+    envFromFilm_ = info.metadata.envFromFilm;
+    if (const std::string note = info.metadata.note(); !note.empty())
+        log::info("{}: {}", name, note.substr(2));
     return Done{};
 }
 

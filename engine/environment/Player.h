@@ -71,8 +71,7 @@ class Player {
     // Returns the frame of the last update(), valid until the next; the functions below describe it too.
     const Frame& frame() const { return *shown_; }
     media::Layout layout() const { return layout_; }
-    // Returns the rotation that the photo's metadata ask for, from the picture's axes to those of env.
-    const glm::quat& envFromFilm() const { return envFromFilm_; }
+    const glm::quat& envFromFilm() const { return envFromFilm_; } // how the file turns its sphere
     bool isHdr() const { return hdr_; }
     water::Water water() const { return water_.water(); } // none if the environment is dry
     // Returns the light that casts shadows, env frame. There is none unless the setup asks for lights and

@@ -43,11 +43,6 @@ Result<std::string> checkVideo(const Path& file) {
     auto source = VideoSource::open(file, Layout::Auto);
     if (!source) return source.error();
     const VideoInfo& info = source->info();
-    const SphericalMetadata& m = info.metadata;
-    if (m.projection == Projection::Cubemap || m.projection == Projection::Mesh)
-        return Error{file.string(), fmt::format("is a {}; only lat-long video can be shown, so convert it",
-                                                m.projection == Projection::Mesh ? "mesh" : "cube map")};
-
     ImageRgb8 frame(info.width, info.height);
     if (!source->grab() || !source->retrieve(frame))
         return Error{file.string(), "its first frame cannot be decoded"};
@@ -66,10 +61,10 @@ Result<std::string> checkVideo(const Path& file) {
                                                 static_cast<double>(frames) / info.fps, info.duration_s)};
     std::string message =
         fmt::format("{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
-                    info.height, info.codec, info.fps, static_cast<double>(frames) / info.fps,
+                    info.height, info.codec, info.storedFps, static_cast<double>(frames) / info.fps,
                     nameOf(info.matrix), enumName(info.layout), info.layoutSource);
-    if (m.partial) message += "; covers only a part of the environment";
-    if (!m.present) message += "; does not say that it is a 360-degree video";
+    message += info.metadata.note();
+    if (!info.metadata.present) message += "; does not say that it is a 360-degree video";
     return message + depthNote(file);
 }
 

@@ -69,8 +69,11 @@ Halves compare(const cv::Mat& a, const cv::Mat& b) {
 
 EyePart eyePart(Layout layout, int eye, int width, int height) {
     assert(layout != Layout::Auto && (eye == 0 || eye == 1));
-    if (layout == Layout::TopBottom) return {0, eye * height / 2, width, height / 2};
-    if (layout == Layout::LeftRight) return {eye * width / 2, 0, width / 2, height};
+    if (layout == Layout::BottomTop || layout == Layout::RightLeft) eye = 1 - eye;
+    if (layout == Layout::TopBottom || layout == Layout::BottomTop)
+        return {0, eye * height / 2, width, height / 2};
+    if (layout == Layout::LeftRight || layout == Layout::RightLeft)
+        return {eye * width / 2, 0, width / 2, height};
     return {0, 0, width, height};
 }
 

@@ -8,8 +8,8 @@
 
 namespace shoal::media {
 
-// Auto: to be detected, or unknown. TopBottom: left eye above; LeftRight: left eye left.
-enum class Layout { Auto, Mono, TopBottom, LeftRight };
+// Auto: to be detected, or unknown. The others name the left eye's half first.
+enum class Layout { Auto, Mono, TopBottom, LeftRight, BottomTop, RightLeft };
 
 // Part of a frame that one eye sees, pixels. The halves of an odd size are rounded down.
 struct EyePart {
@@ -37,5 +37,5 @@ Layout layoutOf(const ImageRgbF& picture);
 } // namespace shoal::media
 
 template <>
-inline constexpr std::array shoal::kEnumNames<shoal::media::Layout> = {"auto", "mono", "top-bottom",
-                                                                       "left-right"};
+inline constexpr std::array shoal::kEnumNames<shoal::media::Layout> = {
+    "auto", "mono", "top-bottom", "left-right", "bottom-top", "right-left"};

@@ -19,6 +19,10 @@ Result<std::string> convert(const PanoramaOptions& options, Picture photo,
     auto made =
         environment::environmentFrom(options.photo, std::move(photo), metadata, {.fov_deg = options.fov_deg});
     if (!made) return made.error();
+    if (glm::angle(made->envFromPhoto) > 0 && made->layout == media::Layout::Mono) {
+        made->picture = environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
+        made->what += ", and levelled"; // the file that is written has no metadata
+    }
     if (Status s = write(options.out, made->picture); !s) return s.error();
     return std::to_string(made->picture.width) + "x" + std::to_string(made->picture.height) + ", " +
            made->what;
