@@ -93,13 +93,15 @@ TEST(StereoView, ContentTellsTwoEyesFromOne) {
               Layout::Mono);
 }
 
-// Content decides where the shape is 2:1, shape elsewhere.
+// Two eyes' pictures must look so, whatever their shape.
 TEST(StereoView, SqueezedPairsAreFoundByContent) {
     const Brightness seen = noise(32, 6);
     EXPECT_EQ(layoutOf(stereoPair(true, seen)), Layout::TopBottom);
     EXPECT_EQ(layoutOf(stereoPair(false, seen)), Layout::LeftRight);
     EXPECT_EQ(layoutOf(drawn(512, 256, seen)), Layout::Mono);
-    EXPECT_EQ(layoutOf(drawn(256, 256, seen)), Layout::TopBottom) << "by shape";
+    EXPECT_EQ(layoutOf(stereoPair(true, seen, 256, 256)), Layout::TopBottom);
+    EXPECT_EQ(layoutOf(stereoPair(false, seen, 1024, 256)), Layout::LeftRight);
+    for (const int width : {256, 455, 1024}) EXPECT_EQ(layoutOf(drawn(width, 256, seen)), Layout::Auto);
     EXPECT_EQ(layoutOf(ImageRgb8(512, 256)), Layout::Mono) << "blank";
 }
 
