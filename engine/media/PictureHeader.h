@@ -69,7 +69,7 @@ enum class TiffTag : uint32_t {
     TileWidth = 322,
     TileHeight = 323,
     Xmp = 700,
-    Profile = 34675,
+    Profile = 34675
 };
 
 // Return the data of a tag in the first directory of a TIFF structure, which EXIF has too (TIFF 6.0, section
