@@ -1,17 +1,14 @@
 #include "engine/environment/Player.h"
 
 #include "engine/core/Log.h"
+#include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Pictures.h"
-#include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
-#include "engine/panorama/Panorama.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <future>
-#include <unistd.h>
 
 namespace shoal::environment {
 
@@ -36,28 +33,16 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
-// Returns whether the picture is lat-long, mono or stereo. Squares and 4:1 strips have the shape of stereo
-// pictures, but are as often ordinary photos, so their content must look like a stereo pair.
-bool isLatLong(const ImageRgb8& picture) {
-    const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
-    if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
-    const media::Layout content = media::layoutFromContent(picture);
-    return content == media::Layout::TopBottom || content == media::Layout::LeftRight;
-}
-bool isLatLong(const ImageRgbF& picture) {
-    return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
-}
-
-// Reads a photo on a thread of its own. grow: extrapolates it to a panorama unless it is one already.
-Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
+// Reads a photo, and makes an environment of it, on a thread of its own.
+Result<PhotoEnvironment<ImageRgb8>> readEnvironment(const Path& file, media::Layout layout,
+                                                    const Wait& wait) {
     std::atomic<float> share = 0;
-    auto reading = std::async(std::launch::async, [&]() -> Result<ImageRgb8> {
-        auto picture = media::readPicture(file);
-        if (!picture || !grow) return picture;
-        auto full = environmentFrom(file, std::move(*picture), std::nullopt,
-                                    [&](double done) { share = static_cast<float>(done); });
-        if (!full) return full.error();
-        return std::move(full->picture);
+    auto reading = std::async(std::launch::async, [&]() -> Result<PhotoEnvironment<ImageRgb8>> {
+        auto photo = media::readPhoto(file);
+        if (!photo) return photo.error();
+        return environmentFrom(
+            file, std::move(photo->picture), photo->metadata,
+            {.layout = layout, .progress = [&](double done) { share = static_cast<float>(done); }});
     });
     while (reading.wait_for(std::chrono::milliseconds(30)) != std::future_status::ready)
         if (wait) wait(share);
@@ -65,57 +50,6 @@ Result<ImageRgb8> readPhoto(const Path& file, bool grow, const Wait& wait) {
 }
 
 } // namespace
-
-template <class Picture>
-Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
-                                                  std::optional<double> fov_deg,
-                                                  const std::function<void(double)>& progress) {
-    const auto placement = fov_deg ? std::nullopt : media::panoramaPlacement(file);
-    if (placement && (placement->width < placement->fullWidth || placement->height < placement->fullHeight)) {
-        const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
-        auto placed = panorama::completePanorama(
-            photo,
-            {share(placement->left, placement->fullWidth), share(placement->top, placement->fullHeight),
-             share(placement->left + placement->width, placement->fullWidth),
-             share(placement->top + placement->height, placement->fullHeight)});
-        if (!placed) return Error{file.string(), placed.error().reason};
-        return PhotoEnvironment<Picture>{
-            std::move(*placed), "put where its metadata (GPano) says that it belongs, and completed"};
-    }
-    if (placement || (!fov_deg && isLatLong(photo)))
-        return PhotoEnvironment<Picture>{std::move(photo), "a full environment already, kept as it is"};
-
-    // The progress overwrites a line on a terminal; elsewhere it is one line of the log.
-    const bool watched = isatty(STDERR_FILENO) == 1;
-    if (!watched) log::info("growing {} to a full environment", file.string());
-    int shown = -1;
-    const auto show = [&](double share) {
-        if (progress) progress(share);
-        const int percent = static_cast<int>(share * 100);
-        if (!watched || percent == shown) return;
-        shown = percent;
-        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
-        std::fflush(stderr);
-    };
-    auto grown = panorama::panoramaFromPhoto(photo, {.fov_deg = fov_deg, .progress = show});
-    if (watched) std::fputs("\r\033[K", stderr);
-    if (!grown) return Error{file.string(), grown.error().reason};
-    // The seam where the ends meet is hidden if its step is at most one level of 8 bits, or no larger than
-    // the picture's usual steps.
-    const bool hidden = grown->seam.wrapStep <= std::max(grown->seam.usualStep, 1 / 255.0);
-    return PhotoEnvironment<Picture>{
-        std::move(grown->latLong),
-        fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
-                    "middle; the seam where its ends meet can{} be seen: its largest step is {:.2f} % of "
-                    "white, and a tenth of the picture's own steps are above {:.2f} %",
-                    grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
-                    hidden ? "not" : "", grown->seam.wrapStep * 100, grown->seam.usualStep * 100)};
-}
-
-template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,
-                                                             const std::function<void(double)>&);
-template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>,
-                                                             const std::function<void(double)>&);
 
 void setFile(Source& source, const std::string& file) {
     source.video = source.photo = source.env = {};
@@ -158,20 +92,22 @@ Status Player::openVideo(const Wait& wait) {
         log::info(
             "{}: taken for two eyes' pictures, {}, because its halves are alike; --layout says otherwise",
             name, enumName(info.layout));
+    envFromFilm_ = info.metadata.envFromFilm;
+    if (const std::string note = info.metadata.note(); !note.empty())
+        log::info("{}: {}", name, note.substr(2));
     return Done{};
 }
 
 Status Player::openPhoto(const Wait& wait) {
-    layout_ = setup_.source.layout;
-    const bool grow = layout_ == media::Layout::Auto; // a given layout says that it is an environment
-    auto picture = readPhoto(setup_.source.photo, grow, wait);
-    if (!picture) return picture.error();
-    if (grow) layout_ = media::layoutOf(*picture);
+    auto photo = readEnvironment(setup_.source.photo, setup_.source.layout, wait);
+    if (!photo) return photo.error();
+    layout_ = photo->layout;
+    envFromFilm_ = photo->envFromPhoto;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analyse(leftEyeOf(*picture, layout_, false), frames_[0].found);
+    analyse(leftEyeOf(photo->picture, layout_, false), frames_[0].found);
     light_ms_ = millisecondsSince(began);
-    media::toBgra(*picture, false, frames_[0].picture);
+    media::toBgra(photo->picture, false, frames_[0].picture);
     follow(0);
     return Done{};
 }

@@ -1,5 +1,4 @@
-// Player of an environment (video, live video, photo or HDR picture), with the analysis of its frames; and
-// full environments of ordinary photos.
+// Player of an environment (video, live video, photo or HDR picture), with the analysis of its frames.
 #pragma once
 
 #include "engine/camera/CameraResponse.h"
@@ -16,6 +15,8 @@
 #include "engine/occlusion/SmoothLight.h"
 #include "engine/water/EstimateWater.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -24,20 +25,6 @@
 #include <vector>
 
 namespace shoal::environment {
-
-template <class Picture> struct PhotoEnvironment {
-    Picture picture;  // lat-long; unchanged if the photo was one
-    std::string what; // description of what was done: one clause, for a message to the user
-};
-
-// Returns the photo as an environment. A partial panorama, whose metadata (GPano) give its place, is put
-// there and completed; a photo that is lat-long (mono or stereo) by its shape and content stays as it is; any
-// other is extrapolated, which takes seconds and shows progress on a terminal. fov_deg: declares an ordinary
-// photo with this field of view. file: the photo's file.
-template <class Picture> // ImageRgb8, or ImageRgbF of linear light
-Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
-                                                  std::optional<double> fov_deg,
-                                                  const std::function<void(double)>& progress = {});
 
 struct Source {
     std::string video, photo, env; // at most one; video: a file or a live address
@@ -112,6 +99,7 @@ class Player {
     // Returns the frame of the last update(), valid until the next; the functions below describe it too.
     const Frame& frame() const { return *shown_; }
     media::Layout layout() const { return layout_; }
+    const glm::quat& envFromFilm() const { return envFromFilm_; } // how the file turns its sphere
     bool isHdr() const { return setup_.source.isHdr(); }
     water::Water water() const { return water_.water(); } // none if the environment is dry
     // Returns the light that casts shadows, env frame. There is none unless the setup asks for lights and
@@ -158,6 +146,7 @@ class Player {
 
     Setup setup_;
     media::Layout layout_ = media::Layout::Mono;
+    glm::quat envFromFilm_{1, 0, 0, 0};
     // State of the analysis. It and the frames are declared before the players, whose threads write them.
     light::LightMaker lightMaker_;
     light::BruteForceDiffuse thesisDiffuse_;

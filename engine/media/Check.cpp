@@ -11,10 +11,22 @@
 
 namespace shoal::media {
 
-static std::string shapeNote(int width, int height) {
-    const Layout layout = layoutFromShape(width, height);
-    if (layout != Layout::Auto) return fmt::format("lat-long {} by its shape", enumName(layout));
-    return "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
+static std::string shapeNote(const ImageRgbF& picture) {
+    return layoutOf(picture) == Layout::Mono
+               ? "lat-long mono by its shape"
+               : "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
+}
+
+// Returns what environment::environmentFrom() makes of the photo.
+static std::string shapeNote(const Photo& photo) {
+    if (photo.metadata.isPart()) {
+        const PanoramaPlacement& p = *photo.metadata.placement;
+        return fmt::format("a part of a panorama ({}x{} at {}, {} of {}x{}), which is completed", p.width,
+                           p.height, p.left, p.top, p.fullWidth, p.fullHeight);
+    }
+    const Layout layout = layoutOf(photo.picture, photo.metadata);
+    return layout == Layout::Auto ? "an ordinary picture, which is grown to a 360-degree one"
+                                  : fmt::format("lat-long {}", enumName(layout));
 }
 
 // Returns checkVideo()'s clause about a film's depth; empty if no track lies beside the film.
@@ -31,11 +43,6 @@ Result<std::string> checkVideo(const Path& file) {
     auto source = VideoSource::open(file, Layout::Auto);
     if (!source) return source.error();
     const VideoInfo& info = source->info();
-    const SphericalMetadata& m = info.metadata;
-    if (m.projection == Projection::Cubemap || m.projection == Projection::Mesh)
-        return Error{file.string(), fmt::format("is a {}; only lat-long video can be shown, so convert it",
-                                                m.projection == Projection::Mesh ? "mesh" : "cube map")};
-
     ImageRgb8 frame(info.width, info.height);
     if (!source->grab() || !source->retrieve(frame))
         return Error{file.string(), "its first frame cannot be decoded"};
@@ -54,10 +61,10 @@ Result<std::string> checkVideo(const Path& file) {
                                                 static_cast<double>(frames) / info.fps, info.duration_s)};
     std::string message =
         fmt::format("{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
-                    info.height, info.codec, info.fps, static_cast<double>(frames) / info.fps,
+                    info.height, info.codec, info.storedFps, static_cast<double>(frames) / info.fps,
                     nameOf(info.matrix), enumName(info.layout), info.layoutSource);
-    if (m.partial) message += "; covers only a part of the environment";
-    if (!m.present) message += "; does not say that it is a 360-degree video";
+    message += info.metadata.note();
+    if (!info.metadata.present) message += "; does not say that it is a 360-degree video";
     return message + depthNote(file);
 }
 
@@ -89,21 +96,21 @@ Result<std::string> checkDepthTrack(const Path& file) {
 Result<std::string> checkPicture(const Path& file) {
     const auto begin = readFileBegin(file, 1 << 20);
     if (!begin) return begin.error();
-    const auto header = readPictureHeader(*begin);
-    if (!header) return Error{file.string(), header.error().reason};
-    if (!isHdr(header->kind)) {
-        const auto picture = readPicture(file);
-        if (!picture) return picture.error();
-        return fmt::format("{}x{} {} picture, {}", picture->width, picture->height, nameOf(header->kind),
-                           shapeNote(picture->width, picture->height));
+    const auto kind = pictureKind(*begin);
+    if (!kind) return Error{file.string(), kind.error().reason};
+    if (!isHdr(*kind)) {
+        const auto photo = readPhoto(file);
+        if (!photo) return photo.error();
+        return fmt::format("{}x{} {} picture, {}{}", photo->picture.width, photo->picture.height,
+                           nameOf(*kind), shapeNote(*photo), photo->note());
     }
     const auto picture = readHdr(file);
     if (!picture) return picture.error();
     const ImageRgbF& image = picture->radianceLin;
     const std::string repairs = picture->repairs();
     return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}{}", image.width, image.height,
-                       nameOf(header->kind), *std::ranges::max_element(image.pixels),
-                       shapeNote(image.width, image.height), repairs.empty() ? "" : "; ", repairs);
+                       nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image),
+                       repairs.empty() ? "" : "; ", repairs);
 }
 
 } // namespace shoal::media

@@ -58,6 +58,7 @@ class Decoder {
     bool receive();
     // The frame received last.
     AVFrame& frame() { return *frame_; }
+    void exchange(Frame& other) { frame_.swap(other); } // receives into `other` from now on
     glm::ivec2 chromaTexels() const; // texels of a picture that share a colour, across and down
 
     // Converts the picture received last, blue first, by the matrix and range that it states; bgr takes its

@@ -38,6 +38,17 @@ Input openInput(const Path& file, const char* formats) {
     return Input(opened < 0 ? nullptr : input);
 }
 
+int filmStreamOf(AVFormatContext& input) {
+    const auto isCover = [&](int i) {
+        return (input.streams[i]->disposition &
+                (AV_DISPOSITION_ATTACHED_PIC | AV_DISPOSITION_TIMED_THUMBNAILS)) != 0;
+    };
+    int best = av_find_best_stream(&input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    for (int i = 0; best >= 0 && isCover(best) && i < static_cast<int>(input.nb_streams); ++i)
+        if (input.streams[i]->codecpar->codec_type == AVMEDIA_TYPE_VIDEO && !isCover(i)) best = i;
+    return best >= 0 && isCover(best) ? -1 : best;
+}
+
 void keepOnly(AVFormatContext& input, int stream) {
     for (unsigned i = 0; i < input.nb_streams; ++i)
         input.streams[i]->discard = static_cast<int>(i) == stream ? AVDISCARD_DEFAULT : AVDISCARD_ALL;

@@ -52,6 +52,18 @@ template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType ty
     return size >= count * sizeof(T) ? reinterpret_cast<const T*>(bytes) : nullptr;
 }
 
+// Returns the number of the stream of film; negative if there is none, but at most a cover of music.
+int filmStreamOf(AVFormatContext& input);
+
+// Returns a picture's duration in units of its stream; 0: unknown. FFmpeg 6 gave it another name.
+inline int64_t durationOf(const AVFrame& picture) {
+#if LIBAVUTIL_VERSION_INT >= AV_VERSION_INT(57, 30, 100)
+    return picture.duration;
+#else
+    return picture.pkt_duration;
+#endif
+}
+
 // Discards all streams but this one.
 void keepOnly(AVFormatContext& input, int stream);
 

@@ -4,8 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <csetjmp>
+#include <cstdio>
 #include <iterator>
 #include <optional>
+
+#include <jpeglib.h> // behind <cstdio>, which it needs
+
+#include <jerror.h>
 
 namespace shoal::media {
 
@@ -49,6 +55,19 @@ Size webpSize(ByteSpan b) {
     }
     if (hasText(b, 12, "VP8 ")) return {little16(b, 26) & 0x3fff, little16(b, 28) & 0x3fff};
     return {};
+}
+
+// TIFF 6.0. Raw photos are TIFFs whose first picture is a thumbnail, which is not the photo. The library
+// takes memory for a whole tile or strip, whatever the picture's size.
+Size tiffSize(ByteSpan b) {
+    constexpr uint64_t kMaxTile = 1 << 24; // pixels
+    const uint64_t width = tiffNumber(b, TiffTag::Width), height = tiffNumber(b, TiffTag::Height);
+    const uint64_t rows = tiffNumber(b, TiffTag::RowsPerStrip);
+    const bool largeStrip = rows > height && rows != UINT32_MAX && rows * width > kMaxTile;
+    const bool largeTile =
+        uint64_t{tiffNumber(b, TiffTag::TileWidth)} * tiffNumber(b, TiffTag::TileHeight) > kMaxTile;
+    if ((tiffNumber(b, TiffTag::SubfileType) & 1) || largeStrip || largeTile) return {};
+    return {static_cast<int64_t>(width), static_cast<int64_t>(height)};
 }
 
 // Returns the next number in the text of a PNM or PFM header, past white space and comments; 0: none.
@@ -141,6 +160,8 @@ bool isPnm(ByteSpan b) {
     return b.size() > 2 && b[0] == 'P' && b[1] >= '1' && b[1] <= '6' && std::isspace(b[2]);
 }
 
+constexpr std::string_view kTiffBegins[] = {{"II*\0", 4}, {"MM\0*", 4}}; // little and big endian
+
 struct Kind {
     const char* name;
     bool (*is)(ByteSpan);
@@ -152,12 +173,30 @@ constexpr Kind kKinds[] = {
     {"PNG", [](ByteSpan b) { return hasText(b, 0, "\x89PNG\r\n\x1a\n"); }, pngSize},
     {"BMP", [](ByteSpan b) { return hasText(b, 0, "BM"); }, bmpSize},
     {"WebP", [](ByteSpan b) { return hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP"); }, webpSize},
+    {"TIFF", [](ByteSpan b) { return hasText(b, 0, kTiffBegins[0]) || hasText(b, 0, kTiffBegins[1]); },
+     tiffSize},
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
      radianceSize},
     {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
     {"PFM", [](ByteSpan b) { return hasText(b, 0, "PF") || hasText(b, 0, "Pf"); }, pnmSize},
 };
+
+struct JpegErrors : jpeg_error_mgr {
+    std::jmp_buf failed{};
+    bool cut = false; // the data of a scan ended early
+};
+
+// Returns whether a component has no scan, or a progressive one lacks its last bits.
+bool lacksScans(const jpeg_decompress_struct& jpeg) {
+    for (int c = 0; c < jpeg.num_components; ++c) {
+        if (!jpeg.comp_info[c].quant_table) return true; // set by the component's first scan
+        if (!jpeg.progressive_mode) continue;
+        const auto& missing = jpeg.coef_bits[c]; // bits of each coefficient that are not known; -1: none is
+        if (std::ranges::any_of(missing, [](int bits) { return bits != 0; })) return true;
+    }
+    return false;
+}
 
 } // namespace
 
@@ -187,20 +226,80 @@ const char* nameOf(PictureKind kind) { return kKinds[static_cast<size_t>(kind)].
 
 bool isHdr(PictureKind kind) { return kind >= PictureKind::Radiance; }
 
-Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
+Result<PictureKind> pictureKind(ByteSpan bytes) {
     const auto kind = std::ranges::find_if(kKinds, [&](const Kind& each) { return each.is(bytes); });
     if (kind == std::end(kKinds))
-        return Error{"", "is not a picture of a known kind (JPEG, PNG, BMP, WebP, PNM, HDR, EXR, PFM)"};
-    const Size size = kind->size(bytes);
+        return Error{"", "is not a picture of a known kind (JPEG, PNG, BMP, WebP, TIFF, PNM, HDR, EXR, PFM)"};
+    return static_cast<PictureKind>(kind - kKinds);
+}
+
+Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
+    const auto kind = pictureKind(bytes);
+    if (!kind) return kind.error();
+    const Size size = kKinds[static_cast<size_t>(*kind)].size(bytes);
     if (size.width <= 0 || size.height <= 0)
-        return Error{"", std::string("its ") + kind->name +
+        return Error{"", std::string("its ") + nameOf(*kind) +
                              " header is damaged, cut short or of an unread variant"};
-    return PictureHeader{static_cast<PictureKind>(kind - kKinds), size.width, size.height};
+    return PictureHeader{*kind, size.width, size.height};
+}
+
+bool lacksEndMark(ByteSpan jpeg) {
+    const size_t data = walkJpeg(jpeg, [](uint8_t, ByteSpan) { return false; });
+    return asText(jpeg.subspan(std::min(data, jpeg.size()))).find("\xff\xd9") == std::string_view::npos;
 }
 
 bool isCutJpeg(ByteSpan bytes) {
-    const size_t data = walkJpeg(bytes, [](uint8_t, ByteSpan) { return false; });
-    return asText(bytes.subspan(std::min(data, bytes.size()))).find("\xff\xd9") == std::string_view::npos;
+    JpegErrors errors;
+    jpeg_decompress_struct jpeg{};
+    jpeg.err = jpeg_std_error(&errors);
+    errors.error_exit = [](j_common_ptr common) {
+        std::longjmp(static_cast<JpegErrors*>(common->err)->failed, 1);
+    };
+    errors.emit_message = [](j_common_ptr common, int) {
+        if (common->err->msg_code == JWRN_HIT_MARKER) static_cast<JpegErrors*>(common->err)->cut = true;
+    };
+    if (setjmp(errors.failed) == 0) {
+        jpeg_create_decompress(&jpeg);
+        jpeg_mem_src(&jpeg, bytes.data(), bytes.size());
+        jpeg_read_header(&jpeg, TRUE);
+        jpeg.scale_denom = 8; // a pixel of each block: the entropy-coded data alone matter
+        jpeg_start_decompress(&jpeg);
+        JSAMPARRAY row = jpeg.mem->alloc_sarray(reinterpret_cast<j_common_ptr>(&jpeg), JPOOL_IMAGE,
+                                                jpeg.output_width * jpeg.output_components, 1);
+        while (jpeg.output_scanline < jpeg.output_height) jpeg_read_scanlines(&jpeg, row, 1);
+        errors.cut = errors.cut || lacksScans(jpeg);
+    } else {
+        errors.cut = true;
+    }
+    jpeg_destroy_decompress(&jpeg);
+    return errors.cut;
+}
+
+ByteSpan tiffEntry(ByteSpan b, TiffTag tag) {
+    const bool little = hasText(b, 0, kTiffBegins[0]);
+    if (b.size() < 8 || (!little && !hasText(b, 0, kTiffBegins[1]))) return {};
+    const auto word = [&](size_t at) { return little ? little16(b, at) : big16(b, at); };
+    const auto number = [&](size_t at) { return little ? little32(b, at) : big32(b, at); };
+    const size_t directory = number(4);
+    if (directory > b.size() || b.size() - directory < 2) return {};
+    const size_t entries = std::min<size_t>(word(directory), (b.size() - directory - 2) / 12);
+    for (size_t at = directory + 2; at < directory + 2 + 12 * entries; at += 12) { // tag, type, count, data
+        if (word(at) != static_cast<uint32_t>(tag)) continue;
+        static constexpr size_t kSizes[] = {0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8}; // by type
+        const size_t type = word(at + 2);
+        const uint64_t size = uint64_t{number(at + 4)} * (type < std::size(kSizes) ? kSizes[type] : 0);
+        const size_t begin = size <= 4 ? at + 8 : number(at + 8);
+        return begin <= b.size() && size <= b.size() - begin ? b.subspan(begin, size) : ByteSpan();
+    }
+    return {};
+}
+
+uint32_t tiffNumber(ByteSpan b, TiffTag tag) {
+    const ByteSpan value = tiffEntry(b, tag);
+    const bool little = hasText(b, 0, kTiffBegins[0]);
+    if (value.size() == 2) return little ? little16(value, 0) : big16(value, 0);
+    if (value.size() == 4) return little ? little32(value, 0) : big32(value, 0);
+    return 0;
 }
 
 } // namespace shoal::media

@@ -31,7 +31,7 @@ inline bool hasText(ByteSpan b, size_t at, std::string_view text) {
 
 inline std::string_view asText(ByteSpan b) { return {reinterpret_cast<const char*>(b.data()), b.size()}; }
 
-enum class PictureKind { Jpeg, Png, Bmp, Webp, Pnm, Radiance, Exr, Pfm };
+enum class PictureKind { Jpeg, Png, Bmp, Webp, Tiff, Pnm, Radiance, Exr, Pfm };
 
 const char* nameOf(PictureKind kind);
 bool isHdr(PictureKind kind);
@@ -42,14 +42,39 @@ struct PictureHeader {
     int64_t height = 0;
 };
 
-// bytes: the file or at least its beginning (a JPEG's size may follow long metadata). The error has no path.
+// Reads the kind alone, from the first bytes. The error has no path.
+Result<PictureKind> pictureKind(ByteSpan bytes);
+
+// bytes: the file or at least its beginning (a JPEG's size may follow long metadata, a TIFF's the pixels).
+// The error has no path.
 Result<PictureHeader> readPictureHeader(ByteSpan bytes);
 
-// Returns whether a JPEG's end mark is missing: libjpeg would fill the rest with grey.
-bool isCutJpeg(ByteSpan bytes);
+// Returns whether no end mark follows a JPEG's compressed data.
+bool lacksEndMark(ByteSpan jpeg);
+
+// Returns whether parts of the picture are missing from a JPEG without an end mark, which libjpeg would fill
+// with grey. Decodes it.
+bool isCutJpeg(ByteSpan jpeg);
 
 // Calls visit(marker, payload) for each segment of a JPEG (ITU T.81 annex B) until it returns true or the
 // compressed data begins. Returns the offset reached.
 size_t walkJpeg(ByteSpan bytes, const std::function<bool(uint8_t marker, ByteSpan payload)>& visit);
+
+enum class TiffTag : uint32_t {
+    SubfileType = 254,
+    Width = 256,
+    Height = 257,
+    Orientation = 274,
+    RowsPerStrip = 278,
+    TileWidth = 322,
+    TileHeight = 323,
+    Xmp = 700,
+    Profile = 34675
+};
+
+// Return the data of a tag in the first directory of a TIFF structure, which EXIF has too (TIFF 6.0, section
+// 2), or its one number of 16 or 32 bits; empty or 0 if it is missing or cut short. bytes: the structure.
+ByteSpan tiffEntry(ByteSpan bytes, TiffTag tag);
+uint32_t tiffNumber(ByteSpan bytes, TiffTag tag);
 
 } // namespace shoal::media

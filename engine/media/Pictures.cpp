@@ -4,6 +4,7 @@
 #include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
+#include "engine/media/Orientation.h"
 #include "engine/media/PictureHeader.h"
 
 #include <fmt/core.h>
@@ -252,16 +253,54 @@ Status write(const Path& file, const Result<std::string>& bytes) {
 }
 
 constexpr const char* kNoPng = "the picture cannot be coded as PNG";
+constexpr const char* kProfileIgnored =
+    "its colour profile is damaged or not for its colours, and is ignored";
+
+// Makes a TIFF upright as stored, because OpenCV would turn it, whatever it is asked for.
+void clearOrientation(std::vector<uint8_t>& tiff) {
+    const ByteSpan entry = tiffEntry(tiff, TiffTag::Orientation);
+    if (entry.empty()) return;
+    uint8_t* number = tiff.data() + (entry.data() - tiff.data());
+    std::fill_n(number, entry.size(), uint8_t{0});
+    number[tiff[0] == 'I' ? 0 : entry.size() - 1] = 1;
+}
 
 } // namespace
 
-Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
-    const auto read = readPictureFile(file, false, limits);
+Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
+    auto read = readPictureFile(file, false, limits);
     if (!read) return read.error();
-    const auto& [bytes, header] = *read;
-    if (header.kind == PictureKind::Jpeg && isCutJpeg(bytes)) return Error{file.string(), "is cut short"};
-    return decoded<ImageRgb8>(file, header.kind, CV_8UC3,
-                              [&](const Codecs& with) { return with.imdecode(bytes, cv::IMREAD_COLOR); });
+    auto& [bytes, header] = *read;
+    Photo photo{.metadata = photoMetadata(bytes, header.kind)};
+    if (header.kind == PictureKind::Jpeg && lacksEndMark(bytes)) {
+        if (isCutJpeg(bytes)) return Error{file.string(), "is cut short"};
+        bytes.insert(bytes.end(), {0xff, 0xd9}); // OpenCV leaves the last rows undecoded without it
+    }
+    if (header.kind == PictureKind::Tiff) clearOrientation(bytes);
+    auto stored = decoded<ImageRgb8>(file, header.kind, CV_8UC3, [&](const Codecs& with) {
+        return with.imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+    });
+    if (!stored) return stored.error();
+    if (photo.metadata.orientation == 1)
+        photo.picture = std::move(*stored);
+    else
+        makeUpright(*stored, photo.metadata.orientation, photo.picture);
+    photo.profileUse = convertToSrgb(photo.metadata.profile, photo.picture);
+    if (photo.profileUse == ProfileUse::Ignored) log::warn("{}: {}", file.string(), kProfileIgnored);
+    return photo;
+}
+
+std::string Photo::note() const {
+    return (profileUse == ProfileUse::Converted ? "; converted to sRGB by its colour profile"
+            : profileUse == ProfileUse::Ignored ? std::string("; ") + kProfileIgnored
+                                                : "") +
+           metadata.note();
+}
+
+Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
+    auto photo = readPhoto(file, limits);
+    if (!photo) return photo.error();
+    return std::move(photo->picture);
 }
 
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits) {
@@ -302,9 +341,11 @@ Status writePng(const Path& file, const ImageRgba8& image) {
 
 PictureContent pictureContent(const Path& file) {
     const auto begin = readFileBegin(file, 1 << 20);
-    const auto header = begin ? readPictureHeader(*begin) : begin.error();
-    if (!header) return PictureContent::None;
-    return isHdr(header->kind) ? PictureContent::Hdr : PictureContent::Coded;
+    const auto kind = begin ? pictureKind(*begin) : begin.error();
+    if (!kind) return PictureContent::None;
+    // A TIFF's header may follow its pixels.
+    if (*kind != PictureKind::Tiff && !readPictureHeader(*begin)) return PictureContent::None;
+    return isHdr(*kind) ? PictureContent::Hdr : PictureContent::Coded;
 }
 
 WrittenAs writtenAs(const Path& file) {

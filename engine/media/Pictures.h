@@ -5,6 +5,8 @@
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
+#include "engine/media/ColourProfile.h"
+#include "engine/media/PhotoMetadata.h"
 
 #include <cstdint>
 #include <string>
@@ -17,8 +19,19 @@ struct PictureLimits {
     int maxHeight = 8192;
 };
 
-// Reads JPEG, PNG, BMP, WebP, PNM; sRGB-coded, red first, turned upright by its EXIF orientation, without
-// transparency. The content decides the kind, not the name.
+struct Photo {
+    ImageRgb8 picture; // sRGB-coded, red first, without transparency; upright, its ICC profile applied
+    PhotoMetadata metadata;
+    ProfileUse profileUse = ProfileUse::None;
+
+    // Returns what was done to the picture and what its metadata ask for, a clause each after "; ".
+    std::string note() const;
+};
+
+// Reads JPEG, PNG, BMP, WebP, TIFF, PNM. The content decides the kind, not the name.
+Result<Photo> readPhoto(const Path& file, PictureLimits limits = {});
+
+// As readPhoto(), for the picture alone.
 Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
 struct HdrPicture {

@@ -49,7 +49,7 @@ class SoundDecoder {
         d.in_.stream = av_find_best_stream(input, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
         if (d.in_.stream < 0 || !kind) return failed("has no sound");
         keepOnly(*input, d.in_.stream);
-        const int picture = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, d.in_.stream, nullptr, 0);
+        const int picture = filmStreamOf(*input);
         const AVStream& first = *input->streams[picture >= 0 ? picture : d.in_.stream];
         if (first.start_time != AV_NOPTS_VALUE)
             d.begins_s_ = static_cast<double>(first.start_time) * av_q2d(first.time_base);

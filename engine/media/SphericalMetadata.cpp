@@ -1,6 +1,7 @@
 #include "engine/media/SphericalMetadata.h"
 
 #include "engine/core/Number.h"
+#include "engine/math/Trigonometry.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/PictureHeader.h"
 
@@ -9,23 +10,23 @@ extern "C" {
 #include <libavutil/stereo3d.h>
 }
 
+#include <fmt/core.h>
+
 #include <array>
 #include <fstream>
 
 namespace shoal::media {
 
-// Returns the text of <name>value</name> or name="value" in XMP; empty if absent. Single values need no XML
-// parser, which hostile entities could attack.
-static std::string_view xmpValue(std::string_view xmp, const std::string& name) {
+std::string_view xmpValue(std::string_view xmp, const std::string& name) {
     const size_t at = xmp.find(name);
     const size_t begin = at == xmp.npos ? at : xmp.find_first_not_of(" \t\r\n=>\"'", at + name.size());
     return begin == xmp.npos ? "" : xmp.substr(begin, xmp.find_first_of(" \t\r\n<\"'", begin) - begin);
 }
 
-static std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
+std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::string& space) {
     constexpr int kMaxPixels = 1 << 20;
     const auto pixels = [&](const char* name) {
-        return parseNumber(xmpValue(xmp, std::string("GPano:") + name), 0, kMaxPixels).value_or(-1);
+        return parseNumber(xmpValue(xmp, space + name), 0, kMaxPixels).value_or(-1);
     };
     const PanoramaPlacement p{.fullWidth = pixels("FullPanoWidthPixels"),
                               .fullHeight = pixels("FullPanoHeightPixels"),
@@ -54,60 +55,132 @@ static std::string headerText(const Path& file, bool matroska) {
     return header;
 }
 
-// Reads what libavformat drops: meshes, version 2 without its header box, version 1 without the name of the
-// stitching software.
-static SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
-    constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03"; // ProjectionType, of one byte: 3
-    const std::string header = headerText(file, matroska);
-    SphericalMetadata m;
-    if (matroska) {
-        if (header.find(kMatroskaMesh) != header.npos) m.projection = Projection::Mesh;
-    } else if (const size_t v2 = header.find("sv3d"); v2 != header.npos) {
-        const std::string_view boxes = std::string_view(header).substr(v2, 1024);
-        m.projection = boxes.find("mshp") != boxes.npos   ? Projection::Mesh
-                       : boxes.find("cbmp") != boxes.npos ? Projection::Cubemap
-                       : boxes.find("equi") != boxes.npos ? Projection::Equirect
-                                                          : Projection::Unknown;
-    } else if (xmpValue(header, "GSpherical:Spherical") == "true") {
-        m.projection = Projection::Equirect;
-        m.layout = enumNamed<Layout>(xmpValue(header, "GSpherical:StereoMode")).value_or(Layout::Auto);
+// Returns V2's rotation of the sphere: counter-clockwise about up, then counter-clockwise about right, then
+// clockwise about ahead, each about the axes that the rotations before it have turned. Degrees.
+static glm::quat turned(float yaw, float pitch, float roll) {
+    return math::rotationAbout({0, 1, 0}, glm::radians(yaw)) *
+           math::rotationAbout({1, 0, 0}, glm::radians(pitch)) *
+           math::rotationAbout({0, 0, -1}, glm::radians(roll));
+}
+
+// Returns what the boxes of V2 say, which libavformat drops if their own header box is missing, and meshes.
+static std::optional<AVSphericalMapping> unreadMapping(std::string_view header, SphericalMetadata& m) {
+    const std::string_view boxes =
+        header.substr(std::min(header.find("sv3d"), header.size())).substr(0, 1024);
+    const ByteSpan bytes(reinterpret_cast<const uint8_t*>(boxes.data()), boxes.size());
+    const auto has = [&](const char* box) { return boxes.find(box) != boxes.npos; };
+    const auto field = [&](const char* box, size_t index) { // behind name, version and flags
+        const size_t at = boxes.find(box) + 8 + 4 * index;
+        return has(box) && at + 4 <= bytes.size() ? big32(bytes, at) : 0;
+    };
+    m.projection = has("mshp") ? Projection::Mesh : has("cbmp") ? Projection::Cubemap : Projection::Unknown;
+    if (!has("equi")) return std::nullopt;
+    AVSphericalMapping s{};
+    s.projection = AV_SPHERICAL_EQUIRECTANGULAR_TILE;
+    s.yaw = static_cast<int32_t>(field("prhd", 0));
+    s.pitch = static_cast<int32_t>(field("prhd", 1));
+    s.roll = static_cast<int32_t>(field("prhd", 2));
+    s.bound_top = field("equi", 0), s.bound_bottom = field("equi", 1);
+    s.bound_left = field("equi", 2), s.bound_right = field("equi", 3);
+    return s;
+}
+
+// Reads V2's metadata.
+static void readMapping(const AVSphericalMapping& s, SphericalMetadata& m) {
+    const char* named = av_spherical_projection_name(s.projection);
+    const std::string_view name = named ? named : "";
+    const bool half = name == "half equirectangular",
+               tile = s.projection == AV_SPHERICAL_EQUIRECTANGULAR_TILE;
+    m.projection = half || tile || s.projection == AV_SPHERICAL_EQUIRECTANGULAR ? Projection::Equirect
+                   : s.projection == AV_SPHERICAL_CUBEMAP                       ? Projection::Cubemap
+                   : name == "rectilinear"                                      ? Projection::Unknown
+                                                                                : Projection::Other;
+    const auto share = [](uint32_t bound) { return bound / 4294967296.0; }; // 0.32 bits
+    if (half) m.bounds = {.left = 0.25, .right = 0.25};
+    if (tile)
+        m.bounds = {share(s.bound_left), share(s.bound_top), share(s.bound_right), share(s.bound_bottom)};
+    const auto degrees = [](int32_t fixed) { return static_cast<float>(fixed) / 65536; }; // 16.16 bits
+    m.envFromFilm = turned(degrees(s.yaw), degrees(s.pitch), degrees(s.roll));
+}
+
+// Reads V1's metadata. They state where the viewer looks at first, so the sphere turns the other way.
+static void readFirstVersion(std::string_view xmp, SphericalMetadata& m) {
+    const std::string space = "GSpherical:";
+    const auto degrees = [&](const char* name) {
+        return parseNumber(xmpValue(xmp, space + name), -360.0f, 360.0f).value_or(0);
+    };
+    m.projection = Projection::Equirect;
+    m.layout = enumNamed<Layout>(xmpValue(xmp, space + "StereoMode")).value_or(Layout::Auto);
+    m.envFromFilm =
+        glm::conjugate(turned(-degrees("InitialViewHeadingDegrees"), degrees("InitialViewPitchDegrees"),
+                              degrees("InitialViewRollDegrees")));
+    if (const auto p = placementIn(xmp, space)) {
+        const double across = p->fullWidth, down = p->fullHeight;
+        m.bounds = {p->left / across, p->top / down, (p->fullWidth - p->left - p->width) / across,
+                    (p->fullHeight - p->top - p->height) / down};
     }
-    return m;
+}
+
+static Layout statedLayout(const AVStereo3D& s) {
+    const bool rightFirst = s.flags & AV_STEREO3D_FLAG_INVERT;
+    if (s.type == AV_STEREO3D_2D) return Layout::Mono;
+    if (s.type == AV_STEREO3D_SIDEBYSIDE) return rightFirst ? Layout::RightLeft : Layout::LeftRight;
+    if (s.type == AV_STEREO3D_TOPBOTTOM) return rightFirst ? Layout::BottomTop : Layout::TopBottom;
+    return Layout::Auto;
 }
 
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file) {
+    constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03"; // ProjectionType, of one byte: 3
+    constexpr std::string_view kRightLeft{"st3d\0\0\0\0\x04", 9};  // unknown to libavformat
     const bool matroska = std::string_view(input.iformat->name).starts_with("matroska");
     SphericalMetadata m;
     if (stream.codecpar->codec_type != AVMEDIA_TYPE_VIDEO) return m;
-    if (const auto* s = sideData<AVSphericalMapping>(stream, AV_PKT_DATA_SPHERICAL)) {
-        m.projection = s->projection == AV_SPHERICAL_CUBEMAP ? Projection::Cubemap : Projection::Equirect;
-        m.partial = s->projection == AV_SPHERICAL_EQUIRECTANGULAR_TILE;
-    } else {
-        m = unreadMetadata(file, matroska);
-        if (matroska && m.projection == Projection::Unknown)
-            return m; // a flat video: its StereoMode does not describe a panorama
-    }
+    const std::string header = headerText(file, matroska);
+    const auto holds = [&](std::string_view text) { return header.find(text) != header.npos; };
+    if (const auto* s = sideData<AVSphericalMapping>(stream, AV_PKT_DATA_SPHERICAL))
+        readMapping(*s, m);
+    else if (matroska && holds(kMatroskaMesh))
+        m.projection = Projection::Mesh;
+    else if (const auto unread = matroska ? std::nullopt : unreadMapping(header, m))
+        readMapping(*unread, m);
+    const AVDictionaryEntry* tag = av_dict_get(stream.metadata, "spherical-video", nullptr, 0);
+    const std::string_view xmp = matroska ? (tag ? tag->value : "") : header;
+    const bool second = matroska ? m.projection != Projection::Unknown : holds("sv3d");
+    if (!second && xmpValue(xmp, "GSpherical:Spherical") == "true") readFirstVersion(xmp, m);
+    if (matroska && m.projection == Projection::Unknown)
+        return m; // a flat video: its StereoMode does not describe a panorama
     if (const auto* s = sideData<AVStereo3D>(stream, AV_PKT_DATA_STEREO3D))
-        m.layout = s->type == AV_STEREO3D_2D           ? Layout::Mono
-                   : s->type == AV_STEREO3D_SIDEBYSIDE ? Layout::LeftRight
-                   : s->type == AV_STEREO3D_TOPBOTTOM  ? Layout::TopBottom
-                                                       : Layout::Auto;
+        m.layout = statedLayout(*s);
+    else if (!matroska && holds(kRightLeft))
+        m.layout = Layout::RightLeft;
     m.present = m.projection != Projection::Unknown || m.layout != Layout::Auto;
+    constexpr double kLeast = 1 / 64.0; // of the sphere's width or height
+    m.boundsIgnored = !(m.bounds.width() >= kLeast && m.bounds.height() >= kLeast);
+    if (m.boundsIgnored) m.bounds = {};
     return m;
 }
 
-std::optional<PanoramaPlacement> panoramaPlacement(const Path& file) {
-    const auto head = readFileBegin(file, 1 << 20); // the XMP segment is among the first
-    if (!head || !hasText(*head, 0, "\xff\xd8\xff")) return std::nullopt;
-    std::optional<PanoramaPlacement> found;
-    walkJpeg(*head, [&](uint8_t marker, ByteSpan payload) {
-        constexpr std::string_view kXmp{"http://ns.adobe.com/xap/1.0/\0", 29};
-        if (marker != 0xe1 || !hasText(payload, 0, kXmp)) return false;
-        const std::string_view xmp = asText(payload.subspan(kXmp.size()));
-        if (xmpValue(xmp, "GPano:ProjectionType") == "equirectangular") found = placementIn(xmp);
-        return found.has_value();
-    });
-    return found;
+SphericalMetadata sphericalMetadata(const Path& file) {
+    setUpDecoders();
+    const Input input = openInput(file);
+    const int stream = input ? filmStreamOf(*input) : -1;
+    return stream < 0 ? SphericalMetadata{} : sphericalMetadata(*input, *input->streams[stream], file);
+}
+
+glm::quat filmFromWorld(const glm::quat& envFromFilm, float yaw) {
+    // Positive angles about +Y turn to the left: a direction yaw to the right comes ahead.
+    return glm::conjugate(envFromFilm) * math::rotationAbout({0, 1, 0}, yaw);
+}
+
+std::string SphericalMetadata::note() const {
+    std::string text;
+    if (boundsIgnored) text = "; its bounds make no sense, or too large a picture, and are ignored";
+    if (!bounds.isWhole())
+        text += fmt::format("; covers {:.0f} x {:.0f} of 360 x 180 degrees, and the rest mirrors it",
+                            360 * bounds.width(), 180 * bounds.height());
+    if (const float turn = glm::angle(envFromFilm); turn > 0)
+        text += fmt::format("; turned by {:.4g} degrees as it states", glm::degrees(turn));
+    return text;
 }
 
 } // namespace shoal::media

@@ -1,11 +1,14 @@
-// Spherical metadata of videos and photos: projection, stereo layout, and the part of the sphere covered.
-// Videos: Google's Spherical Video V1 and V2 in MP4, Projection and StereoMode in Matroska. Photos: Google's
-// Photo Sphere XMP in JPEG.
-// Sources: google/spatial-media docs/spherical-video-rfc.md and -v2-rfc.md; ISO/IEC 14496-12; RFC 9559.
+// Spherical metadata of videos and photos: projection, stereo layout, the part of the sphere covered, and how
+// the sphere is turned.
+// Videos: Google's Spherical Video V1 and V2 in MP4, Projection and StereoMode in Matroska, and V1 in its
+// tags. Photos: PhotoMetadata.h. Sources: google/spatial-media docs/spherical-video-rfc.md and -v2-rfc.md;
+// ISO/IEC 14496-12; RFC 9559.
 #pragma once
 
 #include "engine/core/Files.h"
 #include "engine/media/StereoView.h"
+
+#include <glm/gtc/quaternion.hpp>
 
 #include <optional>
 
@@ -14,17 +17,39 @@ struct AVStream;
 
 namespace shoal::media {
 
-enum class Projection { Unknown, Equirect, Cubemap, Mesh };
+// Other: fisheyes and whatever else FFmpeg names.
+enum class Projection { Unknown, Equirect, Cubemap, Mesh, Other };
+
+// Shares of the sphere's width (left, right) and height beyond the edges of an eye's picture, 0 to 1.
+struct SphereBounds {
+    double left = 0, top = 0, right = 0, bottom = 0;
+
+    bool isWhole() const { return left + top + right + bottom == 0; }
+    double width() const { return 1 - left - right; }
+    double height() const { return 1 - top - bottom; }
+};
 
 struct SphericalMetadata {
     bool present = false; // the file states a projection or a stereo layout
     Projection projection = Projection::Unknown;
     Layout layout = Layout::Auto; // Auto: not stated
-    bool partial = false;         // a part of the sphere is missing
+    SphereBounds bounds;
+    bool boundsIgnored = false;        // the bounds were such that no picture could be placed in them
+    glm::quat envFromFilm{1, 0, 0, 0}; // turns the film's sphere as it demands; both have the axes of env
+
+    // Returns what is done to the picture for its bounds and its pose, a clause each after "; "; empty:
+    // nothing.
+    std::string note() const;
 };
+
+// Returns the rotation from the world into the picture, for an environment that is turned to the right by yaw
+// too, radians. It has the same bits on every machine.
+glm::quat filmFromWorld(const glm::quat& envFromFilm, float yaw);
 
 // Reads a video's metadata from libavformat, and from the file what libavformat drops.
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file);
+// Reads those of a file's first video; as if there were none, if it cannot be read.
+SphericalMetadata sphericalMetadata(const Path& file);
 
 // Size of the full equirectangular picture, and the part that the file holds; pixels from the top left.
 struct PanoramaPlacement {
@@ -32,7 +57,15 @@ struct PanoramaPlacement {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-// Reads a JPEG photo's placement; empty if the file cannot be read, does not state it, or contradicts itself.
-std::optional<PanoramaPlacement> panoramaPlacement(const Path& file);
+// Returns the text of <name>value</name> or name="value" in XMP; empty if absent. Single values need no XML
+// parser, which hostile entities could attack.
+std::string_view xmpValue(std::string_view xmp, const std::string& name);
+
+// Reads the placement from XMP whose names begin with `space`; empty if it is missing or contradicts itself.
+std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::string& space);
 
 } // namespace shoal::media
+
+template <>
+inline constexpr std::array shoal::kEnumNames<shoal::media::Projection> = {
+    "unknown", "lat-long", "a cube map", "a mesh", "of another projection"};

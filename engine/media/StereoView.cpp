@@ -69,8 +69,11 @@ Halves compare(const cv::Mat& a, const cv::Mat& b) {
 
 EyePart eyePart(Layout layout, int eye, int width, int height) {
     assert(layout != Layout::Auto && (eye == 0 || eye == 1));
-    if (layout == Layout::TopBottom) return {0, eye * height / 2, width, height / 2};
-    if (layout == Layout::LeftRight) return {eye * width / 2, 0, width / 2, height};
+    if (layout == Layout::BottomTop || layout == Layout::RightLeft) eye = 1 - eye;
+    if (layout == Layout::TopBottom || layout == Layout::BottomTop)
+        return {0, eye * height / 2, width, height / 2};
+    if (layout == Layout::LeftRight || layout == Layout::RightLeft)
+        return {eye * width / 2, 0, width / 2, height};
     return {0, 0, width, height};
 }
 
@@ -100,9 +103,15 @@ Layout layoutFromContent(const ImageRgb8& frame) {
 
 Layout layoutOf(const ImageRgb8& picture) {
     const Layout shape = layoutFromShape(picture.width, picture.height);
-    if (shape == Layout::TopBottom || shape == Layout::LeftRight) return shape;
+    if (shape == Layout::Auto) return Layout::Auto;
     const Layout content = layoutFromContent(picture);
+    if (shape != Layout::Mono) return content == shape ? shape : Layout::Auto;
     return content == Layout::Auto ? Layout::Mono : content;
+}
+
+Layout layoutOf(const ImageRgbF& picture) {
+    const Layout shape = layoutFromShape(picture.width, picture.height);
+    return shape == Layout::Mono ? shape : Layout::Auto;
 }
 
 } // namespace shoal::media

@@ -8,8 +8,8 @@
 
 namespace shoal::media {
 
-// Auto: to be detected, or unknown. TopBottom: left eye above; LeftRight: left eye left.
-enum class Layout { Auto, Mono, TopBottom, LeftRight };
+// Auto: to be detected, or unknown. The others name the left eye's half first.
+enum class Layout { Auto, Mono, TopBottom, LeftRight, BottomTop, RightLeft };
 
 // Part of a frame that one eye sees, pixels. The halves of an odd size are rounded down.
 struct EyePart {
@@ -28,12 +28,14 @@ Layout layoutFromShape(int width, int height);
 // alike, or both are; Auto if nothing can be told: blank, a fade, plain water. frame: either channel order.
 Layout layoutFromContent(const ImageRgb8& frame);
 
-// Detects a still picture's layout: by shape, but 2:1 may be two eyes' pictures squeezed, so 2:1 and
-// ambiguous shapes are decided by content. Never Auto; Mono when in doubt.
+// Detects a still picture's layout by its shape and content: 2:1 is mono unless it shows two eyes' pictures
+// squeezed; squares and 4:1 strips are as often ordinary pictures, so they must show two eyes. Auto: an
+// ordinary picture. Two eyes are looked for in 8-bit pictures alone.
 Layout layoutOf(const ImageRgb8& picture);
+Layout layoutOf(const ImageRgbF& picture);
 
 } // namespace shoal::media
 
 template <>
-inline constexpr std::array shoal::kEnumNames<shoal::media::Layout> = {"auto", "mono", "top-bottom",
-                                                                       "left-right"};
+inline constexpr std::array shoal::kEnumNames<shoal::media::Layout> = {
+    "auto", "mono", "top-bottom", "left-right", "bottom-top", "right-left"};

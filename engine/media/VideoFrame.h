@@ -29,9 +29,10 @@ const char* nameOf(ColourMatrix matrix);
 
 // Properties of a video file, read without playing it.
 struct VideoInfo {
-    int width = 0; // of the whole frame, both eyes
+    int width = 0; // of the whole frame, both eyes, upright and placed in its bounds
     int height = 0;
-    double fps = kFallbackFps; // the container's mean rate; kFallbackFps if not within kMinFps..kMaxFps
+    double fps = kFallbackFps; // rate of the frames that are presented, kMinFps..kMaxFps: see VideoSource
+    double storedFps = 0;      // the container's mean rate of stored pictures, for messages
     int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
     double duration_s = 0;     // frameCount / fps
     std::string codec;         // such as "h264"

@@ -1,8 +1,8 @@
 // Looping player of a video file, decoding ahead on a thread of its own.
 //
 // Time: frame i of the n frames is due from i / fps seconds on; after the last frame the first follows, and
-// times keep growing ("unwrapped"): frame `index` shows picture `index % n`. Frames are evenly spaced at the
-// container's mean rate, also those of a variable rate.
+// times keep growing ("unwrapped"): frame `index` shows picture `index % n`. Frames are evenly spaced, also
+// in films of a variable rate: see VideoSource.
 //
 // Threads: all methods belong to one thread, the frame's. `prepare` runs on the decode thread. Memory: the
 // slots, taken at open(), and that of FFmpeg's decoder.

@@ -1,11 +1,15 @@
 #include "engine/media/VideoSource.h"
 
+#include "engine/core/Number.h"
+#include "engine/math/Quantile.h"
+#include "engine/media/Orientation.h"
 #include "engine/media/PictureHeader.h"
 
+#include <fmt/core.h>
 #include <opencv2/core.hpp>
 
 extern "C" {
-#include <libavutil/display.h>
+#include <libavutil/parseutils.h>
 }
 
 #include <algorithm>
@@ -18,19 +22,56 @@ namespace shoal::media {
 // some pictures.
 constexpr double kPixelsPerThread = 64e6;
 constexpr int kMaxThreads = 8;
-constexpr double kMaxStamp = 9e15;   // exact in double
-constexpr int kMaxBadPackets = 4096; // in a row, without a picture
+constexpr double kMaxStamp = 9e15;        // exact in double
+constexpr int kMaxBadPackets = 4096;      // in a row, without a picture
+constexpr double kLongestPicture_s = 600; // beyond the stated length, a longer step of the stamps is an error
 
 // Containers of video. FFmpeg's other formats include playlists and scripts that name further files.
 constexpr const char* kContainers = "mov,matroska,avi,ogg,flv,mpeg,mpegts";
 
+constexpr double kLate = 0.25; // share of a frame by which a picture may come late
+
 static double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
 
-// Returns the clockwise quarter turns that make the stream's pictures upright; phones store them.
-static int quarterTurnsOf(const AVStream& stream) {
-    const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9);
-    const double turn_deg = matrix ? av_display_rotation_get(matrix) : 0;
-    return std::isfinite(turn_deg) ? static_cast<int>(std::lround(-turn_deg / 90)) & 3 : 0;
+// Returns the rate of the stream's pictures where they are densest, at the beginning of the file; 0: unknown.
+// Matroska states a rate whatever its stamps are.
+static double densestRate(const Path& file, int stream) {
+    constexpr size_t kPictures = 300;
+    constexpr int64_t kBytes = 16 << 20;
+    const Input input = openInput(file, kContainers);
+    if (!input || stream >= static_cast<int>(input->nb_streams)) return 0;
+    keepOnly(*input, stream);
+    const double unit_s = av_q2d(input->streams[stream]->time_base);
+    const Packet packet = makePacket();
+    std::vector<double> times_s, gaps_s;
+    for (int64_t bytes = 0; times_s.size() < kPictures && bytes < kBytes; av_packet_unref(packet.get())) {
+        if (av_read_frame(input.get(), packet.get()) < 0) break;
+        const int64_t stamp = packet->pts == AV_NOPTS_VALUE ? packet->dts : packet->pts;
+        bytes += packet->size;
+        if (packet->stream_index == stream && stamp != AV_NOPTS_VALUE)
+            times_s.push_back(static_cast<double>(stamp) * unit_s);
+    }
+    std::ranges::sort(times_s);
+    for (size_t i = 1; i < times_s.size(); ++i)
+        if (times_s[i] > times_s[i - 1]) gaps_s.push_back(times_s[i] - times_s[i - 1]);
+    if (gaps_s.empty()) return 0;
+    // A tenth may be shorter by mistake. The mean of those about as long evens out the rounding of stamps.
+    const double limit_s = 1.25 * math::quantile(gaps_s, 0.1);
+    double sum_s = 0, count = 0;
+    for (const double gap_s : gaps_s)
+        if (gap_s <= limit_s) sum_s += gap_s, ++count;
+    return count / sum_s;
+}
+
+// Returns the length of the stream's pictures as the file states it, seconds; 0: it does not.
+static double statedLength(const FileDecoder& in) {
+    const AVStream& stream = in.opened();
+    if (stream.duration > 0) return static_cast<double>(stream.duration) * av_q2d(stream.time_base);
+    const AVDictionaryEntry* tag = av_dict_get(stream.metadata, "DURATION", nullptr, 0); // of Matroska
+    int64_t microseconds = 0;
+    constexpr int kIsDuration = 1;
+    const bool read = tag && av_parse_time(&microseconds, tag->value, kIsDuration) >= 0 && microseconds > 0;
+    return read ? static_cast<double>(microseconds) * 1e-6 : in.length_s();
 }
 
 Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
@@ -45,9 +86,14 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     VideoSource source;
     source.file_ = file;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
-    source.info_.metadata = sphericalMetadata(*source.in_.input, source.in_.opened(), file);
+    SphericalMetadata& stated = source.info_.metadata;
+    stated = sphericalMetadata(*source.in_.input, source.in_.opened(), file);
+    if (stated.projection > Projection::Equirect)
+        return Error{file.string(), fmt::format("is {}; only lat-long video can be shown, so convert it",
+                                                enumName(stated.projection))};
     source.readInfo();
     if (!source.findLayout(request)) return Error{file.string(), "its first frame cannot be decoded"};
+    source.findPlace();
     return source;
 }
 
@@ -56,7 +102,7 @@ Status VideoSource::reopen() {
                                 "codec that is not installed"};
     in_.input.reset();
     position_ = 0;
-    begun_ = held_ = in_.drained = false;
+    begun_ = hasAhead_ = isShowing_ = in_.drained = false;
     in_.input = openInput(file_, kContainers);
     if (!in_.input)
         return Error{"", "is not a video of a known kind (MP4, MOV, WebM, MKV, AVI, MPEG, OGG, FLV), or is "
@@ -67,7 +113,7 @@ Status VideoSource::reopen() {
             stated.codec_type == AVMEDIA_TYPE_VIDEO && std::max(stated.width, stated.height) > kMaxVideoSide)
             return checkPictureSize(stated.width, stated.height);
     if (avformat_find_stream_info(in_.input.get(), nullptr) < 0) return undecodable;
-    in_.stream = av_find_best_stream(in_.input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    in_.stream = filmStreamOf(*in_.input);
     if (in_.stream < 0) return undecodable;
     keepOnly(*in_.input, in_.stream);
     const AVCodecParameters& coded = *in_.opened().codecpar;
@@ -83,74 +129,121 @@ Status VideoSource::reopen() {
 void VideoSource::readInfo() {
     const AVStream& stream = in_.opened();
     const AVCodecParameters& coded = *stream.codecpar;
-    quarterTurns_ = quarterTurnsOf(stream);
-    info_.width = quarterTurns_ % 2 ? coded.height : coded.width;
-    info_.height = quarterTurns_ % 2 ? coded.width : coded.height;
-    rate_ = rateOf(stream.avg_frame_rate);
-    if (rate_ == 0) rate_ = rateOf(stream.r_frame_rate);
-    info_.fps = rate_ >= kMinFps && rate_ <= kMaxFps ? rate_ : kFallbackFps;
-    const double count =
-        stream.nb_frames > 0 ? static_cast<double>(stream.nb_frames) : std::round(in_.length_s() * rate_);
+    if (const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9))
+        orientation_ = orientationOf(std::span<const int32_t, 9>(matrix, 9));
+    const bool across = swapsSides(orientation_);
+    storedWidth_ = coded.width, storedHeight_ = coded.height;
+    info_.width = across ? coded.height : coded.width;
+    info_.height = across ? coded.width : coded.height;
+    constexpr double kMaxAspect = 16;
+    const double aspect =
+        rateOf(av_guess_sample_aspect_ratio(in_.input.get(), in_.input->streams[in_.stream], nullptr));
+    if (isWithin(aspect, 1 / kMaxAspect, kMaxAspect)) pixelAspect_ = across ? 1 / aspect : aspect;
+    const double mean = rateOf(stream.avg_frame_rate), densest = densestRate(file_, in_.stream);
+    double rate = mean > 0 && (mean <= kMaxFps || densest == 0) ? mean : densest;
+    if (densest > 1.05 * rate) rate = densest; // less is jitter
+    if (rate == 0) rate = rateOf(stream.r_frame_rate);
+    if (rate == 0) rate = kFallbackFps;
+    info_.storedFps = std::max(mean > 0 ? mean : rate, 1 / kLongestPicture_s);
+    info_.fps = std::clamp(rate, kMinFps, kMaxFps);
+    length_s_ = statedLength(in_);
+    const bool counted = stream.nb_frames > 0 && info_.fps == mean;
+    const double shown = std::round(length_s_ * info_.fps);
+    double count = counted ? static_cast<double>(stream.nb_frames) : shown;
+    if (shown >= 1) count = std::min(count, shown); // an edit list may show fewer frames than are stored
     info_.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
-    // An edit list may show fewer frames than are stored.
-    const double shown_s = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
-    const double shown = std::round(shown_s * info_.fps);
-    if (shown >= 1 && shown < static_cast<double>(info_.frameCount))
-        info_.frameCount = static_cast<int64_t>(shown);
     info_.duration_s = static_cast<double>(info_.frameCount) / info_.fps;
     info_.codec = avcodec_get_name(coded.codec_id);
     info_.matrix = matrixOf(coded.codec_id, coded.color_space, coded.width, coded.height);
 }
 
-bool VideoSource::decode() {
-    if (!in_.next(kMaxBadPackets)) return false;
-    if (!begun_ && position_ == 0) {
-        begins_ = in_.decoder.frame().best_effort_timestamp;
-        begun_ = true;
+// Finds the size of frames that are placed in their bounds, before memory is taken for them.
+void VideoSource::findPlace() {
+    SphericalMetadata& stated = info_.metadata;
+    if (stated.bounds.isWhole()) return;
+    const EyePart eye = eyePart(info_.layout, 0, info_.width, info_.height);
+    const PanoramaPlacement p = placementOf(stated.bounds, eye.width, eye.height);
+    const int across = info_.width / eye.width, down = info_.height / eye.height; // eyes
+    constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
+    stated.boundsIgnored = std::max(p.fullWidth, p.fullHeight) > kMaxVideoSide ||
+                           int64_t{p.fullWidth} * p.fullHeight * across * down > kMaxPixels;
+    if (stated.boundsIgnored) {
+        stated.bounds = {};
+        return;
     }
-    return true;
+    isPlaced_ = true;
+    info_.width = across * p.fullWidth;
+    info_.height = down * p.fullHeight;
+}
+
+// Decodes the picture after the one shown.
+void VideoSource::decodeAhead() {
+    in_.decoder.exchange(ahead_);
+    hasAhead_ = in_.next(kMaxBadPackets);
+    in_.decoder.exchange(ahead_);
+    if (!hasAhead_) return;
+    if (!std::exchange(begun_, true)) begins_ = ahead_->best_effort_timestamp;
+    ahead_s_ = timeOfAhead();
+}
+
+double VideoSource::timeOfAhead() const {
+    const int64_t stamp = ahead_->best_effort_timestamp;
+    const double follows_s = isShowing_ ? shown_s_ + 1 / info_.storedFps : 0;
+    if (stamp == AV_NOPTS_VALUE || begins_ == AV_NOPTS_VALUE) return follows_s;
+    const double time_s =
+        (static_cast<double>(stamp) - static_cast<double>(begins_)) * av_q2d(in_.opened().time_base);
+    const double latest_s = std::max(length_s_, shown_s_ + kLongestPicture_s);
+    return !isShowing_ || (time_s > shown_s_ && time_s <= latest_s) ? time_s : follows_s;
+}
+
+void VideoSource::showAhead() {
+    in_.decoder.exchange(ahead_);
+    isShowing_ = true;
+    shown_s_ = ahead_s_;
+    const double lasts_s =
+        static_cast<double>(durationOf(in_.decoder.frame())) * av_q2d(in_.opened().time_base);
+    end_s_ = shown_s_ + (lasts_s > 0 && lasts_s <= kLongestPicture_s ? lasts_s : 1 / info_.storedFps);
+    decodeAhead();
 }
 
 bool VideoSource::grab() {
-    if (!std::exchange(held_, false) && !decode()) return false;
+    const double due_s = (static_cast<double>(position_) + kLate) / info_.fps;
+    if (!isShowing_ && !hasAhead_) decodeAhead();
+    while (hasAhead_ && (!isShowing_ || ahead_s_ <= due_s)) showAhead();
+    if (!isShowing_ || (!hasAhead_ && due_s >= end_s_)) return false;
     ++position_;
     return true;
 }
 
 bool VideoSource::retrieve(ImageRgb8& bgr) {
     const AVFrame& frame = in_.decoder.frame();
-    const bool across = quarterTurns_ % 2;
-    if (frame.width != (across ? bgr.height : bgr.width) || frame.height != (across ? bgr.width : bgr.height))
-        return false;
-    if (quarterTurns_ == 0) return in_.decoder.convert(bgr).ok();
-    if (!in_.decoder.convert(unturned_)) return false;
-    const cv::Mat from(unturned_.height, unturned_.width, CV_8UC3, unturned_.pixels.data());
-    cv::Mat to(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
-    constexpr cv::RotateFlags kTurns[] = {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
-                                          cv::ROTATE_90_COUNTERCLOCKWISE};
-    cv::rotate(from, to, kTurns[quarterTurns_ - 1]);
+    if (frame.width != storedWidth_ || frame.height != storedHeight_) return false;
+    ImageRgb8& upright = isPlaced_ ? upright_ : bgr;
+    ImageRgb8& stored = orientation_ != 1 ? stored_ : upright;
+    if (!in_.decoder.convert(stored)) return false;
+    if (orientation_ != 1) makeUpright(stored, orientation_, upright);
+    if (isPlaced_) placeInSphere(upright, info_.layout, info_.metadata.bounds, bgr);
     return true;
 }
 
 // Seeks to the last key frame at or before this frame; starts further back each time that the container's own
 // search lands after it.
 bool VideoSource::jump(int64_t number) {
-    const double frame_stamps = 1 / (rate_ * av_q2d(in_.opened().time_base)); // time stamps a frame
-    if (!begun_ || begins_ == AV_NOPTS_VALUE || !std::isfinite(frame_stamps)) return false;
+    const double unit_s = av_q2d(in_.opened().time_base);
+    if (!begun_ || begins_ == AV_NOPTS_VALUE || !(unit_s > 0)) return false;
     for (int64_t before = 0;; before = 2 * before + 16) {
         const int64_t aim = std::max(int64_t{0}, number - before);
-        const double stamp =
-            static_cast<double>(begins_) + std::floor(static_cast<double>(aim) * frame_stamps);
+        const double aim_s = (static_cast<double>(aim) + kLate) / info_.fps;
+        const double stamp = static_cast<double>(begins_) + std::floor(aim_s / unit_s);
         if (!(std::abs(stamp) < kMaxStamp)) return false;
         if (!in_.seek(static_cast<int64_t>(stamp))) return false;
-        if (decode()) {
-            const int64_t at = in_.decoder.frame().best_effort_timestamp;
-            if (at == AV_NOPTS_VALUE) return false;
-            const double found =
-                std::round((static_cast<double>(at) - static_cast<double>(begins_)) / frame_stamps);
-            if (found >= 0 && found <= static_cast<double>(number)) {
-                position_ = static_cast<int64_t>(found);
-                held_ = true;
+        isShowing_ = false;
+        decodeAhead();
+        if (hasAhead_) {
+            if (ahead_->best_effort_timestamp == AV_NOPTS_VALUE) return false;
+            const double found = std::ceil(ahead_s_ * info_.fps - kLate);
+            if (found <= static_cast<double>(number) && ahead_s_ > -1 / info_.fps) {
+                position_ = static_cast<int64_t>(std::max(found, 0.0));
                 return true;
             }
         }
@@ -165,7 +258,7 @@ bool VideoSource::seek(int64_t number) {
     const int64_t safe = std::clamp(number, int64_t{0}, std::max(int64_t{0}, info_.frameCount - kShortOfEnd));
     if (number >= position_ && safe <= position_) return true;
     // All other time stamps count from the first frame's.
-    if (seekable_ && !begun_ && position_ == 0) held_ = decode();
+    if (seekable_ && !begun_) decodeAhead();
     if (seekable_ && jump(safe)) return true;
     if (!seekable_ && number >= position_) return true;
     seekable_ = false; // from now on this file is only read in order
@@ -179,10 +272,13 @@ bool VideoSource::findLayout(Layout request) {
         return layout != Layout::Auto;
     };
     if (found(request, "asked for") || found(info_.metadata.layout, "metadata")) return true;
-    const Layout shape = layoutFromShape(info_.width, info_.height);
-    if (shape == Layout::TopBottom || shape == Layout::LeftRight) return found(shape, "shape");
-    // Two eyes' pictures may be squeezed to 2:1. The first frame that tells anything decides, and two more
-    // have to agree if it tells of two eyes. A film may begin with a fade.
+    const SphereBounds& bounds = info_.metadata.bounds;
+    const Layout shape =
+        layoutFromShape(static_cast<int>(std::lround(info_.width * pixelAspect_ / bounds.width())),
+                        static_cast<int>(std::lround(info_.height / bounds.height())));
+    // Two eyes' pictures may be squeezed to 2:1, and square films are as often ordinary ones. The first frame
+    // that tells anything decides, and two more have to agree if it tells of two eyes. A film may begin with
+    // a fade.
     constexpr int64_t kFrames = 6;
     Layout content = Layout::Auto;
     ImageRgb8 frame(info_.width, info_.height);

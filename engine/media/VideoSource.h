@@ -11,6 +11,10 @@ namespace shoal::media {
 // count frames that their edit list or a missing key frame hides.
 constexpr int64_t leastFrames(int64_t stated) { return stated - std::max<int64_t>(4, stated / 50); }
 
+// Presents frames at a constant rate: frame i shows the picture with the greatest time stamp, counted from
+// the first picture's, at or before (i + 1/4) / fps. Matroska rounds stamps to milliseconds: hence the
+// quarter. So pictures are shown again where stamps are sparse, and passed over where they are denser. The
+// rate is the container's mean, or that of the densest pictures at the beginning if they are denser.
 class VideoSource {
   public:
     // Checks the kind of file and its stated size before any decoder sees it. Layout::Auto is detected from
@@ -25,37 +29,42 @@ class VideoSource {
     // Decodes the next frame. Returns false at the end, or if nothing more can be decoded.
     bool grab();
 
-    // Converts the frame grabbed last, blue first and upright, into the image's memory. Returns false if it
-    // cannot be converted or has another size than info() says.
+    // Converts the frame grabbed last, blue first, upright and placed in its bounds, into the image's memory.
+    // Returns false if it cannot be converted or has another size than the first.
     bool retrieve(ImageRgb8& bgr);
 
     glm::ivec2 chromaTexels() const { return in_.decoder.chromaTexels(); } // of the frame grabbed last
 
     // Makes `number` the next frame, or an earlier one if the file allows no better: the caller grabs on from
     // position(). Returns false if the file cannot be opened again.
-    //
-    // Frame numbers are computed from time stamps at the container's mean rate: exact if no frame is half a
-    // frame early or late.
     bool seek(int64_t number);
 
   private:
     VideoSource() = default;
     Status reopen(); // errors lack the file's name
-    bool decode();   // the next frame
+    void decodeAhead();
+    double timeOfAhead() const; // seconds
+    void showAhead();
     bool jump(int64_t number);
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
+    void findPlace();
 
     Path file_;
-    FileDecoder in_;
+    FileDecoder in_; // its frame is shown
     VideoInfo info_;
-    int quarterTurns_ = 0; // clockwise, to make pictures upright
-    ImageRgb8 unturned_;   // scratch for rotation
+    int storedWidth_ = 0, storedHeight_ = 0, orientation_ = 1;
+    double pixelAspect_ = 1;     // width of an upright pixel by its height
+    bool isPlaced_ = false;      // frames are placed in their bounds
+    ImageRgb8 stored_, upright_; // scratch
     int64_t position_ = 0;
-    double rate_ = 0;      // frames a second by the container, unchecked
-    int64_t begins_ = 0;   // time stamp of frame 0
-    bool begun_ = false;   // whether frame 0 was decoded
-    bool held_ = false;    // whether the next frame is decoded already
+    double length_s_ = 0;            // as stated; 0: not
+    Frame ahead_ = makeFrame();      // the picture after the one shown
+    double ahead_s_ = 0;             // its time
+    double shown_s_ = 0, end_s_ = 0; // times at which the picture shown begins and ends
+    bool hasAhead_ = false, isShowing_ = false;
+    int64_t begins_ = 0;   // time stamp of the first picture
+    bool begun_ = false;   // whether the first picture was decoded
     bool seekable_ = true; // until a seek failed
 };
 

@@ -4,6 +4,7 @@
 #include "engine/gl/Renderer.h"
 #include "engine/math/Trigonometry.h"
 #include "engine/media/DepthTrack.h"
+#include "engine/media/SphericalMetadata.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,11 +59,11 @@ constexpr double kSteps_Hz = 4;
 constexpr int kBelieved = media::kMaxDepthCode / 2; // confidence below which a distance is ignored
 
 // Returns the cell of each texel of the track. Uses no C library trigonometry, because the grid is hashed.
-std::vector<int> cellsOf(int width, int height, float yaw) {
+std::vector<int> cellsOf(int width, int height, const glm::mat3& worldFromFilm) {
     constexpr float kPi = std::numbers::pi_v<float>;
     std::vector<glm::vec2> ahead; // direction of each column: towards +X and -Z
     for (int x = 0; x < width; ++x) {
-        const float right = kPi * (static_cast<float>(2 * x + 1) / static_cast<float>(width) - 1) + yaw;
+        const float right = kPi * (static_cast<float>(2 * x + 1) / static_cast<float>(width) - 1);
         ahead.emplace_back(math::sine(right), math::cosine(right));
     }
     std::vector<int> cells;
@@ -70,7 +71,8 @@ std::vector<int> cellsOf(int width, int height, float yaw) {
     for (int y = 0; y < height; ++y) {
         const float up = kPi * 0.5f * (1 - static_cast<float>(2 * y + 1) / static_cast<float>(height));
         const float level = math::cosine(up), rise = math::sine(up);
-        for (const glm::vec2 a : ahead) cells.push_back(FilmSpace::cellOf({a.x * level, rise, -a.y * level}));
+        for (const glm::vec2 a : ahead)
+            cells.push_back(FilmSpace::cellOf(worldFromFilm * glm::vec3(a.x * level, rise, -a.y * level)));
     }
     return cells;
 }
@@ -98,7 +100,9 @@ std::shared_ptr<const FilmSpace> filmSpaceOf(const Path& film, float yaw) {
     const media::DepthTrackInfo& info = track->info();
     const int steps =
         std::clamp(static_cast<int>(std::ceil(info.duration_s * kSteps_Hz)), 1, FilmSpace::kMaxSteps);
-    const std::vector<int> cells = cellsOf(info.width, info.height, yaw);
+    const glm::quat filmFromWorld = media::filmFromWorld(media::sphericalMetadata(film).envFromFilm, yaw);
+    const std::vector<int> cells =
+        cellsOf(info.width, info.height, glm::transpose(glm::mat3_cast(filmFromWorld)));
     std::vector<uint16_t> surface_mm(static_cast<size_t>(steps) * FilmSpace::kCells);
     media::DepthFrame frame;
     for (int step = 0; step < steps; ++step) {

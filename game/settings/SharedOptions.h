@@ -112,8 +112,9 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
             .takes("FILE")
             .without({"--env"});
         table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm").takes("FILE");
-        table.add("--layout", choice(layout),
-                  "Layout of a stereo picture's two eyes; auto reads the file's metadata");
+        table.add(
+            "--layout", choice(layout),
+            "Layout of a stereo picture's two eyes, the left one first; auto reads the file's metadata");
         table.add("--light", choice(light),
                   "Meaning of a video's or photo's values. auto: decoded sRGB, and how bright the light was "
                   "that the camera clipped by what the ground sends back of it; linear: decoded sRGB; "

@@ -84,7 +84,7 @@ Verdict checkReplay(const Path& file) {
 }
 
 struct FileKind {
-    std::array<const char*, 8> endings;
+    std::array<const char*, 10> endings;
     Verdict (*check)(const Path&);
 };
 
@@ -93,7 +93,8 @@ constexpr std::array<FileKind, 5> kKinds = {{
     {{".toml"}, checkToml},
     {{".replay"}, checkReplay},
     {{".mp4", ".mov", ".m4v", ".webm", ".mkv", ".avi", ".ogv", ".ts"}, media::checkVideo},
-    {{".jpg", ".jpeg", ".png", ".webp", ".bmp", ".hdr", ".exr", ".pfm"}, media::checkPicture},
+    {{".jpg", ".jpeg", ".png", ".webp", ".tif", ".tiff", ".bmp", ".hdr", ".exr", ".pfm"},
+     media::checkPicture},
 }};
 
 Verdict checkFile(const Path& file) {

@@ -84,7 +84,7 @@ struct PanoramaOptions {
     std::optional<float> fov_deg; // horizontal, of the photo
 
     void addTo(SettingsTable& table) {
-        table.add("PHOTO", &photo, "JPEG, PNG, WebP, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
+        table.add("PHOTO", &photo, "JPEG, PNG, WebP, TIFF, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
         table
             .add("-o,--out", &out,
                  "The environment, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or .pfm for a "

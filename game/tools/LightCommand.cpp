@@ -3,6 +3,7 @@
 #include "game/tools/Commands.h"
 
 #include "engine/core/Log.h"
+#include "engine/environment/PhotoEnvironment.h"
 #include "engine/light/BruteForceDiffuse.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
@@ -19,15 +20,21 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-// Reads a photo's pixels, or the video's frame at that time.
+// Reads a photo as an environment, or the video's frame at that time: the left eye's picture, turned as the
+// file asks.
 Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
-    auto picture = media::readPicture(file);
+    auto photo = media::readPhoto(file);
     bgr = false;
-    if (picture) return picture;
+    if (photo) {
+        const auto made = environment::environmentFrom(file, std::move(photo->picture), photo->metadata, {});
+        if (!made) return made.error();
+        return environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
+    }
     auto player = media::VideoPlayer::open(file);
-    if (!player) return std::filesystem::exists(file) ? player.error() : picture.error();
+    if (!player) return std::filesystem::exists(file) ? player.error() : photo.error();
     bgr = true;
-    return player->waitFor(static_cast<double>(at_s))->pixelsBgr;
+    const media::VideoFrame& frame = *player->waitFor(static_cast<double>(at_s));
+    return environment::turnedLeftEye(frame.pixelsBgr, frame.layout, player->info().metadata.envFromFilm);
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {

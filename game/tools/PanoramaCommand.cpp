@@ -2,7 +2,10 @@
 #include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
+#include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Pictures.h"
+
+#include <glm/gtc/quaternion.hpp>
 
 #include <cstdio>
 
@@ -13,10 +16,15 @@ namespace {
 bool isHdrName(const Path& file) { return media::writtenAs(file) == media::WrittenAs::Hdr; }
 
 template <class Picture, class Write>
-Status convert(const PanoramaOptions& options, Result<Picture> photo, Write&& write) {
-    if (!photo) return photo.error();
-    auto made = environment::environmentFrom(options.photo, std::move(*photo), options.fov_deg);
+Status convert(const PanoramaOptions& options, Picture photo, const media::PhotoMetadata& metadata,
+               Write&& write) {
+    auto made =
+        environment::environmentFrom(options.photo, std::move(photo), metadata, {.fov_deg = options.fov_deg});
     if (!made) return made.error();
+    if (glm::angle(made->envFromPhoto) > 0 && made->layout == media::Layout::Mono) {
+        made->picture = environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
+        made->what += ", and levelled"; // the file that is written has no metadata
+    }
     if (Status s = write(options.out, made->picture); !s) return s;
     std::printf("%s: %dx%d, %s\n", options.out.c_str(), made->picture.width, made->picture.height,
                 made->what.c_str());
@@ -38,11 +46,14 @@ Status panorama(const PanoramaOptions& options) {
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdrName(options.photo) && isHdrName(options.out))
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdrName(options.photo))
-        return convert(options, media::readPicture(options.photo), media::writePicture);
+    if (!isHdrName(options.photo)) {
+        auto photo = media::readPhoto(options.photo);
+        if (!photo) return photo.error();
+        return convert(options, std::move(photo->picture), photo->metadata, media::writePicture);
+    }
     auto read = media::readHdr(options.photo);
-    return convert(options, read ? Result<ImageRgbF>(std::move(read->radianceLin)) : read.error(),
-                   media::writeHdr);
+    if (!read) return read.error();
+    return convert(options, std::move(read->radianceLin), {}, media::writeHdr);
 }
 
 } // namespace shoal::app

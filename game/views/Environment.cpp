@@ -2,8 +2,6 @@
 
 #include "engine/media/StereoView.h"
 
-#include <glm/gtc/quaternion.hpp>
-
 #include <chrono>
 
 namespace shoal::app {
@@ -56,8 +54,7 @@ void Environment::upload() {
 }
 
 glm::mat3 Environment::envFromWorld() const {
-    // Positive angles about +Y turn to the left: a direction yaw to the right comes ahead.
-    return glm::mat3_cast(glm::angleAxis(glm::radians(setup_.yaw_deg), glm::vec3(0, 1, 0)));
+    return glm::mat3_cast(media::filmFromWorld(player_->envFromFilm(), glm::radians(setup_.yaw_deg)));
 }
 
 render::Exposure Environment::exposure(Tone chosen, float exposure_ev) const {

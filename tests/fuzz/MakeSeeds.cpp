@@ -126,11 +126,14 @@ void metadata() {
         box("ftyp", "isom" + std::string(4, '\0')) +
             box("moov", box("trak", stereo + projection + box("uuid", uuid))));
     const std::string gpano = std::string("http://ns.adobe.com/xap/1.0/") + '\0' +
-                              "<x GPano:FullPanoWidthPixels=\"400\" GPano:FullPanoHeightPixels=\"200\" "
+                              "<x GPano:ProjectionType=\"equirectangular\" GPano:FullPanoWidthPixels=\"400\" "
+                              "GPano:FullPanoHeightPixels=\"200\" "
                               "GPano:CroppedAreaLeftPixels=\"10\" "
                               "GPano:CroppedAreaTopPixels=\"20\" GPano:CroppedAreaImageWidthPixels=\"300\" "
                               "GPano:CroppedAreaImageHeightPixels=\"150\"/>";
     const auto length = static_cast<uint32_t>(gpano.size() + 2);
+    put("Metadata", "orientation.tif",
+        std::string("II*\0\x08\0\0\0\1\0\x12\1\3\0\1\0\0\0\6\0\0\0\0\0\0\0", 26));
     put("Metadata", "sphere.jpg", "\xff\xd8\xff\xe1" + big32(length).substr(2) + gpano + "\xff\xd9");
 }
 

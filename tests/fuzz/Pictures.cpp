@@ -14,7 +14,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const auto header = media::readPictureHeader({data, size});
     if (!header) return 0;
     fuzz::expect(header->width > 0 && header->height > 0);
-    (void)media::isCutJpeg({data, size});
     const media::PictureLimits limits{256, 256};
     if (!media::isHdr(header->kind)) {
         (void)media::readPicture(file({data, size}), limits);

@@ -66,7 +66,8 @@ struct LivePlayer::Impl {
         layout = options.layout;
         // A single picture is not enough to take 2:1 for two eyes' pictures.
         if (layout == Layout::Auto) layout = layoutFromShape(width, height);
-        if (layout == Layout::Auto) layout = layoutOf(picture);
+        if (layout == Layout::Auto) layout = layoutFromContent(picture);
+        if (layout == Layout::Auto) layout = Layout::Mono;
     }
 
     // Reads until no more pictures come; returns the reason.

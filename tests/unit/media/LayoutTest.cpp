@@ -5,6 +5,9 @@
 #include "engine/media/VideoPlayer.h"
 #include "tests/unit/media/TestFiles.h"
 
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
 #include <bit>
 
 namespace shoal::media {
@@ -16,10 +19,12 @@ TEST(StereoView, EyesCoverTheirHalves) {
         EXPECT_EQ((std::array{part.x, part.y, part.width, part.height}), wanted) << enumName(layout) << eye;
     };
     for (const int eye : {0, 1}) expect(Layout::Mono, eye, {0, 0, 101, 51});
-    expect(Layout::TopBottom, 0, {0, 0, 101, 25}); // the left eye is above
-    expect(Layout::TopBottom, 1, {0, 25, 101, 25});
-    expect(Layout::LeftRight, 0, {0, 0, 50, 51});
-    expect(Layout::LeftRight, 1, {50, 0, 50, 51});
+    for (const int eye : {0, 1}) { // 0: the left one
+        expect(Layout::TopBottom, eye, {0, 25 * eye, 101, 25});
+        expect(Layout::BottomTop, eye, {0, 25 * (1 - eye), 101, 25});
+        expect(Layout::LeftRight, eye, {50 * eye, 0, 50, 51});
+        expect(Layout::RightLeft, eye, {50 * (1 - eye), 0, 50, 51});
+    }
 }
 
 TEST(StereoView, ShapeTellsWhereItCan) {
@@ -88,13 +93,15 @@ TEST(StereoView, ContentTellsTwoEyesFromOne) {
               Layout::Mono);
 }
 
-// Content decides where the shape is 2:1, shape elsewhere.
+// Two eyes' pictures must look so, whatever their shape.
 TEST(StereoView, SqueezedPairsAreFoundByContent) {
     const Brightness seen = noise(32, 6);
     EXPECT_EQ(layoutOf(stereoPair(true, seen)), Layout::TopBottom);
     EXPECT_EQ(layoutOf(stereoPair(false, seen)), Layout::LeftRight);
     EXPECT_EQ(layoutOf(drawn(512, 256, seen)), Layout::Mono);
-    EXPECT_EQ(layoutOf(drawn(256, 256, seen)), Layout::TopBottom) << "by shape";
+    EXPECT_EQ(layoutOf(stereoPair(true, seen, 256, 256)), Layout::TopBottom);
+    EXPECT_EQ(layoutOf(stereoPair(false, seen, 1024, 256)), Layout::LeftRight);
+    for (const int width : {256, 455, 1024}) EXPECT_EQ(layoutOf(drawn(width, 256, seen)), Layout::Auto);
     EXPECT_EQ(layoutOf(ImageRgb8(512, 256)), Layout::Mono) << "blank";
 }
 
@@ -124,19 +131,22 @@ TEST(StereoView, MirrorSymmetricRoomsAreMono) {
     }
 }
 
-// Films of 24 frames. frame(i): brightness of frame i.
+// Writes a film of 24 frames. frame(i): brightness of frame i.
+void writeFilm(const Path& file, const std::function<ImageRgb8(int)>& frame) {
+    const ImageRgb8 first = frame(0);
+    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 24,
+                           {first.width, first.height});
+    for (int i = 0; i < 24; ++i) {
+        const ImageRgb8 picture = frame(i);
+        writer.write(
+            cv::Mat(picture.height, picture.width, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())));
+    }
+}
+
 Layout layoutOfFilm(const std::function<ImageRgb8(int)>& frame) {
     const TempFolder folder;
-    const Path file = folder.path() / "film.avi";
-    {
-        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 24,
-                               {512, 256});
-        for (int i = 0; i < 24; ++i) {
-            const ImageRgb8 picture = frame(i);
-            writer.write(cv::Mat(256, 512, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())));
-        }
-    }
-    auto player = tests::valueOf(VideoPlayer::open(file));
+    writeFilm(folder / "film.avi", frame);
+    auto player = tests::valueOf(VideoPlayer::open(folder / "film.avi"));
     EXPECT_EQ(player.waitFor(0)->number, 0) << "it begins with its first frame";
     return player.info().layout;
 }
@@ -149,6 +159,8 @@ TEST(StereoView, AFilmGoesByFramesThatHaveStructure) {
     EXPECT_EQ(layoutOfFilm([&](int i) { return i < 6 ? black : one; }), Layout::Mono);
     EXPECT_EQ(layoutOfFilm([&](int i) { return i < 2 ? pair : one; }), Layout::Mono) << "frames disagree";
     EXPECT_EQ(layoutOfFilm([&](int) { return black; }), Layout::Mono);
+    EXPECT_EQ(layoutOfFilm([&](int) { return drawn(256, 256, seen); }), Layout::Mono) << "no shape makes two";
+    EXPECT_EQ(layoutOfFilm([&](int) { return stereoPair(true, seen, 256, 256); }), Layout::TopBottom);
 }
 
 // Big endian; zeros before eight bytes.
@@ -166,7 +178,7 @@ std::string fullBox(const std::string& name, const std::string& payload) {
     return box(name, be(0, 4) + payload);
 }
 
-std::string fixed(double degrees) {
+std::string fixed(float degrees) {
     return be(static_cast<uint32_t>(static_cast<int32_t>(degrees * 65536)), 4);
 }
 
@@ -184,9 +196,10 @@ std::string movie(const std::string& inEntry, const std::string& inTrack = "",
            box("moov", inMovie + box("trak", box("mdia", kHandler + box("minf", table)) + inTrack));
 }
 
-std::string sv3d(const std::string& projection, bool withHeader = true) {
-    return box("sv3d", (withHeader ? fullBox("svhd", "test" + be(0, 1)) : "") +
-                           box("proj", fullBox("prhd", fixed(30) + fixed(-15.5) + fixed(2)) + projection));
+std::string sv3d(const std::string& projection, bool withHeader = true, const glm::vec3& pose = {}) {
+    return box("sv3d",
+               (withHeader ? fullBox("svhd", "test" + be(0, 1)) : "") +
+                   box("proj", fullBox("prhd", fixed(pose.x) + fixed(pose.y) + fixed(pose.z)) + projection));
 }
 
 const std::string kEquirect = fullBox("equi", be(0, 16));
@@ -231,9 +244,12 @@ SphericalMetadata matroska(const std::string& inVideo) {
                   element("\x16\x54\xae\x6b", element("\xae", track)) + cluster);
 }
 
-const auto projection = [](uint64_t type) {
-    return element("\x76\x70", std::string("\x76\x71\x81") + be(type, 1) +
-                                   element("\x76\x73", be(std::bit_cast<uint32_t>(45.0f), 4)));
+const auto projection = [](uint64_t type, const glm::vec3& pose = {}, const std::string& bounds = "") {
+    std::string inside = std::string("\x76\x71\x81") + be(type, 1);
+    if (!bounds.empty()) inside += element("\x76\x72", bounds);
+    for (int i = 0; i < 3; ++i)
+        inside += element({'\x76', static_cast<char>(0x73 + i)}, be(std::bit_cast<uint32_t>(pose[i]), 4));
+    return element("\x76\x70", inside);
 };
 
 const std::string kCube = fullBox("cbmp", be(0, 8)), kMesh = fullBox("mshp", be(0, 8));
@@ -252,6 +268,7 @@ TEST(SphericalMetadata, IsUnderstoodAsItIsWritten) {
         Layout layout;
     } kRows[] = {
         {"V2", parsed(movie(stereoBox(2) + sv3d(kEquirect))), Equirect, LeftRight},
+        {"V2, right eye first", parsed(movie(stereoBox(4) + sv3d(kEquirect))), Equirect, RightLeft},
         {"V2 without its header", parsed(movie(sv3d(kEquirect, false))), Equirect, Auto},
         {"a cube without a header", parsed(movie(sv3d(kCube, false))), Cubemap, Auto},
         {"a cube", parsed(movie(sv3d(kCube))), Cubemap, Auto},
@@ -267,9 +284,9 @@ TEST(SphericalMetadata, IsUnderstoodAsItIsWritten) {
         {"Matroska", matroska(projection(1)), Equirect, Auto},
         {"Matroska, mono", matroska(stereoMode(0) + projection(1)), Equirect, Mono},
         {"Matroska, left eye first", matroska(stereoMode(1) + projection(1)), Equirect, LeftRight},
-        {"Matroska, right eye below", matroska(stereoMode(2) + projection(1)), Equirect, TopBottom},
+        {"Matroska, right eye below", matroska(stereoMode(2) + projection(1)), Equirect, BottomTop},
         {"Matroska, left eye above", matroska(stereoMode(3) + projection(1)), Equirect, TopBottom},
-        {"Matroska, right eye first", matroska(stereoMode(11) + projection(1)), Equirect, LeftRight},
+        {"Matroska, right eye first", matroska(stereoMode(11) + projection(1)), Equirect, RightLeft},
         {"Matroska, a mesh", matroska(projection(3)), Mesh, Auto},
     };
     for (const auto& row : kRows) {
@@ -292,10 +309,126 @@ TEST(SphericalMetadata, NoneIsNotPresent) {
     EXPECT_EQ(matroska(stereoMode(3)).layout, Layout::Auto) << "a flat stereo video";
 }
 
-TEST(SphericalMetadata, V2BoundsOfAHalfEnvironment) {
-    EXPECT_TRUE(
-        parsed(movie(sv3d(fullBox("equi", be(0, 8) + be(0x40000000, 4) + be(0x40000000, 4))))).partial);
-    EXPECT_FALSE(parsed(movie(sv3d(kEquirect))).partial);
+// Where a direction of the film's picture is seen: ahead is -Z, right +X, up +Y. V2 turns to the left, up,
+// and clockwise; V1 says where the viewer looks.
+TEST(SphericalMetadata, PosesTurnTheSphere) {
+    const auto v2 = [](const glm::vec3& pose) { return parsed(movie(sv3d(kEquirect, true, pose))); };
+    const auto first = [](const char* name, int degrees) {
+        return parsed(movie(
+            "", v1(fmt::format("{}<GSpherical:InitialView{}Degrees>{}</GSpherical:x>", kV1, name, degrees))));
+    };
+    constexpr glm::vec3 kAhead(0, 0, -1), kRight(1, 0, 0), kUp(0, 1, 0);
+    const float r = std::sqrt(0.5f);
+    const struct {
+        const char* what;
+        SphericalMetadata read;
+        glm::vec3 film, seen;
+    } kRows[] = {
+        {"yaw", v2({90, 0, 0}), kAhead, -kRight},
+        {"yaw without a header", parsed(movie(sv3d(kEquirect, false, {90, 0, 0}))), kAhead, -kRight},
+        {"pitch", v2({0, 45, 0}), kAhead, {0, r, -r}},
+        {"roll", v2({0, 0, 45}), kUp, {r, r, 0}},
+        {"yaw, then pitch", v2({90, 90, 0}), kRight, kAhead},
+        {"pitch, then roll", v2({0, 90, 90}), kUp, kRight},
+        {"Matroska", matroska(projection(1, {90, 0, 0})), kRight, kAhead},
+        {"Matroska's roll", matroska(projection(1, {0, 0, -45})), kUp, {-r, r, 0}},
+        {"V1, looking to the right", first("Heading", 90), kRight, kAhead},
+        {"V1, looking up", first("Pitch", 45), {0, r, -r}, kAhead},
+        {"V1, the head to the right", first("Roll", 90), kRight, kUp},
+        {"none", v2({}), kAhead, kAhead},
+    };
+    for (const auto& row : kRows) {
+        EXPECT_LT(glm::distance(row.read.envFromFilm * row.film, row.seen), 1e-5f) << row.what;
+        const glm::vec3 right(-row.seen.z, row.seen.y, row.seen.x); // a quarter turn to the right
+        const glm::vec3 back = filmFromWorld(row.read.envFromFilm, glm::radians(90.0f)) * right;
+        EXPECT_LT(glm::distance(back, row.film), 1e-5f) << row.what << ", with the environment turned";
+    }
+}
+
+TEST(SphericalMetadata, BoundsAreSharesOfTheSphere) {
+    const std::string half = be(0, 4) + be(0, 8) + be(0x40000000, 4) + be(0x40000000, 4); // top .. right
+    const std::string cropped =
+        "<GSpherical:CroppedAreaImageWidthPixels>50</x><GSpherical:FullPanoWidthPixels>100"
+        "</x><GSpherical:CroppedAreaImageHeightPixels>50</x><GSpherical:"
+        "FullPanoHeightPixels>50</x><GSpherical:CroppedAreaLeftPixels>25</x>"
+        "<GSpherical:CroppedAreaTopPixels>0</x>";
+    for (const SphericalMetadata& read :
+         {parsed(movie(sv3d(box("equi", half)))), parsed(movie(sv3d(box("equi", half), false))),
+          matroska(projection(1, {}, half)), parsed(movie("", v1(kV1 + cropped)))}) {
+        const SphereBounds& b = read.bounds;
+        EXPECT_EQ(std::vector({b.left, b.top, b.right, b.bottom}), std::vector({0.25, 0.0, 0.25, 0.0}));
+        EXPECT_NE(read.note().find("180 x 180 of 360 x 180"), std::string::npos) << read.note();
+    }
+    EXPECT_TRUE(parsed(movie(sv3d(kEquirect))).bounds.isWhole());
+    const auto thin = parsed(movie(sv3d(fullBox("equi", be(0, 8) + be(0xff000000, 4) + be(0, 4)))));
+    EXPECT_TRUE(thin.boundsIgnored && thin.bounds.isWhole());
+}
+
+// --- Films that obey their boxes
+
+// Appends a box to the innermost of these boxes, which are found one in another.
+std::string with(std::string film, std::initializer_list<const char*> boxes, const std::string& added) {
+    size_t at = 0, end = 0;
+    for (const char* name : boxes) {
+        at = film.find(name, at);
+        uint32_t size = 0;
+        for (int i = 0; i < 4; ++i) size = size << 8 | static_cast<uint8_t>(film[at - 4 + i]);
+        end = at - 4 + size;
+        film.replace(at - 4, 4, be(size + added.size(), 4));
+    }
+    return film.insert(end, added);
+}
+
+// Opens a film whose sample entry states this.
+Result<VideoPlayer> filmThatSays(const ImageRgb8& picture, const std::string& stated) {
+    const TempFolder folder;
+    const Path file = folder / "film.mp4";
+    writeFilm(file, [&](int) { return picture; });
+    writeBytes(file, with(readBytes(file), {"moov", "trak", "mdia", "minf", "stbl", "stsd", "mp4v"}, stated));
+    return VideoPlayer::open(file);
+}
+
+// The brightness of an eye's picture is 200 in its first quarter, and 0 elsewhere.
+TEST(SphericalFilms, AHalfSphereIsPlacedAndMirroredForEachEye) {
+    const std::string half = sv3d(fullBox("equi", be(0, 8) + be(0x40000000, 4) + be(0x40000000, 4)));
+    for (const int eyes : {1, 2}) {
+        const ImageRgb8 stored =
+            drawn(32 * eyes, 32, [&](double u, double) { return u * eyes < 0.25 ? 200 : 0; });
+        auto player = tests::valueOf(filmThatSays(stored, (eyes == 2 ? stereoBox(2) : "") + half));
+        const ImageRgb8& picture = player.waitFor(0)->pixelsBgr;
+        ASSERT_EQ(std::pair(picture.width, picture.height), std::pair(64 * eyes, 32));
+        EXPECT_EQ(std::pair(player.info().width, player.info().height), std::pair(64 * eyes, 32));
+        for (int x = 0; x < picture.width; ++x)
+            EXPECT_EQ(picture.at(x, 16)[1] > 100, x >= 8 && x < 24) << x << " of " << eyes;
+    }
+}
+
+TEST(SphericalFilms, PixelsThatAreNotSquareCount) {
+    const ImageRgb8 square = drawn(64, 64, noise(32, 12));
+    const auto player = tests::valueOf(filmThatSays(square, box("pasp", be(2, 4) + be(1, 4))));
+    EXPECT_EQ(player.info().layout, Layout::Mono);
+    EXPECT_STREQ(player.info().layoutSource, "shape");
+}
+
+TEST(SphericalFilms, OtherProjectionsAreRefused) {
+    for (const auto& [boxes, name] : {std::pair(kCube, "a cube map"), {kMesh, "a mesh"}}) {
+        const auto player = filmThatSays(ImageRgb8(64, 32), sv3d(boxes, false));
+        ASSERT_FALSE(player);
+        EXPECT_EQ(player.error().reason,
+                  fmt::format("is {}; only lat-long video can be shown, so convert it", name));
+    }
+}
+
+TEST(SphericalFilms, ACoverOfMusicIsNone) {
+    AVFormatContext* input = avformat_alloc_context();
+    for (const int disposition : {0, AV_DISPOSITION_ATTACHED_PIC, 0}) {
+        EXPECT_LT(filmStreamOf(*input), 0);
+        AVStream& stream = *avformat_new_stream(input, nullptr);
+        stream.codecpar->codec_type = input->nb_streams == 1 ? AVMEDIA_TYPE_AUDIO : AVMEDIA_TYPE_VIDEO;
+        stream.disposition = disposition;
+    }
+    EXPECT_EQ(filmStreamOf(*input), 2);
+    avformat_free_context(input);
 }
 
 } // namespace

@@ -1,8 +1,11 @@
 #include "engine/media/VideoPlayer.h"
 #include "engine/core/Hash.h"
 #include "engine/media/Check.h"
+#include "engine/media/Ffmpeg.h"
 #include "engine/media/Pictures.h"
 #include "tests/unit/media/TestFiles.h"
+
+#include <fmt/ranges.h>
 
 #include <atomic>
 #include <sys/stat.h>
@@ -117,11 +120,12 @@ TEST_F(VideoPlayers, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
 }
 
 TEST_F(VideoPlayers, KeepsTheNativeRateUnlessItIsAbsurd) {
-    for (const auto& [stated, kept] : {std::pair(24.0, 24.0), {50.0, 50.0}, {1000.0, kFallbackFps}}) {
-        writeGreyVideo(folder / "rate.avi", 10, stated);
+    for (const auto& [stated, kept] : {std::pair(24.0, 24.0), {50.0, 50.0}, {1000.0, kMaxFps}}) {
+        writeGreyVideo(folder / "rate.avi", 50, stated);
         auto player = opened(folder / "rate.avi");
         EXPECT_DOUBLE_EQ(player.info().fps, kept);
         EXPECT_EQ(player.waitFor(7.5 / kept)->index, 7);
+        EXPECT_NEAR(numberOf(player.waitFor(7.5 / kept)->pixelsBgr), 7 * stated / kept, 1.5);
     }
 }
 
@@ -172,34 +176,103 @@ TEST_F(VideoPlayers, AFileThatChangesWhilePlayingNeverEndsThePlaying) {
     }
 }
 
-// In a telephone's clip the track's matrix says how the telephone was held.
+// The matrix of a clip's track says how the telephone was held; editors mirror by it. All eight ways.
 TEST_F(VideoPlayers, AClipIsTurnedUpright) {
     const Path file = folder / "turned.mp4";
-    cv::Mat leftBright(32, 96, CV_8UC3, cv::Scalar::all(20));
-    leftBright(cv::Rect(0, 0, 48, 32)) = cv::Scalar::all(220);
-    writeMp4(file, 3, leftBright);
+    cv::Mat cornerBright(32, 96, CV_8UC3, cv::Scalar::all(20));
+    cornerBright(cv::Rect(0, 0, 48, 16)) = cv::Scalar::all(220);
+    writeMp4(file, 3, cornerBright);
     // Row by row a b u, c d v, x y w; of 16.16 bits, the last column of 2.30 (ISO/IEC 14496-12, 8.3.2).
-    const auto matrix = [](int a, int b, int c, int d) {
+    const auto matrix = [](const std::array<int, 4>& m) {
         std::string bytes;
-        for (const int value : {a << 16, b << 16, 0, c << 16, d << 16, 0, 0, 0, 1 << 30})
+        for (const int value : {m[0] << 16, m[1] << 16, 0, m[2] << 16, m[3] << 16, 0, 0, 0, 1 << 30})
             for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
         return bytes;
     };
     const std::string upright = readBytes(file);
-    const size_t at = upright.find(matrix(1, 0, 0, 1), upright.find("tkhd"));
+    const size_t at = upright.find(matrix({1, 0, 0, 1}), upright.find("tkhd"));
     ASSERT_NE(at, std::string::npos);
-    const auto bright = [&](const std::string& how, bool across, std::array<int, 2> place) {
+    // A point (p, q) is shown at (a p + c q, b p + d q), so the corner is where both are least.
+    for (const std::array<int, 4>& m : {std::array{1, 0, 0, 1},
+                                        {-1, 0, 0, 1},
+                                        {-1, 0, 0, -1},
+                                        {1, 0, 0, -1},
+                                        {0, 1, 1, 0},
+                                        {0, 1, -1, 0},
+                                        {0, -1, -1, 0},
+                                        {0, -1, 1, 0}}) {
         std::string turned = upright;
-        writeBytes(file, turned.replace(at, how.size(), how));
+        writeBytes(file, turned.replace(at, 36, matrix(m)));
         auto player = opened(file);
         const ImageRgb8& picture = player.waitFor(0)->pixelsBgr;
-        return picture.width == (across ? 32 : 96) && picture.height == (across ? 96 : 32) &&
-               *picture.at(place[0], place[1]) > 180;
-    };
-    EXPECT_TRUE(bright(matrix(1, 0, 0, 1), false, {8, 16}));
-    EXPECT_TRUE(bright(matrix(0, 1, -1, 0), true, {16, 8})) << "clockwise: what was left is above";
-    EXPECT_TRUE(bright(matrix(-1, 0, 0, -1), false, {88, 16}));
-    EXPECT_TRUE(bright(matrix(0, -1, 1, 0), true, {16, 88}));
+        const std::string what = fmt::format("{}", fmt::join(m, " "));
+        ASSERT_EQ(std::pair(picture.width, picture.height), m[0] ? std::pair(96, 32) : std::pair(32, 96))
+            << what;
+        const bool right = m[0] + m[2] < 0, below = m[1] + m[3] < 0;
+        for (const bool x : {false, true})
+            for (const bool y : {false, true})
+                EXPECT_EQ(*picture.at(picture.width / 4 * (x ? 3 : 1), picture.height / 4 * (y ? 3 : 1)) >
+                              180,
+                          x == right && y == below)
+                    << what;
+    }
+}
+
+// Copies a film into a Matroska file whose pictures have these times, and whose header states a mean rate.
+void writeTimes(const Path& from, const Path& to, const std::vector<int>& times_ms, AVRational rate) {
+    const Input in = openInput(from);
+    AVFormatContext* out = nullptr;
+    ASSERT_GE(avformat_alloc_output_context2(&out, nullptr, "matroska", to.c_str()), 0);
+    AVStream& stream = *avformat_new_stream(out, nullptr);
+    ASSERT_GE(avcodec_parameters_copy(stream.codecpar, in->streams[0]->codecpar), 0);
+    stream.codecpar->codec_tag = 0;
+    stream.time_base = {1, 1000};
+    stream.avg_frame_rate = rate;
+    ASSERT_GE(avio_open(&out->pb, to.c_str(), AVIO_FLAG_WRITE), 0);
+    ASSERT_GE(avformat_write_header(out, nullptr), 0);
+    const Packet packet = makePacket();
+    for (const int time_ms : times_ms) {
+        ASSERT_GE(av_read_frame(in.get(), packet.get()), 0);
+        packet->pts = packet->dts = time_ms;
+        packet->duration = 0;
+        ASSERT_GE(av_write_frame(out, packet.get()), 0);
+    }
+    av_write_trailer(out);
+    avio_closep(&out->pb);
+    avformat_free_context(out);
+}
+
+// Dense at first, then sparse; a picture that lasts; pictures of five seconds; from 23 ms on.
+TEST_F(VideoPlayers, ThePictureThatIsDueIsShown) {
+    writeGreyVideo(folder / "grey.avi", 20);
+    const Path file = folder / "times.mkv";
+    const struct {
+        std::vector<int> times_ms;
+        AVRational rate;
+        int step_ms; // of the times that are asked for
+    } kFilms[] = {{{0, 40, 80, 120, 160, 200, 400, 600, 800, 1000, 1200}, {8, 1}, 40},
+                  {{23, 56, 90, 123, 156, 1023, 1056, 1090}, {15, 2}, 100},
+                  {{0, 5000, 10000, 15000}, {1, 5}, 1000},
+                  {{0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30}, {500, 1}, 100}};
+    for (const auto& film : kFilms) {
+        writeTimes(folder / "grey.avi", file, film.times_ms, film.rate);
+        const auto due = [&](int time_ms) {
+            const auto after = std::ranges::upper_bound(film.times_ms, time_ms + film.times_ms.front());
+            return static_cast<int>(after - film.times_ms.begin()) - 1;
+        };
+        const int length_ms = film.times_ms.back() - film.times_ms.front();
+        auto player = opened(file);
+        for (int time_ms = 0; time_ms <= length_ms; time_ms += film.step_ms) // in order
+            EXPECT_EQ(numberOf(player.waitFor(time_ms * 1e-3 + 1e-4)->pixelsBgr), due(time_ms)) << time_ms;
+        auto jumper = opened(file);
+        for (int time_ms = length_ms; time_ms >= 0; time_ms -= film.step_ms)
+            EXPECT_EQ(numberOf(jumper.waitFor(time_ms * 1e-3 + 1e-4)->pixelsBgr), due(time_ms)) << time_ms;
+        EXPECT_EQ(player.status() + jumper.status(), "");
+        const auto check = checkVideo(file);
+        EXPECT_TRUE(check) << check.error().message();
+        const std::string stated = fmt::format(" {:.4g} frames/s", av_q2d(film.rate));
+        EXPECT_NE(check->find(stated), std::string::npos) << *check;
+    }
 }
 
 // FFmpeg's own writer gives each track one edit: version, flags, count, then duration, media time and rate.

@@ -1,0 +1,120 @@
+#include "engine/environment/PhotoEnvironment.h"
+
+#include "engine/core/Log.h"
+#include "engine/math/LatLong.h"
+#include "engine/panorama/Panorama.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace shoal::environment {
+
+namespace {
+
+// Display of the progress: a line that is overwritten on a terminal, or one log line without a terminal.
+class ProgressLine {
+  public:
+    explicit ProgressLine(const Path& file) : watched_(isatty(STDERR_FILENO) == 1) {
+        if (!watched_) log::info("growing {} to a full environment", file.string());
+    }
+    ~ProgressLine() {
+        if (watched_) std::fputs("\r\033[K", stderr);
+    }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(double share) {
+        const int percent = static_cast<int>(share * 100);
+        if (!watched_ || percent == shown_) return;
+        shown_ = percent;
+        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
+        std::fflush(stderr);
+    }
+
+  private:
+    bool watched_;
+    int shown_ = -1;
+};
+
+// Returns a clause that says whether the seam between a grown environment's two ends is visible. It is not if
+// its step is at most one level of 8 bits, or no larger than the picture's usual steps.
+std::string seamClause(const panorama::WrapDiscontinuity& seam) {
+    const bool hidden = seam.wrapStep <= std::max(seam.usualStep, 1 / 255.0);
+    return fmt::format(
+        "the seam where its ends meet can{} be seen: its largest step is {:.2f} % of white, and "
+        "a tenth of the picture's own steps are above {:.2f} %",
+        hidden ? "not" : "", seam.wrapStep * 100, seam.usualStep * 100);
+}
+
+template <class Picture>
+Result<PhotoEnvironment<Picture>> placed(const Path& file, const Picture& photo,
+                                         const media::PhotoMetadata& metadata) {
+    const media::PanoramaPlacement& p = *metadata.placement;
+    const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
+    auto whole = panorama::completePanorama(photo, {share(p.left, p.fullWidth), share(p.top, p.fullHeight),
+                                                    share(p.left + p.width, p.fullWidth),
+                                                    share(p.top + p.height, p.fullHeight)});
+    if (!whole) return Error{file.string(), whole.error().reason};
+    return PhotoEnvironment<Picture>{
+        .picture = std::move(*whole),
+        .envFromPhoto = metadata.envFromPhoto(),
+        .what = "put where its metadata (GPano) says that it belongs, and completed"};
+}
+
+template <class Picture>
+Result<PhotoEnvironment<Picture>> grown(const Path& file, const Picture& photo, const PhotoOptions& options) {
+    ProgressLine line(file);
+    auto full =
+        panorama::panoramaFromPhoto(photo, {.fov_deg = options.fov_deg, .progress = [&](double share) {
+                                                line.show(share);
+                                                if (options.progress) options.progress(share);
+                                            }});
+    if (!full) return Error{file.string(), full.error().reason};
+    return PhotoEnvironment<Picture>{
+        .picture = std::move(full->latLong),
+        .what = fmt::format(
+            "grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
+            "middle; {}",
+            full->lightInPhoto.x, full->lightInPhoto.y, full->lightLatitude_deg, seamClause(full->seam))};
+}
+
+} // namespace
+
+template <class Picture>
+Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
+                                                  const media::PhotoMetadata& metadata,
+                                                  const PhotoOptions& options) {
+    if (options.fov_deg) return grown(file, photo, options);
+    if (metadata.isPart()) return placed(file, photo, metadata);
+    media::Layout layout = options.layout;
+    if (layout == media::Layout::Auto) layout = media::layoutOf(photo, metadata);
+    if (layout == media::Layout::Auto) return grown(file, photo, options);
+    return PhotoEnvironment<Picture>{std::move(photo), layout, metadata.envFromPhoto(),
+                                     "a full environment already, kept as it is"};
+}
+
+template <class Picture>
+Picture turnedLeftEye(const Picture& picture, media::Layout layout, const glm::quat& envFromFilm) {
+    const media::EyePart part = media::eyePart(layout, 0, picture.width, picture.height);
+    const glm::dmat3 filmFromEnv = glm::transpose(glm::mat3_cast(glm::dquat(envFromFilm)));
+    Picture eye(part.width, part.height);
+    for (int y = 0; y < eye.height; ++y)
+        for (int x = 0; x < eye.width; ++x) {
+            const glm::dvec2 at =
+                latLongFromDirection(filmFromEnv * texelDirection<double>(x, y, eye.width, eye.height));
+            const int column = std::min(static_cast<int>(at.x * eye.width), eye.width - 1);
+            const int row = std::min(static_cast<int>(at.y * eye.height), eye.height - 1);
+            std::copy_n(picture.at(part.x + column, part.y + row), 3, eye.at(x, y));
+        }
+    return eye;
+}
+
+template ImageRgb8 turnedLeftEye(const ImageRgb8&, media::Layout, const glm::quat&);
+template ImageRgbF turnedLeftEye(const ImageRgbF&, media::Layout, const glm::quat&);
+template Result<PhotoEnvironment<ImageRgb8>>
+environmentFrom(const Path&, ImageRgb8, const media::PhotoMetadata&, const PhotoOptions&);
+template Result<PhotoEnvironment<ImageRgbF>>
+environmentFrom(const Path&, ImageRgbF, const media::PhotoMetadata&, const PhotoOptions&);
+
+} // namespace shoal::environment

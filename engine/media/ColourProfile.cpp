@@ -1,0 +1,58 @@
+#include "engine/media/ColourProfile.h"
+
+#include <lcms2.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <type_traits>
+
+namespace shoal::media {
+
+namespace {
+
+using Profile = std::unique_ptr<void, decltype([](cmsHPROFILE each) { cmsCloseProfile(each); })>;
+using Transform = std::unique_ptr<void, decltype([](cmsHTRANSFORM each) { cmsDeleteTransform(each); })>;
+
+bool isGrey(const ImageRgb8& picture) {
+    const auto& p = picture.pixels;
+    for (size_t i = 0; i < p.size(); i += 3)
+        if (p[i] != p[i + 1] || p[i] != p[i + 2]) return false;
+    return true;
+}
+
+// Returns whether the transform leaves all of 6 x 6 x 6 colours as they are, within a level of 8 bits.
+bool isIdentity(cmsHTRANSFORM transform) {
+    for (int i = 0; i < 216; ++i) {
+        const std::array from = {static_cast<uint8_t>(i % 6 * 51), static_cast<uint8_t>(i / 6 % 6 * 51),
+                                 static_cast<uint8_t>(i / 36 * 51)};
+        std::array<uint8_t, 3> to{};
+        cmsDoTransform(transform, from.data(), to.data(), 1);
+        if (!std::ranges::equal(from, to, [](int a, int b) { return std::abs(a - b) <= 1; })) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+ProfileUse convertToSrgb(std::span<const uint8_t> bytes, ImageRgb8& picture) {
+    if (bytes.empty() || picture.empty()) return ProfileUse::None;
+    const Profile from(cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
+    const Profile srgb(cmsCreate_sRGBProfile());
+    if (!from || !srgb) return ProfileUse::Ignored;
+    const bool grey = cmsGetColorSpace(from.get()) == cmsSigGrayData;
+    if (!(grey ? isGrey(picture) : cmsGetColorSpace(from.get()) == cmsSigRgbData)) return ProfileUse::Ignored;
+    // A grey transform reads the first of each pixel's three equal components.
+    constexpr cmsUInt32Number kFirstOfThree =
+        COLORSPACE_SH(PT_GRAY) | CHANNELS_SH(1) | EXTRA_SH(2) | BYTES_SH(1);
+    const Transform transform(cmsCreateTransform(from.get(), grey ? kFirstOfThree : TYPE_RGB_8, srgb.get(),
+                                                 TYPE_RGB_8, INTENT_RELATIVE_COLORIMETRIC,
+                                                 cmsFLAGS_BLACKPOINTCOMPENSATION));
+    if (!transform) return ProfileUse::Ignored;
+    if (!grey && isIdentity(transform.get())) return ProfileUse::None;
+    cmsDoTransform(transform.get(), picture.pixels.data(), picture.pixels.data(),
+                   static_cast<cmsUInt32Number>(picture.pixels.size() / 3));
+    return ProfileUse::Converted;
+}
+
+} // namespace shoal::media

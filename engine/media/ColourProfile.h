@@ -1,0 +1,21 @@
+// Conversion of a photo's colours by its ICC profile.
+#pragma once
+
+#include "engine/core/Image.h"
+
+#include <cstdint>
+#include <span>
+
+namespace shoal::media {
+
+enum class ProfileUse {
+    None,      // no profile, or one that gives the colours of sRGB
+    Converted, // the picture was converted to sRGB
+    Ignored,   // a damaged profile, or of other components than the picture's: it is shown as sRGB
+};
+
+// Converts a picture in place to sRGB: relative colorimetric, with the black point of sRGB. profile:
+// untrusted; of red, green and blue, or of grey where all pixels are grey. Empty: none.
+ProfileUse convertToSrgb(std::span<const uint8_t> profile, ImageRgb8& picture);
+
+} // namespace shoal::media
