@@ -1,20 +1,19 @@
 #include "engine/media/PictureHeader.h"
 
 #include "engine/core/Number.h"
+#include "engine/media/OpenExr.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
 #include <iterator>
-#include <optional>
 
 namespace shoal::media {
 
 namespace {
 
-// Size in pixels; a side of 0: the header cannot be read.
-struct Size {
-    int64_t width = 0, height = 0;
-};
+using Size = PictureSize;
 
 Size jpegSize(ByteSpan b) {
     Size size;
@@ -70,71 +69,65 @@ Size pnmSize(ByteSpan b) {
     return {width, nextNumber(b, at)};
 }
 
-// Radiance: header lines, an empty line, then "-Y height +X width"; other orientations are not read.
-Size radianceSize(ByteSpan b) {
-    const std::string_view text = asText(b.first(std::min<size_t>(b.size(), 64 << 10)));
-    const size_t empty = text.find("\n\n");
-    if (empty == text.npos || !hasText(b, empty + 2, "-Y ")) return {};
-    size_t at = empty + 5;
-    const int64_t height = nextNumber(b, at);
-    if (!hasText(b, at, " +X ")) return {};
-    at += 4;
-    return {nextNumber(b, at), height};
+// Returns the numbers of a text, separated by white space; empty if anything else is there.
+std::vector<float> numbersOf(std::string_view text) {
+    std::vector<float> numbers;
+    for (size_t at = 0; (at = text.find_first_not_of(" \t", at)) != text.npos;) {
+        const size_t end = std::min(text.find_first_of(" \t", at), text.size());
+        const auto number = parseNumber<float>(text.substr(at, end - at));
+        if (!number) return {};
+        numbers.push_back(*number);
+        at = end;
+    }
+    return numbers;
 }
 
-// Returns whether a value has the size of its type: the library reads as many bytes as the type has, whatever
-// size is stated, and takes what follows for the next attribute.
-bool exrSizeFits(std::string_view type, ByteSpan value) {
-    using Type = std::pair<std::string_view, size_t>;
-    static constexpr Type kTypes[] = {
-        {"compression", 1}, {"deepImageState", 1}, {"envmap", 1},   {"lineOrder", 1}, {"float", 4},
-        {"int", 4},         {"double", 8},         {"rational", 8}, {"timecode", 8},  {"v2f", 8},
-        {"v2i", 8},         {"tiledesc", 9},       {"v3f", 12},     {"v3i", 12},      {"box2f", 16},
-        {"box2i", 16},      {"v2d", 16},           {"v3d", 24},     {"keycode", 28},  {"chromaticities", 32},
-        {"m33f", 36},       {"m44f", 64},          {"m33d", 72},    {"m44d", 128}};
-    const auto* known = std::ranges::find(kTypes, type, &Type::first);
-    if (known != std::end(kTypes)) return value.size() == known->second;
-    if (type == "chlist") { // "name\0" and 16 bytes each, up to an empty name
-        size_t at = 0;
-        while (at < value.size() && value[at] != 0) {
-            at = asText(value).find('\0', at);
-            if (at == std::string_view::npos || value.size() - at < 18) return false;
-            at += 17;
-        }
-        return at + 1 == value.size();
+// Reads a line "NAME=value" of a Radiance header. False: its value is damaged.
+bool readRadianceLine(std::string_view line, RadianceHeader& header) {
+    const std::string_view name = line.substr(0, std::min(line.find('='), line.size()));
+    const std::string_view value = line.substr(std::min(name.size() + 1, line.size()));
+    if (name == "FORMAT" && value == "32-bit_rle_xyze") // X, Y and Z are primaries; equal energy is white
+        header.primaries = {1, 0, 0, 1, 0, 0, 1 / 3.0f, 1 / 3.0f};
+    const bool isExposure = name == "EXPOSURE";
+    if (!isExposure && name != "COLORCORR" && name != "PIXASPECT" && name != "PRIMARIES") return true;
+    const std::vector<float> numbers = numbersOf(value);
+    if (numbers.size() != (isExposure || name == "PIXASPECT" ? 1 : name == "PRIMARIES" ? 8 : 3)) return false;
+    if (name == "PRIMARIES") {
+        std::ranges::copy(numbers, header.primaries.emplace().begin());
+        return true;
     }
-    if (type == "preview")
-        return value.size() >= 8 && value.size() - 8 == uint64_t{4} * little32(value, 0) * little32(value, 4);
-    return type != "stringvector" && type != "idmanifest"; // contain sizes themselves; no picture needs them
+    if (std::ranges::any_of(numbers, [](float number) { return !(number > 0); })) return false;
+    if (name == "PIXASPECT")
+        header.pixelAspect *= numbers[0];
+    else
+        for (size_t c = 0; c < 3; ++c) header.exposure[c] *= numbers[isExposure ? 0 : c];
+    return true;
 }
 
-// OpenEXR file layout: attributes "name\0 type\0 size value" up to an empty name. All of them are walked: the
-// library takes memory for any size that one states.
-Size exrSize(ByteSpan b) {
-    if (b.size() < 8 || (little32(b, 4) & 0x1800) != 0) return {}; // deep or of several parts
-    const std::string_view text = asText(b);
-    size_t at = 8;
-    std::optional<Size> window;
-    for (int attribute = 0; attribute < 256; ++attribute) {
-        const size_t nameEnd = text.find('\0', at);
-        if (nameEnd == text.npos) break;
-        if (nameEnd == at) return window.value_or(Size());
-        const size_t typeEnd = text.find('\0', nameEnd + 1);
-        if (typeEnd == text.npos || b.size() - typeEnd < 5) break;
-        const size_t value = typeEnd + 5;
-        const size_t size = little32(b, typeEnd + 1);
-        if (size > b.size() - value) break;
-        if (!exrSizeFits(text.substr(nameEnd + 1, typeEnd - nameEnd - 1), b.subspan(value, size))) break;
-        if (text.substr(at, nameEnd - at) == "dataWindow" && size == 16) {
-            const auto side = [&](size_t offset) {
-                return int64_t{static_cast<int32_t>(little32(b, value + offset))};
-            };
-            if (window) break; // two data windows are ambiguous
-            window = Size{side(8) - side(0) + 1, side(12) - side(4) + 1};
-        }
-        at = value + size;
+// Reads the resolution line, such as "-Y 512 +X 1024": the axis from line to line, then that along a line.
+bool readResolution(std::string_view line, RadianceHeader& header) {
+    const auto word = [&] {
+        const size_t begin = std::min(line.find_first_not_of(' '), line.size());
+        const size_t end = std::min(line.find(' ', begin), line.size());
+        const std::string_view found = line.substr(begin, end - begin);
+        line.remove_prefix(end);
+        return found;
+    };
+    for (int axis = 0; axis < 2; ++axis) {
+        const std::string_view name = word();
+        const auto count = parseNumber<int64_t>(word());
+        if (name.size() != 2 || (name[0] != '-' && name[0] != '+') || !count) return false;
+        if (name[1] != 'X' && name[1] != 'Y') return false;
+        const bool isY = name[1] == 'Y';
+        (isY ? header.size.height : header.size.width) = *count;
+        (isY ? header.fromBottom : header.fromRight) = isY == (name[0] == '+');
+        if (axis == 0) header.byColumns = !isY;
     }
-    return {};
+    return true;
+}
+
+bool isEndedWord(ByteSpan b, std::string_view word) {
+    return hasText(b, 0, word) && b.size() > word.size() && std::isspace(b[word.size()]);
 }
 
 bool isPnm(ByteSpan b) {
@@ -154,9 +147,10 @@ constexpr Kind kKinds[] = {
     {"WebP", [](ByteSpan b) { return hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP"); }, webpSize},
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
-     radianceSize},
+     [](ByteSpan b) { return readRadianceHeader(b).size; }},
     {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
-    {"PFM", [](ByteSpan b) { return hasText(b, 0, "PF") || hasText(b, 0, "Pf"); }, pnmSize},
+    {"PFM", [](ByteSpan b) { return isEndedWord(b, "PF") || isEndedWord(b, "Pf") || isEndedWord(b, "PF4"); },
+     [](ByteSpan b) { return readPfmHeader(b).size; }},
 };
 
 } // namespace
@@ -186,6 +180,41 @@ size_t walkJpeg(ByteSpan b, const std::function<bool(uint8_t marker, ByteSpan pa
 const char* nameOf(PictureKind kind) { return kKinds[static_cast<size_t>(kind)].name; }
 
 bool isHdr(PictureKind kind) { return kind >= PictureKind::Radiance; }
+
+RadianceHeader readRadianceHeader(ByteSpan bytes) {
+    std::string_view text = asText(bytes.first(std::min<size_t>(bytes.size(), 64 << 10)));
+    RadianceHeader header;
+    for (bool behindEmpty = false; text.find('\n') != text.npos;) {
+        std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(line.size() + 1);
+        header.pixels += line.size() + 1;
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (behindEmpty ? !readResolution(line, header) : !readRadianceLine(line, header)) break;
+        if (behindEmpty) return header;
+        behindEmpty = line.empty();
+    }
+    return {};
+}
+
+PfmHeader readPfmHeader(ByteSpan bytes) {
+    PfmHeader header;
+    header.channels = hasText(bytes, 0, "PF4") ? 4 : hasText(bytes, 0, "PF") ? 3 : 1;
+    size_t at = header.channels == 4 ? 3 : 2;
+    header.size.width = nextNumber(bytes, at);
+    header.size.height = nextNumber(bytes, at);
+    while (at < bytes.size() && std::isspace(bytes[at])) ++at;
+    const size_t begin = at;
+    while (at < bytes.size() && !std::isspace(bytes[at])) ++at;
+    header.scale = parseNumber<float>(asText(bytes.subspan(begin, at - begin))).value_or(0);
+    header.pixels = at + (hasText(bytes, at, "\r\n") ? 2 : 1);
+    return header.scale == 0 ? PfmHeader() : header;
+}
+
+std::string beyond(PictureSize size, PictureLimits limits) {
+    if (size.width <= limits.maxWidth && size.height <= limits.maxHeight) return "";
+    return fmt::format("its {}x{} pixels are more than the limit of {}x{}", size.width, size.height,
+                       limits.maxWidth, limits.maxHeight);
+}
 
 Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
     const auto kind = std::ranges::find_if(kKinds, [&](const Kind& each) { return each.is(bytes); });

@@ -1,13 +1,15 @@
-// Reading and writing of picture files. Any thread may call these functions; the first call must come before
-// other threads are started (Ffmpeg.h).
+// Reading and writing of picture files. Any thread may call these functions.
 #pragma once
 
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace shoal::media {
 
@@ -21,11 +23,16 @@ struct PictureLimits {
 // transparency. The content decides the kind, not the name.
 Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
+// CIE x and y of red, green, blue and white.
+using Primaries = std::array<float, 8>;
+
 struct HdrPicture {
-    ImageRgbF radianceLin; // linear, Rec. 709 primaries assumed, as the file says (no exposure applied)
+    ImageRgbF radianceLin; // linear, Rec. 709 primaries; no exposure applied
     // repaired: number of components that were NaN or negative (now 0) or infinite (now the largest finite
     // one). clamped: number of those above kMaxRadiance (now that). Either deserves a warning if above 0.
     int64_t repaired = 0, clamped = 0;
+    std::optional<Primaries> primaries; // as the file states them, converted from; empty: Rec. 709 assumed
+    std::vector<std::string> notes;     // clauses: which part of the file this is, and what was done to it
 
     // Returns a sentence about these numbers, empty if both are 0.
     std::string repairs() const;
@@ -34,9 +41,11 @@ struct HdrPicture {
 // The sun's disc is about 1e9 cd/m^2, and sums of squares of this stay finite in 32 bits.
 constexpr float kMaxRadiance = 1e9f;
 
-// Reads Radiance RGBE (-Y +X orientation), OpenEXR (one part, flat), PFM (colour or grey). Values above the
-// half-float limit 65504 are kept.
-Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
+// Reads Radiance RGBE, OpenEXR and PFM (colour, with alpha or grey). Values above the half-float limit 65504
+// are kept, except in OpenEXR's luminance and chroma. layer: one of an OpenEXR file, by its channels' names
+// ("diffuse" of "diffuse.R"), or its part's name; empty: the channels without a layer, else the only layer
+// with colour, of the first part and view.
+Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {}, const std::string& layer = {});
 
 // Kind of a file by its first bytes; None: no picture, such as a video, or no regular file.
 enum class PictureContent { None, Coded, Hdr };
