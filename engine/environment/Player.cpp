@@ -51,10 +51,13 @@ void setFile(Source& source, const std::string& file) {
 }
 
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {
+    const Source& source = setup.source;
+    if (!source.layer.empty() && source.env.empty())
+        return Error{source.photo + source.video, "has no layers; leave --layer out"};
     std::unique_ptr<Player> player(new Player(setup));
-    const Status opened = !setup.source.photo.empty() ? player->openPhoto(wait)
-                          : !setup.source.env.empty() ? player->openHdr()
-                                                      : player->openVideo(wait);
+    const Status opened = !source.photo.empty() ? player->openPhoto(wait)
+                          : !source.env.empty() ? player->openHdr()
+                                                : player->openVideo(wait);
     if (!opened) return opened.error();
     player->update(0, true);
     return player;
@@ -98,7 +101,7 @@ Status Player::openPhoto(const Wait& wait) {
 }
 
 Status Player::openHdr() {
-    auto picture = media::readHdr(setup_.source.env);
+    auto picture = media::readHdr(setup_.source.env, {}, setup_.source.layer);
     if (!picture) return picture.error();
     hdr_ = true;
     prepareFor(light::LightQuality::Still, 1);

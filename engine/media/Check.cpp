@@ -86,7 +86,7 @@ Result<std::string> checkDepthTrack(const Path& file) {
                        100 * confidence / (count * kMaxDepthCode));
 }
 
-Result<std::string> checkPicture(const Path& file) {
+Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     const auto begin = readFileBegin(file, 1 << 20);
     if (!begin) return begin.error();
     const auto header = readPictureHeader(*begin);
@@ -97,13 +97,15 @@ Result<std::string> checkPicture(const Path& file) {
         return fmt::format("{}x{} {} picture, {}", picture->width, picture->height, nameOf(header->kind),
                            shapeNote(picture->width, picture->height));
     }
-    const auto picture = readHdr(file);
+    const auto picture = readHdr(file, {}, layer);
     if (!picture) return picture.error();
     const ImageRgbF& image = picture->radianceLin;
+    std::string message = fmt::format(
+        "{}x{} {} picture, largest component {:.4g}, {}", image.width, image.height, nameOf(header->kind),
+        *std::ranges::max_element(image.pixels), shapeNote(image.width, image.height));
+    for (const std::string& note : picture->notes) message += "; " + note;
     const std::string repairs = picture->repairs();
-    return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}{}", image.width, image.height,
-                       nameOf(header->kind), *std::ranges::max_element(image.pixels),
-                       shapeNote(image.width, image.height), repairs.empty() ? "" : "; ", repairs);
+    return repairs.empty() ? message : message + "; " + repairs;
 }
 
 } // namespace shoal::media

@@ -36,9 +36,9 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdrName(options.photo) && isHdrName(options.out))
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdrName(options.photo))
+    if (!isHdrName(options.photo) && options.layer.empty())
         return convert(options, media::readPicture(options.photo), media::writePicture);
-    auto read = media::readHdr(options.photo);
+    auto read = media::readHdr(options.photo, {}, options.layer);
     return convert(options, read ? Result<ImageRgbF>(std::move(read->radianceLin)) : read.error(),
                    media::writeHdr);
 }
