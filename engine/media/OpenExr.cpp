@@ -6,15 +6,17 @@
 #include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
-#include <ImfMultiView.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStdIO.h>
 #include <fmt/ranges.h>
 #include <openexr.h>
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <set>
 #include <stdexcept>
 
@@ -42,24 +44,6 @@ class ExrInput : public Imf::IStream {
     uint64_t at_ = 0;
 };
 
-class ExrOutput : public Imf::OStream {
-  public:
-    ExrOutput() : OStream("picture") {}
-    void write(const char text[], int count) override {
-        const auto size = static_cast<size_t>(count);
-        if (bytes.size() < at_ + size) bytes.resize(at_ + size);
-        bytes.replace(at_, size, text, size);
-        at_ += size;
-    }
-    uint64_t tellp() override { return at_; }
-    void seekp(uint64_t position) override { at_ = position; }
-
-    std::string bytes;
-
-  private:
-    uint64_t at_ = 0;
-};
-
 struct Layer {
     int part = 0;
     std::string name;   // as readHdr() takes it; may be empty
@@ -69,13 +53,20 @@ struct Layer {
     bool firstView = true;
 };
 
-// Returns the layers of a flat part that have colour, that of channels without a prefix first.
-std::vector<Layer> layersOf(const Imf::Header& header, int part) {
+// Returns the text without line breaks and commands to terminals, which names of the file may hold.
+std::string printable(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return text;
+}
+
+// Adds the layers of a part that have colour, that of channels without a prefix first.
+void addLayers(const Imf::Header& header, int part, std::vector<Layer>& layers) {
     const Imf::ChannelList& channels = header.channels();
+    const Imf::StringVector views = Imf::hasMultiView(header) ? Imf::multiView(header) : Imf::StringVector();
     std::set<std::string> names;
     channels.layers(names);
     names.insert("");
-    std::vector<Layer> layers;
     for (const std::string& name : names) {
         const std::string prefix = name.empty() ? "" : name + ".";
         const auto has = [&](const char* channel) {
@@ -84,52 +75,42 @@ std::vector<Layer> layersOf(const Imf::Header& header, int part) {
         Layer layer{part, name, prefix, has("R") && has("G") && has("B"), has("RY") && has("BY")};
         if (!layer.rgb && !has("Y")) continue;
         if (name.empty() && header.hasName()) layer.name = header.name();
-        if (Imf::hasMultiView(header)) {
-            const Imf::StringVector& views = Imf::multiView(header);
-            const std::string view = Imf::viewFromChannelName(prefix + (layer.rgb ? "R" : "Y"), views);
-            layer.firstView = view.empty() || view == Imf::defaultViewName(views);
-        }
+        const std::string last = name.substr(name.find_last_of('.') + 1); // may be a view: "diffuse.left"
+        layer.firstView = views.empty() || std::find(views.begin() + 1, views.end(), last) == views.end();
         layers.push_back(layer);
     }
-    return layers;
 }
 
-Result<Layer> chooseLayer(const Imf::MultiPartInputFile& file, const std::string& wanted) {
-    std::vector<Layer> layers;
+// Returns the layer of this name; without a name, the channels that have no prefix, else the only one, of the
+// first part and view with colour.
+Result<Layer> chooseLayer(std::vector<Layer> layers, const std::string& wanted) {
     std::vector<std::string> names;
-    std::string deep;
-    for (int part = 0; part < file.parts(); ++part) {
-        const Imf::Header& header = file.header(part);
-        if (header.hasType() && Imf::isDeepData(header.type())) {
-            deep = fmt::format("its part \"{}\" is deep; flatten it", header.hasName() ? header.name() : "");
-            continue;
-        }
-        for (Layer& layer : layersOf(header, part)) {
-            if (!layer.name.empty()) names.push_back(layer.name);
-            layers.push_back(std::move(layer));
-        }
-    }
-    if (layers.empty())
-        return Error{"", deep.empty() ? "has no colour: neither channels R, G and B nor Y" : deep};
+    for (const Layer& layer : layers)
+        if (!layer.name.empty()) names.push_back(layer.name);
+    const std::string all = printable(fmt::format("{}", fmt::join(names, ", ")));
     if (!wanted.empty()) {
         const auto named = std::ranges::find(layers, wanted, &Layer::name);
         if (named != layers.end()) return *named;
-        return Error{"", fmt::format("has no layer \"{}\" with colour{}{}", wanted,
-                                     names.empty() ? "" : "; it has ", fmt::join(names, ", "))};
+        return Error{"", fmt::format("has no colour in a layer \"{}\", but in: {}", wanted,
+                                     all.empty() ? "channels without a layer" : all)};
     }
-    const auto keep = [&](auto&& better) { // drops the others, unless all are
-        if (std::ranges::any_of(layers, better))
-            std::erase_if(layers, [&](const Layer& layer) { return !better(layer); });
+    const auto prefer = [&](auto&& better) {
+        if (std::ranges::any_of(layers, better)) std::erase_if(layers, std::not_fn(better));
     };
-    keep([](const Layer& layer) { return layer.rgb || layer.chroma; });
-    keep([first = layers.front().part](const Layer& layer) { return layer.part == first; });
-    keep([](const Layer& layer) { return layer.firstView; });
+    prefer([](const Layer& layer) { return layer.rgb || layer.chroma; });
+    prefer([first = layers.front().part](const Layer& layer) { return layer.part == first; });
+    prefer([](const Layer& layer) { return layer.firstView; });
     if (layers.size() == 1 || layers.front().prefix.empty()) return layers.front();
-    return Error{"", fmt::format("has several layers; name one by --layer: {}", fmt::join(names, ", "))};
+    return Error{"", "has several layers; name one by --layer: " + all};
 }
 
 PictureSize sizeOf(const Imath::Box2i& window) {
     return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
+}
+
+// The window is within limits.
+ImageRgbF imageOf(const Imath::Box2i& window) {
+    return {static_cast<int>(sizeOf(window).width), static_cast<int>(sizeOf(window).height)};
 }
 
 // Returns why a part cannot be read; empty if it can.
@@ -151,66 +132,50 @@ std::string refusalOf(const Imf::Header& header, PictureLimits limits) {
     return "";
 }
 
-// Returns the address that the pixel of column 0 would have. It may lie outside of the line.
-template <class T> T* columnZero(std::vector<T>& line, int firstColumn, int channels) {
-    return reinterpret_cast<T*>(reinterpret_cast<intptr_t>(line.data()) -
-                                intptr_t{firstColumn} * channels * static_cast<intptr_t>(sizeof(T)));
-}
-
-// Calls read(y) for each row that both windows have, then pixel(column) for each column, red first.
-template <class Read, class Pixel>
-void copyRows(const Imf::Header& header, ImageRgbF& image, Read&& read, Pixel&& pixel) {
-    const Imath::Box2i display = header.displayWindow(), data = header.dataWindow();
-    const int first = std::max(display.min.x, data.min.x), last = std::min(display.max.x, data.max.x);
-    for (int y = std::max(display.min.y, data.min.y); y <= std::min(display.max.y, data.max.y); ++y) {
-        read(y);
-        for (int x = first; x <= last; ++x) {
-            const std::array<float, 3> colour = pixel(static_cast<size_t>(x - data.min.x));
-            std::ranges::copy(colour, image.at(x - display.min.x, y - display.min.y));
-        }
-    }
-}
-
-// Fills the image with a layer of RGB or of luminance alone.
-void readChannels(Imf::MultiPartInputFile& file, const Layer& layer, ImageRgbF& image) {
+// Returns the pixels of the data window for a layer of RGB or of luminance alone.
+ImageRgbF readChannels(Imf::MultiPartInputFile& file, const Layer& layer) {
     Imf::InputPart input(file, layer.part);
-    const Imath::Box2i data = input.header().dataWindow();
-    std::vector<float> line(static_cast<size_t>(sizeOf(data).width) * 3);
-    float* base = columnZero(line, data.min.x, 3);
+    const Imath::Box2i window = input.header().dataWindow();
+    ImageRgbF image = imageOf(window);
+    constexpr size_t kPixel = 3 * sizeof(float);
     Imf::FrameBuffer buffer;
-    const auto add = [&](const char* channel, int offset) {
-        buffer.insert(layer.prefix + channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(base + offset),
-                                                         3 * sizeof(float), 0)); // one line for all rows
-    };
-    if (layer.rgb) {
-        add("R", 0);
-        add("G", 1);
-        add("B", 2);
-    } else {
-        add("Y", 0);
-    }
+    for (const auto& [channel, offset] : {std::pair(layer.rgb ? "R" : "Y", 0), {"G", 1}, {"B", 2}})
+        if (layer.rgb || offset == 0)
+            buffer.insert(layer.prefix + channel,
+                          Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + offset, window, kPixel,
+                                           kPixel * static_cast<size_t>(image.width)));
     input.setFrameBuffer(buffer);
-    const size_t g = layer.rgb ? 1 : 0, b = 2 * g;
-    copyRows(
-        input.header(), image, [&](int y) { input.readPixels(y); },
-        [&](size_t x) {
-            return std::array{line[3 * x], line[3 * x + g], line[3 * x + b]};
-        });
+    input.readPixels(window.min.y, window.max.y);
+    for (size_t i = 0; !layer.rgb && i < image.pixels.size(); i += 3)
+        image.pixels[i + 1] = image.pixels[i + 2] = image.pixels[i];
+    return image;
 }
 
 // As readChannels(), for a layer of luminance and chroma in the first part. The library converts in 16 bits.
-void readChroma(ByteSpan bytes, const Layer& layer, ImageRgbF& image) {
+ImageRgbF readChroma(ByteSpan bytes, const Layer& layer) {
     ExrInput stream(bytes);
-    Imf::RgbaInputFile input(stream, layer.prefix.substr(0, layer.prefix.size() - !layer.prefix.empty()),
-                             kOnThisThread);
-    const Imath::Box2i data = input.dataWindow();
-    std::vector<Imf::Rgba> line(static_cast<size_t>(sizeOf(data).width));
-    input.setFrameBuffer(columnZero(line, data.min.x, 1), 1, 0);
-    copyRows(
-        input.header(), image, [&](int y) { input.readPixels(y); },
-        [&](size_t x) {
-            return std::array<float, 3>{line[x].r, line[x].g, line[x].b};
-        });
+    Imf::RgbaInputFile input(stream, layer.prefix.substr(0, layer.prefix.find_last_of('.')), kOnThisThread);
+    const Imath::Box2i window = input.dataWindow();
+    ImageRgbF image = imageOf(window);
+    std::vector<Imf::Rgba> pixels(image.pixels.size() / 3);
+    input.setFrameBuffer(Imf::ComputeBasePointer(pixels.data(), window), 1, static_cast<size_t>(image.width));
+    input.readPixels(window.min.y, window.max.y);
+    for (float* out = image.pixels.data(); const Imf::Rgba& pixel : pixels)
+        for (const half component : {pixel.r, pixel.g, pixel.b}) *out++ = component;
+    return image;
+}
+
+// Returns the display window's picture, black outside of the data window.
+ImageRgbF placed(ImageRgbF pixels, const Imath::Box2i& data, const Imath::Box2i& display) {
+    if (data == display) return pixels;
+    ImageRgbF image = imageOf(display);
+    const int left = std::max(display.min.x, data.min.x), right = std::min(display.max.x, data.max.x);
+    for (int y = std::max(display.min.y, data.min.y); y <= std::min(display.max.y, data.max.y); ++y)
+        if (left <= right)
+            std::copy(pixels.at(left - data.min.x, y - data.min.y),
+                      pixels.at(right - data.min.x, y - data.min.y) + 3,
+                      image.at(left - display.min.x, y - display.min.y));
+    return image;
 }
 
 // Returns a clause for each thing that a viewer of the whole file would not expect.
@@ -231,13 +196,26 @@ std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Laye
                                     int64_t{data.min.y} - display.min.y));
     }
     if (header.pixelAspectRatio() != 1) notes.push_back("its pixels count as square");
+    std::ranges::transform(notes, notes.begin(), printable);
     return notes;
 }
 
 Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, PictureLimits limits) {
     ExrInput stream(bytes);
     Imf::MultiPartInputFile file(stream, kOnThisThread);
-    const auto layer = chooseLayer(file, wanted);
+    std::vector<Layer> layers;
+    std::string deep;
+    for (int part = 0; part < file.parts(); ++part) {
+        const Imf::Header& header = file.header(part);
+        if (header.hasType() && Imf::isDeepData(header.type()))
+            deep =
+                printable("its part \"" + (header.hasName() ? header.name() : "") + "\" is deep; flatten it");
+        else
+            addLayers(header, part, layers);
+    }
+    if (layers.empty())
+        return Error{"", deep.empty() ? "has no colour: neither channels R, G and B nor Y" : deep};
+    const auto layer = chooseLayer(std::move(layers), wanted);
     if (!layer) return layer.error();
     const Imf::Header& header = file.header(layer->part);
     if (std::string refusal = refusalOf(header, limits); !refusal.empty())
@@ -247,14 +225,10 @@ Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, Pictur
     if (converts && layer->part > 0)
         return Error{"", "has luminance and chroma in a part that is not the first; convert it to RGB"};
 
-    HdrPicture picture;
-    const PictureSize size = sizeOf(header.displayWindow());
-    picture.radianceLin = ImageRgbF(static_cast<int>(size.width), static_cast<int>(size.height));
-    if (converts)
-        readChroma(bytes, *layer, picture.radianceLin);
-    else
-        readChannels(file, *layer, picture.radianceLin);
-    picture.notes = notesOn(file, *layer);
+    HdrPicture picture{.radianceLin =
+                           placed(converts ? readChroma(bytes, *layer) : readChannels(file, *layer),
+                                  header.dataWindow(), header.displayWindow()),
+                       .notes = notesOn(file, *layer)};
     if (Imf::hasChromaticities(header) && (layer->rgb || layer->chroma)) {
         const Imf::Chromaticities& c = Imf::chromaticities(header);
         picture.primaries = {c.red.x,  c.red.y,  c.green.x, c.green.y,
@@ -308,13 +282,13 @@ Result<std::string> encodeExr(const ImageRgbF& image) {
             buffer.insert(name, Imf::Slice(Imf::FLOAT, first, 3 * sizeof(float),
                                            3 * sizeof(float) * static_cast<size_t>(image.width)));
         }
-        ExrOutput stream;
+        Imf::StdOSStream stream;
         {
             Imf::OutputFile output(stream, header, kOnThisThread); // its end writes the table of rows
             output.setFrameBuffer(buffer);
             output.writePixels(image.height);
         }
-        return std::move(stream.bytes);
+        return stream.str();
     } catch (const std::exception&) {
         return Error{"", "the picture cannot be coded as OpenEXR"};
     }
@@ -324,8 +298,7 @@ bool toRec709(ImageRgbF& image, const Primaries& from) {
     const Imf::Chromaticities ours;
     const Imf::Chromaticities theirs({from[0], from[1]}, {from[2], from[3]}, {from[4], from[5]},
                                      {from[6], from[7]});
-    // Lam, "Metamerism and Colour Constancy", 1985: XYZ to cones. Rows are XYZ, as Imath's vectors stand
-    // left.
+    // Lam, "Metamerism and Colour Constancy", 1985: XYZ to cones, transposed, as Imath's vectors are rows.
     const Imath::M44f toCones(0.8951f, -0.7502f, 0.0389f, 0, 0.2664f, 1.7135f, -0.0685f, 0, -0.1614f, 0.0367f,
                               1.0296f, 0, 0, 0, 0, 1);
     try {

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
+#include <sstream>
 
 namespace shoal::media {
 
@@ -69,61 +71,51 @@ Size pnmSize(ByteSpan b) {
     return {width, nextNumber(b, at)};
 }
 
-// Returns the numbers of a text, separated by white space; empty if anything else is there.
-std::vector<float> numbersOf(std::string_view text) {
-    std::vector<float> numbers;
-    for (size_t at = 0; (at = text.find_first_not_of(" \t", at)) != text.npos;) {
-        const size_t end = std::min(text.find_first_of(" \t", at), text.size());
-        const auto number = parseNumber<float>(text.substr(at, end - at));
-        if (!number) return {};
-        numbers.push_back(*number);
-        at = end;
+// Obeys a line "NAME=value" of a Radiance header. False: its value is damaged.
+bool readRadianceLine(const std::string& line, RadianceHeader& header) {
+    const size_t equals = std::min(line.find('='), line.size());
+    const std::string name = line.substr(0, equals);
+    std::istringstream value(line.substr(std::min(equals + 1, line.size())));
+    if (name == "FORMAT") {
+        if (line.ends_with(
+                "32-bit_rle_xyze")) // X, Y and Z are primaries; equal energy is white, as in Radiance
+            header.primaries = {1, 0, 0, 1, 0, 0, 1 / 3.0f, 1 / 3.0f};
+        return header.primaries || line.ends_with("32-bit_rle_rgbe");
     }
-    return numbers;
-}
-
-// Reads a line "NAME=value" of a Radiance header. False: its value is damaged.
-bool readRadianceLine(std::string_view line, RadianceHeader& header) {
-    const std::string_view name = line.substr(0, std::min(line.find('='), line.size()));
-    const std::string_view value = line.substr(std::min(name.size() + 1, line.size()));
-    if (name == "FORMAT" && value == "32-bit_rle_xyze") // X, Y and Z are primaries; equal energy is white
-        header.primaries = {1, 0, 0, 1, 0, 0, 1 / 3.0f, 1 / 3.0f};
-    const bool isExposure = name == "EXPOSURE";
-    if (!isExposure && name != "COLORCORR" && name != "PIXASPECT" && name != "PRIMARIES") return true;
-    const std::vector<float> numbers = numbersOf(value);
-    if (numbers.size() != (isExposure || name == "PIXASPECT" ? 1 : name == "PRIMARIES" ? 8 : 3)) return false;
-    if (name == "PRIMARIES") {
-        std::ranges::copy(numbers, header.primaries.emplace().begin());
-        return true;
-    }
-    if (std::ranges::any_of(numbers, [](float number) { return !(number > 0); })) return false;
-    if (name == "PIXASPECT")
-        header.pixelAspect *= numbers[0];
-    else
-        for (size_t c = 0; c < 3; ++c) header.exposure[c] *= numbers[isExposure ? 0 : c];
-    return true;
+    const size_t count = name == "EXPOSURE" || name == "PIXASPECT" ? 1
+                         : name == "COLORCORR"                     ? 3
+                         : name == "PRIMARIES"                     ? 8
+                                                                   : 0;
+    if (count == 0) return true;
+    const std::vector<float> numbers{std::istream_iterator<float>(value), {}};
+    if (numbers.size() != count) return false;
+    if (count == 8) std::ranges::copy(numbers, header.primaries.emplace().begin());
+    if (name == "PIXASPECT") header.squarePixels = numbers[0] == 1;
+    if (count == 8 || name == "PIXASPECT") return true;
+    for (size_t c = 0; c < 3; ++c) header.exposure[c] *= numbers[std::min(c, count - 1)];
+    return std::ranges::all_of(header.exposure, [](float each) { return each > 0 && std::isfinite(each); });
 }
 
 // Reads the resolution line, such as "-Y 512 +X 1024": the axis from line to line, then that along a line.
-bool readResolution(std::string_view line, RadianceHeader& header) {
-    const auto word = [&] {
-        const size_t begin = std::min(line.find_first_not_of(' '), line.size());
-        const size_t end = std::min(line.find(' ', begin), line.size());
-        const std::string_view found = line.substr(begin, end - begin);
-        line.remove_prefix(end);
-        return found;
-    };
-    for (int axis = 0; axis < 2; ++axis) {
-        const std::string_view name = word();
-        const auto count = parseNumber<int64_t>(word());
-        if (name.size() != 2 || (name[0] != '-' && name[0] != '+') || !count) return false;
-        if (name[1] != 'X' && name[1] != 'Y') return false;
-        const bool isY = name[1] == 'Y';
-        (isY ? header.size.height : header.size.width) = *count;
-        (isY ? header.fromBottom : header.fromRight) = isY == (name[0] == '+');
-        if (axis == 0) header.byColumns = !isY;
+bool readResolution(const std::string& line, RadianceHeader& header) {
+    constexpr std::string_view kAxes[] = {"-Y", "+Y", "+X", "-X"};
+    std::istringstream words(line);
+    for (const bool alongLine : {false, true}) {
+        std::string name;
+        int64_t count = 0;
+        words >> name >> count;
+        const auto axis = std::ranges::find(kAxes, name) - kAxes;
+        if (!words || axis == std::size(kAxes)) return false;
+        const bool isY = axis < 2;
+        (isY ? header.size.height : header.size.width) = count;
+        (isY ? header.fromBottom : header.fromRight) = axis % 2 == 1;
+        if (!alongLine) header.byColumns = !isY;
     }
     return true;
+}
+
+std::istringstream beginOf(ByteSpan bytes) {
+    return std::istringstream(std::string(asText(bytes.first(std::min<size_t>(bytes.size(), 64 << 10)))));
 }
 
 bool isEndedWord(ByteSpan b, std::string_view word) {
@@ -182,32 +174,29 @@ const char* nameOf(PictureKind kind) { return kKinds[static_cast<size_t>(kind)].
 bool isHdr(PictureKind kind) { return kind >= PictureKind::Radiance; }
 
 RadianceHeader readRadianceHeader(ByteSpan bytes) {
-    std::string_view text = asText(bytes.first(std::min<size_t>(bytes.size(), 64 << 10)));
+    std::istringstream text = beginOf(bytes);
     RadianceHeader header;
-    for (bool behindEmpty = false; text.find('\n') != text.npos;) {
-        std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(line.size() + 1);
-        header.pixels += line.size() + 1;
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        if (behindEmpty ? !readResolution(line, header) : !readRadianceLine(line, header)) break;
-        if (behindEmpty) return header;
-        behindEmpty = line.empty();
+    bool wasEmpty = false;
+    for (std::string line; std::getline(text, line) && !text.eof();) {
+        if (line.ends_with('\r')) line.pop_back();
+        if (!(wasEmpty ? readResolution(line, header) : readRadianceLine(line, header))) break;
+        header.pixels = static_cast<size_t>(text.tellg());
+        if (wasEmpty) return header;
+        wasEmpty = line.empty();
     }
     return {};
 }
 
 PfmHeader readPfmHeader(ByteSpan bytes) {
+    std::istringstream text = beginOf(bytes);
+    std::string kind;
     PfmHeader header;
-    header.channels = hasText(bytes, 0, "PF4") ? 4 : hasText(bytes, 0, "PF") ? 3 : 1;
-    size_t at = header.channels == 4 ? 3 : 2;
-    header.size.width = nextNumber(bytes, at);
-    header.size.height = nextNumber(bytes, at);
-    while (at < bytes.size() && std::isspace(bytes[at])) ++at;
-    const size_t begin = at;
-    while (at < bytes.size() && !std::isspace(bytes[at])) ++at;
-    header.scale = parseNumber<float>(asText(bytes.subspan(begin, at - begin))).value_or(0);
-    header.pixels = at + (hasText(bytes, at, "\r\n") ? 2 : 1);
-    return header.scale == 0 ? PfmHeader() : header;
+    text >> kind >> header.size.width >> header.size.height >> header.scale;
+    text.ignore(text.peek() == '\r' ? 2 : 1);
+    if (!text || header.scale == 0) return {};
+    header.channels = kind == "PF4" ? 4 : kind == "PF" ? 3 : 1;
+    header.pixels = static_cast<size_t>(text.tellg());
+    return header;
 }
 
 std::string beyond(PictureSize size, PictureLimits limits) {

@@ -52,7 +52,7 @@ struct RadianceHeader {
     bool fromBottom = false;                // else from the top
     bool fromRight = false;                 // else from the left
     std::array<float, 3> exposure{1, 1, 1}; // what radiance was multiplied with: EXPOSURE, COLORCORR
-    float pixelAspect = 1;                  // height of a pixel over its width
+    bool squarePixels = true;
     std::optional<Primaries> primaries;
     size_t pixels = 0; // their offset, bytes
 };

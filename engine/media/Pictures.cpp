@@ -1,7 +1,6 @@
 #include "engine/media/Pictures.h"
 
 #include "engine/core/Log.h"
-#include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/OpenExr.h"
@@ -157,7 +156,7 @@ Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
     if (header.exposure != std::array<float, 3>{1, 1, 1})
         picture.notes.push_back(
             fmt::format("divided by its exposure {:.4g}", fmt::join(header.exposure, ", ")));
-    if (header.pixelAspect != 1) picture.notes.push_back("its pixels count as square");
+    if (!header.squarePixels) picture.notes.push_back("its pixels count as square");
     return picture;
 }
 
