@@ -119,15 +119,16 @@ std::string refusalOf(const Imf::Header& header, PictureLimits limits) {
         if (const std::string refusal = beyond(sizeOf(window), limits); !refusal.empty()) return refusal;
     if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
         return "is a cube map; only lat-long pictures can be shown, so convert it";
-    // The library takes memory for all channels of a tile, or of a block of at most 256 rows.
-    constexpr int64_t kMaxBlock = int64_t{2} << 30;
+    // The library takes memory for all channels of a tile, or of a block of at most 256 rows. It may take as
+    // much as the largest picture does.
+    const int64_t most = int64_t{limits.maxWidth} * limits.maxHeight * 3;
     int64_t width = sizeOf(header.dataWindow()).width, height = 256, channels = 0;
     for (auto at = header.channels().begin(); at != header.channels().end(); ++at) ++channels;
     if (header.hasTileDescription()) {
         width = std::max<int64_t>(width, header.tileDescription().xSize);
         height = std::max<int64_t>(height, header.tileDescription().ySize);
     }
-    if (width > kMaxBlock / 4 / height / std::max<int64_t>(channels, 1))
+    if (width > most / height / std::max<int64_t>(channels, 1))
         return fmt::format("its {} channels take more memory than the limit", channels);
     return "";
 }
