@@ -120,8 +120,8 @@ std::string refusalOf(const Imf::Header& header, PictureLimits limits) {
     if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
         return "is a cube map; only lat-long pictures can be shown, so convert it";
     // The library takes memory for all channels of a tile, or of a block of at most 256 rows. It may take as
-    // much as the largest picture does.
-    const int64_t most = int64_t{limits.maxWidth} * limits.maxHeight * 3;
+    // much as the largest picture does, or 64 MiB.
+    const int64_t most = std::max<int64_t>(int64_t{limits.maxWidth} * limits.maxHeight * 3, 1 << 24);
     int64_t width = sizeOf(header.dataWindow()).width, height = 256, channels = 0;
     for (auto at = header.channels().begin(); at != header.channels().end(); ++at) ++channels;
     if (header.hasTileDescription()) {
