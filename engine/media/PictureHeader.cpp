@@ -77,18 +77,18 @@ bool readRadianceLine(const std::string& line, RadianceHeader& header) {
     const std::string name = line.substr(0, equals);
     std::istringstream value(line.substr(std::min(equals + 1, line.size())));
     if (name == "FORMAT") {
-        if (line.ends_with(
-                "32-bit_rle_xyze")) // X, Y and Z are primaries; equal energy is white, as in Radiance
-            header.primaries = {1, 0, 0, 1, 0, 0, 1 / 3.0f, 1 / 3.0f};
-        return header.primaries || line.ends_with("32-bit_rle_rgbe");
+        const bool isXyz = line.ends_with("32-bit_rle_xyze"); // equal energy is white, as in Radiance
+        if (isXyz) header.primaries = {1, 0, 0, 1, 0, 0, 1 / 3.0f, 1 / 3.0f};
+        return isXyz || line.ends_with("32-bit_rle_rgbe");
     }
-    const size_t count = name == "EXPOSURE" || name == "PIXASPECT" ? 1
-                         : name == "COLORCORR"                     ? 3
-                         : name == "PRIMARIES"                     ? 8
-                                                                   : 0;
+    const size_t count = name == "EXPOSURE" || name == "PIXASPECT" || name == "GAMMA" ? 1
+                         : name == "COLORCORR"                                        ? 3
+                         : name == "PRIMARIES"                                        ? 8
+                                                                                      : 0;
     if (count == 0) return true;
     const std::vector<float> numbers{std::istream_iterator<float>(value), {}};
     if (numbers.size() != count) return false;
+    if (name == "GAMMA") return numbers[0] == 1; // Walter's rgbe.c: components to this power
     if (count == 8) std::ranges::copy(numbers, header.primaries.emplace().begin());
     if (name == "PIXASPECT") header.squarePixels = numbers[0] == 1;
     if (count == 8 || name == "PIXASPECT") return true;

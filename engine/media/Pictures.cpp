@@ -274,10 +274,11 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::st
     constexpr Primaries kRec709 = {0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};
     const auto isNear = [](float a, float b) { return std::abs(a - b) < 1e-3f; };
     if (!picture->primaries || std::ranges::equal(*picture->primaries, kRec709, isNear)) return picture;
-    if (!toRec709(picture->radianceLin, *picture->primaries))
-        return Error{file.string(), "states primaries that span no colours"};
+    // Poly Haven's pictures state zeros.
+    const bool converted = toRec709(picture->radianceLin, *picture->primaries);
+    picture->notes.push_back(converted ? "converted to the primaries of Rec. 709"
+                                       : "its primaries span no colours and count as those of Rec. 709");
     repair(*picture); // colours that Rec. 709 has not are negative
-    picture->notes.push_back("converted to the primaries of Rec. 709");
     return picture;
 }
 

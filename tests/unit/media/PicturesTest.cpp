@@ -229,6 +229,8 @@ TEST_F(HdrPictures, RadianceHeadersAreObeyed) {
         {"EXPOSURE=4\nEXPOSURE= 0.5\n", 24, 24, 24, "divided by its exposure 2, 2, 2"},
         {"COLORCORR=1 2 4\r\n", 48, 24, 12, "divided by its exposure 1, 2, 4"},
         {"PIXASPECT=2\n", 48, 48, 48, "its pixels count as square"},
+        {"GAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\n", 48, 48, 48,
+         "its primaries span no colours and count as those of Rec. 709"},
         {"FORMAT=32-bit_rle_xyze\n", 48, 48, 48, "converted to the primaries of Rec. 709"},
         {"PRIMARIES=.708 .292 .17 .797 .131 .046 .3127 .329\n", 48, 48, 48,
          "converted to the primaries of Rec. 709"},
@@ -242,8 +244,8 @@ TEST_F(HdrPictures, RadianceHeadersAreObeyed) {
         EXPECT_EQ(picture.notes, std::vector<std::string>{each.note});
     }
     for (const char* bad :
-         {"EXPOSURE=0\n\n-Y 1 +X 1\n", "COLORCORR=1\n\n-Y 1 +X 1\n", "FORMAT=other\n\n-Y 1 +X 1\n",
-          "\n-Y 1 +Y 1\n", "\n-Y 1\n", "\n-Y 1 +X 1", "-Y 1 +X 1\n"})
+         {"EXPOSURE=0\n\n-Y 1 +X 1\n", "COLORCORR=1\n\n-Y 1 +X 1\n", "GAMMA=2.2\n\n-Y 1 +X 1\n",
+          "FORMAT=other\n\n-Y 1 +X 1\n", "\n-Y 1 +Y 1\n", "\n-Y 1\n", "\n-Y 1 +X 1", "-Y 1 +X 1\n"})
         EXPECT_FALSE(read(bad, "0000")) << bad;
 }
 
