@@ -103,9 +103,9 @@ Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     std::string message = fmt::format(
         "{}x{} {} picture, largest component {:.4g}, {}", image.width, image.height, nameOf(header->kind),
         *std::ranges::max_element(image.pixels), shapeNote(image.width, image.height));
-    for (const std::string& note : picture->notes) message += "; " + note;
+    for (const std::string& note : picture->notes) message += fmt::format("; {}", note);
     const std::string repairs = picture->repairs();
-    return repairs.empty() ? message : message + "; " + repairs;
+    return repairs.empty() ? message : fmt::format("{}; {}", message, repairs);
 }
 
 } // namespace shoal::media

@@ -101,7 +101,7 @@ Result<Layer> chooseLayer(std::vector<Layer> layers, const std::string& wanted) 
     prefer([first = layers.front().part](const Layer& layer) { return layer.part == first; });
     prefer([](const Layer& layer) { return layer.firstView; });
     if (layers.size() == 1 || layers.front().prefix.empty()) return layers.front();
-    return Error{"", "has several layers; name one by --layer: " + all};
+    return Error{"", fmt::format("has several layers; name one by --layer: {}", all)};
 }
 
 PictureSize sizeOf(const Imath::Box2i& window) {
@@ -185,8 +185,8 @@ std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Laye
     std::vector<std::string> notes;
     if (!layer.rgb) notes.push_back(layer.chroma ? "from luminance and chroma" : "grey");
     if (file.parts() > 1) notes.push_back(fmt::format("part {} of {}", layer.part + 1, file.parts()));
-    if (!layer.name.empty()) notes.push_back("layer " + layer.name);
-    if (header.hasView()) notes.push_back("view " + header.view());
+    if (!layer.name.empty()) notes.push_back(fmt::format("layer {}", layer.name));
+    if (header.hasView()) notes.push_back(fmt::format("view {}", header.view()));
     if (Imf::hasMultiView(header))
         notes.push_back(fmt::format("of the views {}", fmt::join(Imf::multiView(header), ", ")));
     const Imath::Box2i data = header.dataWindow(), display = header.displayWindow();
@@ -209,8 +209,8 @@ Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, Pictur
     for (int part = 0; part < file.parts(); ++part) {
         const Imf::Header& header = file.header(part);
         if (header.hasType() && Imf::isDeepData(header.type()))
-            deep =
-                printable("its part \"" + (header.hasName() ? header.name() : "") + "\" is deep; flatten it");
+            deep = printable(
+                fmt::format("its part \"{}\" is deep; flatten it", header.hasName() ? header.name() : ""));
         else
             addLayers(header, part, layers);
     }

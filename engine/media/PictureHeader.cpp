@@ -105,7 +105,7 @@ bool readResolution(const std::string& line, RadianceHeader& header) {
         int64_t count = 0;
         words >> name >> count;
         const auto axis = std::ranges::find(kAxes, name) - kAxes;
-        if (!words || axis == std::size(kAxes)) return false;
+        if (!words || axis == std::ssize(kAxes)) return false;
         const bool isY = axis < 2;
         (isY ? header.size.height : header.size.width) = count;
         (isY ? header.fromBottom : header.fromRight) = axis % 2 == 1;
