@@ -61,10 +61,13 @@ void setFile(Source& source, const std::string& file) {
 }
 
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {
+    const Source& source = setup.source;
+    if (!source.layer.empty() && source.env.empty())
+        return Error{source.photo + source.video, "has no layers; leave --layer out"};
     std::unique_ptr<Player> player(new Player(setup));
-    const Status opened = !setup.source.photo.empty() ? player->openPhoto(wait)
-                          : setup.source.isHdr()      ? player->openHdr()
-                                                      : player->openVideo(wait);
+    const Status opened = !source.photo.empty() ? player->openPhoto(wait)
+                          : source.isHdr()      ? player->openHdr()
+                                                : player->openVideo(wait);
     if (!opened) return opened.error();
     player->update(0, true);
     return player;
@@ -113,7 +116,7 @@ Status Player::openPhoto(const Wait& wait) {
 }
 
 Status Player::openHdr() {
-    auto picture = media::readHdr(setup_.source.env);
+    auto picture = media::readHdr(setup_.source.env, {}, setup_.source.layer);
     if (!picture) return picture.error();
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();

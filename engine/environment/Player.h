@@ -28,6 +28,7 @@ namespace shoal::environment {
 
 struct Source {
     std::string video, photo, env; // at most one; video: a file or a live address
+    std::string layer;             // of an HDR picture: media::readHdr()
     media::Layout layout = media::Layout::Auto;
     light::FrameRadiance light = light::FrameRadiance::Auto;
     bool depth = true; // use the depth track beside the video, if there is one

@@ -93,7 +93,7 @@ Result<std::string> checkDepthTrack(const Path& file) {
                        100 * confidence / (count * kMaxDepthCode));
 }
 
-Result<std::string> checkPicture(const Path& file) {
+Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     const auto begin = readFileBegin(file, 1 << 20);
     if (!begin) return begin.error();
     const auto kind = pictureKind(*begin);
@@ -104,13 +104,15 @@ Result<std::string> checkPicture(const Path& file) {
         return fmt::format("{}x{} {} picture, {}{}", photo->picture.width, photo->picture.height,
                            nameOf(*kind), shapeNote(*photo), photo->note());
     }
-    const auto picture = readHdr(file);
+    const auto picture = readHdr(file, {}, layer);
     if (!picture) return picture.error();
     const ImageRgbF& image = picture->radianceLin;
+    std::string message =
+        fmt::format("{}x{} {} picture, largest component {:.4g}, {}", image.width, image.height,
+                    nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image));
+    for (const std::string& note : picture->notes) message += fmt::format("; {}", note);
     const std::string repairs = picture->repairs();
-    return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}{}", image.width, image.height,
-                       nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image),
-                       repairs.empty() ? "" : "; ", repairs);
+    return repairs.empty() ? message : fmt::format("{}; {}", message, repairs);
 }
 
 } // namespace shoal::media

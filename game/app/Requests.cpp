@@ -35,6 +35,7 @@ Status Application::answer(const Request& request) {
     case Request::Kind::OpenFilm: {
         PlayOptions wanted = options_;
         environment::setFile(wanted.environment, request.name);
+        wanted.environment.layer.clear();
         return reopen(wanted, Mode::Title, Screen::Films);
     }
     case Request::Kind::Headset:

@@ -112,6 +112,7 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
             .takes("FILE")
             .without({"--env"});
         table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm").takes("FILE");
+        table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several").takes("NAME");
         table.add(
             "--layout", choice(layout),
             "Layout of a stereo picture's two eyes, the left one first; auto reads the file's metadata");

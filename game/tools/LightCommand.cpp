@@ -44,8 +44,9 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
                                             : options.frames;
     light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still, frames});
     light::EnvironmentLight made;
-    if (media::writtenAs(options.file) == media::WrittenAs::Hdr) {
-        auto picture = media::readHdr(options.file);
+    if (media::writtenAs(options.file) == media::WrittenAs::Hdr ||
+        media::pictureContent(options.file) == media::PictureContent::Hdr || !options.layer.empty()) {
+        auto picture = media::readHdr(options.file, {}, options.layer);
         if (!picture) return picture.error();
         maker.makeFromHdr(picture->radianceLin, made);
         if (const std::string repairs = picture->repairs(); !repairs.empty())

@@ -46,12 +46,12 @@ Status panorama(const PanoramaOptions& options) {
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdrName(options.photo) && isHdrName(options.out))
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdrName(options.photo)) {
+    if (!isHdrName(options.photo) && options.layer.empty()) {
         auto photo = media::readPhoto(options.photo);
         if (!photo) return photo.error();
         return convert(options, std::move(photo->picture), photo->metadata, media::writePicture);
     }
-    auto read = media::readHdr(options.photo);
+    auto read = media::readHdr(options.photo, {}, options.layer);
     if (!read) return read.error();
     return convert(options, std::move(read->radianceLin), {}, media::writeHdr);
 }
