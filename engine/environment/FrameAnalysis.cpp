@@ -21,6 +21,7 @@ FrameAnalysis::FrameAnalysis(const AnalysisOptions& options)
     : mirrors_(options.pyramid                                       ? light::MirrorMaps::Pyramid
                : options.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
                                                                      : light::MirrorMaps::None),
+      frames_(options.frames),
       maker_({options.quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
               options.minRoughness, options.quality, options.frames}) {
     if (options.diffuse == light::DiffuseMethod::Thesis) thesisDiffuse_.emplace();
@@ -45,22 +46,27 @@ void FrameAnalysis::pack(light::TooBright tooBright, FrameFindings& out) {
     if (const auto small = levelOf(kBesideWidth); small != none) out.radianceLin = *small;
 }
 
-void FrameAnalysis::makeLight(const light::FrameView& frame, FrameFindings& out) {
+void FrameAnalysis::makeLight(const light::FrameView& frame, const ImageRgbF& radianceLin,
+                              FrameFindings& out) {
     const int every = lightEvery_.load(std::memory_order_relaxed);
     if (++sinceLight_ < every && !newest_.light.places.empty()) {
         out = newest_;
         return;
     }
     sinceLight_ = 0;
-    maker_.make(frame, made_);
+    out.measured = !radianceLin.empty() && frames_ != light::FrameRadiance::Thesis;
+    if (out.measured)
+        maker_.makeFromHdr(radianceLin, made_);
+    else
+        maker_.make(frame, made_);
     pack(light::TooBright::Cut, out);
     if (water_) out.water = water_->estimate(frame);
     if (lights_) lights_->find(made_.radiance, out.lights);
     if (every > 1) newest_ = out;
 }
 
-void FrameAnalysis::analyse(const light::FrameView& frame, FrameFindings& out) {
-    makeLight(frame, out);
+void FrameAnalysis::analyse(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out) {
+    makeLight(frame, radianceLin, out);
     if (!cameraResponse_) return;
     if (sinceCameraResponse_++ % kCameraResponseEvery == 0)
         lastCameraResponse_ = cameraResponse_->estimate(frame);

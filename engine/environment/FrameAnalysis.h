@@ -20,6 +20,7 @@ struct FrameFindings {
     light::PackedLight light;
     occlusion::SmoothLight smooth; // for occlusion between bodies
     ImageRgbF radianceLin;         // small map, for the light at places beside the camera
+    bool measured = false;         // whether the film tells how bright its lights are: PQ, HLG
     // The members below are empty unless AnalysisOptions asks for them:
     water::WaterEstimate water;
     light::FoundLights lights;
@@ -45,7 +46,8 @@ class FrameAnalysis {
     explicit FrameAnalysis(const AnalysisOptions& options);
 
     // Analyses the frames in the order of the video. Allocates nothing once the findings have grown.
-    void analyse(const light::FrameView& frame, FrameFindings& out);
+    // radianceLin: the same frame's light if it is known, else empty. The thesis' light is of coded values.
+    void analyse(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out);
 
     // Makes the light alone, for an HDR picture.
     void analyse(const ImageRgbF& radianceLin, FrameFindings& out);
@@ -54,10 +56,11 @@ class FrameAnalysis {
     void setLightEvery(int frames) { lightEvery_.store(frames, std::memory_order_relaxed); }
 
   private:
-    void makeLight(const light::FrameView& frame, FrameFindings& out);
+    void makeLight(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out);
     void pack(light::TooBright tooBright, FrameFindings& out);
 
     light::MirrorMaps mirrors_;
+    light::FrameRadiance frames_;
     light::LightMaker maker_;
     std::optional<light::BruteForceDiffuse> thesisDiffuse_;
     std::optional<water::WaterEstimator> water_;

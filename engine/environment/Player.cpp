@@ -19,6 +19,16 @@ light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bg
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
 }
 
+// Returns the light of the left eye's picture; copies it if it is not the whole frame.
+const ImageRgbF& leftEyeOf(const ImageRgbF& frame, media::Layout layout, ImageRgbF& copy) {
+    const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
+    if (part.width == frame.width && part.height == frame.height) return frame;
+    copy.fit(part.width, part.height);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(frame.at(part.x, part.y + y), 3 * part.width, copy.at(0, y));
+    return copy;
+}
+
 float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
@@ -90,7 +100,7 @@ Status Player::openPhoto(const Wait& wait) {
     if (grow) layout_ = media::layoutOf(*picture);
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(leftEyeOf(*picture, layout_, false), frames_[0].found);
+    analysis_->analyse(leftEyeOf(*picture, layout_, false), {}, frames_[0].found);
     light_ms_ = millisecondsSince(began);
     media::toBgra(*picture, false, frames_[0].picture);
     follow(0);
@@ -147,7 +157,7 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
 void Player::prepare(const media::VideoFrame& frame) {
     const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
     Frame& made = frames_[frame.slot];
-    analysis_->analyse(leftEye, made.found);
+    analysis_->analyse(leftEye, leftEyeOf(frame.radianceLin, frame.layout, leftRadianceLin_), made.found);
     if (depthTrack_ && setup_.drawsDepth) prepareDepth(frame, leftEye);
     made.found.cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, made.picture);

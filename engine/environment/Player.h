@@ -118,6 +118,7 @@ class Player {
     // Filled on the decode thread, one for each slot, and handed over with the video's frame. Declared before
     // the players, so that they outlive the players' threads, which write them.
     std::vector<Frame> frames_;
+    ImageRgbF leftRadianceLin_; // of a stereo frame
     const Frame* shown_ = nullptr;
     std::optional<media::DepthTrack> depthTrack_;
     media::DepthFrame trackFrame_; // the last one decoded

@@ -27,6 +27,8 @@ static std::string depthNote(const Path& film) {
     return fmt::format("; with depth, {}x{}", track->info().width, track->info().height);
 }
 
+constexpr const char* kTransferNotes[] = {"", " in PQ, lit as measured", " in HLG, lit as measured"};
+
 Result<std::string> checkVideo(const Path& file) {
     auto source = VideoSource::open(file, Layout::Auto);
     if (!source) return source.error();
@@ -52,10 +54,10 @@ Result<std::string> checkVideo(const Path& file) {
     if (frames < leastFrames(info.frameCount))
         return Error{file.string(), fmt::format("is damaged: only {:.1f} of {:.1f} s can be decoded",
                                                 static_cast<double>(frames) / info.fps, info.duration_s)};
-    std::string message =
-        fmt::format("{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
-                    info.height, info.codec, info.fps, static_cast<double>(frames) / info.fps,
-                    nameOf(info.matrix), enumName(info.layout), info.layoutSource);
+    std::string message = fmt::format(
+        "{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour{}, lat-long {} ({})", info.width, info.height,
+        info.codec, info.fps, static_cast<double>(frames) / info.fps, nameOf(info.matrix),
+        kTransferNotes[static_cast<size_t>(info.transfer)], enumName(info.layout), info.layoutSource);
     if (m.partial) message += "; covers only a part of the environment";
     if (!m.present) message += "; does not say that it is a 360-degree video";
     return message + depthNote(file);

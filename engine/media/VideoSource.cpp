@@ -99,7 +99,11 @@ void VideoSource::readInfo() {
         info_.frameCount = static_cast<int64_t>(shown);
     info_.duration_s = static_cast<double>(info_.frameCount) / info_.fps;
     info_.codec = avcodec_get_name(coded.codec_id);
-    info_.matrix = matrixOf(coded.codec_id, coded.color_space, coded.width, coded.height);
+    const FrameColour colour =
+        colourOf(coded.codec_id, {coded.color_space, coded.color_primaries, coded.color_trc}, coded.width,
+                 coded.height);
+    info_.matrix = colour.matrix;
+    info_.transfer = colour.transfer;
 }
 
 bool VideoSource::decode() {
@@ -117,18 +121,24 @@ bool VideoSource::grab() {
     return true;
 }
 
-bool VideoSource::retrieve(ImageRgb8& bgr) {
+bool VideoSource::retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const AVFrame& frame = in_.decoder.frame();
     const bool across = quarterTurns_ % 2;
     if (frame.width != (across ? bgr.height : bgr.width) || frame.height != (across ? bgr.width : bgr.height))
         return false;
-    if (quarterTurns_ == 0) return in_.decoder.convert(bgr).ok();
-    if (!in_.decoder.convert(unturned_)) return false;
-    const cv::Mat from(unturned_.height, unturned_.width, CV_8UC3, unturned_.pixels.data());
-    cv::Mat to(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
-    constexpr cv::RotateFlags kTurns[] = {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
-                                          cv::ROTATE_90_COUNTERCLOCKWISE};
-    cv::rotate(from, to, kTurns[quarterTurns_ - 1]);
+    if (quarterTurns_ == 0) return in_.decoder.convert(bgr, radianceLin).ok();
+    if (!in_.decoder.convert(unturned_, radianceLin ? &unturnedLin_ : nullptr)) return false;
+    const auto turn = [&](auto& unturned, auto& image, int type) {
+        image.fit(across ? unturned.height : unturned.width, across ? unturned.width : unturned.height);
+        if (image.empty()) return;
+        const cv::Mat from(unturned.height, unturned.width, type, unturned.pixels.data());
+        cv::Mat to(image.height, image.width, type, image.pixels.data());
+        constexpr cv::RotateFlags kTurns[] = {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
+                                              cv::ROTATE_90_COUNTERCLOCKWISE};
+        cv::rotate(from, to, kTurns[quarterTurns_ - 1]);
+    };
+    turn(unturned_, bgr, CV_8UC3);
+    if (radianceLin) turn(unturnedLin_, *radianceLin, CV_32FC3);
     return true;
 }
 

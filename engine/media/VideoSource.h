@@ -26,8 +26,8 @@ class VideoSource {
     bool grab();
 
     // Converts the frame grabbed last, blue first and upright, into the image's memory. Returns false if it
-    // cannot be converted or has another size than info() says.
-    bool retrieve(ImageRgb8& bgr);
+    // cannot be converted or has another size than info() says. radianceLin: as for Decoder::convert().
+    bool retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin = nullptr);
 
     glm::ivec2 chromaTexels() const { return in_.decoder.chromaTexels(); } // of the frame grabbed last
 
@@ -51,6 +51,7 @@ class VideoSource {
     VideoInfo info_;
     int quarterTurns_ = 0; // clockwise, to make pictures upright
     ImageRgb8 unturned_;   // scratch for rotation
+    ImageRgbF unturnedLin_;
     int64_t position_ = 0;
     double rate_ = 0;      // frames a second by the container, unchecked
     int64_t begins_ = 0;   // time stamp of frame 0

@@ -19,15 +19,17 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-// Reads a photo's pixels, or the video's frame at that time.
-Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
+// Reads a photo's pixels, or the video's frame at that time, and its light if it is PQ or HLG.
+Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr, ImageRgbF& radianceLin) {
     auto picture = media::readPicture(file);
     bgr = false;
     if (picture) return picture;
     auto player = media::VideoPlayer::open(file);
     if (!player) return std::filesystem::exists(file) ? player.error() : picture.error();
     bgr = true;
-    return player->waitFor(static_cast<double>(at_s))->pixelsBgr;
+    const media::VideoFrame& frame = *player->waitFor(static_cast<double>(at_s));
+    radianceLin = frame.radianceLin;
+    return frame.pixelsBgr;
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
@@ -46,8 +48,13 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
         return made;
     }
     bool bgr = false;
-    auto coded = readCoded(options.file, options.at_s, bgr);
+    ImageRgbF radianceLin;
+    auto coded = readCoded(options.file, options.at_s, bgr, radianceLin);
     if (!coded) return coded.error();
+    if (!radianceLin.empty() && frames != light::FrameRadiance::Thesis) {
+        maker.makeFromHdr(radianceLin, made);
+        return made;
+    }
     maker.make(
         {coded->pixels.data(), coded->width, coded->height, static_cast<ptrdiff_t>(coded->width) * 3, bgr},
         made);
