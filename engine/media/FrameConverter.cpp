@@ -150,7 +150,10 @@ bool canRead(const AVFrame& frame, const AVPixFmtDescriptor& format) {
 SHOAL_VECTORISE
 void spread(const uint16_t* __restrict codes, int across, int width, float black, float unit,
             float* __restrict out) {
-    for (int x = 0; x < width; ++x) out[x] = (static_cast<float>(codes[x >> across]) - black) * unit;
+    if (across == 0) // without a gather
+        for (int x = 0; x < width; ++x) out[x] = (static_cast<float>(codes[x]) - black) * unit;
+    else
+        for (int x = 0; x < width; ++x) out[x] = (static_cast<float>(codes[x >> across]) - black) * unit;
 }
 
 // Converts luma, blue and red difference to red, green and blue; Decoder.cpp has the formula.

@@ -154,9 +154,9 @@ TEST(HdrFilm, LightsAsThePanoramaThatWasCoded) {
         Case of;
         double sun, tolerance;
     };
-    for (const Film& film : {Film{{AV_PIX_FMT_YUV420P10, AVCOL_TRC_SMPTE2084}, 9000, 0.02},
-                             Film{{AV_PIX_FMT_YUV420P12, AVCOL_TRC_SMPTE2084}, 9000, 0.02},
-                             Film{{AV_PIX_FMT_YUV420P10, AVCOL_TRC_ARIB_STD_B67}, 900, 0.02}}) {
+    for (const Film& film : {Film{{AV_PIX_FMT_YUV420P10, AVCOL_TRC_SMPTE2084}, 9000, 0.005},
+                             Film{{AV_PIX_FMT_YUV420P12, AVCOL_TRC_SMPTE2084}, 9000, 0.005},
+                             Film{{AV_PIX_FMT_YUV420P10, AVCOL_TRC_ARIB_STD_B67}, 900, 0.005}}) {
         const glm::dvec3 to = glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
         const Paint paint = [&](const glm::dvec3& d) {
             const double apart = std::acos(std::clamp(glm::dot(d, to), -1.0, 1.0)) / glm::radians(3.0);
