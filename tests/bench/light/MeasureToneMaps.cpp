@@ -4,6 +4,7 @@
 #include "engine/math/Quantile.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
+#include "tests/unit/media/CodedFrames.h"
 
 #include <cmath>
 #include <cstdio>
@@ -108,6 +109,22 @@ ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
     return out;
 }
 
+// Returns the light that a film of high dynamic range keeps of a panorama whose white is 1.
+ImageRgbF filmed(const ImageRgbF& panorama, AVColorTransferCharacteristic transfer) {
+    const auto paint = [&](const glm::dvec3& direction) {
+        const glm::dvec2 at = latLongFromDirection(direction);
+        const auto index = [](double share, int size) {
+            return std::clamp(static_cast<int>(share * size), 0, size - 1);
+        };
+        const float* t = panorama.at(index(at.x, panorama.width), index(at.y, panorama.height));
+        return glm::dvec3(t[0], t[1], t[2]);
+    };
+    return media::converted(
+               media::codedFrame({AV_PIX_FMT_YUV420P10, transfer}, panorama.width, panorama.height, paint),
+               transfer)
+        .light;
+}
+
 // Returns the error after the best single factor, because an operator cannot know the frame's exposure.
 EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<glm::dvec3>& want) {
     double both = 0, own = 0;
@@ -126,9 +143,14 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
     const size_t oneGain = methods.size(), trueRegions = methods.size() + 1;
     chart.toneMaps.push_back({{"bound: clipped pixels times the one best gain", "", "", ""}, {}, {}});
     chart.toneMaps.push_back({{"bound: clipped regions at their true means", "", "", ""}, {}, {}});
+    const size_t first = chart.toneMaps.size();
+    constexpr AVColorTransferCharacteristic kTransfers[] = {AVCOL_TRC_SMPTE2084, AVCOL_TRC_ARIB_STD_B67};
+    chart.toneMaps.push_back({{"film in PQ, as measured", "", "", ""}, {}, {}});
+    chart.toneMaps.push_back({{"film in HLG, as measured", "", "", ""}, {}, {}});
     const light::Lobe lobes[] = {light::diffuseLobe(), light::glossyLobe(0.5)};
     // lit: the light that the frame was filmed in, of 256 or 512 texels around.
-    const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit) {
+    const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit,
+                             const ImageRgbF& whole) {
         std::fprintf(stderr, "chart: inverse tone mapping, %s\n", name.c_str());
         chart.toneMapEnvironments.push_back(name);
         const Truth truth = integrals(lit, dirs, lobes);
@@ -137,6 +159,12 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
             methods[i].expand(frame, expanded);
             const Truth got = integrals(quartered(expanded), dirs, lobes);
             auto& errors = chart.toneMaps[i].errors.emplace_back();
+            for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
+                errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
+        }
+        for (size_t i = 0; i < std::size(kTransfers); ++i) {
+            const Truth got = integrals(quartered(filmed(whole, kTransfers[i])), dirs, lobes);
+            auto& errors = chart.toneMaps[first + i].errors.emplace_back();
             for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
         }
@@ -164,12 +192,12 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         const auto environment = source.load();
         if (!environment) continue;
         const Exposed exposed = expose(environment->radianceLin);
-        measure(source.name, exposed.frame, quartered(exposed.radianceLin));
+        measure(source.name, exposed.frame, quartered(exposed.radianceLin), exposed.radianceLin);
     }
     chart.toneMapsClipped = chart.toneMapEnvironments.size();
     for (const EnvironmentSource& source : filmedSources())
-        if (const auto filmed = source.load()) {
-            measure(source.name, filmed->frame, filmed->radianceLin);
+        if (const auto one = source.load()) {
+            measure(source.name, one->frame, one->radianceLin, one->radianceLin);
             if (plan.quick) break;
         }
 
