@@ -45,6 +45,7 @@ class Decoder {
     // The frame received last.
     AVFrame& frame() { return *frame_; }
     glm::ivec2 chromaTexels() const; // texels of a picture that share a colour, across and down
+    FrameColour colour() const;      // of the picture received last
 
     // Converts the picture received last, blue first, by the colours and range that it states, or else its
     // stream; bgr takes its size. radianceLin: null, or takes the light of PQ or HLG; empty for other
@@ -52,8 +53,6 @@ class Decoder {
     Status convert(ImageRgb8& bgr, ImageRgbF* radianceLin = nullptr);
 
   private:
-    FrameColour colour() const; // of the picture received last
-
     Codec codec_;
     Frame frame_ = makeFrame();
     StatedColour stated_; // by the stream

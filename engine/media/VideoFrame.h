@@ -39,8 +39,8 @@ struct VideoInfo {
     int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
     double duration_s = 0;     // frameCount / fps
     std::string codec;         // such as "h264"
-    ColourMatrix matrix = ColourMatrix::Bt601; // stated by the file, else by size; used to decode
-    Transfer transfer = Transfer::Sdr;
+    ColourMatrix matrix = ColourMatrix::Bt601; // of the first frame: stated, else by size
+    Transfer transfer = Transfer::Sdr;         // of the first frame
     SphericalMetadata metadata;
     Layout layout = Layout::Mono;  // never Auto
     const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"

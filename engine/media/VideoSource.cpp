@@ -48,6 +48,12 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     source.info_.metadata = sphericalMetadata(*source.in_.input, source.in_.opened(), file);
     source.readInfo();
     if (!source.findLayout(request)) return Error{file.string(), "its first frame cannot be decoded"};
+    // A frame may state more than its stream: HEVC has a message that turns BT.2020 to HLG.
+    source.held_ = source.held_ || source.decode();
+    if (!source.held_) return Error{file.string(), "its first frame cannot be decoded"};
+    const FrameColour colour = source.in_.decoder.colour();
+    source.info_.matrix = colour.matrix;
+    source.info_.transfer = colour.transfer;
     return source;
 }
 
@@ -99,11 +105,6 @@ void VideoSource::readInfo() {
         info_.frameCount = static_cast<int64_t>(shown);
     info_.duration_s = static_cast<double>(info_.frameCount) / info_.fps;
     info_.codec = avcodec_get_name(coded.codec_id);
-    const FrameColour colour =
-        colourOf(coded.codec_id, {coded.color_space, coded.color_primaries, coded.color_trc}, coded.width,
-                 coded.height);
-    info_.matrix = colour.matrix;
-    info_.transfer = colour.transfer;
 }
 
 bool VideoSource::decode() {
