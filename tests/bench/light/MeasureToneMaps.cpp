@@ -62,25 +62,31 @@ Parts partsOf(const ImageRgb8& frame) {
     return parts;
 }
 
+// Returns the true radiance of a frame's pixel. lit: coarser than the frame.
+const float* litAt(const ImageRgb8& frame, const ImageRgbF& lit, int x, int y) {
+    return lit.at(x * lit.width / frame.width, y * lit.height / frame.height);
+}
+
+// Returns the factor from true radiance to the frame's, by its unclipped pixels.
+double exposureOf(const ImageRgb8& frame, const ImageRgbF& lit) {
+    double both = 0, own = 0;
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x)
+            for (int c = 0; !isClipped(frame.at(x, y)) && c < 3; ++c) {
+                const auto light = static_cast<double>(litAt(frame, lit, x, y)[c]);
+                both += light * double{math::linearOfByte()[frame.at(x, y)[c]]}, own += light * light;
+            }
+    return both / own;
+}
+
 // Sets each connected region of clipped pixels (over the seam too) to the mean of its true radiance, in the
 // frame's exposure. lit: true radiance, coarser than the frame.
 ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
     const Parts parts = partsOf(frame);
     ImageRgbF out = parts.unclipped;
-    const auto litAt = [&](int x, int y) {
-        return lit.at(x * lit.width / frame.width, y * lit.height / frame.height);
-    };
-    double both = 0, own = 0; // exposure: the unclipped part's factor
+    const double exposure = exposureOf(frame, lit);
     std::vector<uint8_t> left(out.pixels.size() / 3);
-    for (int y = 0; y < frame.height; ++y)
-        for (int x = 0; x < frame.width; ++x) {
-            const bool clipped = isClipped(frame.at(x, y));
-            left[static_cast<size_t>(y) * frame.width + x] = clipped;
-            for (int c = 0; !clipped && c < 3; ++c) {
-                const auto light = static_cast<double>(litAt(x, y)[c]);
-                both += light * static_cast<double>(out.at(x, y)[c]), own += light * light;
-            }
-        }
+    for (size_t i = 0; i < left.size(); ++i) left[i] = isClipped(&frame.pixels[3 * i]);
     std::vector<std::pair<int, int>> region;
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
@@ -98,31 +104,15 @@ ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
             for (size_t i = 0; i < region.size(); ++i) {
                 const auto [column, row] = region[i];
                 const double weight = texelSolidAngle(row, frame.width, frame.height);
-                const float* light = litAt(column, row);
+                const float* light = litAt(frame, lit, column, row);
                 sum += weight * glm::dvec3(light[0], light[1], light[2]), weights += weight;
                 take(column - 1, row), take(column + 1, row), take(column, row - 1), take(column, row + 1);
             }
             for (const auto& [column, row] : region)
                 for (int c = 0; c < 3; ++c)
-                    out.at(column, row)[c] = static_cast<float>(sum[c] / weights * both / own);
+                    out.at(column, row)[c] = static_cast<float>(sum[c] / weights * exposure);
         }
     return out;
-}
-
-// Returns the light that a film of high dynamic range keeps of a panorama whose white is 1.
-ImageRgbF filmed(const ImageRgbF& panorama, AVColorTransferCharacteristic transfer) {
-    const auto paint = [&](const glm::dvec3& direction) {
-        const glm::dvec2 at = latLongFromDirection(direction);
-        const auto index = [](double share, int size) {
-            return std::clamp(static_cast<int>(share * size), 0, size - 1);
-        };
-        const float* t = panorama.at(index(at.x, panorama.width), index(at.y, panorama.height));
-        return glm::dvec3(t[0], t[1], t[2]);
-    };
-    return media::converted(
-               media::codedFrame({AV_PIX_FMT_YUV420P10, transfer}, panorama.width, panorama.height, paint),
-               transfer)
-        .light;
 }
 
 // Returns the error after the best single factor, because an operator cannot know the frame's exposure.
@@ -163,7 +153,10 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
         }
         for (size_t i = 0; i < std::size(kTransfers); ++i) {
-            const Truth got = integrals(quartered(filmed(whole, kTransfers[i])), dirs, lobes);
+            const Truth got = integrals(
+                quartered(
+                    media::filmed(whole, AV_PIX_FMT_YUV420P10, kTransfers[i], exposureOf(frame, lit)).light),
+                dirs, lobes);
             auto& errors = chart.toneMaps[first + i].errors.emplace_back();
             for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));

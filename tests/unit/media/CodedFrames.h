@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/math/Colour.h"
-#include "engine/math/LatLong.h"
 #include "engine/media/FrameConverter.h"
 
 #include <glm/common.hpp>
@@ -12,12 +11,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <vector>
 
 namespace shoal::media {
-
-using Paint = std::function<glm::dvec3(const glm::dvec3& direction)>; // light, 1 is white
 
 // Columns: ITU-R BT.2087, table 1.
 inline const glm::dmat3 kTo2020(0.6274, 0.0691, 0.0164, 0.3293, 0.9195, 0.0880, 0.0433, 0.0114, 0.8956);
@@ -45,25 +41,29 @@ inline glm::dvec3 codesOf(const glm::dvec3& light709, AVColorTransferCharacteris
     return glm::clamp(c, 0.0, 1.0);
 }
 
-struct CodedAs {
-    AVPixelFormat format;
-    AVColorTransferCharacteristic transfer;
+struct Filmed {
+    ImageRgb8 bgr;
+    ImageRgbF light;
 };
 
-// Makes a frame of limited range, BT.2020, lat-long.
-inline Frame codedFrame(const CodedAs& as, int width, int height, const Paint& paint) {
-    Frame frame = makeFrame();
-    frame->format = as.format;
+// Codes a panorama, of which 1 / exposure is white, as a frame of limited range and of BT.2020, and converts
+// it.
+inline Filmed filmed(const ImageRgbF& panorama, AVPixelFormat as, AVColorTransferCharacteristic transfer,
+                     double exposure = 1) {
+    const int width = panorama.width, height = panorama.height;
+    const Frame frame = makeFrame();
+    frame->format = as;
     frame->width = width, frame->height = height;
     if (av_frame_get_buffer(frame.get(), 0) != 0) std::abort();
     for (const AVBufferRef* buffer : frame->buf) // av_write_image_line2() sets bits
         if (buffer) std::memset(buffer->data, 0, buffer->size);
-    const AVPixFmtDescriptor& format = *av_pix_fmt_desc_get(as.format);
+    const AVPixFmtDescriptor& format = *av_pix_fmt_desc_get(as);
     const bool isRgb = format.flags & AV_PIX_FMT_FLAG_RGB;
     std::vector<glm::dvec3> pixels;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            pixels.push_back(codesOf(paint(texelDirection<double>(x, y, width, height)), as.transfer));
+    for (size_t i = 0; i < panorama.pixels.size(); i += 3) {
+        const float* t = &panorama.pixels[i];
+        pixels.push_back(codesOf(exposure * glm::dvec3(t[0], t[1], t[2]), transfer));
+    }
     for (int c = 0; c < 3; ++c) {
         const bool isDifference = c > 0 && !isRgb;
         const int across = isDifference ? 1 << format.log2_chroma_w : 1,
@@ -86,17 +86,9 @@ inline Frame codedFrame(const CodedAs& as, int width, int height, const Paint& p
                                  static_cast<int>(codes.size()), sizeof(uint16_t));
         }
     }
-    return frame;
-}
-
-struct Converted {
-    ImageRgb8 bgr;
-    ImageRgbF light;
-};
-inline Converted converted(const Frame& frame, AVColorTransferCharacteristic transfer) {
-    Converted out;
+    Filmed out;
     const FrameColour colour =
-        colourOf(AV_CODEC_ID_HEVC, {AVCOL_SPC_BT2020_NCL, AVCOL_PRI_BT2020, transfer}, 64, 32);
+        colourOf(AV_CODEC_ID_HEVC, {AVCOL_SPC_BT2020_NCL, AVCOL_PRI_BT2020, transfer}, width, height);
     if (!FrameConverter().convert(*frame, colour, false, out.bgr, &out.light)) std::abort();
     return out;
 }

@@ -31,10 +31,9 @@ TEST(HdrFilm, ColoursAreReadFromEveryFormat) {
             const bool isHdr = transfer != AVCOL_TRC_BT2020_10;
             const int depth = av_pix_fmt_desc_get(format)->comp[0].depth;
             if (isHdr && depth == 8) continue;
-            const auto [bgr, light] =
-                converted(codedFrame({format, transfer}, 64, 32,
-                                     [&](const glm::dvec3& d) { return d.x > 0 && isHdr ? lamp : sea; }),
-                          transfer);
+            const auto [bgr, light] = filmed(
+                light::paint(64, 32, [&](const glm::dvec3& d) { return d.x > 0 && isHdr ? lamp : sea; }),
+                format, transfer);
             EXPECT_EQ(light.empty(), !isHdr);
             for (int c = 0; c < 3; ++c) {
                 // Below white as it is, above it divided by the largest channel.
@@ -68,22 +67,23 @@ double differenceOfLight(const ImageRgbF& made, const ImageRgbF& truth) {
 // cut off there, and nothing else is lost.
 TEST(HdrFilm, LightsAsThePanoramaThatWasCoded) {
     struct Film {
-        CodedAs of;
-        double sun, tolerance;
+        AVPixelFormat format;
+        AVColorTransferCharacteristic transfer;
+        double sun;
     };
-    for (const Film& film : {Film{{AV_PIX_FMT_YUV420P10, AVCOL_TRC_SMPTE2084}, 9000, 0.005},
-                             Film{{AV_PIX_FMT_YUV420P12, AVCOL_TRC_SMPTE2084}, 9000, 0.005},
-                             Film{{AV_PIX_FMT_YUV420P10, AVCOL_TRC_ARIB_STD_B67}, 900, 0.005}}) {
+    for (const Film& film : {Film{AV_PIX_FMT_YUV420P10, AVCOL_TRC_SMPTE2084, 9000},
+                             Film{AV_PIX_FMT_YUV420P12, AVCOL_TRC_SMPTE2084, 9000},
+                             Film{AV_PIX_FMT_YUV420P10, AVCOL_TRC_ARIB_STD_B67, 900}}) {
         const glm::dvec3 to = glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
-        const Paint paint = [&](const glm::dvec3& d) {
+        const auto paint = [&](const glm::dvec3& d) {
             const double apart = std::acos(std::clamp(glm::dot(d, to), -1.0, 1.0)) / glm::radians(3.0);
             return glm::dvec3(0.1, 0.2, 0.3) * (1.2 + d.y) +
                    (film.sun / 203 - 0.7) * glm::dvec3(1, 0.9, 0.8) * std::exp(-apart * apart);
         };
-        const ImageRgbF light = converted(codedFrame(film.of, 2048, 1024, paint), film.of.transfer).light;
+        const ImageRgbF light = filmed(light::paint(2048, 1024, paint), film.format, film.transfer).light;
         EXPECT_EQ(light.width, 1024);
         EXPECT_EQ(light.height, 512);
-        EXPECT_LT(differenceOfLight(light, light::paint(1024, 512, paint)), film.tolerance);
+        EXPECT_LT(differenceOfLight(light, light::paint(1024, 512, paint)), 0.005);
     }
 }
 
