@@ -138,9 +138,10 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
     chart.toneMaps.push_back({{"film in PQ, as measured", "", "", ""}, {}, {}});
     chart.toneMaps.push_back({{"film in HLG, as measured", "", "", ""}, {}, {}});
     const light::Lobe lobes[] = {light::diffuseLobe(), light::glossyLobe(0.5)};
-    // lit: the light that the frame was filmed in, of 256 or 512 texels around.
+    // lit: the light that the frame was filmed in, of 256 or 512 texels around. whole: the same, finer if it
+    // is known so; the frame is `exposure` times as bright.
     const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit,
-                             const ImageRgbF& whole) {
+                             const ImageRgbF& whole, double exposure) {
         std::fprintf(stderr, "chart: inverse tone mapping, %s\n", name.c_str());
         chart.toneMapEnvironments.push_back(name);
         const Truth truth = integrals(lit, dirs, lobes);
@@ -154,9 +155,8 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         }
         for (size_t i = 0; i < std::size(kTransfers); ++i) {
             const Truth got = integrals(
-                quartered(
-                    media::filmed(whole, AV_PIX_FMT_YUV420P10, kTransfers[i], exposureOf(frame, lit)).light),
-                dirs, lobes);
+                quartered(media::filmed(whole, AV_PIX_FMT_YUV420P10, kTransfers[i], exposure).light), dirs,
+                lobes);
             auto& errors = chart.toneMaps[first + i].errors.emplace_back();
             for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
@@ -185,12 +185,13 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         const auto environment = source.load();
         if (!environment) continue;
         const Exposed exposed = expose(environment->radianceLin);
-        measure(source.name, exposed.frame, quartered(exposed.radianceLin), exposed.radianceLin);
+        measure(source.name, exposed.frame, quartered(exposed.radianceLin), exposed.radianceLin, 1);
     }
     chart.toneMapsClipped = chart.toneMapEnvironments.size();
     for (const EnvironmentSource& source : filmedSources())
         if (const auto one = source.load()) {
-            measure(source.name, one->frame, one->radianceLin, one->radianceLin);
+            measure(source.name, one->frame, one->radianceLin, one->radianceLin,
+                    exposureOf(one->frame, one->radianceLin));
             if (plan.quick) break;
         }
 
