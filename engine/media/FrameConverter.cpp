@@ -128,7 +128,7 @@ bool canRead(const AVFrame& frame, const AVPixFmtDescriptor& format) {
     constexpr uint64_t kOthers = AV_PIX_FMT_FLAG_HWACCEL | AV_PIX_FMT_FLAG_BAYER | AV_PIX_FMT_FLAG_FLOAT;
     const int kind = frame.format;
     if (format.flags & kOthers || kind == AV_PIX_FMT_MONOWHITE || kind == AV_PIX_FMT_XYZ12LE ||
-        kind == AV_PIX_FMT_XYZ12BE)
+        kind == AV_PIX_FMT_XYZ12BE || (format.flags & AV_PIX_FMT_FLAG_PAL && !frame.data[1]))
         return false;
     for (int c = 0; c < format.nb_components; ++c) {
         const AVComponentDescriptor& part = format.comp[c];
