@@ -29,6 +29,16 @@ light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bg
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
 }
 
+// Returns the light of the left eye's picture; copies it if it is not the whole frame.
+const ImageRgbF& leftEyeOf(const ImageRgbF& frame, media::Layout layout, ImageRgbF& copy) {
+    const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
+    if (part.width == frame.width && part.height == frame.height) return frame;
+    copy.fit(part.width, part.height);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(frame.at(part.x, part.y + y), 3 * part.width, copy.at(0, y));
+    return copy;
+}
+
 float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
@@ -108,7 +118,7 @@ Status Player::openPhoto(const Wait& wait) {
     envFromFilm_ = photo->envFromPhoto;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analyse(leftEyeOf(photo->picture, layout_, false), frames_[0].found);
+    analyse(leftEyeOf(photo->picture, layout_, false), {}, frames_[0].found);
     light_ms_ = millisecondsSince(began);
     media::toBgra(photo->picture, false, frames_[0].picture);
     follow(0);
@@ -155,28 +165,32 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
 void Player::prepare(const media::VideoFrame& frame) {
     const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
     Frame& made = frames_[frame.slot];
-    analyse(leftEye, made.found);
+    analyse(leftEye, leftEyeOf(frame.radianceLin, frame.layout, leftRadianceLin_), made.found);
     if (depthTrack_ && setup_.drawsDepth) prepareDepth(frame, leftEye);
     made.found.cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, made.picture);
 }
 
-void Player::analyse(const light::FrameView& frame, FrameFindings& out) {
-    makeLight(frame, out);
+void Player::analyse(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out) {
+    makeLight(frame, radianceLin, out);
     if (!setup_.cameraResponse) return;
     if (sinceResponse_++ % kCameraResponseEvery == 0) lastResponse_ = responseEstimator_.estimate(frame);
     out.cameraResponse = lastResponse_;
     glare_.make(frame, out.glare);
 }
 
-void Player::makeLight(const light::FrameView& frame, FrameFindings& out) {
+void Player::makeLight(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out) {
     const int every = lightEvery_.load(std::memory_order_relaxed);
     if (++sinceLight_ < every && !newest_.light.places.empty()) {
         out = newest_;
         return;
     }
     sinceLight_ = 0;
-    lightMaker_.make(frame, made_);
+    out.measured = !radianceLin.empty() && setup_.source.light != light::FrameRadiance::Thesis;
+    if (out.measured)
+        lightMaker_.makeFromHdr(radianceLin, made_);
+    else
+        lightMaker_.make(frame, made_);
     pack(light::TooBright::Cut, out);
     if (setup_.water) out.water = waterEstimator_.estimate(frame);
     if (setup_.lights) lightFinder_.find(made_.radiance, out.lights);

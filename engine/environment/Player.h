@@ -69,6 +69,7 @@ struct FrameFindings {
     light::PackedLight light;
     occlusion::SmoothLight smooth; // for occlusion between bodies
     ImageRgbF radianceLin;         // small map, for the light at places beside the camera
+    bool measured = false;         // whether the film tells how bright its lights are: PQ, HLG
     // The members below are empty unless the setup asks for them:
     water::WaterEstimate water;
     light::FoundLights lights;
@@ -139,8 +140,8 @@ class Player {
     // buffers have grown.
     void prepare(const media::VideoFrame& frame);
     void prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye);
-    void analyse(const light::FrameView& frame, FrameFindings& out);
-    void makeLight(const light::FrameView& frame, FrameFindings& out);
+    void analyse(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out);
+    void makeLight(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out);
     void pack(light::TooBright tooBright, FrameFindings& out);
     void follow(double time_s);
     bool show(const media::VideoFrame& frame, double time_s);
@@ -162,6 +163,7 @@ class Player {
     std::atomic<int> lightEvery_ = 1;
     // Filled on the decode thread, one for each slot, and handed over with the video's frame.
     std::vector<Frame> frames_;
+    ImageRgbF leftRadianceLin_; // of a stereo frame
     const Frame* shown_ = nullptr;
     std::optional<media::DepthTrack> depthTrack_;
     media::DepthFrame trackFrame_; // the last one decoded

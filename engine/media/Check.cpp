@@ -39,6 +39,8 @@ static std::string depthNote(const Path& film) {
     return fmt::format("; with depth, {}x{}", track->info().width, track->info().height);
 }
 
+constexpr const char* kTransferNotes[] = {"", " in PQ, lit as measured", " in HLG, lit as measured"};
+
 Result<std::string> checkVideo(const Path& file) {
     auto source = VideoSource::open(file, Layout::Auto);
     if (!source) return source.error();
@@ -59,10 +61,10 @@ Result<std::string> checkVideo(const Path& file) {
     if (frames < leastFrames(info.frameCount))
         return Error{file.string(), fmt::format("is damaged: only {:.1f} of {:.1f} s can be decoded",
                                                 static_cast<double>(frames) / info.fps, info.duration_s)};
-    std::string message =
-        fmt::format("{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
-                    info.height, info.codec, info.storedFps, static_cast<double>(frames) / info.fps,
-                    nameOf(info.matrix), enumName(info.layout), info.layoutSource);
+    std::string message = fmt::format(
+        "{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour{}, lat-long {} ({})", info.width, info.height,
+        info.codec, info.storedFps, static_cast<double>(frames) / info.fps, nameOf(info.matrix),
+        kTransferNotes[static_cast<size_t>(info.transfer)], enumName(info.layout), info.layoutSource);
     message += info.metadata.note();
     if (!info.metadata.present) message += "; does not say that it is a 360-degree video";
     return message + depthNote(file);

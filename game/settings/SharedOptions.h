@@ -117,9 +117,10 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
             "--layout", choice(layout),
             "Layout of a stereo picture's two eyes, the left one first; auto reads the file's metadata");
         table.add("--light", choice(light),
-                  "Meaning of a video's or photo's values. auto: decoded sRGB, and how bright the light was "
-                  "that the camera clipped by what the ground sends back of it; linear: decoded sRGB; "
-                  "thesis: its inverse tone mapping, with colours of objects taken as they are coded");
+                  "Meaning of a video's or photo's values. auto: decoded sRGB, and how bright the light "
+                  "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB "
+                  "(both: PQ and HLG as measured); thesis: its inverse tone mapping, with colours of objects "
+                  "taken as they are coded");
         table.add("!--no-depth", &depth,
                   "Leaves the video's distances (NAME.depth.mkv beside NAME.mp4) alone: nothing of it hides "
                   "what swims, and for two eyes it is endlessly far");

@@ -75,7 +75,7 @@ struct LightOptions {
         table.add("--light", choice(frames),
                   "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
                   "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
-                  "sRGB; thesis: its inverse tone mapping");
+                  "sRGB (both: PQ and HLG as measured); thesis: its inverse tone mapping");
         table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several").takes("NAME");
         table.add("--at", &at_s, "Second of the video", {0, 36000});
     }

@@ -20,9 +20,9 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-// Reads a photo as an environment, or the video's frame at that time: the left eye's picture, turned as the
-// file asks.
-Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
+// Reads a photo as an environment, or the video's frame at that time and its light if it is PQ or HLG: the
+// left eye's picture, turned as the file asks.
+Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr, ImageRgbF& radianceLin) {
     auto photo = media::readPhoto(file);
     bgr = false;
     if (photo) {
@@ -34,7 +34,10 @@ Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
     if (!player) return std::filesystem::exists(file) ? player.error() : photo.error();
     bgr = true;
     const media::VideoFrame& frame = *player->waitFor(static_cast<double>(at_s));
-    return environment::turnedLeftEye(frame.pixelsBgr, frame.layout, player->info().metadata.envFromFilm);
+    const glm::quat& envFromFilm = player->info().metadata.envFromFilm;
+    if (!frame.radianceLin.empty())
+        radianceLin = environment::turnedLeftEye(frame.radianceLin, frame.layout, envFromFilm);
+    return environment::turnedLeftEye(frame.pixelsBgr, frame.layout, envFromFilm);
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
@@ -54,8 +57,13 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
         return made;
     }
     bool bgr = false;
-    auto coded = readCoded(options.file, options.at_s, bgr);
+    ImageRgbF radianceLin;
+    auto coded = readCoded(options.file, options.at_s, bgr, radianceLin);
     if (!coded) return coded.error();
+    if (!radianceLin.empty() && frames != light::FrameRadiance::Thesis) {
+        maker.makeFromHdr(radianceLin, made);
+        return made;
+    }
     maker.make(
         {coded->pixels.data(), coded->width, coded->height, static_cast<ptrdiff_t>(coded->width) * 3, bgr},
         made);

@@ -70,8 +70,9 @@ game::Text Environment::lightName() const {
     static constexpr std::array<game::Text, 3> kNames = {
         "decoded sRGB, clipped light estimated, GGX prefiltered",
         "thesis inverse tone mapping, GGX prefiltered", "decoded sRGB, GGX prefiltered"}; // by FrameRadiance
-    return player_->isHdr() ? "as measured, GGX prefiltered"
-                            : kNames[static_cast<size_t>(setup_.player.source.light)];
+    return player_->isHdr() || player_->frame().found.measured
+               ? "as measured, GGX prefiltered"
+               : kNames[static_cast<size_t>(setup_.player.source.light)];
 }
 
 const game::Notice* Environment::notice() const {
