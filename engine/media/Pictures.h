@@ -44,8 +44,8 @@ struct HdrPicture {
     // repaired: number of components that were NaN or negative (now 0) or infinite (now the largest finite
     // one). clamped: number of those above kMaxRadiance (now that). Either deserves a warning if above 0.
     int64_t repaired = 0, clamped = 0;
-    std::optional<Primaries> primaries; // as the file states them, converted from; empty: Rec. 709 assumed
-    std::vector<std::string> notes;     // clauses: which part of the file this is, and what was done to it
+    std::optional<Primaries> primaries = {}; // as stated, and converted from; empty: Rec. 709 assumed
+    std::vector<std::string> notes = {};     // clauses: which part of the file it is, what was done to it
 
     // Returns a sentence about these numbers, empty if both are 0.
     std::string repairs() const;
