@@ -183,7 +183,7 @@ ImageRgbF placed(ImageRgbF pixels, const Imath::Box2i& data, const Imath::Box2i&
 std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Layer& layer) {
     const Imf::Header& header = file.header(layer.part);
     std::vector<std::string> notes;
-    if (!layer.rgb) notes.push_back(layer.chroma ? "from luminance and chroma" : "grey");
+    if (!layer.rgb) notes.emplace_back(layer.chroma ? "from luminance and chroma" : "grey");
     if (file.parts() > 1) notes.push_back(fmt::format("part {} of {}", layer.part + 1, file.parts()));
     if (!layer.name.empty()) notes.push_back(fmt::format("layer {}", layer.name));
     if (header.hasView()) notes.push_back(fmt::format("view {}", header.view()));
@@ -196,7 +196,7 @@ std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Laye
                                     int64_t{data.min.x} - display.min.x,
                                     int64_t{data.min.y} - display.min.y));
     }
-    if (header.pixelAspectRatio() != 1) notes.push_back("its pixels count as square");
+    if (header.pixelAspectRatio() != 1) notes.emplace_back("its pixels count as square");
     std::ranges::transform(notes, notes.begin(), printable);
     return notes;
 }

@@ -285,7 +285,7 @@ bool isCutJpeg(ByteSpan bytes) {
         JSAMPARRAY row = jpeg.mem->alloc_sarray(reinterpret_cast<j_common_ptr>(&jpeg), JPOOL_IMAGE,
                                                 jpeg.output_width * jpeg.output_components, 1);
         while (jpeg.output_scanline < jpeg.output_height) jpeg_read_scanlines(&jpeg, row, 1);
-        errors.cut = errors.cut || lacksScans(jpeg);
+        errors.cut = errors.cut || jpeg.arith_code || lacksScans(jpeg); // arithmetic codes end in any zeros
     } else {
         errors.cut = true;
     }

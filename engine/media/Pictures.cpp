@@ -157,7 +157,7 @@ Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
     if (header.exposure != std::array<float, 3>{1, 1, 1})
         picture.notes.push_back(
             fmt::format("divided by its exposure {:.4g}", fmt::join(header.exposure, ", ")));
-    if (!header.squarePixels) picture.notes.push_back("its pixels count as square");
+    if (!header.squarePixels) picture.notes.emplace_back("its pixels count as square");
     return picture;
 }
 
@@ -315,8 +315,8 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::st
     if (!picture->primaries || std::ranges::equal(*picture->primaries, kRec709, isNear)) return picture;
     // Poly Haven's pictures state zeros.
     const bool converted = toRec709(picture->radianceLin, *picture->primaries);
-    picture->notes.push_back(converted ? "converted to the primaries of Rec. 709"
-                                       : "its primaries span no colours and count as those of Rec. 709");
+    picture->notes.emplace_back(converted ? "converted to the primaries of Rec. 709"
+                                          : "its primaries span no colours and count as those of Rec. 709");
     repair(*picture); // colours that Rec. 709 has not are negative
     return picture;
 }
