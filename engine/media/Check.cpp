@@ -1,6 +1,7 @@
 #include "engine/media/Check.h"
 
 #include "engine/media/DepthTrack.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/PictureHeader.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
@@ -111,6 +112,14 @@ Result<std::string> checkPicture(const Path& file) {
     return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}{}", image.width, image.height,
                        nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image),
                        repairs.empty() ? "" : "; ", repairs);
+}
+
+Result<std::string> checkMedia(const Path& file) {
+    const auto kind = mediaKind(file);
+    if (!kind) return kind.error();
+    return *kind == MediaKind::Video        ? checkVideo(file)
+           : *kind == MediaKind::DepthTrack ? checkDepthTrack(file)
+                                            : checkPicture(file);
 }
 
 } // namespace shoal::media

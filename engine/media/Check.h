@@ -19,4 +19,7 @@ Result<std::string> checkDepthTrack(const Path& file);
 // As checkVideo(), for photos and high dynamic range pictures; decodes them whole.
 Result<std::string> checkPicture(const Path& file);
 
+// As that of these three which fits the file's content (MediaKind.h).
+Result<std::string> checkMedia(const Path& file);
+
 } // namespace shoal::media

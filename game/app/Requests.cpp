@@ -33,7 +33,10 @@ Status Application::answer(const Request& request) {
         return begin(Mode::Title);
     case Request::Kind::OpenFilm: {
         PlayOptions wanted = options_;
-        environment::setFile(wanted.environment, request.name);
+        if (const Status shown = environment::setFile(wanted.environment, request.name); !shown) {
+            if (Status ended = endPlay(); !ended) return ended;
+            return goBack(options_, shown.error(), Screen::Films);
+        }
         return reopen(wanted, Mode::Title, Screen::Films);
     }
     case Request::Kind::Headset:

@@ -9,6 +9,7 @@
 #include "engine/light/MakeLight.h"
 #include "engine/math/LatLong.h"
 #include "engine/math/SphericalHarmonics.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
 
@@ -22,17 +23,17 @@ constexpr int kWidestLight = 4096;
 
 // Reads a photo as an environment, or the video's frame at that time: the left eye's picture, turned as the
 // file asks.
-Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
-    auto photo = media::readPhoto(file);
-    bgr = false;
-    if (photo) {
+Result<ImageRgb8> readCoded(const Path& file, media::MediaKind kind, float at_s, bool& bgr) {
+    bgr = kind != media::MediaKind::Photo;
+    if (!bgr) {
+        auto photo = media::readPhoto(file);
+        if (!photo) return photo.error();
         const auto made = environment::environmentFrom(file, std::move(photo->picture), photo->metadata, {});
         if (!made) return made.error();
         return environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
     }
     auto player = media::VideoPlayer::open(file);
-    if (!player) return std::filesystem::exists(file) ? player.error() : photo.error();
-    bgr = true;
+    if (!player) return player.error();
     const media::VideoFrame& frame = *player->waitFor(static_cast<double>(at_s));
     return environment::turnedLeftEye(frame.pixelsBgr, frame.layout, player->info().metadata.envFromFilm);
 }
@@ -44,7 +45,9 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
                                             : options.frames;
     light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still, frames});
     light::EnvironmentLight made;
-    if (media::writtenAs(options.file) == media::WrittenAs::Hdr) {
+    const auto kind = media::mediaKind(options.file);
+    if (!kind) return kind.error();
+    if (*kind == media::MediaKind::Hdr) {
         auto picture = media::readHdr(options.file);
         if (!picture) return picture.error();
         maker.makeFromHdr(picture->radianceLin, made);
@@ -53,7 +56,7 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
         return made;
     }
     bool bgr = false;
-    auto coded = readCoded(options.file, options.at_s, bgr);
+    auto coded = readCoded(options.file, *kind, options.at_s, bgr);
     if (!coded) return coded.error();
     maker.make(
         {coded->pixels.data(), coded->width, coded->height, static_cast<ptrdiff_t>(coded->width) * 3, bgr},

@@ -3,6 +3,7 @@
 #include "game/tools/Commands.h"
 
 #include "engine/environment/PhotoEnvironment.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/Pictures.h"
 
 #include <cstdio>
@@ -10,8 +11,6 @@
 namespace shoal::app {
 
 namespace {
-
-bool isHdrName(const Path& file) { return media::writtenAs(file) == media::WrittenAs::Hdr; }
 
 template <class Picture, class Write>
 Result<std::string> convert(const PanoramaOptions& options, Picture photo,
@@ -37,11 +36,15 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
                                        std::array{NamedFile{"PHOTO", options.photo}});
         !possible)
         return possible.error();
-    if (isHdrName(options.photo) && !isHdrName(options.out))
+    const auto kind = media::mediaKind(options.photo);
+    if (!kind) return kind.error();
+    const bool isHdr = *kind == media::MediaKind::Hdr;
+    const bool writesHdr = media::writtenAs(options.out) == media::WrittenAs::Hdr;
+    if (isHdr && !writesHdr)
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
-    if (!isHdrName(options.photo) && isHdrName(options.out))
+    if (!isHdr && writesHdr)
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdrName(options.photo)) {
+    if (!isHdr) {
         auto photo = media::readPhoto(options.photo);
         if (!photo) return photo.error();
         return convert(options, std::move(photo->picture), photo->metadata, media::writePicture);
