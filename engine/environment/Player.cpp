@@ -2,6 +2,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/environment/PhotoEnvironment.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 
@@ -61,13 +62,18 @@ Result<PhotoEnvironment<ImageRgb8>> readEnvironment(const Path& file, media::Lay
 
 } // namespace
 
-void setFile(Source& source, const std::string& file) {
+Status setFile(Source& source, const std::string& file) {
+    const auto live = media::liveAddress(file);
+    if (!live) return live.error();
+    const auto kind = file.empty() || *live ? media::MediaKind::Video : media::mediaKind(file);
+    if (!kind) return kind.error();
+    if (*kind == media::MediaKind::DepthTrack)
+        return Error{file, "is the depth of a film; give the film beside it"};
     source.video = source.photo = source.env = {};
-    if (file.empty()) return;
-    const media::PictureContent content = media::pictureContent(file);
-    (content == media::PictureContent::Hdr     ? source.env
-     : content == media::PictureContent::Coded ? source.photo
-                                               : source.video) = file;
+    (*kind == media::MediaKind::Hdr     ? source.env
+     : *kind == media::MediaKind::Photo ? source.photo
+                                        : source.video) = file;
+    return Done{};
 }
 
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {

@@ -38,9 +38,9 @@ struct Source {
     bool operator==(const Source&) const = default;
 };
 
-// Sets the one member of the source that fits the file's content: env for an HDR picture, photo for another
-// picture, else video. An empty name leaves all three empty.
-void setFile(Source& source, const std::string& file);
+// Sets the one member of the source that fits the file's content (media::mediaKind()), or a live address;
+// an empty name leaves all three empty. Fails, without a change, if the file is nothing that can be shown.
+Status setFile(Source& source, const std::string& file);
 
 struct Setup {
     Source source;

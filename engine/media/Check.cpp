@@ -1,6 +1,7 @@
 #include "engine/media/Check.h"
 
 #include "engine/media/DepthTrack.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/PictureHeader.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
@@ -115,6 +116,14 @@ Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     for (const std::string& note : picture->notes) message += fmt::format("; {}", note);
     const std::string repairs = picture->repairs();
     return repairs.empty() ? message : fmt::format("{}; {}", message, repairs);
+}
+
+Result<std::string> checkMedia(const Path& file) {
+    const auto kind = mediaKind(file);
+    if (!kind) return kind.error();
+    return *kind == MediaKind::Video        ? checkVideo(file)
+           : *kind == MediaKind::DepthTrack ? checkDepthTrack(file)
+                                            : checkPicture(file);
 }
 
 } // namespace shoal::media

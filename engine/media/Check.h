@@ -20,4 +20,7 @@ Result<std::string> checkDepthTrack(const Path& file);
 Result<std::string> checkPicture(const Path& file, const std::string& layer);
 inline Result<std::string> checkPicture(const Path& file) { return checkPicture(file, ""); }
 
+// As that of these three which fits the file's content (MediaKind.h).
+Result<std::string> checkMedia(const Path& file);
+
 } // namespace shoal::media

@@ -33,6 +33,9 @@ inline Frame makeFrame() { return Frame(av_frame_alloc()); }
 // standard error, bounds FFmpeg's allocations.
 void setUpDecoders();
 
+// Containers of video. FFmpeg's other formats include playlists and scripts that name further files.
+constexpr const char* kVideoContainers = "mov,matroska,avi,ogg,flv,mpeg,mpegts";
+
 // Opens a file and nothing else: neither its name nor a playlist may lead to a server. formats: FFmpeg's
 // names of the containers that are allowed, comma separated; null: all. Returns null if it cannot be opened.
 Input openInput(const Path& file, const char* formats = nullptr);

@@ -58,8 +58,18 @@ Size webpSize(ByteSpan b) {
     return {};
 }
 
-// TIFF 6.0. Raw photos are TIFFs whose first picture is a thumbnail, which is not the photo. The library
-// takes memory for a whole tile or strip, whatever the picture's size.
+constexpr std::string_view kTiffBegins[] = {{"II*\0", 4}, {"MM\0*", 4}}; // little and big endian
+
+bool isTiff(ByteSpan b) { return hasText(b, 0, kTiffBegins[0]) || hasText(b, 0, kTiffBegins[1]); }
+
+// Returns whether a TIFF is a camera's raw photo: its first picture is a thumbnail, or it names Adobe's DNG
+// or Canon's CR2.
+bool isRaw(ByteSpan b) {
+    return isTiff(b) && ((tiffNumber(b, TiffTag::SubfileType) & 1) != 0 ||
+                         !tiffEntry(b, TiffTag::DngVersion).empty() || hasText(b, 8, "CR"));
+}
+
+// TIFF 6.0. The library takes memory for a whole tile or strip, whatever the picture's size.
 Size tiffSize(ByteSpan b) {
     constexpr uint64_t kMaxTile = 1 << 24; // pixels
     const uint64_t width = tiffNumber(b, TiffTag::Width), height = tiffNumber(b, TiffTag::Height);
@@ -67,7 +77,7 @@ Size tiffSize(ByteSpan b) {
     const bool largeStrip = rows > height && rows != UINT32_MAX && rows * width > kMaxTile;
     const bool largeTile =
         uint64_t{tiffNumber(b, TiffTag::TileWidth)} * tiffNumber(b, TiffTag::TileHeight) > kMaxTile;
-    if ((tiffNumber(b, TiffTag::SubfileType) & 1) || largeStrip || largeTile) return {};
+    if (largeStrip || largeTile) return {};
     return {static_cast<int64_t>(width), static_cast<int64_t>(height)};
 }
 
@@ -145,7 +155,26 @@ bool isPnm(ByteSpan b) {
     return b.size() > 2 && b[0] == 'P' && b[1] >= '1' && b[1] <= '6' && std::isspace(b[2]);
 }
 
-constexpr std::string_view kTiffBegins[] = {{"II*\0", 4}, {"MM\0*", 4}}; // little and big endian
+// Returns whether a file of the ISO base media format (ISO 14496-12, 4.3) names one of these brands, of four
+// letters each.
+bool hasBrand(ByteSpan b, std::string_view brands) {
+    if (b.size() < 12 || !hasText(b, 4, "ftyp")) return false;
+    const size_t end = std::min<size_t>({big32(b, 0), b.size(), 256});
+    for (size_t at = 8; at + 4 <= end; at += at == 8 ? 8 : 4) // a version follows the first brand
+        if (brands.find(asText(b.subspan(at, 4))) != brands.npos) return true;
+    return false;
+}
+
+// Returns the largest size that a picture in the file states by a box "ispe" (ISO 23008-12, 6.5.3): parts and
+// thumbnails are smaller than the whole.
+Size avifSize(ByteSpan b) {
+    const std::string_view text = asText(b);
+    Size size;
+    for (size_t at = text.find("ispe"); at != text.npos && b.size() - at >= 16;
+         at = text.find("ispe", at + 4))
+        if (const Size one{big32(b, at + 8), big32(b, at + 12)}; one.width > size.width) size = one;
+    return size;
+}
 
 struct Kind {
     const char* name;
@@ -158,8 +187,8 @@ constexpr Kind kKinds[] = {
     {"PNG", [](ByteSpan b) { return hasText(b, 0, "\x89PNG\r\n\x1a\n"); }, pngSize},
     {"BMP", [](ByteSpan b) { return hasText(b, 0, "BM"); }, bmpSize},
     {"WebP", [](ByteSpan b) { return hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP"); }, webpSize},
-    {"TIFF", [](ByteSpan b) { return hasText(b, 0, kTiffBegins[0]) || hasText(b, 0, kTiffBegins[1]); },
-     tiffSize},
+    {"TIFF", [](ByteSpan b) { return isTiff(b) && !isRaw(b); }, tiffSize},
+    {"AVIF", [](ByteSpan b) { return hasBrand(b, "avif avis"); }, avifSize},
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
      [](ByteSpan b) { return readRadianceHeader(b).size; }},
@@ -246,9 +275,34 @@ std::string beyond(PictureSize size, PictureLimits limits) {
 
 Result<PictureKind> pictureKind(ByteSpan bytes) {
     const auto kind = std::ranges::find_if(kKinds, [&](const Kind& each) { return each.is(bytes); });
+    if (const char* unread = kind == std::end(kKinds) ? unreadKind(bytes) : nullptr)
+        return Error{"", std::string("is a ") + unread + " picture; convert it to JPEG"};
     if (kind == std::end(kKinds))
-        return Error{"", "is not a picture of a known kind (JPEG, PNG, BMP, WebP, TIFF, PNM, HDR, EXR, PFM)"};
+        return Error{
+            "", "is not a picture of a known kind (JPEG, PNG, BMP, WebP, TIFF, AVIF, PNM, HDR, EXR, PFM)"};
     return static_cast<PictureKind>(kind - kKinds);
+}
+
+const char* unreadKind(ByteSpan bytes) {
+    using Begin = std::pair<const char*, std::string_view>;
+    static constexpr Begin kBegins[] = {{"GIF", "GIF8"},
+                                        {"JPEG XL", "\xff\x0a"},
+                                        {"JPEG 2000", "\xff\x4f"},
+                                        {"JPEG XL", {"\0\0\0\x0cJXL ", 8}},
+                                        {"Photoshop", "8BPS"},
+                                        {"JPEG 2000", {"\0\0\0\x0cjP  ", 8}},
+                                        {"camera raw", "FUJIFILM"},
+                                        {"camera raw", "IIRO"},
+                                        {"camera raw", "IIRS"},
+                                        {"camera raw", "MMOR"},
+                                        {"camera raw", {"IIU\0", 4}},
+                                        {"camera raw", "FOVb"},
+                                        {"camera raw", {"\0MRM", 4}}};
+    if (hasBrand(bytes, "heic heix heim heis hevc hevx mif1 msf1")) return "HEIC";
+    if (isRaw(bytes) || hasBrand(bytes, "crx ")) return "camera raw";
+    const auto known =
+        std::ranges::find_if(kBegins, [&](const Begin& each) { return hasText(bytes, 0, each.second); });
+    return known == std::end(kBegins) ? nullptr : known->first;
 }
 
 Result<PictureHeader> readPictureHeader(ByteSpan bytes) {

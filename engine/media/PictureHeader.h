@@ -32,7 +32,7 @@ inline bool hasText(ByteSpan b, size_t at, std::string_view text) {
 
 inline std::string_view asText(ByteSpan b) { return {reinterpret_cast<const char*>(b.data()), b.size()}; }
 
-enum class PictureKind { Jpeg, Png, Bmp, Webp, Tiff, Pnm, Radiance, Exr, Pfm };
+enum class PictureKind { Jpeg, Png, Bmp, Webp, Tiff, Avif, Pnm, Radiance, Exr, Pfm };
 
 const char* nameOf(PictureKind kind);
 bool isHdr(PictureKind kind);
@@ -76,6 +76,9 @@ struct PictureHeader {
 // Reads the kind alone, from the first bytes. The error has no path.
 Result<PictureKind> pictureKind(ByteSpan bytes);
 
+// Returns the name of a kind of picture that is not read, such as "HEIC"; null: none that is known.
+const char* unreadKind(ByteSpan bytes);
+
 // bytes: the file or at least its beginning (a JPEG's size may follow long metadata, a TIFF's the pixels).
 // The error has no path.
 Result<PictureHeader> readPictureHeader(ByteSpan bytes);
@@ -100,7 +103,8 @@ enum class TiffTag : uint32_t {
     TileWidth = 322,
     TileHeight = 323,
     Xmp = 700,
-    Profile = 34675
+    Profile = 34675,
+    DngVersion = 50706
 };
 
 // Return the data of a tag in the first directory of a TIFF structure, which EXIF has too (TIFF 6.0, section

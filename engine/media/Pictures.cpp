@@ -3,6 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/OpenExr.h"
 #include "engine/media/Orientation.h"
 
@@ -261,6 +262,16 @@ void clearOrientation(std::vector<uint8_t>& tiff) {
     number[tiff[0] == 'I' ? 0 : entry.size() - 1] = 1;
 }
 
+// OpenCV 4.6 does not read AVIF. Its rotations are not read, because FFmpeg 5 does not tell them.
+bool decodeAvif(const Path& file, ImageRgb8& bgr) {
+    FileDecoder in;
+    in.input = openInput(file, "mov");
+    if (!in.input || avformat_find_stream_info(in.input.get(), nullptr) < 0) return false;
+    in.stream = av_find_best_stream(in.input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    return in.stream >= 0 && in.decoder.open(in.opened(), FrameThreading::None, 1) && in.next(16) &&
+           in.decoder.convert(bgr).ok();
+}
+
 } // namespace
 
 Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
@@ -273,7 +284,9 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
         bytes.insert(bytes.end(), {0xff, 0xd9}); // OpenCV leaves the last rows undecoded without it
     }
     if (header.kind == PictureKind::Tiff) clearOrientation(bytes);
+    ImageRgb8 bgr; // outlives the matrix that views it
     auto stored = decoded<ImageRgb8>(file, header.kind, CV_8UC3, [&](const Codecs& with) {
+        if (header.kind == PictureKind::Avif) return decodeAvif(file, bgr) ? viewOf(bgr) : cv::Mat();
         return with.imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     });
     if (!stored) return stored.error();
@@ -336,15 +349,6 @@ Status writePng(const Path& file, const ImageRgb8& image) {
 }
 Status writePng(const Path& file, const ImageRgba8& image) {
     return write(file, encoded(file, viewOf(image), ".png", kNoPng));
-}
-
-PictureContent pictureContent(const Path& file) {
-    const auto begin = readFileBegin(file, 1 << 20);
-    const auto kind = begin ? pictureKind(*begin) : begin.error();
-    if (!kind) return PictureContent::None;
-    // A TIFF's header may follow its pixels.
-    if (*kind != PictureKind::Tiff && !readPictureHeader(*begin)) return PictureContent::None;
-    return isHdr(*kind) ? PictureContent::Hdr : PictureContent::Coded;
 }
 
 WrittenAs writtenAs(const Path& file) {

@@ -60,10 +60,6 @@ constexpr float kMaxRadiance = 1e9f;
 // with colour, of the first part and view.
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {}, const std::string& layer = {});
 
-// Kind of a file by its first bytes; None: no picture, such as a video, or no regular file.
-enum class PictureContent { None, Coded, Hdr };
-PictureContent pictureContent(const Path& file);
-
 // Write a lossless file, which appears whole or not at all (engine/core/WriteFile.h).
 Status writePng(const Path& file, const ImageRgb8& image);
 Status writePng(const Path& file, const ImageRgba8& image);

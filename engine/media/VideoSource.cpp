@@ -2,8 +2,8 @@
 
 #include "engine/core/Number.h"
 #include "engine/math/Quantile.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/Orientation.h"
-#include "engine/media/PictureHeader.h"
 
 #include <fmt/core.h>
 #include <opencv2/core.hpp>
@@ -26,9 +26,6 @@ constexpr double kMaxStamp = 9e15;        // exact in double
 constexpr int kMaxBadPackets = 4096;      // in a row, without a picture
 constexpr double kLongestPicture_s = 600; // beyond the stated length, a longer step of the stamps is an error
 
-// Containers of video. FFmpeg's other formats include playlists and scripts that name further files.
-constexpr const char* kContainers = "mov,matroska,avi,ogg,flv,mpeg,mpegts";
-
 constexpr double kLate = 0.25; // share of a frame by which a picture may come late
 
 static double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
@@ -38,7 +35,7 @@ static double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av
 static double densestRate(const Path& file, int stream) {
     constexpr size_t kPictures = 300;
     constexpr int64_t kBytes = 16 << 20;
-    const Input input = openInput(file, kContainers);
+    const Input input = openInput(file, kVideoContainers);
     if (!input || stream >= static_cast<int>(input->nb_streams)) return 0;
     keepOnly(*input, stream);
     const double unit_s = av_q2d(input->streams[stream]->time_base);
@@ -76,13 +73,11 @@ static double statedLength(const FileDecoder& in) {
 
 Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     setUpDecoders();
-    const auto begin = readFileBegin(file, 64 << 10);
-    if (!begin) return begin.error();
-    if (begin->empty()) return Error{file.string(), "is empty"};
-    if (const auto picture = readPictureHeader(*begin)) // a better reason than the decoder's
-        return Error{file.string(), std::string("is a ") + nameOf(picture->kind) +
-                                        " picture, not a video; give it as " +
-                                        (isHdr(picture->kind) ? "--env" : "--photo")};
+    const auto kind = mediaKind(file); // a better reason than the decoder's
+    if (!kind) return kind.error();
+    if (*kind == MediaKind::Photo || *kind == MediaKind::Hdr)
+        return Error{file.string(), std::string("is a picture, not a video; give it as ") +
+                                        (*kind == MediaKind::Hdr ? "--env" : "--photo")};
     VideoSource source;
     source.file_ = file;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
@@ -104,10 +99,8 @@ Status VideoSource::reopen() {
     in_.input.reset();
     position_ = 0;
     begun_ = hasAhead_ = isShowing_ = in_.drained = false;
-    in_.input = openInput(file_, kContainers);
-    if (!in_.input)
-        return Error{"", "is not a video of a known kind (MP4, MOV, WebM, MKV, AVI, MPEG, OGG, FLV), or is "
-                         "damaged at its beginning"};
+    in_.input = openInput(file_, kVideoContainers);
+    if (!in_.input) return undecodable;
     // Checked before the decoder sees the stream, if the container states a size.
     for (unsigned i = 0; i < in_.input->nb_streams; ++i)
         if (const AVCodecParameters& stated = *in_.input->streams[i]->codecpar;

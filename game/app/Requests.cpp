@@ -34,8 +34,11 @@ Status Application::answer(const Request& request) {
         return begin(Mode::Title);
     case Request::Kind::OpenFilm: {
         PlayOptions wanted = options_;
-        environment::setFile(wanted.environment, request.name);
         wanted.environment.layer.clear();
+        if (const Status shown = environment::setFile(wanted.environment, request.name); !shown) {
+            if (Status ended = endPlay(); !ended) return ended;
+            return goBack(options_, shown.error(), Screen::Films);
+        }
         return reopen(wanted, Mode::Title, Screen::Films);
     }
     case Request::Kind::Headset:

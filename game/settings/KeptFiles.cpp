@@ -3,6 +3,7 @@
 #include "engine/core/JsonBounds.h"
 #include "engine/core/Log.h"
 #include "engine/core/WriteFile.h"
+#include "engine/media/MediaKind.h"
 
 #include <nlohmann/json.hpp>
 
@@ -75,14 +76,9 @@ struct ReadEntry {
     bool operator()(std::vector<std::string>*) const { return false; } // no list is a kept setting
 };
 
-constexpr std::array kEndings = {".mp4",  ".mkv", ".webm", ".mov", ".jpg",
-                                 ".jpeg", ".png", ".hdr",  ".exr", ".pfm"};
 constexpr size_t kMaxLooked = 5000; // entries read of each folder
 
-bool endsAsFilm(const Path& file) {
-    const bool depth = file.stem().extension() == ".depth"; // a depth track belongs to the film beside it
-    return !depth && std::ranges::find(kEndings, extensionOf(file)) != kEndings.end();
-}
+constexpr size_t kMaxRead = 500; // files of all folders whose beginning is read, the newest
 
 struct MakeEntry {
     template <class T> Json operator()(T* value) const { return *value; }
@@ -154,13 +150,14 @@ std::vector<Path> filmsAndPhotos() {
         size_t looked = 0;
         for (std::filesystem::directory_iterator entry(folder, code), end;
              !code && entry != end && looked < kMaxLooked; entry.increment(code), ++looked)
-            if (endsAsFilm(entry->path()) && entry->is_regular_file(code))
-                found.emplace_back(entry->last_write_time(code), entry->path());
+            if (entry->is_regular_file(code)) found.emplace_back(entry->last_write_time(code), entry->path());
     }
     std::ranges::sort(found, std::ranges::greater(), &Found::first);
     std::vector<Path> files;
-    for (size_t i = 0; i < std::min(found.size(), kMaxFilms); ++i)
-        files.push_back(std::move(found[i].second));
+    for (size_t i = 0; i < std::min(found.size(), kMaxRead) && files.size() < kMaxFilms; ++i)
+        if (const auto kind = media::mediaKind(found[i].second);
+            kind && *kind != media::MediaKind::DepthTrack)
+            files.push_back(std::move(found[i].second));
     return files;
 }
 

@@ -38,8 +38,8 @@ std::vector<std::string> readGuide();
 Status saveGuide(const std::vector<std::string>& species);
 
 // Returns the player's own films and photos for the list on the screen, at most kMaxFilms, the newest first:
-// the files in the folders for videos, pictures and downloads, without subfolders, whose extensions are those
-// of files that can be opened.
+// the files in the folders for videos, pictures and downloads, without subfolders, that can be shown by their
+// content (media::mediaKind()).
 constexpr size_t kMaxFilms = 60;
 std::vector<Path> filmsAndPhotos();
 

@@ -9,9 +9,8 @@
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
+#include <sstream>
 
 namespace shoal::app {
 
@@ -83,33 +82,30 @@ Verdict checkReplay(const Path& file) {
            (recording->complete() ? "" : "; it is cut short, or damaged after these");
 }
 
-struct FileKind {
-    std::array<const char*, 10> endings;
-    Verdict (*check)(const Path&);
-};
-
-constexpr std::array<FileKind, 5> kKinds = {{
-    {{".glb", ".gltf"}, checkModel},
-    {{".toml"}, checkToml},
-    {{".replay"}, checkReplay},
-    {{".mp4", ".mov", ".m4v", ".webm", ".mkv", ".avi", ".ogv", ".ts"}, media::checkVideo},
-    {{".jpg", ".jpeg", ".png", ".webp", ".tif", ".tiff", ".bmp", ".hdr", ".exr", ".pfm"},
-     media::checkPicture},
-}};
+// Returns whether the first line that is neither empty nor a comment begins a table or sets a key.
+bool isToml(const std::string& begin) {
+    constexpr const char* kKey = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.\"' \t";
+    std::istringstream lines(begin);
+    for (std::string line; std::getline(lines, line);) {
+        line.erase(0, line.find_first_not_of(" \t\r"));
+        if (line.empty() || line[0] == '#') continue;
+        const size_t keyEnd = line.find_first_not_of(kKey);
+        return line[0] == '[' || (keyEnd != line.npos && keyEnd > 0 && line[keyEnd] == '=');
+    }
+    return false;
+}
 
 Verdict checkFile(const Path& file) {
     const auto live = media::liveAddress(file.string());
     if (!live) return live.error();
     if (*live) return media::checkLive(**live);
-    const std::string ending = extensionOf(file);
-    if (file.string().ends_with(".depth.mkv")) return media::checkDepthTrack(file);
-    for (const FileKind& kind : kKinds)
-        for (const char* known : kind.endings)
-            if (known && ending == known) return kind.check(file);
-    std::error_code code;
-    if (!std::filesystem::exists(file, code)) return Error{file.string(), "there is no such file"};
-    return Error{file.string(), "is no kind of file that the game reads: video, photo, HDR picture, "
-                                ".depth.mkv, .glb, .gltf, .toml, .replay"};
+    const auto bytes = readFileBegin(file, 64 << 10);
+    if (!bytes) return bytes.error();
+    const std::string begin(bytes->begin(), bytes->end());
+    if (begin.starts_with("SHOALRE")) return checkReplay(file);
+    const size_t text = begin.find_first_not_of(" \t\r\n");
+    if (begin.starts_with("glTF") || (text != begin.npos && begin[text] == '{')) return checkModel(file);
+    return isToml(begin) ? checkToml(file) : media::checkMedia(file);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "engine/light/MakeLight.h"
 #include "engine/math/LatLong.h"
 #include "engine/math/SphericalHarmonics.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
 
@@ -22,17 +23,18 @@ constexpr int kWidestLight = 4096;
 
 // Reads a photo as an environment, or the video's frame at that time and its light if it is PQ or HLG: the
 // left eye's picture, turned as the file asks.
-Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr, ImageRgbF& radianceLin) {
-    auto photo = media::readPhoto(file);
-    bgr = false;
-    if (photo) {
+Result<ImageRgb8> readCoded(const Path& file, media::MediaKind kind, float at_s, bool& bgr,
+                            ImageRgbF& radianceLin) {
+    bgr = kind != media::MediaKind::Photo;
+    if (!bgr) {
+        auto photo = media::readPhoto(file);
+        if (!photo) return photo.error();
         const auto made = environment::environmentFrom(file, std::move(photo->picture), photo->metadata, {});
         if (!made) return made.error();
         return environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
     }
     auto player = media::VideoPlayer::open(file);
-    if (!player) return std::filesystem::exists(file) ? player.error() : photo.error();
-    bgr = true;
+    if (!player) return player.error();
     const media::VideoFrame& frame = *player->waitFor(static_cast<double>(at_s));
     const glm::quat& envFromFilm = player->info().metadata.envFromFilm;
     if (!frame.radianceLin.empty())
@@ -47,8 +49,9 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
                                             : options.frames;
     light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still, frames});
     light::EnvironmentLight made;
-    if (media::writtenAs(options.file) == media::WrittenAs::Hdr ||
-        media::pictureContent(options.file) == media::PictureContent::Hdr || !options.layer.empty()) {
+    const auto kind = media::mediaKind(options.file);
+    if (!kind) return kind.error();
+    if (*kind == media::MediaKind::Hdr || !options.layer.empty()) {
         auto picture = media::readHdr(options.file, {}, options.layer);
         if (!picture) return picture.error();
         maker.makeFromHdr(picture->radianceLin, made);
@@ -58,7 +61,7 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     }
     bool bgr = false;
     ImageRgbF radianceLin;
-    auto coded = readCoded(options.file, options.at_s, bgr, radianceLin);
+    auto coded = readCoded(options.file, *kind, options.at_s, bgr, radianceLin);
     if (!coded) return coded.error();
     if (!radianceLin.empty() && frames != light::FrameRadiance::Thesis) {
         maker.makeFromHdr(radianceLin, made);

@@ -3,6 +3,7 @@
 #include "game/tools/Commands.h"
 
 #include "engine/environment/PhotoEnvironment.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/Pictures.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -12,8 +13,6 @@
 namespace shoal::app {
 
 namespace {
-
-bool isHdrName(const Path& file) { return media::writtenAs(file) == media::WrittenAs::Hdr; }
 
 template <class Picture, class Write>
 Status convert(const PanoramaOptions& options, Picture photo, const media::PhotoMetadata& metadata,
@@ -42,11 +41,15 @@ Status panorama(const PanoramaOptions& options) {
                                        std::array{NamedFile{"PHOTO", options.photo}});
         !possible)
         return possible;
-    if (isHdrName(options.photo) && !isHdrName(options.out))
+    const auto kind = media::mediaKind(options.photo);
+    if (!kind) return kind.error();
+    const bool isHdr = *kind == media::MediaKind::Hdr;
+    const bool writesHdr = media::writtenAs(options.out) == media::WrittenAs::Hdr;
+    if (isHdr && !writesHdr)
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
-    if (!isHdrName(options.photo) && isHdrName(options.out))
+    if (!isHdr && writesHdr)
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdrName(options.photo) && options.layer.empty()) {
+    if (!isHdr && options.layer.empty()) {
         auto photo = media::readPhoto(options.photo);
         if (!photo) return photo.error();
         return convert(options, std::move(photo->picture), photo->metadata, media::writePicture);

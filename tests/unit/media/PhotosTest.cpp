@@ -282,7 +282,7 @@ TEST_F(Photos, TiffsSizesAreCheckedBeforeDecoding) {
     EXPECT_FALSE(changed(256, 256, 17));
     EXPECT_FALSE(changed(257, 257, 0));
     EXPECT_FALSE(changed(274, 254, 1)) << "a raw photo's thumbnail";
-    EXPECT_EQ(pictureContent(folder / "a.tif"), PictureContent::Coded);
+    EXPECT_EQ(tests::valueOf(mediaKind(folder / "a.tif")), MediaKind::Photo);
 }
 
 // Made of one panorama; see the data's README.
