@@ -159,6 +159,7 @@ void Audio::update(const Listener& listener, std::span<const Sound> emitters, st
     const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
+    s.streamed.turn(glm::inverse(listener.worldFromHead) * listener.worldFromTrack);
     if (s.paused) {
         if (s.standing || s.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;
         s.standing = true;

@@ -38,8 +38,9 @@ struct AudioOptions {
 
 struct Listener {
     glm::vec3 position{0};
-    glm::quat worldFromHead{1, 0, 0, 0}; // looks along -Z, +Y up
-    float enclosure = 0;                 // reverberation: 0 open water, 1 a tunnel
+    glm::quat worldFromHead{1, 0, 0, 0};  // looks along -Z, +Y up
+    glm::quat worldFromTrack{1, 0, 0, 0}; // turns B-format, whose X is along -Z and Z along +Y
+    float enclosure = 0;                  // reverberation: 0 open water, 1 a tunnel
 };
 
 // A sound that plays now: an emitter, which loops for as long as it is listed, or one that plays once.
@@ -52,9 +53,10 @@ struct Sound {
     glm::vec3 velocity{0};     // m/s; a sound that plays once keeps moving with it
 };
 
-// Source of a streamed track, such as a video's own sound: stereo at 48 kHz, read piece by piece.
+// Source of a streamed track, such as a video's own sound, at 48 kHz, read piece by piece.
 struct TrackSource {
     int64_t length = 0;                             // frames; then it loops
+    int channels = 2;                               // 2: stereo; 4: FuMa B-format, which surrounds the head
     std::function<void(int64_t frame)> seek;        // the next read begins there
     std::function<size_t(std::span<int16_t>)> read; // interleaved; returns the frames that were ready
 };

@@ -36,6 +36,13 @@ class StreamedTrack {
         stop();
     }
 
+    // Turns B-format by the source's orientation (AL_EXT_BFORMAT, which OpenAL Soft has had since 1.15).
+    void turn(const glm::quat& headFromTrack) const {
+        const glm::vec3 ahead = headFromTrack * glm::vec3(0, 0, -1), up = headFromTrack * glm::vec3(0, 1, 0);
+        const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
+        if (source_) alSourcefv(source_, AL_ORIENTATION, facing.data());
+    }
+
     // See Audio::syncTrack().
     void update(const TrackSource& sound, double position_s, float gain, bool paused) {
         if (!source_) return;
@@ -72,7 +79,6 @@ class StreamedTrack {
 
   private:
     static constexpr int kRate_Hz = 48000;
-    static constexpr int kFrameBytes = 2 * sizeof(int16_t);
     static constexpr double kJump_s = 0.08;      // larger offsets, which would be seen, restart it
     static constexpr double kLead_s = 0.05;      // starts reading so far ahead, because reading takes time
     static constexpr double kSmoothing = 0.1;    // weight of each new measurement of the offset
@@ -81,6 +87,9 @@ class StreamedTrack {
     static constexpr int kBuffers = 16, kPieceFrames = 1024; // 0.34 s in all, for a slow frame
     enum class State { Stopped, Waiting, Playing };
 
+    static int64_t frameBytes(const TrackSource& sound) {
+        return sound.channels * static_cast<int64_t>(sizeof(int16_t));
+    }
     static int64_t framesOf(double seconds) { return std::llround(seconds * kRate_Hz); }
 
     // Wraps to -half .. half of the track's length.
@@ -96,30 +105,36 @@ class StreamedTrack {
         state_ = State::Waiting;
     }
 
+    // Fills piece_; returns the number of frames, at most `maximum`, that were ready.
+    int64_t read(const TrackSource& sound, int64_t maximum) {
+        const auto samples = static_cast<size_t>(sound.channels * maximum);
+        return static_cast<int64_t>(sound.read(std::span(piece_).first(samples)));
+    }
+
     // Fills and queues the spare buffers for as long as samples are ready; returns their number.
     int queue(const TrackSource& sound) {
         int queued = 0;
         for (; !spare_.empty(); ++queued) {
-            const auto frames = static_cast<int64_t>(sound.read(piece_));
+            const int64_t frames = read(sound, kPieceFrames);
             if (frames == 0) break;
-            queuePiece(frames);
+            queuePiece(sound, frames);
             next_ += frames;
         }
         return queued;
     }
 
     // Queues the first frames of piece_.
-    void queuePiece(int64_t frames) {
+    void queuePiece(const TrackSource& sound, int64_t frames) {
         const ALuint buffer = spare_.back();
         spare_.pop_back();
-        alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(), static_cast<ALsizei>(frames * kFrameBytes),
-                     kRate_Hz);
+        alBufferData(buffer, sound.channels == 4 ? AL_FORMAT_BFORMAT3D_16 : AL_FORMAT_STEREO16, piece_.data(),
+                     static_cast<ALsizei>(frames * frameBytes(sound)), kRate_Hz);
         alSourceQueueBuffers(source_, 1, &buffer);
     }
 
-    void queueSilence(int64_t frames) {
+    void queueSilence(const TrackSource& sound, int64_t frames) {
         std::fill(piece_.begin(), piece_.end(), int16_t{0});
-        for (; frames > 0; frames -= kPieceFrames) queuePiece(std::min<int64_t>(frames, kPieceFrames));
+        for (; frames > 0; frames -= kPieceFrames) queuePiece(sound, std::min<int64_t>(frames, kPieceFrames));
     }
 
     // Starts playing at the right time, exact to the sample.
@@ -128,15 +143,14 @@ class StreamedTrack {
         if (std::abs(ahead_s) > 1) return begin(sound, position_s); // the picture has jumped meanwhile
         if (ahead_s > kMaxSilence_s) return;                        // too early to start
         for (int64_t late = framesOf(-ahead_s); late > 0;) { // skips what should have been heard already
-            const auto maximum = static_cast<size_t>(std::min<int64_t>(late, kPieceFrames));
-            const auto frames = static_cast<int64_t>(sound.read(std::span(piece_).first(2 * maximum)));
+            const auto frames = read(sound, std::min<int64_t>(late, kPieceFrames));
             if (frames == 0) return;
             next_ += frames;
             late -= frames;
         }
         const int64_t early = std::max<int64_t>(framesOf(ahead_s), 0);
         queueBegins_ = next_ - early;
-        queueSilence(early);
+        queueSilence(sound, early);
         if (queue(sound) < kMinPieces)
             return begin(sound, position_s); // too little to last until the next frame
         alSourcePlay(source_);
@@ -151,7 +165,7 @@ class StreamedTrack {
             ALint bytes = 0;
             alSourceUnqueueBuffers(source_, 1, &buffer);
             alGetBufferi(buffer, AL_SIZE, &bytes);
-            queueBegins_ += bytes / kFrameBytes;
+            queueBegins_ += bytes / frameBytes(sound);
             spare_.push_back(buffer);
         }
         queue(sound);
@@ -170,7 +184,7 @@ class StreamedTrack {
     std::array<ALuint, kBuffers> buffers_{};
     std::vector<ALuint> spare_; // those that are not queued
     State state_ = State::Stopped;
-    std::vector<int16_t> piece_ = std::vector<int16_t>(2 * kPieceFrames);
+    std::vector<int16_t> piece_ = std::vector<int16_t>(4 * kPieceFrames); // enough for B-format
     int64_t queueBegins_ = 0; // position of the first frame still queued; may be negative: leading silence
     int64_t next_ = 0;        // position of the next frame to be read
     double ahead_s_ = 0;

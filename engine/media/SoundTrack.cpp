@@ -1,5 +1,6 @@
 #include "engine/media/SoundTrack.h"
 
+#include "engine/core/Log.h"
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Decoder.h"
 
@@ -9,11 +10,13 @@ extern "C" {
 }
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <condition_variable>
 #include <cstdlib>
 #include <deque>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -32,7 +35,7 @@ constexpr int kMaxBadPackets = 64; // in a row; fewer are skipped
 constexpr int64_t kHole = kSoundRate_Hz / 50;
 constexpr int64_t kEnd = INT64_MAX; // in place of a frame
 
-// Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time.
+// Decoder of a file's sound stream: samples at kSoundRate_Hz with their place in time.
 class SoundDecoder {
   public:
     static Result<SoundDecoder> open(const Path& file) {
@@ -43,12 +46,22 @@ class SoundDecoder {
         SoundDecoder d;
         d.in_.input = openInput(file);
         AVFormatContext* input = d.in_.input.get();
+        std::vector<AVChannelLayout> stated; // by the container; decoders of AAC know no ambisonics
+        for (unsigned i = 0; input && i < input->nb_streams; ++i)
+            stated.push_back(input->streams[i]->codecpar->ch_layout);
         if (!input || avformat_find_stream_info(input, nullptr) < 0)
             return failed("is not a file with sound that can be read");
         const AVCodec* kind = nullptr;
         d.in_.stream = av_find_best_stream(input, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
         if (d.in_.stream < 0 || !kind) return failed("has no sound");
         keepOnly(*input, d.in_.stream);
+        const auto number = static_cast<size_t>(d.in_.stream);
+        const AVChannelLayout& decoded = d.in_.opened().codecpar->ch_layout;
+        for (const AVChannelLayout& layout : {number < stated.size() ? stated[number] : decoded, decoded})
+            if (layout.order == AV_CHANNEL_ORDER_AMBISONIC && layout.nb_channels == decoded.nb_channels &&
+                layout.nb_channels - std::popcount(layout.u.mask) >= 4) // the mask is of further channels
+                d.field_ = layout;
+        d.name_ = file.string();
         const int picture = filmStreamOf(*input);
         const AVStream& first = *input->streams[picture >= 0 ? picture : d.in_.stream];
         if (first.start_time != AV_NOPTS_VALUE)
@@ -59,6 +72,7 @@ class SoundDecoder {
     }
 
     double length_s() const { return in_.length_s(); }
+    int channels() const { return field_ ? 4 : 2; }
 
     // Seeks to this frame or somewhat before it; returns false if the file cannot be read there.
     bool seek(int64_t frame) {
@@ -71,14 +85,14 @@ class SoundDecoder {
         return true;
     }
 
-    // Replaces stereo by the next samples and returns the frame of the first; none, and kEnd, at the end or
+    // Replaces samples by the next ones and returns the frame of the first; none, and kEnd, at the end or
     // if nothing more can be decoded. At most some tenths of a second at a time.
-    int64_t next(std::vector<int16_t>& stereo) {
+    int64_t next(std::vector<int16_t>& samples) {
         for (int bad = 0; bad < kMaxBadPackets && in_.next(kMaxBadPackets); ++bad) {
-            const int64_t first = convert(stereo);
-            if (!stereo.empty()) return first;
+            const int64_t first = convert(samples);
+            if (!samples.empty()) return first;
         }
-        stereo.clear();
+        samples.clear();
         return kEnd;
     }
 
@@ -87,16 +101,20 @@ class SoundDecoder {
 
     // Converts the decoded block to samples and returns the frame of the first; none if the block is invalid,
     // or ends before the first picture.
-    int64_t convert(std::vector<int16_t>& stereo) {
-        stereo.clear();
+    int64_t convert(std::vector<int16_t>& samples) {
+        samples.clear();
         AVFrame& block = in_.decoder.frame();
         if (block.sample_rate < kMinRate_Hz || block.sample_rate > kMaxRate_Hz || block.nb_samples < 1 ||
             block.nb_samples > kMaxBlock || block.ch_layout.nb_channels < 1 ||
             block.ch_layout.nb_channels > kMaxChannels)
             return -1;
-        // Some decoders know only the number of channels.
-        if (block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
-            av_channel_layout_default(&block.ch_layout, block.ch_layout.nb_channels);
+        const int count = block.ch_layout.nb_channels;
+        if (const bool isField = field_ && count == field_->nb_channels;
+            isField || block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC ||
+            block.ch_layout.order == AV_CHANNEL_ORDER_AMBISONIC) { // of order 0, which is mono
+            av_channel_layout_uninit(&block.ch_layout);
+            isField ? void(block.ch_layout = *field_) : av_channel_layout_default(&block.ch_layout, count);
+        }
         int64_t begins = std::max<int64_t>(follows_, 0);
         if (block.best_effort_timestamp != AV_NOPTS_VALUE) {
             const double seconds =
@@ -113,23 +131,39 @@ class SoundDecoder {
         out.format = AV_SAMPLE_FMT_S16;
         out.sample_rate = kSoundRate_Hz;
         av_channel_layout_default(&out.ch_layout, 2);
+        if (field_) out.ch_layout = *field_;
         int error = swr_convert_frame(converter_.get(), &out, &block);
         if (error == AVERROR_INPUT_CHANGED) { // a stream may change its format on the way
             swr_close(converter_.get());
             error = swr_convert_frame(converter_.get(), &out, &block);
         }
-        if (error < 0) return -1;
+        if (error < 0) {
+            if (!std::exchange(warned_, true))
+                log::warn("{}: some of its sound cannot be converted, and is silent", name_);
+            return -1;
+        }
         follows_ = begins + out.nb_samples;
         // Sound before the first picture is dropped: mostly the priming of a codec.
         const int64_t early = std::clamp<int64_t>(-begins, 0, out.nb_samples);
-        const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
-        stereo.assign(samples + 2 * early, samples + ptrdiff_t{2} * out.nb_samples);
+        const auto* from = reinterpret_cast<const int16_t*>(out.data[0]);
+        const ptrdiff_t stride = out.ch_layout.nb_channels;
+        const auto* end = from + stride * out.nb_samples;
+        for (from += stride * early; from < end; from += stride)
+            if (field_) { // stored as W, Y, Z, X (ACN); FuMa's W is weaker than SN3D's
+                const long w = std::lround(from[0] / std::numbers::sqrt2);
+                samples.insert(samples.end(), {static_cast<int16_t>(w), from[3], from[1], from[2]});
+            } else {
+                samples.insert(samples.end(), from, from + 2);
+            }
         return begins + early;
     }
 
     FileDecoder in_;
     std::unique_ptr<SwrContext, FreeAt<swr_free>> converter_{swr_alloc()}; // configured by the first block
     Frame converted_ = makeFrame();
+    std::optional<AVChannelLayout> field_; // of ambisonics of the first order or more; owns no memory
+    std::string name_;
+    bool warned_ = false;
     double begins_s_ = 0;  // the first picture's time stamp
     int64_t follows_ = -1; // frame that the next samples should begin with; -1: unknown
 };
@@ -147,23 +181,25 @@ struct SoundTrack::Impl {
     int64_t pass = 0; // length in frames; constant
 
     SoundDecoder decoder; // used by the thread only
-    std::jthread thread;  // last: it uses all of the above
+    const int channels;
+    std::jthread thread; // last: it uses all of the above
 
-    explicit Impl(SoundDecoder opened) : decoder(std::move(opened)) {}
+    explicit Impl(SoundDecoder opened) : decoder(std::move(opened)), channels(decoder.channels()) {}
 
     // Appends frames (null: silence) as room becomes free. Returns false if stopped or sought meanwhile.
-    bool put(const std::stop_token& ending, const int16_t* stereo, int64_t frames) {
+    bool put(const std::stop_token& ending, const int16_t* from, int64_t frames) {
         std::unique_lock lock(mutex);
         while (!ending.stop_requested() && !wanted) {
-            const auto room = kSoundAhead - static_cast<int64_t>(ready.size() / 2);
-            const auto samples = static_cast<ptrdiff_t>(2 * std::min(frames, room));
-            if (stereo)
-                ready.insert(ready.end(), stereo, stereo + samples), stereo += samples;
+            const auto room = kSoundAhead - static_cast<int64_t>(ready.size()) / channels;
+            const auto samples = static_cast<ptrdiff_t>(channels * std::min(frames, room));
+            if (from)
+                ready.insert(ready.end(), from, from + samples), from += samples;
             else
                 ready.insert(ready.end(), static_cast<size_t>(samples), int16_t{0});
-            frames -= samples / 2;
+            frames -= samples / channels;
             if (frames == 0) return true;
-            changed.wait(lock, ending, [&] { return wanted || ready.size() < size_t{2} * kSoundAhead; });
+            changed.wait(lock, ending,
+                         [&] { return wanted || std::ssize(ready) < ptrdiff_t{channels} * kSoundAhead; });
         }
         return false;
     }
@@ -174,13 +210,13 @@ struct SoundTrack::Impl {
         while (decoder.seek(at)) {
             while (at < pass) {
                 const int64_t first = decoder.next(samples);
-                const auto frames = static_cast<int64_t>(samples.size() / 2);
+                const auto frames = static_cast<int64_t>(samples.size()) / channels;
                 const int64_t hole = std::clamp<int64_t>(first - at, 0, pass - at);
                 const int64_t past = std::clamp<int64_t>(at - first, 0, frames); // before `at`
                 if (!put(ending, nullptr, hole)) return;
                 at += hole;
                 const int64_t some = std::min(frames - past, pass - at);
-                if (!put(ending, samples.data() + 2 * past, some)) return;
+                if (!put(ending, samples.data() + channels * past, some)) return;
                 at += some;
             }
             at = 0;
@@ -213,6 +249,7 @@ Result<SoundTrack> SoundTrack::open(const Path& file, double passLength_s) {
 }
 
 int64_t SoundTrack::passLength() const { return impl_->pass; }
+int SoundTrack::channels() const { return impl_->channels; }
 
 void SoundTrack::seek(int64_t frame) {
     const std::lock_guard lock(impl_->mutex);
@@ -221,17 +258,18 @@ void SoundTrack::seek(int64_t frame) {
     impl_->changed.notify_all();
 }
 
-size_t SoundTrack::read(std::span<int16_t> stereo) {
+size_t SoundTrack::read(std::span<int16_t> samples) {
     const std::lock_guard lock(impl_->mutex);
     std::deque<int16_t>& ready = impl_->ready;
-    const size_t samples = std::min(stereo.size() / 2 * 2, ready.size());
-    const auto end = ready.begin() + static_cast<ptrdiff_t>(samples);
-    const auto rest = std::copy(ready.begin(), end, stereo.begin());
+    const auto channels = static_cast<size_t>(impl_->channels);
+    const size_t count = std::min(samples.size() / channels * channels, ready.size());
+    const auto end = ready.begin() + static_cast<ptrdiff_t>(count);
+    const auto rest = std::copy(ready.begin(), end, samples.begin());
     ready.erase(ready.begin(), end);
     impl_->changed.notify_all();
-    if (!impl_->broken) return samples / 2;
-    std::fill(rest, stereo.end(), int16_t{0});
-    return stereo.size() / 2;
+    if (!impl_->broken) return count / channels;
+    std::fill(rest, samples.end(), int16_t{0});
+    return samples.size() / channels;
 }
 
 } // namespace shoal::media

@@ -1,4 +1,6 @@
-// The sound of a video file, decoded by FFmpeg on a thread of its own and read as stereo samples, looping.
+// The sound of a video file, decoded by FFmpeg on a thread of its own and read as samples, looping: stereo,
+// or of ambisonics the first order in FuMa B-format (W, X, Y, Z; X points to the picture's middle, Y left, Z
+// up).
 //
 // Time: positions are frames of sound at 48 kHz since the first picture of the video. Where the file has no
 // sound (it begins late, has gaps, or ends early) there is silence.
@@ -14,7 +16,7 @@
 namespace shoal::media {
 
 constexpr int kSoundRate_Hz = 48000;
-constexpr int kSoundAhead = kSoundRate_Hz; // frames decoded ahead at most, 192 kB
+constexpr int kSoundAhead = kSoundRate_Hz; // frames decoded ahead at most
 
 class SoundTrack {
   public:
@@ -23,13 +25,14 @@ class SoundTrack {
     static Result<SoundTrack> open(const Path& file, double passLength_s);
 
     int64_t passLength() const; // frames
+    int channels() const;       // 2: stereo; 4: B-format
 
     // Makes this frame (modulo the pass's length) the next to be read. Does not wait.
     void seek(int64_t frame);
 
     // Reads the next frames, interleaved, and returns their number: fewer than asked for where the thread has
     // not decoded them yet. After damage in the file the rest is silence. Does not wait.
-    size_t read(std::span<int16_t> stereo);
+    size_t read(std::span<int16_t> samples);
 
   private:
     struct Impl;

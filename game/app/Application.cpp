@@ -425,7 +425,8 @@ void Application::simulate() {
     statistics_.sim_ms = static_cast<float>(play_->clock.sinceBegin_ms() - began_ms);
     const bool attended = display_->audience() == Audience::HeadsetPlayer || play_->controls.input.focused;
     soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(play_->elapsed_s), attended,
-                            content_.environment().player().videoPosition_s());
+                            content_.environment().player().videoPosition_s(),
+                            glm::quat_cast(glm::transpose(content_.environment().envFromWorld())));
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {

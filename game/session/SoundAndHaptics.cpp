@@ -34,12 +34,13 @@ void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s) {
     }
     track_ = std::move(*opened);
     audio_->setTrack({.length = track_->passLength(),
+                      .channels = track_->channels(),
                       .seek = [this](int64_t frame) { track_->seek(frame); },
-                      .read = [this](std::span<int16_t> stereo) { return track_->read(stereo); }});
+                      .read = [this](std::span<int16_t> samples) { return track_->read(samples); }});
 }
 
 void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& events, float dt_s,
-                            bool attended, double videoPosition_s) {
+                            bool attended, double videoPosition_s, const glm::quat& worldFromFilm) {
     // Haptics come first: a touch has the shortest latency that is noticed.
     hapticFrame_ = hapticFeedback_.frame(shown, events, dt_s, attended ? options_.hapticStrength : 0);
     if (haptics_) haptics_->submit(hapticFrame_);
@@ -47,9 +48,11 @@ void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& eve
     if (!audio_) return;
     if (volume_ != options_.volume) audio_->setVolume(volume_ = options_.volume);
     audio_->setPaused(shown.paused);
-    audio_->update(
-        {.position = shown.headWorld, .worldFromHead = shown.worldFromView, .enclosure = sounds_.enclosure()},
-        sounds_.emitters(), sounds_.shots());
+    audio_->update({.position = shown.headWorld,
+                    .worldFromHead = shown.worldFromView,
+                    .worldFromTrack = worldFromFilm,
+                    .enclosure = sounds_.enclosure()},
+                   sounds_.emitters(), sounds_.shots());
     audio_->syncTrack(videoPosition_s, track_ ? options_.videoSound : 0, shown.paused);
 }
 

@@ -24,7 +24,7 @@ class SoundAndHaptics {
     // Outputs a frame. attended: false while another window has the focus, which stops all haptics.
     // videoPosition_s: time of the frame shown since the video's first.
     void frame(const game::Snapshot& shown, const game::Events& events, float dt_s, bool attended,
-               double videoPosition_s);
+               double videoPosition_s, const glm::quat& worldFromFilm);
     const haptics::HapticFrame& hapticFrame() const { return hapticFrame_; } // as sent by the last frame()
     // Newest first; valid until the next frame().
     std::span<const game::Caption> captions() const { return sounds_.captions(); }

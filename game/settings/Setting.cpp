@@ -55,11 +55,14 @@ TextSetting addressSetting(std::string& host, uint16_t& port) {
         const size_t colon = text.rfind(':');
         const auto number = parseNumber<uint16_t>(text.substr(colon + 1), 1);
         if (!number || colon == std::string::npos || colon == 0) return false;
+        const bool isBracketed = text[0] == '[' && text[colon - 1] == ']' && colon > 2;
+        if (!isBracketed && text.find_first_of("[]:") != colon) return false;
         host = text.substr(0, colon);
         port = *number;
         return true;
     };
-    return {set, "wants HOST:PORT", [&host, &port] { return host + ":" + std::to_string(port); }};
+    return {set, "wants HOST:PORT, or [IPV6]:PORT",
+            [&host, &port] { return host + ":" + std::to_string(port); }};
 }
 
 TextSetting vectorSetting(std::optional<glm::vec3>& value) {

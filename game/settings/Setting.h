@@ -50,7 +50,7 @@ template <class E> TextSetting choice(E& value, const std::vector<E>& values = {
 }
 
 TextSetting sizeSetting(glm::ivec2& pixels);                   // WIDTHxHEIGHT
-TextSetting addressSetting(std::string& host, uint16_t& port); // HOST:PORT
+TextSetting addressSetting(std::string& host, uint16_t& port); // HOST:PORT or [IPV6]:PORT
 TextSetting vectorSetting(std::optional<glm::vec3>& value);    // X,Y,Z
 
 struct Setting {

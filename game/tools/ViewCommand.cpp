@@ -33,13 +33,15 @@ struct Clip {
     float time_s = 0;
 };
 
-// Parses "NAME@SECONDS"; the name alone means its start.
+// Parses "NAME@SECONDS"; the name alone means its start. Names may hold @, and the longest one counts.
 Result<Clip> findClip(const scene::Model& model, const std::string& text, const std::string& file) {
     if (text.empty()) return Clip{};
-    const size_t at = text.rfind('@');
-    Clip clip;
-    clip.animation = model.findAnimation(text.substr(0, at));
+    Clip clip{.animation = model.findAnimation(text)};
+    size_t at = std::string::npos;
+    while (clip.animation < 0 && at != 0 && (at = text.rfind('@', at - 1)) != std::string::npos)
+        clip.animation = model.findAnimation(text.substr(0, at));
     if (clip.animation < 0) {
+        at = text.rfind('@');
         std::string names;
         for (const scene::Animation& animation : model.animations)
             names += (names.empty() ? "" : ", ") + animation.name;

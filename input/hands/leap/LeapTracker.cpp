@@ -66,9 +66,11 @@ class LeapTracker final : public HandTracker {
 
     void connect() {
         const std::string path = "/v" + std::to_string(version_) + ".json", host = address();
+        const std::string& given = options_.host;
+        const std::string name = given.starts_with('[') ? given.substr(1, given.size() - 2) : given;
         lws_client_connect_info info{};
         info.context = context_;
-        info.address = options_.host.c_str();
+        info.address = name.c_str();
         info.port = options_.port;
         info.path = path.c_str();
         info.host = info.origin = host.c_str();

@@ -56,9 +56,9 @@ class Package : public testing::Test {
         fs::remove_all(kScratch);
         fs::create_directories(kScratch);
         const Outcome outcome = run(std::string(SHOAL_CMAKE) + " --install " + quoted(SHOAL_BUILD) +
-                                    " --prefix " + quoted(kScratch / "prefix"));
+                                    " --prefix " + quoted(kScratch / "the prefix"));
         ASSERT_EQ(outcome.status, 0) << outcome.said;
-        fs::rename(kScratch / "prefix", prefix());
+        fs::rename(kScratch / "the prefix", prefix());
     }
     static Path prefix() { return kScratch / "moved"; }
     static std::string game() {
@@ -151,8 +151,9 @@ TEST_F(Package, IconsHaveTheirSizes) {
 
 TEST_F(Package, DesktopEntryStartsTheGameWithAndWithoutAFile) {
     const std::string entry = text("share/applications/shoal.desktop");
-    // The prefix that it was installed for.
-    EXPECT_THAT(entry, HasSubstr("\nExec=" + (kScratch / "prefix/games/shoal").string() + " play %f\n"));
+    // The prefix that it was installed for; a space asks for quotes.
+    const std::string program = (kScratch / "the prefix/games/shoal").string();
+    EXPECT_THAT(entry, HasSubstr("\nExec=\"" + program + "\" play %f\nTryExec=" + program + "\n"));
     EXPECT_THAT(entry, HasSubstr("\nMimeType=video/mp4;"));
     if (!installed("desktop-file-validate")) GTEST_SKIP() << "needs desktop-file-utils";
     const Outcome outcome =

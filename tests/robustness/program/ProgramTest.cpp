@@ -457,6 +457,34 @@ TEST_F(Program, CheckTellsGoodFromBad) {
     EXPECT_TRUE(bad.err.starts_with("not usable: ")) << bad.err;
 }
 
+// The names of clips are replaced by others of their length.
+TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
+    std::string bytes = *readText(tests::sourceFolder() / "content/models/sardine.glb");
+    const size_t at = bytes.find("\"dart\"");
+    ASSERT_NE(at, std::string::npos);
+    const std::string model = write("m.glb", bytes.replace(at, 6, "\"a@9\" ")).string();
+    const std::string view = "view " + model + " --out " + (folder_ / "out.png").string() + " --animation ";
+    EXPECT_EQ(run(view + "a@9").status, 0);
+    EXPECT_EQ(run(view + "a@9@0.1").status, 0);
+    EXPECT_EQ(run(view + "swim@0.1").status, 0);
+    expectOneMessage(run(view + "a@8"), "no animation named a;");
+    expectOneMessage(run(view + "a@9@x"), "wants NAME@SECONDS");
+}
+
+TEST_F(Program, CheckReadsContentNotNames) {
+    const Path content = tests::sourceFolder() / "content";
+    const auto named = [&](const char* name, const Path& file) {
+        return write(name, *readText(file)).string() + " ";
+    };
+    const Outcome good = run(
+        "check " + named("dive", content / "dives/reef.toml") + named("species", content / "species.toml") +
+        named("model", content / "models/shark.glb") + named("photo.mp4", content / "icon.png"));
+    EXPECT_EQ(good.status, 0) << good.err;
+    for (const char* kind : {"a dive of", "a table of", "a model of", "PNG picture"})
+        EXPECT_NE(good.out.find(kind), std::string::npos) << kind << good.out;
+    expectOneMessage(run("check " + named("readme.toml", tests::sourceFolder() / "README.md")), "is neither");
+}
+
 TEST_F(Program, EveryMalformedFileGetsOneLine) {
     const Path malformed = tests::sharedDataFolder() / "malformed";
     if (!fs::exists(malformed)) GTEST_SKIP() << "needs the reference data: " << malformed;

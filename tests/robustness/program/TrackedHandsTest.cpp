@@ -226,8 +226,9 @@ TEST_F(TrackedHands, WithoutAServiceTheMouseHasTheHands) {
 }
 
 TEST_F(TrackedHands, WrongAddressesAndMountsAreSaid) {
-    for (const char* words : {"--leap nowhere", "--leap :1", "--leap a:0", "--leap a:70000", "--leap a:1x",
-                              "--leap-mount knee"}) {
+    for (const char* words :
+         {"--leap nowhere", "--leap :1", "--leap a:0", "--leap a:70000", "--leap a:1x", "--leap ::1:6437",
+          "--leap [::1]", "--leap []:1", "--leap [::1:1", "--leap-mount knee"}) {
         EXPECT_EQ(run(std::string("play --headless ") + words).status, 2) << words;
         EXPECT_NE(err().find("--leap"), std::string::npos) << err();
     }

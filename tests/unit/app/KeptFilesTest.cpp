@@ -31,6 +31,37 @@ class KeptFiles : public testing::Test {
     }
 };
 
+TEST_F(KeptFiles, AnAddressMayBeOfIPv6) {
+    std::string host;
+    uint16_t port = 0;
+    const TextSetting address = addressSetting(host, port);
+    EXPECT_TRUE(address.set("[::1]:6502"));
+    EXPECT_EQ(address.get(), "[::1]:6502");
+    EXPECT_EQ(host, "[::1]");
+    for (const char* wrong : {"::1:6502", "[]:1", "[::1]", "[::1:1", "::1]:1", "a]:1", "[:1"})
+        EXPECT_FALSE(address.set(wrong)) << wrong;
+}
+
+// Each file's content decides, and its name says something else.
+TEST_F(KeptFiles, FilmsAndPhotosAreListedByTheirContent) {
+    ::setenv("HOME", folder_.path().c_str(), 1);
+    const auto write = [&](const char* name, std::string_view bytes) {
+        std::filesystem::create_directories((folder_ / name).parent_path());
+        EXPECT_TRUE(writeFileWhole(folder_ / name, bytes));
+    };
+    write("Videos/text.mp4", "no film, but text");
+    write("Videos/photo", "\xff\xd8\xff\xe0");
+    write("Pictures/grey.ppm", "P5 2 1 255\n12");
+    write("Pictures/phone.jpg", std::string_view("\0\0\0\x14"
+                                                 "ftypheic\0\0\0\0mif1",
+                                                 20));
+    write("Downloads/sky.txt", "#?RADIANCE\n");
+    write("Downloads/empty.png", "");
+    std::vector<std::string> names;
+    for (const Path& file : filmsAndPhotos()) names.push_back(file.filename().string());
+    EXPECT_THAT(names, testing::UnorderedElementsAre("photo", "grey.ppm", "sky.txt"));
+}
+
 // The ends of ranges are floats, which need not be what their decimals say.
 TEST_F(KeptFiles, EverySettingComesBack) {
     for (const float fraction : {0.0f, 1.0f}) {

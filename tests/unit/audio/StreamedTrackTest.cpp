@@ -182,5 +182,58 @@ TEST(StreamedTrack, HasItsVolume) {
     EXPECT_NEAR(maximum[1] / maximum[0], 0.5, 0.01);
 }
 
+// A tone from straight left of the track (FuMa: W of half the power, Y), heard by a turned head.
+TEST(StreamedTrack, BFormatSurroundsTheHead) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    const glm::vec3 up(0, 1, 0);
+    const auto heard = [&](float headYaw, float trackYaw) {
+        Audio audio = std::move(*Audio::open({.loopback = true}));
+        int64_t at = 0;
+        audio.setTrack({.length = 480000,
+                        .channels = 4,
+                        .seek = [&](int64_t frame) { at = frame; },
+                        .read =
+                            [&](std::span<int16_t> samples) {
+                                for (size_t i = 0; i < samples.size(); i += 4, ++at) {
+                                    const double tone = 9000 * std::sin(static_cast<double>(at) / 20);
+                                    const auto w = static_cast<int16_t>(tone * std::numbers::sqrt2 / 2);
+                                    samples[i] = w, samples[i + 2] = static_cast<int16_t>(tone);
+                                    samples[i + 1] = samples[i + 3] = 0;
+                                }
+                                return samples.size() / 4;
+                            }});
+        std::vector<float> samples(1600);
+        for (int i = 0; i < 60; ++i) {
+            audio.update({.position = {3, 1, -2},
+                          .worldFromHead = glm::angleAxis(headYaw, up),
+                          .worldFromTrack = glm::angleAxis(trackYaw, up)},
+                         {}, {});
+            audio.syncTrack(i / 60.0, 1, false);
+            audio.render(samples);
+        }
+        return loudness(samples);
+    };
+    const double ahead = heard(kPi / 2, 0).both();
+    EXPECT_GT(ahead, 0.02);
+    for (const auto& [head, track, side] :
+         std::initializer_list<std::array<float, 3>>{{0, 0, -1},
+                                                     {kPi, 0, 1},
+                                                     {0, kPi, 1},
+                                                     {kPi, kPi, -1},
+                                                     {kPi / 2, 0, 0},
+                                                     {0, -kPi / 2, 0},
+                                                     {-kPi / 2, 0, 0},
+                                                     {kPi / 2, kPi / 2, -1}}) {
+        const Loudness at = heard(head, track);
+        const std::string where = testing::PrintToString(std::array{head, track});
+        const double balance = at.left / at.right;
+        EXPECT_TRUE(side == 0  ? std::abs(balance - 1) < 0.02
+                    : side < 0 ? balance > 2
+                               : balance < 0.5)
+            << where << balance;
+        EXPECT_NEAR(at.both() / ahead, 1, 0.6) << where;
+    }
+}
+
 } // namespace
 } // namespace shoal::audio

@@ -4,6 +4,7 @@
 #include "tests/Test.h"
 #include "tests/unit/Wav.h"
 
+#include <numbers>
 #include <thread>
 
 namespace shoal::media {
@@ -138,6 +139,71 @@ TEST(SoundTrack, AVideosSoundBeginsWithItsPicture) {
         // The codec smears a start over a part of its block of 1024 samples; 10 ms is half of that.
         EXPECT_NEAR(static_cast<double>(starts), kSecond, 480) << from;
     }
+}
+
+std::string big32(size_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 255);
+    return bytes;
+}
+
+// PCM in QuickTime, with Google's box SA3D (Spatial Audio RFC) in the order of ACN, at the end of the entry.
+TEST(SoundTrack, AmbisonicsComeAsFuMa) {
+    for (const size_t order : {size_t{1}, size_t{2}}) {
+        const size_t channels = (order + 1) * (order + 1);
+        std::string levels,
+            box = "SA3D" + std::string(2, 0) + big32(order) + std::string(2, 0) + big32(channels);
+        for (size_t i = 0; i < channels; ++i) {
+            levels += (i ? "|" : "") + std::to_string(0.25 / static_cast<double>(i + 1));
+            box += big32(i);
+        }
+        box = big32(box.size() + 4) + box;
+        const TemporaryFile file("pcm.mov", "");
+        const std::string command = "ffmpeg -v error -y -f lavfi -i \"aevalsrc='" + levels +
+                                    "':s=48000:d=1\" -c:a pcm_s16le '" + file.path.string() + "' 2>/dev/null";
+        if (std::system(command.c_str()) != 0) GTEST_SKIP() << "needs ffmpeg to make a sound";
+        std::ifstream stream(file.path, std::ios::binary);
+        std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        const size_t table = bytes.find("stsd"), begin = bytes.rfind("moov", table);
+        const auto grow = [&](size_t at) { // the box whose name is there
+            const auto* size = reinterpret_cast<const uint8_t*>(&bytes[at - 4]);
+            const size_t old = size_t{size[0]} << 24 | size[1] << 16 | size[2] << 8 | size[3];
+            bytes.replace(at - 4, 4, big32(old + box.size()));
+            return at - 4 + old;
+        };
+        for (const char* name : {"moov", "trak", "mdia", "minf", "stbl"}) grow(bytes.find(name, begin));
+        grow(table + 16);
+        bytes.insert(grow(table), box);
+        std::ofstream(file.path, std::ios::binary) << bytes;
+
+        auto track = tests::valueOf(SoundTrack::open(file.path, 1));
+        ASSERT_EQ(track.channels(), 4);
+        track.seek(kSecond / 2);
+        std::vector<int16_t> samples(4000);
+        for (size_t i = 0; i < samples.size(); std::this_thread::yield())
+            i += 4 * track.read(std::span(samples).subspan(i));
+        constexpr double kLevels[] = {0.25 / std::numbers::sqrt2, 0.25 / 4, 0.25 / 2, 0.25 / 3};
+        for (size_t i = 0; i < samples.size(); ++i)
+            ASSERT_NEAR(samples[i] / 32768.0, kLevels[i % 4], 1e-4) << i;
+    }
+}
+
+TEST(SoundTrack, SharedOpusHasItsSoundOnTheLeft) {
+    const Path file = tests::sharedDataFolder() / "files/amb.mka";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no shared files/amb.mka";
+    auto track = tests::valueOf(SoundTrack::open(file, 0));
+    ASSERT_EQ(track.channels(), 4);
+    track.seek(kSecond);
+    std::vector<int16_t> samples(4000);
+    for (size_t i = 0; i < samples.size(); std::this_thread::yield())
+        i += 4 * track.read(std::span(samples).subspan(i));
+    double loudest = 0;
+    for (size_t i = 0; i < samples.size(); i += 4) {
+        loudest = std::max(loudest, std::abs(static_cast<double>(samples[i + 2])));
+        EXPECT_NEAR(samples[i] * std::numbers::sqrt2, samples[i + 2], 2);
+        EXPECT_NEAR(std::hypot(samples[i + 1], samples[i + 3]), 0, 2);
+    }
+    EXPECT_GT(loudest, 8000);
 }
 
 TEST(SoundTrack, SaysWhyThereIsNone) {
