@@ -59,7 +59,7 @@ struct Audio::State {
         voices.setSilent(paused);
     }
 
-    Status open() {
+    Status openDevice() {
         // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
         // sentence.
         const log::QuietStandardError quiet;
@@ -76,6 +76,11 @@ struct Audio::State {
             device.reset();
             return Error{"", "the sound device could not be set up"};
         }
+        return Done{};
+    }
+
+    Status open() {
+        if (Status opened = openDevice(); !opened) return opened;
         pausedAt_s = pausedFor_s = 0; // a new device, a new clock
         standing = false;
         makeCurrent();

@@ -141,7 +141,7 @@ class VoicePool {
         ALuint filter = 0; // its low-pass
         Use use = Use::Free;
         Sound sound;
-        double since_s = 0; // when it started, or began to end
+        double since_s = 0; // when it started, was last heard as an emitter, or began to end
         float loudness = 0; // gain at the ear
     };
 

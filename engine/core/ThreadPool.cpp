@@ -9,10 +9,17 @@
 namespace shoal {
 
 ThreadPool::ThreadPool(int helpers) {
-    for (int k = 0; k < helpers; ++k) helpers_.emplace_back([this] { wait(); });
+    try {
+        for (int k = 0; k < helpers; ++k) helpers_.emplace_back([this] { wait(); });
+    } catch (...) { // the system gives no more threads; those that there are would wait for ever
+        stop();
+        throw;
+    }
 }
 
-ThreadPool::~ThreadPool() {
+ThreadPool::~ThreadPool() { stop(); }
+
+void ThreadPool::stop() {
     const std::lock_guard lock(mutex_);
     stop_ = true;
     next_ = parts_;

@@ -28,6 +28,7 @@ class ThreadPool {
 
   private:
     void start(int parts, void (*part)(void*, int), void* context);
+    void stop();
     void work(std::unique_lock<std::mutex>& lock);
     void wait();
 

@@ -58,7 +58,8 @@ Status stage(const Path& file, std::string_view bytes, Staged& staged) {
     return written ? written : Error{file.string(), written.error().reason};
 }
 
-// Renames the files if all were written, and removes those that were not put in place.
+// Renames the files if all were written, and removes those that were not put in place. Temporary files stay
+// only where memory runs out.
 Status putInPlace(const Staged& staged, Status written) {
     std::error_code code;
     for (const auto& [temporary, place] : staged) {

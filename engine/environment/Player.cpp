@@ -6,6 +6,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -14,10 +15,29 @@ namespace shoal::environment {
 
 namespace {
 
+// Maximum width of the map for mirror reflections. For a video a quarter of the usual 2048: fish are rough
+// and small, and show nothing finer. A still is analysed once, at its full resolution.
+constexpr int kVideoLightWidth = 512;
+constexpr int kStillLightWidth = 4096;
+
+constexpr int kBesideWidth = 64;         // greatest width of the map for light beside the camera
+constexpr int kSmoothWidth = 32;         // greatest width of the map for light in occlusion
+constexpr int kCameraResponseEvery = 24; // frames between estimates: a camera hardly changes
+
 // Returns the left eye's picture. Its light serves both eyes: theirs differ by less than the light's error.
 light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bgr) {
     const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
+}
+
+// Returns the light of the left eye's picture; copies it if it is not the whole frame.
+const ImageRgbF& leftEyeOf(const ImageRgbF& frame, media::Layout layout, ImageRgbF& copy) {
+    const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
+    if (part.width == frame.width && part.height == frame.height) return frame;
+    copy.fit(part.width, part.height);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(frame.at(part.x, part.y + y), 3 * part.width, copy.at(0, y));
+    return copy;
 }
 
 float millisecondsSince(std::chrono::steady_clock::time_point began) {
@@ -57,10 +77,13 @@ Status setFile(Source& source, const std::string& file) {
 }
 
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {
+    const Source& source = setup.source;
+    if (!source.layer.empty() && source.env.empty())
+        return Error{source.photo + source.video, "has no layers; leave --layer out"};
     std::unique_ptr<Player> player(new Player(setup));
-    const Status opened = !setup.source.photo.empty() ? player->openPhoto(wait)
-                          : !setup.source.env.empty() ? player->openHdr()
-                                                      : player->openVideo(wait);
+    const Status opened = !source.photo.empty() ? player->openPhoto(wait)
+                          : source.isHdr()      ? player->openHdr()
+                                                : player->openVideo(wait);
     if (!opened) return opened.error();
     player->update(0, true);
     return player;
@@ -70,15 +93,18 @@ Status Player::openVideo(const Wait& wait) {
     const std::string& name = setup_.source.video;
     const auto address = media::liveAddress(name);
     if (!address) return address.error();
-    if (!*address && setup_.source.depth) openDepth();
-    prepareFor(setup_.analysis.quality, media::kFrameSlots);
+    const Path track = media::depthTrackOf(name);
+    std::error_code missing;
+    if (!*address && setup_.source.depth && std::filesystem::exists(track, missing))
+        if (Status s = media::DepthTrack::open(track, name).moveTo(depthTrack_); !s)
+            log::warn("{}; the film is shown without depth", s.error().message());
+    prepareFor(setup_.quality, media::kFrameSlots);
     media::PlayerOptions options{.layout = setup_.source.layout, .keepPixels = false};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
     if (*address)
         return media::LivePlayer::open(media::feedFrom(**address), {options},
                                        [&] { return !wait || wait(-1); })
             .moveTo(live_);
-    file_ = name;
     if (const Status opened = media::VideoPlayer::open(name, options).moveTo(player_); !opened) return opened;
     const media::VideoInfo& info = player_->info();
     if (info.layout != media::Layout::Mono && std::string_view(info.layoutSource) == "content")
@@ -98,7 +124,7 @@ Status Player::openPhoto(const Wait& wait) {
     envFromFilm_ = photo->envFromPhoto;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(leftEyeOf(photo->picture, layout_, false), frames_[0].found);
+    analyse(leftEyeOf(photo->picture, layout_, false), {}, frames_[0].found);
     light_ms_ = millisecondsSince(began);
     media::toBgra(photo->picture, false, frames_[0].picture);
     follow(0);
@@ -106,40 +132,31 @@ Status Player::openPhoto(const Wait& wait) {
 }
 
 Status Player::openHdr() {
-    auto picture = media::readHdr(setup_.source.env);
+    auto picture = media::readHdr(setup_.source.env, {}, setup_.source.layer);
     if (!picture) return picture.error();
-    hdr_ = true;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    analysis_->analyse(picture->radianceLin, frames_[0].found);
+    lightMaker_.makeFromHdr(picture->radianceLin, made_);
+    pack(light::TooBright::Scale, frames_[0].found);
     light_ms_ = millisecondsSince(began);
     if (const std::string repairs = picture->repairs(); !repairs.empty())
         log::warn("{}: {}", setup_.source.env, repairs);
     frames_[0].radianceLin = std::move(picture->radianceLin);
-    if (setup_.analysis.lights) casting_ = lights_.follow(frames_[0].found.lights, 0);
+    if (setup_.lights) casting_ = lights_.follow(frames_[0].found.lights, 0);
     return Done{};
 }
 
 void Player::prepareFor(light::LightQuality quality, size_t slots) {
-    setup_.analysis.quality = quality;
-    setup_.analysis.frames = setup_.source.light;
-    setup_.analysis.lights =
-        setup_.analysis.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
-    analysis_.emplace(setup_.analysis);
+    setup_.quality = quality;
+    setup_.lights = setup_.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
+    lightMaker_ =
+        light::LightMaker({quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
+                           setup_.minRoughness, quality, setup_.source.light});
     frames_.resize(slots);
     shown_ = frames_.data();
 }
 
-// Opens the film's depth track. The depth stays unknown if the track is missing or broken.
-void Player::openDepth() {
-    const Path film = setup_.source.video, file = media::depthTrackOf(film);
-    std::error_code missing;
-    if (!std::filesystem::exists(file, missing)) return;
-    if (Status s = media::DepthTrack::open(file, film).moveTo(depthTrack_); !s)
-        log::warn("{}; the film is shown without depth", s.error().message());
-}
-
-// Refines the depth of a frame; on the decode thread.
+// Refines the depth of a frame.
 void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye) {
     const int number = depthTrack_->frameAt(frame.time_s);
     if (number != trackFrameNumber_ && depthTrack_->read(number, trackFrame_)) trackFrameNumber_ = number;
@@ -151,14 +168,59 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
     made.lightDifference.make(made.found.radianceLin, made.depth);
 }
 
-// Analyses a frame; on the decode thread.
 void Player::prepare(const media::VideoFrame& frame) {
     const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
     Frame& made = frames_[frame.slot];
-    analysis_->analyse(leftEye, made.found);
+    analyse(leftEye, leftEyeOf(frame.radianceLin, frame.layout, leftRadianceLin_), made.found);
     if (depthTrack_ && setup_.drawsDepth) prepareDepth(frame, leftEye);
     made.found.cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, made.picture);
+}
+
+void Player::analyse(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out) {
+    makeLight(frame, radianceLin, out);
+    if (!setup_.cameraResponse) return;
+    if (sinceResponse_++ % kCameraResponseEvery == 0) lastResponse_ = responseEstimator_.estimate(frame);
+    out.cameraResponse = lastResponse_;
+    glare_.make(frame, out.glare);
+}
+
+void Player::makeLight(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out) {
+    const int every = lightEvery_.load(std::memory_order_relaxed);
+    if (++sinceLight_ < every && !newest_.light.places.empty()) {
+        out = newest_;
+        return;
+    }
+    sinceLight_ = 0;
+    out.measured = !radianceLin.empty() && setup_.source.light != light::FrameRadiance::Thesis;
+    if (out.measured)
+        lightMaker_.makeFromHdr(radianceLin, made_);
+    else
+        lightMaker_.make(frame, made_);
+    pack(light::TooBright::Cut, out);
+    if (setup_.water) out.water = waterEstimator_.estimate(frame);
+    if (setup_.lights) lightFinder_.find(made_.radiance, out.lights);
+    if (every > 1) newest_ = out;
+}
+
+// Packs made_ into out. The map of roughness 1 is the diffuse map too.
+void Player::pack(light::TooBright tooBright, FrameFindings& out) {
+    if (setup_.diffuse == light::DiffuseMethod::Thesis) {
+        thesisDiffuse_.make(made_.radiance, made_.diffuse);
+        made_.glossy.back().radianceLin = made_.diffuse;
+    }
+    light::packLight(made_,
+                     setup_.pyramid                                       ? light::MirrorMaps::Pyramid
+                     : setup_.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                          : light::MirrorMaps::None,
+                     out.light, tooBright);
+    const auto levelOf = [&](int width) {
+        return std::ranges::find_if(made_.radiance.levels,
+                                    [=](const ImageRgbF& level) { return level.width <= width; });
+    };
+    const auto none = made_.radiance.levels.end();
+    if (const auto small = levelOf(kSmoothWidth); small != none) out.smooth = occlusion::smoothLight(*small);
+    if (const auto small = levelOf(kBesideWidth); small != none) out.radianceLin = *small;
 }
 
 bool Player::update(double time_s, bool exact) {
@@ -197,13 +259,12 @@ bool Player::show(const media::VideoFrame& frame, double time_s) {
 
 // Smooths the findings over time; called for every drawn picture, so that light is smoother than the video.
 void Player::follow(double time_s) {
-    const AnalysisOptions& wanted = setup_.analysis;
     const FrameFindings& now = shown_->found;
     const auto dt_s = static_cast<float>(time_s - lastUpdate_s_);
     lastUpdate_s_ = time_s;
-    if (wanted.water) water_.follow(now.water, setup_.waterIsCertain ? 1 : now.water.evidence, dt_s);
-    if (wanted.lights) casting_ = lights_.follow(now.lights, dt_s);
-    if (wanted.cameraResponse) {
+    if (setup_.water) water_.follow(now.water, setup_.waterIsCertain ? 1 : now.water.evidence, dt_s);
+    if (setup_.lights) casting_ = lights_.follow(now.lights, dt_s);
+    if (setup_.cameraResponse) {
         cameraResponse_.follow(now.cameraResponse, dt_s);
         cameraResponse_.followGlare(now.glare.maxShare, dt_s);
     }

@@ -1,15 +1,23 @@
-// Player of an environment (video, live video, photo or HDR picture), with the analysis of its frames. One
-// thread uses it; a video's frames are analysed on the decode thread.
+// Player of an environment (video, live video, photo or HDR picture), with the analysis of its frames.
 #pragma once
 
+#include "engine/camera/CameraResponse.h"
 #include "engine/core/Files.h"
+#include "engine/core/Image.h"
 #include "engine/depth/DepthMap.h"
 #include "engine/depth/LightDifference.h"
-#include "engine/environment/FrameAnalysis.h"
+#include "engine/light/BruteForceDiffuse.h"
 #include "engine/light/FindLights.h"
+#include "engine/light/MakeLight.h"
+#include "engine/light/PackedLight.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
+#include "engine/occlusion/SmoothLight.h"
+#include "engine/water/EstimateWater.h"
 
+#include <glm/gtc/quaternion.hpp>
+
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,9 +28,12 @@ namespace shoal::environment {
 
 struct Source {
     std::string video, photo, env; // at most one; video: a file or a live address
+    std::string layer;             // of an HDR picture: media::readHdr()
     media::Layout layout = media::Layout::Auto;
     light::FrameRadiance light = light::FrameRadiance::Auto;
     bool depth = true; // use the depth track beside the video, if there is one
+
+    bool isHdr() const { return photo.empty() && !env.empty(); }
 
     bool operator==(const Source&) const = default;
 };
@@ -36,7 +47,13 @@ struct Setup {
     bool drawsDepth = true;     // false: only the game's rules use the video's distances
     bool roomIsSeen = false;    // the room shows: shadows may fall on its floor even without a depth track
     bool waterIsCertain = true; // take the estimated water as it is; false: weight it by its evidence
-    AnalysisOptions analysis;
+    bool pyramid = false;       // keep the radiance pyramid too, for the thesis' glossy lookup
+    float minRoughness = 0;     // least roughness drawn: no light is made for smoother surfaces
+    light::LightQuality quality = light::LightQuality::Video; // Still for stills
+    light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    bool water = false;
+    bool lights = false; // directions of the light sources, for shadows
+    bool cameraResponse = false;
 
     bool operator==(const Setup&) const = default;
 };
@@ -48,6 +65,18 @@ using Wait = std::function<bool(float)>;
 // Trouble that leaves the last good picture shown. Damaged: a film's file. Stopped, Lost: media::LiveState.
 enum class Trouble { None, Damaged, Stopped, Lost };
 
+struct FrameFindings {
+    light::PackedLight light;
+    occlusion::SmoothLight smooth; // for occlusion between bodies
+    ImageRgbF radianceLin;         // small map, for the light at places beside the camera
+    bool measured = false;         // whether the film tells how bright its lights are: PQ, HLG
+    // The members below are empty unless the setup asks for them:
+    water::WaterEstimate water;
+    light::FoundLights lights;
+    camera::CameraResponseEstimate cameraResponse;
+    camera::Glare glare;
+};
+
 // A frame and its analysis.
 struct Frame {
     ImageRgba8 picture;    // pixels to upload, blue first; empty for an HDR picture
@@ -58,6 +87,7 @@ struct Frame {
     depth::LightDifference lightDifference;
 };
 
+// One thread uses it; a video's frames are analysed on the decode thread.
 class Player {
   public:
     // Opens an environment, with its first frame.
@@ -72,7 +102,7 @@ class Player {
     const Frame& frame() const { return *shown_; }
     media::Layout layout() const { return layout_; }
     const glm::quat& envFromFilm() const { return envFromFilm_; } // how the file turns its sphere
-    bool isHdr() const { return hdr_; }
+    bool isHdr() const { return setup_.source.isHdr(); }
     water::Water water() const { return water_.water(); } // none if the environment is dry
     // Returns the light that casts shadows, env frame. There is none unless the setup asks for lights and
     // there are distances or a room's floor to cast shadows on.
@@ -89,13 +119,13 @@ class Player {
     float light_ms() const { return light_ms_; }
     float decode_ms() const { return decode_ms_; }
 
-    const Path& file() const { return file_; } // the video's file; empty: a still, or live
+    Path file() const { return player_ ? Path(setup_.source.video) : Path(); } // empty: a still, or live
     // Length of a pass of the video; 0: a still, or live.
     double length_s() const { return player_ ? player_->info().duration_s : 0; }
     const media::LivePlayer* live() const { return live_ ? &*live_ : nullptr; } // null: a file
 
-    // Makes light once in this many frames of the video; the frames between keep the last.
-    void setLightEvery(int frames) { analysis_->setLightEvery(frames); }
+    // Makes light (and water and light sources) once in this many frames of the video; others keep the last.
+    void setLightEvery(int frames) { lightEvery_.store(frames, std::memory_order_relaxed); }
 
   private:
     explicit Player(const Setup& setup) : setup_(setup) {}
@@ -106,26 +136,39 @@ class Player {
     Status openPhoto(const Wait& wait);
     Status openHdr();
     void prepareFor(light::LightQuality quality, size_t slots);
-    void openDepth();
+    // The decode thread calls these for a video's frames, in their order. They allocate nothing once their
+    // buffers have grown.
     void prepare(const media::VideoFrame& frame);
     void prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye);
+    void analyse(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out);
+    void makeLight(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out);
+    void pack(light::TooBright tooBright, FrameFindings& out);
     void follow(double time_s);
     bool show(const media::VideoFrame& frame, double time_s);
 
     Setup setup_;
-    bool hdr_ = false;
     media::Layout layout_ = media::Layout::Mono;
     glm::quat envFromFilm_{1, 0, 0, 0};
-    std::optional<FrameAnalysis> analysis_;
-    // Filled on the decode thread, one for each slot, and handed over with the video's frame. Declared before
-    // the players, so that they outlive the players' threads, which write them.
+    // State of the analysis. It and the frames are declared before the players, whose threads write them.
+    light::LightMaker lightMaker_;
+    light::BruteForceDiffuse thesisDiffuse_;
+    water::WaterEstimator waterEstimator_;
+    light::LightFinder lightFinder_;
+    camera::CameraResponseEstimator responseEstimator_;
+    camera::GlareFilter glare_;
+    light::EnvironmentLight made_; // light before packing
+    FrameFindings newest_;         // last findings, while light is not made for every frame
+    camera::CameraResponseEstimate lastResponse_;
+    int sinceLight_ = 0, sinceResponse_ = 0;
+    std::atomic<int> lightEvery_ = 1;
+    // Filled on the decode thread, one for each slot, and handed over with the video's frame.
     std::vector<Frame> frames_;
+    ImageRgbF leftRadianceLin_; // of a stereo frame
     const Frame* shown_ = nullptr;
     std::optional<media::DepthTrack> depthTrack_;
     media::DepthFrame trackFrame_; // the last one decoded
     int trackFrameNumber_ = -1;
     depth::DepthRefiner depthRefiner_;
-    Path file_;
     std::optional<media::VideoPlayer> player_;
     std::optional<media::LivePlayer> live_; // instead of player_
     int64_t shownIndex_ = -1;

@@ -100,7 +100,7 @@ LightFinder::LightFinder()
     near_.reserve(fineDirections_.size());
 }
 
-// Appends a texel if it counts as light, by the share to which it does.
+// Appends a texel if it counts as light; its weight is multiplied by the share to which it does.
 void LightFinder::addIfBright(const glm::vec3& direction, float luminance, float solidAngle_sr,
                               std::vector<BrightTexel>& texels) const {
     const float above = luminance - mean_;

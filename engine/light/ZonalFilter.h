@@ -56,7 +56,7 @@ class ZonalFilter {
   private:
     struct Range {
         int first = 0, count = 0; // input rows
-        size_t kernel = 0;        // index of a float for each output row of the block, for each input row
+        size_t kernel = 0; // index of its values: for each input row, one for each output row of the block
     };
     // The kernel of the northern half; the southern half counts input and output rows from the south.
     struct Kernel {

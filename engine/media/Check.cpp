@@ -40,6 +40,8 @@ static std::string depthNote(const Path& film) {
     return fmt::format("; with depth, {}x{}", track->info().width, track->info().height);
 }
 
+constexpr const char* kTransferNotes[] = {"", " in PQ, lit as measured", " in HLG, lit as measured"};
+
 Result<std::string> checkVideo(const Path& file) {
     auto source = VideoSource::open(file, Layout::Auto);
     if (!source) return source.error();
@@ -60,10 +62,10 @@ Result<std::string> checkVideo(const Path& file) {
     if (frames < leastFrames(info.frameCount))
         return Error{file.string(), fmt::format("is damaged: only {:.1f} of {:.1f} s can be decoded",
                                                 static_cast<double>(frames) / info.fps, info.duration_s)};
-    std::string message =
-        fmt::format("{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
-                    info.height, info.codec, info.storedFps, static_cast<double>(frames) / info.fps,
-                    nameOf(info.matrix), enumName(info.layout), info.layoutSource);
+    std::string message = fmt::format(
+        "{}x{} {} video, {:.4g} frames/s, {:.1f} s, {} colour{}, lat-long {} ({})", info.width, info.height,
+        info.codec, info.storedFps, static_cast<double>(frames) / info.fps, nameOf(info.matrix),
+        kTransferNotes[static_cast<size_t>(info.transfer)], enumName(info.layout), info.layoutSource);
     message += info.metadata.note();
     if (!info.metadata.present) message += "; does not say that it is a 360-degree video";
     return message + depthNote(file);
@@ -94,7 +96,7 @@ Result<std::string> checkDepthTrack(const Path& file) {
                        100 * confidence / (count * kMaxDepthCode));
 }
 
-Result<std::string> checkPicture(const Path& file) {
+Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     const auto begin = readFileBegin(file, 1 << 20);
     if (!begin) return begin.error();
     const auto kind = pictureKind(*begin);
@@ -105,13 +107,15 @@ Result<std::string> checkPicture(const Path& file) {
         return fmt::format("{}x{} {} picture, {}{}", photo->picture.width, photo->picture.height,
                            nameOf(*kind), shapeNote(*photo), photo->note());
     }
-    const auto picture = readHdr(file);
+    const auto picture = readHdr(file, {}, layer);
     if (!picture) return picture.error();
     const ImageRgbF& image = picture->radianceLin;
+    std::string message =
+        fmt::format("{}x{} {} picture, largest component {:.4g}, {}", image.width, image.height,
+                    nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image));
+    for (const std::string& note : picture->notes) message += fmt::format("; {}", note);
     const std::string repairs = picture->repairs();
-    return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}{}", image.width, image.height,
-                       nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image),
-                       repairs.empty() ? "" : "; ", repairs);
+    return repairs.empty() ? message : fmt::format("{}; {}", message, repairs);
 }
 
 Result<std::string> checkMedia(const Path& file) {

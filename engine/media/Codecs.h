@@ -27,7 +27,6 @@ using CameraReader = std::function<bool(cv::Mat* bgr)>;
 // plug-in exports one as `shoalCodecs`, with C linkage.
 struct Codecs {
     cv::Mat (*imdecode)(cv::InputArray bytes, int flags);
-    cv::Mat (*imread)(const std::string& file, int flags);
     bool (*imencode)(const std::string& extension, cv::InputArray bgr, std::vector<uint8_t>& bytes,
                      const std::vector<int>& parameters);
     CameraReader (*openCamera)(int index, const CameraRequest& request);

@@ -5,11 +5,6 @@
 #include <fmt/core.h>
 #include <opencv2/core.hpp>
 
-extern "C" {
-#include <libavutil/csp.h>
-#include <libavutil/pixdesc.h>
-}
-
 #include <algorithm>
 #include <cmath>
 
@@ -109,29 +104,13 @@ Status checkPictureSize(int width, int height) {
     return Done{};
 }
 
-ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height) {
-    if (codec == AV_CODEC_ID_MJPEG || stated == AVCOL_SPC_BT470BG || stated == AVCOL_SPC_SMPTE170M)
-        return ColourMatrix::Bt601;
-    if (stated == AVCOL_SPC_BT709) return ColourMatrix::Bt709;
-    if (stated == AVCOL_SPC_BT2020_NCL) return ColourMatrix::Bt2020;
-    return width >= 1280 || height > 576 ? ColourMatrix::Bt709 : ColourMatrix::Bt601;
-}
-
-Luma lumaOf(ColourMatrix matrix) {
-    const AVLumaCoefficients* luma = av_csp_luma_coeffs_from_avcsp(static_cast<AVColorSpace>(matrix));
-    return {av_q2d(luma->cr), av_q2d(luma->cb)};
-}
-
-const char* nameOf(ColourMatrix matrix) {
-    return matrix == ColourMatrix::Bt709 ? "BT.709" : matrix == ColourMatrix::Bt601 ? "BT.601" : "BT.2020";
-}
-
 Status Decoder::open(const AVStream& stream, FrameThreading threading, int threads, int64_t maxPixels) {
     const AVCodec* kind = avcodec_find_decoder(stream.codecpar->codec_id);
     codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
     if (!codec_ || avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0)
         return Error{"", "is of a codec that is not installed"};
     codec_->pkt_timebase = stream.time_base;
+    stated_ = {codec_->colorspace, codec_->color_primaries, codec_->color_trc}; // decoders write over these
     codec_->thread_count = threads;
     if (threading == FrameThreading::None) {
         codec_->thread_type = FF_THREAD_SLICE; // threads share a picture
@@ -173,46 +152,34 @@ glm::ivec2 Decoder::chromaTexels() const {
     return format ? glm::ivec2(1 << format->log2_chroma_w, 1 << format->log2_chroma_h) : glm::ivec2(1);
 }
 
-Status Decoder::convert(ImageRgb8& bgr) {
-    const int width = frame_->width, height = frame_->height;
-    if (Status playable = checkPictureSize(width, height); !playable) return playable;
-    bgr.fit(width, height);
-    const auto format = static_cast<AVPixelFormat>(frame_->format);
-    const bool ofJpeg = format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P;
-    const bool fullRange =
-        frame_->color_range == AVCOL_RANGE_JPEG || ofJpeg || codec_->codec_id == AV_CODEC_ID_MJPEG;
-    const ColourMatrix matrix = matrixOf(codec_->codec_id, frame_->colorspace, width, height);
-    if (!ofJpeg && format != AV_PIX_FMT_YUV420P && format != AV_PIX_FMT_YUV422P)
-        return convertBySwscale(matrix, fullRange, bgr);
-    // Uses our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND
-    // SWS_FULL_CHR_H_INT) or up to 3 of 255 levels off, where ours is within 0.6.
-    const auto& data = frame_->data;
-    const auto& linesize = frame_->linesize;
-    toBgr({data[0], data[1], data[2]}, {linesize[0], linesize[1], linesize[2]}, chromaTexels().y, matrix,
-          fullRange, bgr);
-    return Done{};
+FrameColour Decoder::colour() const {
+    StatedColour stated = stated_;
+    if (frame_->colorspace != AVCOL_SPC_UNSPECIFIED) stated.matrix = frame_->colorspace;
+    if (frame_->color_primaries != AVCOL_PRI_UNSPECIFIED) stated.primaries = frame_->color_primaries;
+    if (frame_->color_trc != AVCOL_TRC_UNSPECIFIED) stated.transfer = frame_->color_trc;
+    return colourOf(codec_->codec_id, stated, frame_->width, frame_->height);
 }
 
-// Converts by swscale into memory of its own, because swscale writes beyond the ends of rows.
-Status Decoder::convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr) {
-    const Error unknown{"", "its picture is of an unknown form"};
+Status Decoder::convert(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const int width = frame_->width, height = frame_->height;
-    scaler_.reset(sws_getCachedContext(
-        scaler_.release(), width, height, static_cast<AVPixelFormat>(frame_->format), width, height,
-        AV_PIX_FMT_BGR24, SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr));
-    if (!scaler_) return unknown;
-    constexpr int kOne = 1 << 16;
-    sws_setColorspaceDetails(scaler_.get(), sws_getCoefficients(static_cast<int>(matrix)), fullRange,
-                             sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne);
-    constexpr int kMargin = 64;
-    const int stride = (3 * width + 2 * kMargin) / kMargin * kMargin;
-    rows_.resize(static_cast<size_t>(stride) * static_cast<size_t>(height + 1));
-    uint8_t* rows[4] = {rows_.data(), nullptr, nullptr, nullptr};
-    const int strides[4] = {stride, 0, 0, 0};
-    if (sws_scale(scaler_.get(), frame_->data, frame_->linesize, 0, height, rows, strides) != height)
-        return unknown;
-    for (int y = 0; y < height; ++y)
-        std::copy_n(rows_.data() + ptrdiff_t{y} * stride, 3 * width, bgr.at(0, y));
+    if (Status playable = checkPictureSize(width, height); !playable) return playable;
+    const auto format = static_cast<AVPixelFormat>(frame_->format);
+    const bool ofJpeg = format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P ||
+                        format == AV_PIX_FMT_YUVJ444P || format == AV_PIX_FMT_YUVJ440P;
+    const bool fullRange =
+        frame_->color_range == AVCOL_RANGE_JPEG || ofJpeg || codec_->codec_id == AV_CODEC_ID_MJPEG;
+    const FrameColour colour = this->colour();
+    const bool isUsual = format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUV422P ||
+                         format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P;
+    if (!isUsual || colour.transfer != Transfer::Sdr || colour.primaries != AVCOL_PRI_BT709)
+        return converter_.convert(*frame_, colour, fullRange, bgr, radianceLin);
+    // Whole numbers take a fraction of the converter's time, within 0.6 levels.
+    if (radianceLin && !radianceLin->empty()) *radianceLin = {};
+    bgr.fit(width, height);
+    const auto& data = frame_->data;
+    const auto& linesize = frame_->linesize;
+    toBgr({data[0], data[1], data[2]}, {linesize[0], linesize[1], linesize[2]}, chromaTexels().y,
+          colour.matrix, fullRange, bgr);
     return Done{};
 }
 

@@ -4,11 +4,8 @@
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
 #include "engine/media/Ffmpeg.h"
+#include "engine/media/FrameConverter.h"
 #include "engine/media/VideoFrame.h"
-
-extern "C" {
-#include <libswscale/swscale.h>
-}
 
 #include <glm/vec2.hpp>
 
@@ -20,17 +17,6 @@ namespace shoal::media {
 
 // Fails if pictures of that size are not played.
 Status checkPictureSize(int width, int height);
-
-// Returns BT.601 for Motion JPEG of any size (JFIF), else the matrix that is stated. Without a known code
-// (unspecified, or RGB) it follows from the size, as in other players: BT.709 from 1280 wide or above 576
-// high.
-ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
-
-// Weights of red and blue in luma; green's is 1 minus both.
-struct Luma {
-    double red, blue;
-};
-Luma lumaOf(ColourMatrix matrix);
 
 // Converts a picture in planes (luma, blue and red difference), which are `strides` bytes a row, to the size
 // that bgr has. Each difference stands for two pixels of a row, the last one of an odd width for one, and for
@@ -60,18 +46,18 @@ class Decoder {
     AVFrame& frame() { return *frame_; }
     void exchange(Frame& other) { frame_.swap(other); } // receives into `other` from now on
     glm::ivec2 chromaTexels() const; // texels of a picture that share a colour, across and down
+    FrameColour colour() const;      // of the picture received last
 
-    // Converts the picture received last, blue first, by the matrix and range that it states; bgr takes its
-    // size. Fails if it is too large, or of an unknown pixel format.
-    Status convert(ImageRgb8& bgr);
+    // Converts the picture received last, blue first, by the colours and range that it states, or else its
+    // stream; bgr takes its size. radianceLin: null, or takes the light of PQ or HLG; empty for other
+    // pictures. Fails if it is too large, or of an unknown pixel format.
+    Status convert(ImageRgb8& bgr, ImageRgbF* radianceLin = nullptr);
 
   private:
-    Status convertBySwscale(ColourMatrix matrix, bool fullRange, ImageRgb8& bgr);
-
     Codec codec_;
     Frame frame_ = makeFrame();
-    std::unique_ptr<SwsContext, FreeBy<sws_freeContext>> scaler_; // for rare pixel formats
-    std::vector<uint8_t> rows_; // the scaler's output, with a margin behind each row
+    StatedColour stated_; // by the stream
+    FrameConverter converter_;
 };
 
 // Decoder of one stream of a file.

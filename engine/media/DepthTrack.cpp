@@ -35,7 +35,8 @@ bool isDepthTrack(const DepthTrackInfo& info) {
     const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height == info.width / 2;
     return fits && std::has_single_bit(static_cast<unsigned>(info.width)) && info.frameCount > 0 &&
            info.duration_s > 0 && info.duration_s <= kMaxDuration_s &&
-           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0); // stamps are whole milliseconds
+           info.frameCount <=
+               std::max(info.duration_s * kMaxFps, 1.0); // so that stamps, whole milliseconds, differ
 }
 
 Path depthTrackOf(const Path& film) {

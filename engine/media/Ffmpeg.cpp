@@ -17,12 +17,10 @@ namespace shoal::media {
 void setUpDecoders() {
     // Enough for any plane of a picture of kMaxVideoSide a side, at 16 bits.
     constexpr size_t kMaxMemory = size_t{256} << 20;
-    constexpr int kDoNotOverwrite = 0;
     static std::once_flag once;
     std::call_once(once, [] {
         av_log_set_level(AV_LOG_QUIET);
         av_max_alloc(kMaxMemory);
-        setenv("OPENCV_IO_ENABLE_OPENEXR", "1", kDoNotOverwrite);
         if (!std::getenv("OPENCV_LOG_LEVEL"))
             cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     });

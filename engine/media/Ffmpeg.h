@@ -30,8 +30,7 @@ inline Packet makePacket() { return Packet(av_packet_alloc()); }
 inline Frame makeFrame() { return Frame(av_frame_alloc()); }
 
 // Must be called before the first use of FFmpeg and of OpenCV's codecs (Codecs.h). Silences their logs on
-// standard error, bounds FFmpeg's allocations, enables the EXR codec. The first call should come before other
-// threads read the environment.
+// standard error, bounds FFmpeg's allocations.
 void setUpDecoders();
 
 // Containers of video. FFmpeg's other formats include playlists and scripts that name further files.

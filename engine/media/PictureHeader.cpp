@@ -1,13 +1,17 @@
 #include "engine/media/PictureHeader.h"
 
 #include "engine/core/Number.h"
+#include "engine/media/OpenExr.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <iterator>
-#include <optional>
+#include <sstream>
 
 #include <jpeglib.h> // behind <cstdio>, which it needs
 
@@ -17,10 +21,7 @@ namespace shoal::media {
 
 namespace {
 
-// Size in pixels; a side of 0: the header cannot be read.
-struct Size {
-    int64_t width = 0, height = 0;
-};
+using Size = PictureSize;
 
 Size jpegSize(ByteSpan b) {
     Size size;
@@ -99,71 +100,55 @@ Size pnmSize(ByteSpan b) {
     return {width, nextNumber(b, at)};
 }
 
-// Radiance: header lines, an empty line, then "-Y height +X width"; other orientations are not read.
-Size radianceSize(ByteSpan b) {
-    const std::string_view text = asText(b.first(std::min<size_t>(b.size(), 64 << 10)));
-    const size_t empty = text.find("\n\n");
-    if (empty == text.npos || !hasText(b, empty + 2, "-Y ")) return {};
-    size_t at = empty + 5;
-    const int64_t height = nextNumber(b, at);
-    if (!hasText(b, at, " +X ")) return {};
-    at += 4;
-    return {nextNumber(b, at), height};
+// Obeys a line "NAME=value" of a Radiance header. False: its value is damaged.
+bool readRadianceLine(const std::string& line, RadianceHeader& header) {
+    const size_t equals = std::min(line.find('='), line.size());
+    const std::string name = line.substr(0, equals);
+    std::istringstream value(line.substr(std::min(equals + 1, line.size())));
+    if (name == "FORMAT") {
+        const bool isXyz = line.ends_with("32-bit_rle_xyze"); // equal energy is white, as in Radiance
+        if (isXyz) header.primaries = {1, 0, 0, 1, 0, 0, 1 / 3.0f, 1 / 3.0f};
+        return isXyz || line.ends_with("32-bit_rle_rgbe");
+    }
+    const size_t count = name == "EXPOSURE" || name == "PIXASPECT" || name == "GAMMA" ? 1
+                         : name == "COLORCORR"                                        ? 3
+                         : name == "PRIMARIES"                                        ? 8
+                                                                                      : 0;
+    if (count == 0) return true;
+    const std::vector<float> numbers{std::istream_iterator<float>(value), {}};
+    if (numbers.size() != count) return false;
+    if (name == "GAMMA") return numbers[0] == 1; // Walter's rgbe.c: components to this power
+    if (count == 8) std::ranges::copy(numbers, header.primaries.emplace().begin());
+    if (name == "PIXASPECT") header.squarePixels = numbers[0] == 1;
+    if (count == 8 || name == "PIXASPECT") return true;
+    for (size_t c = 0; c < 3; ++c) header.exposure[c] *= numbers[std::min(c, count - 1)];
+    return std::ranges::all_of(header.exposure, [](float each) { return each > 0 && std::isfinite(each); });
 }
 
-// Returns whether a value has the size of its type: the library reads as many bytes as the type has, whatever
-// size is stated, and takes what follows for the next attribute.
-bool exrSizeFits(std::string_view type, ByteSpan value) {
-    using Type = std::pair<std::string_view, size_t>;
-    static constexpr Type kTypes[] = {
-        {"compression", 1}, {"deepImageState", 1}, {"envmap", 1},   {"lineOrder", 1}, {"float", 4},
-        {"int", 4},         {"double", 8},         {"rational", 8}, {"timecode", 8},  {"v2f", 8},
-        {"v2i", 8},         {"tiledesc", 9},       {"v3f", 12},     {"v3i", 12},      {"box2f", 16},
-        {"box2i", 16},      {"v2d", 16},           {"v3d", 24},     {"keycode", 28},  {"chromaticities", 32},
-        {"m33f", 36},       {"m44f", 64},          {"m33d", 72},    {"m44d", 128}};
-    const auto* known = std::ranges::find(kTypes, type, &Type::first);
-    if (known != std::end(kTypes)) return value.size() == known->second;
-    if (type == "chlist") { // "name\0" and 16 bytes each, up to an empty name
-        size_t at = 0;
-        while (at < value.size() && value[at] != 0) {
-            at = asText(value).find('\0', at);
-            if (at == std::string_view::npos || value.size() - at < 18) return false;
-            at += 17;
-        }
-        return at + 1 == value.size();
+// Reads the resolution line, such as "-Y 512 +X 1024": the axis from line to line, then that along a line.
+bool readResolution(const std::string& line, RadianceHeader& header) {
+    constexpr std::string_view kAxes[] = {"-Y", "+Y", "+X", "-X"};
+    std::istringstream words(line);
+    for (const bool alongLine : {false, true}) {
+        std::string name;
+        int64_t count = 0;
+        words >> name >> count;
+        const auto axis = std::ranges::find(kAxes, name) - kAxes;
+        if (!words || axis == std::ssize(kAxes)) return false;
+        const bool isY = axis < 2;
+        (isY ? header.size.height : header.size.width) = count;
+        (isY ? header.fromBottom : header.fromRight) = axis % 2 == 1;
+        if (!alongLine) header.byColumns = !isY;
     }
-    if (type == "preview")
-        return value.size() >= 8 && value.size() - 8 == uint64_t{4} * little32(value, 0) * little32(value, 4);
-    return type != "stringvector" && type != "idmanifest"; // contain sizes themselves; no picture needs them
+    return true;
 }
 
-// OpenEXR file layout: attributes "name\0 type\0 size value" up to an empty name. All of them are walked: the
-// library takes memory for any size that one states.
-Size exrSize(ByteSpan b) {
-    if (b.size() < 8 || (little32(b, 4) & 0x1800) != 0) return {}; // deep or of several parts
-    const std::string_view text = asText(b);
-    size_t at = 8;
-    std::optional<Size> window;
-    for (int attribute = 0; attribute < 256; ++attribute) {
-        const size_t nameEnd = text.find('\0', at);
-        if (nameEnd == text.npos) break;
-        if (nameEnd == at) return window.value_or(Size());
-        const size_t typeEnd = text.find('\0', nameEnd + 1);
-        if (typeEnd == text.npos || b.size() - typeEnd < 5) break;
-        const size_t value = typeEnd + 5;
-        const size_t size = little32(b, typeEnd + 1);
-        if (size > b.size() - value) break;
-        if (!exrSizeFits(text.substr(nameEnd + 1, typeEnd - nameEnd - 1), b.subspan(value, size))) break;
-        if (text.substr(at, nameEnd - at) == "dataWindow" && size == 16) {
-            const auto side = [&](size_t offset) {
-                return int64_t{static_cast<int32_t>(little32(b, value + offset))};
-            };
-            if (window) break; // two data windows are ambiguous
-            window = Size{side(8) - side(0) + 1, side(12) - side(4) + 1};
-        }
-        at = value + size;
-    }
-    return {};
+std::istringstream beginOf(ByteSpan bytes) {
+    return std::istringstream(std::string(asText(bytes.first(std::min<size_t>(bytes.size(), 64 << 10)))));
+}
+
+bool isEndedWord(ByteSpan b, std::string_view word) {
+    return hasText(b, 0, word) && b.size() > word.size() && std::isspace(b[word.size()]);
 }
 
 bool isPnm(ByteSpan b) {
@@ -206,9 +191,10 @@ constexpr Kind kKinds[] = {
     {"AVIF", [](ByteSpan b) { return hasBrand(b, "avif avis"); }, avifSize},
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
-     radianceSize},
+     [](ByteSpan b) { return readRadianceHeader(b).size; }},
     {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
-    {"PFM", [](ByteSpan b) { return hasText(b, 0, "PF") || hasText(b, 0, "Pf"); }, pnmSize},
+    {"PFM", [](ByteSpan b) { return isEndedWord(b, "PF") || isEndedWord(b, "Pf") || isEndedWord(b, "PF4"); },
+     [](ByteSpan b) { return readPfmHeader(b).size; }},
 };
 
 struct JpegErrors : jpeg_error_mgr {
@@ -254,6 +240,38 @@ size_t walkJpeg(ByteSpan b, const std::function<bool(uint8_t marker, ByteSpan pa
 const char* nameOf(PictureKind kind) { return kKinds[static_cast<size_t>(kind)].name; }
 
 bool isHdr(PictureKind kind) { return kind >= PictureKind::Radiance; }
+
+RadianceHeader readRadianceHeader(ByteSpan bytes) {
+    std::istringstream text = beginOf(bytes);
+    RadianceHeader header;
+    bool wasEmpty = false;
+    for (std::string line; std::getline(text, line) && !text.eof();) {
+        if (line.ends_with('\r')) line.pop_back();
+        if (!(wasEmpty ? readResolution(line, header) : readRadianceLine(line, header))) break;
+        header.pixels = static_cast<size_t>(text.tellg());
+        if (wasEmpty) return header;
+        wasEmpty = line.empty();
+    }
+    return {};
+}
+
+PfmHeader readPfmHeader(ByteSpan bytes) {
+    std::istringstream text = beginOf(bytes);
+    std::string kind;
+    PfmHeader header;
+    text >> kind >> header.size.width >> header.size.height >> header.scale;
+    text.ignore(text.peek() == '\r' ? 2 : 1);
+    if (!text || header.scale == 0) return {};
+    header.channels = kind == "PF4" ? 4 : kind == "PF" ? 3 : 1;
+    header.pixels = static_cast<size_t>(text.tellg());
+    return header;
+}
+
+std::string beyond(PictureSize size, PictureLimits limits) {
+    if (size.width <= limits.maxWidth && size.height <= limits.maxHeight) return "";
+    return fmt::format("its {}x{} pixels are more than the limit of {}x{}", size.width, size.height,
+                       limits.maxWidth, limits.maxHeight);
+}
 
 Result<PictureKind> pictureKind(ByteSpan bytes) {
     const auto kind = std::ranges::find_if(kKinds, [&](const Kind& each) { return each.is(bytes); });
@@ -321,7 +339,7 @@ bool isCutJpeg(ByteSpan bytes) {
         JSAMPARRAY row = jpeg.mem->alloc_sarray(reinterpret_cast<j_common_ptr>(&jpeg), JPOOL_IMAGE,
                                                 jpeg.output_width * jpeg.output_components, 1);
         while (jpeg.output_scanline < jpeg.output_height) jpeg_read_scanlines(&jpeg, row, 1);
-        errors.cut = errors.cut || lacksScans(jpeg);
+        errors.cut = errors.cut || jpeg.arith_code || lacksScans(jpeg); // arithmetic codes end in any zeros
     } else {
         errors.cut = true;
     }

@@ -1,9 +1,10 @@
 // Kind and size of a picture file, read from its first bytes so that limits hold before memory is taken.
-// Internal to this folder. Read here because stb_image knows neither WebP, OpenEXR nor PFM, and OpenCV tells
-// a size only by decoding.
+// Internal to this folder. Read here because stb_image knows neither WebP nor PFM, and OpenCV tells a size
+// only by decoding.
 #pragma once
 
 #include "engine/core/Result.h"
+#include "engine/media/Pictures.h"
 
 #include <cstdint>
 #include <cstring>
@@ -35,6 +36,36 @@ enum class PictureKind { Jpeg, Png, Bmp, Webp, Tiff, Avif, Pnm, Radiance, Exr, P
 
 const char* nameOf(PictureKind kind);
 bool isHdr(PictureKind kind);
+
+// Size in pixels; a side of 0: the header cannot be read.
+struct PictureSize {
+    int64_t width = 0, height = 0;
+};
+
+// Returns a clause that says which limit the size is above; empty: none.
+std::string beyond(PictureSize size, PictureLimits limits);
+
+// Header of a Radiance picture (Radiance's filefmts.pdf, "Picture File Format").
+struct RadianceHeader {
+    PictureSize size;                       // upright
+    bool byColumns = false;                 // each line of the file is a column
+    bool fromBottom = false;                // else from the top
+    bool fromRight = false;                 // else from the left
+    std::array<float, 3> exposure{1, 1, 1}; // what radiance was multiplied with: EXPOSURE, COLORCORR
+    bool squarePixels = true;
+    std::optional<Primaries> primaries;
+    size_t pixels = 0; // their offset, bytes
+};
+RadianceHeader readRadianceHeader(ByteSpan bytes);
+
+// Header of a portable float map: "PF" (RGB), "Pf" (grey) or "PF4" (RGBA), size, scale.
+struct PfmHeader {
+    PictureSize size;
+    size_t channels = 0;
+    float scale = 0;   // negative: little endian. Its size is a factor: Paul Debevec's definition
+    size_t pixels = 0; // their offset, bytes
+};
+PfmHeader readPfmHeader(ByteSpan bytes);
 
 struct PictureHeader {
     PictureKind kind = PictureKind::Png;

@@ -1,14 +1,13 @@
 #include "engine/media/Pictures.h"
 
 #include "engine/core/Log.h"
-#include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/Decoder.h"
+#include "engine/media/OpenExr.h"
 #include "engine/media/Orientation.h"
-#include "engine/media/PictureHeader.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -17,7 +16,6 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -44,10 +42,8 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
         return Error{file.string(),
                      fmt::format("is a {}, which has no high dynamic range; give it as --photo",
                                  nameOf(header->kind))};
-    if (header->width > limits.maxWidth || header->height > limits.maxHeight)
-        return Error{file.string(),
-                     fmt::format("its {}x{} pixels are more than the limit of {}x{}", header->width,
-                                 header->height, limits.maxWidth, limits.maxHeight)};
+    if (std::string refusal = beyond({header->width, header->height}, limits); !refusal.empty())
+        return Error{file.string(), std::move(refusal)};
     return PictureFile{std::move(*bytes), *header};
 }
 
@@ -131,64 +127,64 @@ struct LineReader {
     }
 };
 
-// Radiance: RGBE pixels, flat or run-length coded. bytes: the whole file; width, height: as its header was
-// found to say, orientation -Y +X. Exposure lines are not applied. Ward, "Real Pixels", Graphics Gems II,
-// 1991: component = mantissa * 2^(e - 136), black where e is 0. Neither OpenCV 4.6 nor stb_image reads Ward's
-// first run-length code; stb_image also takes a file that is cut short for black pixels.
-Result<ImageRgbF> decodeRadiance(ByteSpan bytes, int width, int height) {
-    const std::string_view text = asText(bytes);
-    const size_t empty = text.find("\n\n"); // there is one: the size was read from the line behind it
-    const size_t resolutionEnd = text.find('\n', empty + 2);
-    if (resolutionEnd == text.npos) return Error{"", "its Radiance header is cut short"};
-    if (text.substr(0, empty).find("FORMAT=32-bit_rle_xyze") != text.npos)
-        return Error{"", "is coded in XYZ; convert it to RGB"};
+// Radiance: RGBE pixels, flat or run-length coded. bytes: the whole file, whose header can be read. Ward,
+// "Real Pixels", Graphics Gems II, 1991: component = mantissa * 2^(e - 136), black where e is 0. Neither
+// OpenCV 4.6 nor stb_image reads Ward's first run-length code; stb_image also takes a file that is cut short
+// for black pixels.
+Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
+    const RadianceHeader header = readRadianceHeader(bytes);
+    const int width = static_cast<int>(header.size.width), height = static_cast<int>(header.size.height);
+    const int lines = header.byColumns ? width : height, length = header.byColumns ? height : width;
     // Checked before memory is allocated: even the shortest line takes a pixel.
-    const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
-    if ((bytes.size() - resolutionEnd) / 4 < h) return Error{"", "is cut short"};
+    if ((bytes.size() - header.pixels) / 4 < static_cast<size_t>(lines)) return Error{"", "is cut short"};
 
     std::array<float, 256> factor{};
     for (size_t e = 1; e < 256; ++e) factor[e] = std::ldexp(1.0f, static_cast<int>(e) - 136);
-    ImageRgbF image(width, height);
-    std::vector<uint8_t> line(4 * w);
-    LineReader reader{bytes, resolutionEnd + 1};
-    for (int y = 0; y < height; ++y) {
-        if (!reader.next(line, w)) return Error{"", "is damaged or cut short at row " + std::to_string(y)};
-        float* out = image.at(0, y);
-        for (size_t x = 0; x < w; ++x)
+    HdrPicture picture{.radianceLin = ImageRgbF(width, height), .primaries = header.primaries};
+    std::vector<uint8_t> line(4 * static_cast<size_t>(length));
+    LineReader reader{bytes, header.pixels};
+    for (int i = 0; i < lines; ++i) {
+        if (!reader.next(line, static_cast<size_t>(length)))
+            return Error{"", fmt::format("is damaged or cut short at line {}", i)};
+        for (int k = 0; k < length; ++k) {
+            const int x = header.byColumns ? i : k, y = header.byColumns ? k : i;
+            float* out = picture.radianceLin.at(header.fromRight ? width - 1 - x : x,
+                                                header.fromBottom ? height - 1 - y : y);
+            const uint8_t* pixel = &line[4 * static_cast<size_t>(k)];
             for (size_t c = 0; c < 3; ++c)
-                *out++ = static_cast<float>(line[4 * x + c]) * factor[line[4 * x + 3]];
-    }
-    return image;
-}
-
-// Portable float maps: "PF" or "Pf", size, scale (negative: little endian), then 32-bit floats, bottom row
-// first. Paul Debevec's definition: the scale's size is a factor. OpenCV 4.6 divides by it.
-Result<ImageRgbF> decodePfm(ByteSpan bytes, int width, int height) {
-    const size_t channels = hasText(bytes, 0, "PF") ? 3 : 1;
-    const std::string begin(asText(bytes.first(std::min<size_t>(bytes.size(), 128))));
-    char field[32] = "";
-    int headerBytes = 0;
-    std::sscanf(begin.c_str(), "P%*c %*d %*d %31s%n", field, &headerBytes);
-    const float scale = parseNumber<float>(field).value_or(0);
-    if (scale == 0) return Error{"", "its PFM header is damaged"};
-    size_t at = static_cast<size_t>(headerBytes) + 1; // behind one white space
-    const size_t needed = size_t{4} * static_cast<size_t>(width) * static_cast<size_t>(height) * channels;
-    if (at > bytes.size() || bytes.size() - at < needed) return Error{"", "is cut short"};
-
-    ImageRgbF image(width, height);
-    const float factor = std::abs(scale);
-    for (int y = height - 1; y >= 0; --y) {
-        float* out = image.at(0, y);
-        for (int x = 0; x < width; ++x) {
-            for (size_t c = 0; c < 3; ++c) {
-                const size_t component = at + (channels == 3 ? 4 * c : 0);
-                const uint32_t bits = scale < 0 ? little32(bytes, component) : big32(bytes, component);
-                *out++ = std::bit_cast<float>(bits) * factor;
-            }
-            at += 4 * channels;
+                out[c] = static_cast<float>(pixel[c]) * factor[pixel[3]] / header.exposure[c];
         }
     }
-    return image;
+    if (header.exposure != std::array<float, 3>{1, 1, 1})
+        picture.notes.push_back(
+            fmt::format("divided by its exposure {:.4g}", fmt::join(header.exposure, ", ")));
+    if (!header.squarePixels) picture.notes.emplace_back("its pixels count as square");
+    return picture;
+}
+
+// Bottom row first. OpenCV 4.6 divides by the scale.
+Result<HdrPicture> decodePfm(ByteSpan bytes) {
+    const PfmHeader header = readPfmHeader(bytes);
+    const int width = static_cast<int>(header.size.width), height = static_cast<int>(header.size.height);
+    size_t at = header.pixels;
+    const size_t needed =
+        size_t{4} * static_cast<size_t>(width) * static_cast<size_t>(height) * header.channels;
+    if (at > bytes.size() || bytes.size() - at < needed) return Error{"", "is cut short"};
+
+    HdrPicture picture{ImageRgbF(width, height)};
+    const float factor = std::abs(header.scale);
+    for (int y = height - 1; y >= 0; --y) {
+        float* out = picture.radianceLin.at(0, y);
+        for (int x = 0; x < width; ++x) {
+            for (size_t c = 0; c < 3; ++c) {
+                const size_t component = at + (header.channels > 1 ? 4 * c : 0);
+                const uint32_t bits = header.scale < 0 ? little32(bytes, component) : big32(bytes, component);
+                *out++ = std::bit_cast<float>(bits) * factor;
+            }
+            at += 4 * header.channels;
+        }
+    }
+    return picture;
 }
 
 // --- Encoders of high dynamic range pictures. OpenCV codes these kinds into a file in the system's temporary
@@ -316,22 +312,25 @@ Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
     return std::move(photo->picture);
 }
 
-Result<HdrPicture> readHdr(const Path& file, PictureLimits limits) {
+Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::string& layer) {
     const auto read = readPictureFile(file, true, limits);
     if (!read) return read.error();
     const auto& [bytes, header] = *read;
-    const int width = static_cast<int>(header.width), height = static_cast<int>(header.height);
-    const auto decodeExr = [&](const Codecs& with) {
-        const cv::Mat bgr = with.imread(file.string(), cv::IMREAD_ANYDEPTH | cv::IMREAD_COLOR);
-        return bgr.cols == width && bgr.rows == height ? bgr : cv::Mat();
-    };
-    auto image = header.kind == PictureKind::Pfm ? decodePfm(bytes, width, height)
-                 : header.kind == PictureKind::Radiance
-                     ? decodeRadiance(bytes, width, height)
-                     : decoded<ImageRgbF>(file, header.kind, CV_32FC3, decodeExr);
-    if (!image) return Error{file.string(), image.error().reason};
-    HdrPicture picture{std::move(*image)};
-    repair(picture);
+    if (!layer.empty() && header.kind != PictureKind::Exr)
+        return Error{file.string(), fmt::format("is {}, which has no layers", nameOf(header.kind))};
+    auto picture = header.kind == PictureKind::Pfm        ? decodePfm(bytes)
+                   : header.kind == PictureKind::Radiance ? decodeRadiance(bytes)
+                                                          : decodeExr(bytes, layer, limits);
+    if (!picture) return Error{file.string(), picture.error().reason};
+    repair(*picture);
+    constexpr Primaries kRec709 = {0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};
+    const auto isNear = [](float a, float b) { return std::abs(a - b) < 1e-3f; };
+    if (!picture->primaries || std::ranges::equal(*picture->primaries, kRec709, isNear)) return picture;
+    // Poly Haven's pictures state zeros.
+    const bool converted = toRec709(picture->radianceLin, *picture->primaries);
+    picture->notes.emplace_back(converted ? "converted to the primaries of Rec. 709"
+                                          : "its primaries span no colours and count as those of Rec. 709");
+    repair(*picture); // colours that Rec. 709 has not are negative
     return picture;
 }
 
@@ -372,17 +371,8 @@ Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
     const std::string extension = extensionOf(name);
     if (extension == ".hdr") return encodeRadiance(radianceLin);
     if (extension == ".pfm") return encodePfm(radianceLin);
-    if (extension != ".exr")
-        return Error{name.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
-    // OpenCV writes into a temporary file, which may not fit.
-    auto bytes = encoded(name, viewOf(radianceLin), ".exr", "the picture cannot be coded");
-    if (!bytes) return bytes;
-    const auto header =
-        readPictureHeader(std::span(reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()));
-    const bool whole = header && header->width == static_cast<uint32_t>(radianceLin.width) &&
-                       header->height == static_cast<uint32_t>(radianceLin.height);
-    if (!whole) return Error{name.string(), "the picture cannot be coded; is the temporary folder full?"};
-    return bytes;
+    if (extension == ".exr") return encodeExr(radianceLin);
+    return Error{name.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
 }
 
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {

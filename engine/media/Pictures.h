@@ -1,5 +1,4 @@
-// Reading and writing of picture files. Any thread may call these functions; the first call must come before
-// other threads are started (Ffmpeg.h).
+// Reading and writing of picture files. Any thread may call these functions.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -8,8 +7,11 @@
 #include "engine/media/ColourProfile.h"
 #include "engine/media/PhotoMetadata.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace shoal::media {
 
@@ -34,11 +36,16 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits = {});
 // As readPhoto(), for the picture alone.
 Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
+// CIE x and y of red, green, blue and white.
+using Primaries = std::array<float, 8>;
+
 struct HdrPicture {
-    ImageRgbF radianceLin; // linear, Rec. 709 primaries assumed, as the file says (no exposure applied)
+    ImageRgbF radianceLin; // linear, Rec. 709 primaries; no exposure applied
     // repaired: number of components that were NaN or negative (now 0) or infinite (now the largest finite
     // one). clamped: number of those above kMaxRadiance (now that). Either deserves a warning if above 0.
     int64_t repaired = 0, clamped = 0;
+    std::optional<Primaries> primaries = {}; // as stated, and converted from; empty: Rec. 709 assumed
+    std::vector<std::string> notes = {};     // clauses: which part of the file it is, what was done to it
 
     // Returns a sentence about these numbers, empty if both are 0.
     std::string repairs() const;
@@ -47,9 +54,11 @@ struct HdrPicture {
 // The sun's disc is about 1e9 cd/m^2, and sums of squares of this stay finite in 32 bits.
 constexpr float kMaxRadiance = 1e9f;
 
-// Reads Radiance RGBE (-Y +X orientation), OpenEXR (one part, flat), PFM (colour or grey). Values above the
-// half-float limit 65504 are kept.
-Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
+// Reads Radiance RGBE, OpenEXR and PFM (colour, with alpha or grey). Values above the half-float limit 65504
+// are kept, except in OpenEXR's luminance and chroma. layer: one of an OpenEXR file, by its channels' names
+// ("diffuse" of "diffuse.R"), or its part's name; empty: the channels without a layer, else the only layer
+// with colour, of the first part and view.
+Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {}, const std::string& layer = {});
 
 // Write a lossless file, which appears whole or not at all (engine/core/WriteFile.h).
 Status writePng(const Path& file, const ImageRgb8& image);

@@ -143,8 +143,8 @@ SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream
         m.projection = Projection::Mesh;
     else if (const auto unread = matroska ? std::nullopt : unreadMapping(header, m))
         readMapping(*unread, m);
-    const AVDictionaryEntry* tag = av_dict_get(stream.metadata, "spherical-video", nullptr, 0);
-    const std::string_view xmp = matroska ? (tag ? tag->value : "") : header;
+    const auto* tag = matroska ? av_dict_get(stream.metadata, "spherical-video", nullptr, 0) : nullptr;
+    const std::string_view xmp = tag ? std::string_view(tag->value) : std::string_view(header);
     const bool second = matroska ? m.projection != Projection::Unknown : holds("sv3d");
     if (!second && xmpValue(xmp, "GSpherical:Spherical") == "true") readFirstVersion(xmp, m);
     if (matroska && m.projection == Projection::Unknown)

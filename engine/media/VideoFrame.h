@@ -27,6 +27,10 @@ enum class ColourMatrix { Bt709 = 1, Bt601 = 5, Bt2020 = 9 };
 
 const char* nameOf(ColourMatrix matrix);
 
+// How light is coded: as for a display of usual range (taken for sRGB), or of high dynamic range: SMPTE ST
+// 2084, and ARIB STD-B67 (both in BT.2100).
+enum class Transfer { Sdr, Pq, Hlg };
+
 // Properties of a video file, read without playing it.
 struct VideoInfo {
     int width = 0; // of the whole frame, both eyes, upright and placed in its bounds
@@ -36,7 +40,8 @@ struct VideoInfo {
     int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
     double duration_s = 0;     // frameCount / fps
     std::string codec;         // such as "h264"
-    ColourMatrix matrix = ColourMatrix::Bt601; // stated by the file, else by size; used to decode
+    ColourMatrix matrix = ColourMatrix::Bt601; // of the first frame: stated, else by size
+    Transfer transfer = Transfer::Sdr;         // of the first frame
     SphericalMetadata metadata;
     Layout layout = Layout::Mono;  // never Auto
     const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"
@@ -44,6 +49,7 @@ struct VideoInfo {
 
 struct VideoFrame {
     ImageRgb8 pixelsBgr;          // sRGB-coded, blue first; see PlayerOptions::keepPixels
+    ImageRgbF radianceLin;        // of a PQ or HLG film, 1 is its white; at most 1024 a side; else empty
     Layout layout = Layout::Mono; // never Auto
     glm::ivec2 chromaTexels{2};   // texels that share a colour, across and down; 2, 2 is 4:2:0
     int64_t index = -1;           // counts frames from 0; a file's frames count on as it repeats

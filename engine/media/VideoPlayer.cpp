@@ -126,7 +126,7 @@ struct VideoPlayer::Impl {
             start = Clock::now();
             if (!source.grab()) return source.position();
         }
-        if (!source.retrieve(slots.pixelsOf(slot, options))) return number;
+        if (!source.retrieve(slots.pixelsOf(slot, options), &slot.frame.radianceLin)) return number;
         slot.frame.chromaTexels = source.chromaTexels();
         slot.frame.decode_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         slots.prepare(slot, options);

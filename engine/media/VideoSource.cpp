@@ -89,6 +89,7 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     source.readInfo();
     if (!source.findLayout(request)) return Error{file.string(), "its first frame cannot be decoded"};
     source.findPlace();
+    if (!source.readColour()) return Error{file.string(), "its first frame cannot be decoded"};
     return source;
 }
 
@@ -147,7 +148,18 @@ void VideoSource::readInfo() {
     info_.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
     info_.duration_s = static_cast<double>(info_.frameCount) / info_.fps;
     info_.codec = avcodec_get_name(coded.codec_id);
-    info_.matrix = matrixOf(coded.codec_id, coded.color_space, coded.width, coded.height);
+}
+
+// Reads the colours of the first frame, which may state more than its stream: HEVC has a message that turns
+// BT.2020 to HLG. False: it cannot be decoded.
+bool VideoSource::readColour() {
+    if (!hasAhead_) decodeAhead();
+    in_.decoder.exchange(ahead_);
+    const FrameColour colour = in_.decoder.colour();
+    in_.decoder.exchange(ahead_);
+    info_.matrix = colour.matrix;
+    info_.transfer = colour.transfer;
+    return hasAhead_;
 }
 
 // Finds the size of frames that are placed in their bounds, before memory is taken for them.
@@ -208,14 +220,22 @@ bool VideoSource::grab() {
     return true;
 }
 
-bool VideoSource::retrieve(ImageRgb8& bgr) {
+bool VideoSource::retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const AVFrame& frame = in_.decoder.frame();
     if (frame.width != storedWidth_ || frame.height != storedHeight_) return false;
-    ImageRgb8& upright = isPlaced_ ? upright_ : bgr;
-    ImageRgb8& stored = orientation_ != 1 ? stored_ : upright;
-    if (!in_.decoder.convert(stored)) return false;
-    if (orientation_ != 1) makeUpright(stored, orientation_, upright);
-    if (isPlaced_) placeInSphere(upright, info_.layout, info_.metadata.bounds, bgr);
+    const auto place = [&](auto& stored, auto& upright, auto& whole) {
+        if (orientation_ != 1) makeUpright(stored, orientation_, isPlaced_ ? upright : whole);
+        if (isPlaced_)
+            placeInSphere(orientation_ != 1 ? upright : stored, info_.layout, info_.metadata.bounds, whole);
+    };
+    const bool stays = orientation_ == 1 && !isPlaced_;
+    if (stays) return in_.decoder.convert(bgr, radianceLin).ok();
+    if (!in_.decoder.convert(stored_, radianceLin ? &storedLin_ : nullptr)) return false;
+    place(stored_, upright_, bgr);
+    if (radianceLin && !storedLin_.empty())
+        place(storedLin_, uprightLin_, *radianceLin);
+    else if (radianceLin)
+        radianceLin->fit(0, 0);
     return true;
 }
 

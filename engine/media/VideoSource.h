@@ -30,8 +30,9 @@ class VideoSource {
     bool grab();
 
     // Converts the frame grabbed last, blue first, upright and placed in its bounds, into the image's memory.
-    // Returns false if it cannot be converted or has another size than the first.
-    bool retrieve(ImageRgb8& bgr);
+    // Returns false if it cannot be converted or has another size than the first. radianceLin: as for
+    // Decoder::convert().
+    bool retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin = nullptr);
 
     glm::ivec2 chromaTexels() const { return in_.decoder.chromaTexels(); } // of the frame grabbed last
 
@@ -48,6 +49,7 @@ class VideoSource {
     bool jump(int64_t number);
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
+    bool readColour();
     void findPlace();
 
     Path file_;
@@ -57,6 +59,7 @@ class VideoSource {
     double pixelAspect_ = 1;     // width of an upright pixel by its height
     bool isPlaced_ = false;      // frames are placed in their bounds
     ImageRgb8 stored_, upright_; // scratch
+    ImageRgbF storedLin_, uprightLin_;
     int64_t position_ = 0;
     double length_s_ = 0;            // as stated; 0: not
     Frame ahead_ = makeFrame();      // the picture after the one shown

@@ -133,6 +133,7 @@ void insertColumns(const cv::Mat& picture, const cv::Mat& weight, int first, int
     for (const float at : cv::Mat_<float>(mean)) map.push_back(at + static_cast<float>(first));
 }
 
+// light: in pixels of the patch.
 std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, const Progress& progress) {
     const int w = patch.cols, middle = std::clamp(static_cast<int>(std::lround(light.place.x)), 0, w);
     const cv::Mat weight =
@@ -161,7 +162,8 @@ cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& col
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
 // rest. The ring should reach kBand_deg up and down. The parts above and below light and horizon are
-// stretched fourfold at most, so a photo with small such parts reaches less far.
+// stretched fourfold at most, so a photo with small such parts reaches less far. light: in pixels of the
+// patch.
 RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& light,
                     const Progress& progress) {
     RingMap ring;

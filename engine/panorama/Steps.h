@@ -61,9 +61,9 @@ cv::Mat remapped(const cv::Mat& picture, const cv::Size& size, int filter, From&
     return out;
 }
 
-// Position and size of a photo's brightest light source.
+// Position and size of a picture's brightest light source.
 struct MainLight {
-    cv::Point2d place; // pixels of the photo; the middle of the first one is (0.5, 0.5)
+    cv::Point2d place; // pixels of the picture; the middle of the first one is (0.5, 0.5)
     double radius_px;  // of the disc of equal area
 };
 

@@ -74,7 +74,7 @@ class Compositor {
     Composition composition_ = Composition::BackgroundOnly;
     std::unique_ptr<BackgroundPass> background_;
     std::array<LayerPass, 2> layers_; // by eye; for objects at their own resolution or in texels
-    int samples_ = 1;                 // of the layers; outlines of one sample are smoothed
+    int samples_ = 1;                 // of a layer's pixel; if 1, its outlines are smoothed
     bool smoothsOutlines_ = false;    // whether objects in a canvas of one sample are smoothed
     FrameTiles tiles_;                // for the eye drawn last
     std::optional<DepthPass> depth_;  // made when it is first needed

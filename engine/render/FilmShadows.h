@@ -83,7 +83,7 @@ class FilmShadows {
     uint64_t number_ = 0;
     FrameTiles tiles_;
     Image<uint8_t, 4> left_;
-    std::vector<glm::vec3> columns_, rows_; // directions of the map's columns at the horizon, of rows ahead
+    std::vector<glm::vec3> columns_, rows_; // directions: of each column at the horizon, of each row ahead
     std::array<float, 256> distance_m_{};   // indexed by the map's code
     std::array<glm::vec3, 256> arrives_{};  // by code: share of light that the water lets through
     glm::mat3 lightFromEnv_{1};             // for the body being added: along, aside, up

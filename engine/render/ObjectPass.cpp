@@ -28,14 +28,15 @@ enum Feature : unsigned { SHOAL_FEATURES(SHOAL_FEATURE) };
 #define SHOAL_NAME(name) #name
 constexpr std::array kObjectDefines = {SHOAL_TONE_DEFINES, SHOAL_FEATURES(SHOAL_NAME)};
 
-// A map of a material. The shader samples it if it has the feature, and white if the material has no such
-// map.
+// A map of a material. Programs with the feature sample it; a white texture replaces a map that the material
+// lacks.
 struct MaterialMap {
     unsigned feature;
     scene::TextureUse scene::Material::*use;
     GLuint unit;
     const char *sampler, *uvSet;
-    bool isColour = false; // whether the sampler decodes sRGB, if reflectances are linear
+    bool isColour =
+        false; // whether the sampler decodes sRGB; the base colour's only if reflectances are linear
 };
 using scene::Material;
 constexpr std::array kMaps = std::to_array<MaterialMap>({

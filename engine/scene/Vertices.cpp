@@ -188,6 +188,7 @@ std::vector<Lod> makeLods(const Primitive& primitive) {
         lod.vertices.resize(meshopt_optimizeVertexFetch(lod.vertices.data(), lod.indices.data(),
                                                         lod.indices.size(), every.data(), vertexCount,
                                                         sizeof every[0]));
+        lod.vertices.shrink_to_fit();
     };
     // Each level is made from the original mesh, so that errors do not add up.
     size_t triangles = primitive.indices.size() / 3;

@@ -114,10 +114,12 @@ void WaterEstimator::rankSectors(int firstRow, int lastRow) {
 
 glm::vec3 WaterEstimator::medianLin(int sectors, int firstRow, int lastRow) const {
     const auto count = static_cast<size_t>(sectors);
+    std::array<glm::vec3, kSectors> means{};
+    for (size_t i = 0; i < count; ++i) means[i] = meanLin(byOpenness_[i], firstRow, lastRow);
     glm::vec3 median;
     for (int c = 0; c < 3; ++c) {
-        std::array<float, kSectors> values;
-        for (size_t i = 0; i < count; ++i) values[i] = meanLin(byOpenness_[i], firstRow, lastRow)[c];
+        std::array<float, kSectors> values{};
+        for (size_t i = 0; i < count; ++i) values[i] = means[i][c];
         std::sort(values.begin(), values.begin() + sectors);
         median[c] = 0.5f * (values[(count - 1) / 2] + values[count / 2]);
     }

@@ -105,7 +105,7 @@ Status Application::openDisplay() {
         display_ = std::make_unique<FlatDisplay>(window_ ? &*window_ : nullptr, options_, samples);
         return Done{};
     }
-    headsetReturn_.settle();
+    if (headsetAnswer_.valid()) headsetAnswer_.get(); // the runtime is not asked twice at a time
     auto headset = HeadsetDisplay::open(*window_, config_.rig, samples);
     if (!headset) return headset.error();
     window_->setVsync(false); // the headset sets the pace, not the onlookers' window
@@ -146,28 +146,22 @@ Status Application::openScene() {
     return Done{};
 }
 
-Look Application::look() const {
-    return {.exposure = content_.environment().exposure(options_.look.tone,
-                                                        config_.dive.exposure_ev + options_.look.exposure_ev),
-            .glossy = options_.look.glossy,
-            .particles = options_.snow && !options_.reducedMotion};
-}
-
 Status Application::run(bool measured) {
-    if (Status begun = begin(firstMode(), measured); !begun) return begun;
+    measured_ = measured;
+    if (Status begun = begin(firstMode()); !begun) return begun;
     Status played = Done{};
     while (!leaving_ && played) {
-        played = frame(measured);
+        played = frame();
         if (!played && display_->lost() && play_->states.byPerson()) {
             leaveHeadset(played.error());
             played = Done{};
         }
         if (!played) break;
-        if (played = beginSeated(measured); !played) break;
+        if (played = beginSeated(); !played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
         if (!play_ || play_->isOver()) break; // play_ is empty if the player left while a film was loading
         awaitHeadset();
-        if (!measured && play_->session.shown.time_s >= kWarmUp_s) break;
+        if (!measured_ && play_->session.shown.time_s >= kWarmUp_s) break;
         if (played && play_->tutorial.stepsAreOver()) played = endFirstSteps();
     }
     const Status ended = endPlay(); // even after an error
@@ -183,8 +177,8 @@ Mode Application::firstMode() const {
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
 }
 
-// Begins a session in a mode. measured: false for the warm-up.
-Status Application::begin(Mode mode, bool measured) {
+// Begins a session in a mode.
+Status Application::begin(Mode mode) {
     if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
     if (isForPerson()) {
@@ -196,11 +190,11 @@ Status Application::begin(Mode mode, bool measured) {
                                    : window_         ? FrameClock::Mode::RealTime
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, options_, clock, screens_, mode);
-    return records(mode, measured) ? play_->session.record(recordingFile()) : Done{};
+    return records(mode) ? play_->session.record(recordingFile()) : Done{};
 }
 
-bool Application::records(Mode mode, bool measured) const {
-    return measured && !options_.record.empty() && mode != Mode::Title;
+bool Application::records(Mode mode) const {
+    return measured_ && !options_.record.empty() && mode != Mode::Title;
 }
 
 // Returns whether the player sits, which matters only in a headset.
@@ -212,14 +206,14 @@ bool Application::isSeated() const {
 }
 
 // Restarts with seated rules: a headset knows the eye height only after the first dive has been set up.
-Status Application::beginSeated(bool measured) {
+Status Application::beginSeated() {
     constexpr uint64_t kFirst_ticks = 60; // half a second
     const GameSession& session = play_->session;
     if (!isForPerson() || session.ticks > kFirst_ticks || session.dive.rules().seated || !isSeated())
         return Done{};
     const Mode mode = play_->states.mode();
-    if (records(mode, measured)) --recordings_; // the recording begins again, too
-    return begin(mode, measured);
+    if (records(mode)) --recordings_; // the recording begins again, too
+    return begin(mode);
 }
 
 // Each session has a recording of its own: FILE, FILE-2, FILE-3.
@@ -239,7 +233,7 @@ Status Application::endPlay() {
     return verdict;
 }
 
-Status Application::frame(bool measured) {
+Status Application::frame() {
     if (Status begun = display_->begin(); !begun) return begun;
     GameSession& session = play_->session;
     play_->beginFrame(display_->elapsed_s());
@@ -265,7 +259,7 @@ Status Application::frame(bool measured) {
     if (*drawn) display_->present();
     glFinish();
     measure();
-    if (measured && content_.environment().player().live()) play_->clock.waitForLiveVideo();
+    if (measured_ && content_.environment().player().live()) play_->clock.waitForLiveVideo();
     return Done{};
 }
 
@@ -412,13 +406,13 @@ void Application::photograph() {
     case PhotoMode::Command::None:
         return;
     case PhotoMode::Command::Picture: {
-        photo_->clearNotice(); // no text covers the picture
+        photo_->notice.reset(); // no text covers the picture
         const Result<bool> drawn = draw();
         if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), content_.renderer());
         return;
     }
     case PhotoMode::Command::Leave:
-        options_.fov_deg = photo_->fovBefore_deg();
+        options_.fov_deg = photo_->fovBefore_deg;
         photo_.reset();
         screens_.open(Screen::Paused);
     }
@@ -448,7 +442,7 @@ void Application::simulate() {
 }
 
 Result<bool> Application::draw() {
-    const game::Snapshot& shown = photo_ ? photo_->shown() : play_->session.shown;
+    const game::Snapshot& shown = photo_ ? photo_->shown : play_->session.shown;
     const bool wantsQuality = options_.quality == QualityControl::Auto && window_ && !options_.timedemo;
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
     const Quality quality = quality_ ? quality_->quality() : Quality();
@@ -458,7 +452,7 @@ Result<bool> Application::draw() {
         Painter::of(content_.renderer(),
                     [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
                         if (options_.look.skip == render::SkippedPass::Overlay) return;
-                        if (photo_ && !photo_->notice()) return;
+                        if (photo_ && !photo_->notice) return;
                         const gl::PassTimers::Scope scope(content_.renderer().timers(), "overlay");
                         drawHud(part, audience, view, size);
                     }),
@@ -490,7 +484,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     const bool showTimes = options_.frameTimes && part != HudPart::Marks;
     const bool showCamera = session.tracked && (showTimes || screens_.showsCamera());
     if (showCamera && session.tracked->look(cameraImage_)) cameraPicture_.show(cameraImage_);
-    if (photo_) return hud_->drawNotice(*photo_->notice(), options_.text, size);
+    if (photo_) return hud_->drawNotice(*photo_->notice, options_.text, size);
     const game::Notice* notice = display_->notice();
     if (!notice) notice = content_.environment().notice();
     if (!notice && session.tracked) notice = session.tracked->notice();

@@ -4,13 +4,14 @@
 
 #include "engine/platform/Window.h"
 #include "game/app/ContentLoader.h"
-#include "game/app/HeadsetDisplay.h"
+#include "game/app/Display.h"
 #include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
 #include "game/session/SoundAndHaptics.h"
 #include "game/ui/MenuControls.h"
 #include "game/views/DynamicQuality.h"
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,14 +64,14 @@ class Application {
     bool drawLoading(float progress); // false: the player wants to leave
     bool isForPerson() const { return !config_.script && !config_.replay; }
     Mode firstMode() const;
-    Status begin(Mode mode, bool measured = true);
+    Status begin(Mode mode);
     bool isSeated() const;
-    Status beginSeated(bool measured); // begins again with seated rules if the player turns out to sit
-    bool records(Mode mode, bool measured) const;
+    Status beginSeated(); // begins again with seated rules if the player turns out to sit
+    bool records(Mode mode) const;
     Path recordingFile();
     Status endPlay();
 
-    Status frame(bool measured);
+    Status frame();
     void readInput();
     void noteDevice();
     void noteTracker();
@@ -85,14 +86,13 @@ class Application {
     void showRoom();
     void leaveHeadset(const Error& why);
     void awaitHeadset();
-    void takeHandsFrom(HandSourceKind kind);
     Status reopen(const PlayOptions& wanted, Mode mode, Screen asker);
     Status goBack(const PlayOptions& before, const Error& why, Screen asker);
     Status endFirstSteps();
     void photograph();
     Status applySettings();
     void simulate();
-    Look look() const;
+    Look look() const { return lookOf(options_, content_.environment(), config_.dive.exposure_ev); }
     Result<bool> draw();
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
     void measure();
@@ -111,13 +111,17 @@ class Application {
     std::optional<SoundAndHaptics> soundAndHaptics_;
     std::optional<DynamicQuality> quality_; // only for a display whose quality may change
     std::optional<Play> play_;
-    HeadsetReturn headsetReturn_;     // active while a dive is paused because its headset was lost
+    // While a dive is paused because its headset was lost: seconds until the runtime is asked for it again.
+    std::optional<float> askForHeadset_s_;
+    static constexpr float kAskEvery_s = 2;
+    std::future<bool> headsetAnswer_; // whether the headset is there, once the runtime has said so
     std::optional<PhotoMode> photo_;  // set while the camera is free
     Pictures::Picture cameraPicture_; // image of a hand tracker's camera
     ImageRgba8 cameraImage_;          // scratch memory for that image
     Statistics statistics_;           // of the present session
     std::string summary_;
-    int recordings_ = 0; // number of recordings begun
+    int recordings_ = 0;   // number of recordings begun
+    bool measured_ = true; // false: the present run only warms up
     double volumeShown_s_ = -10;
     bool byGamepad_ = false; // the player's last input came from a gamepad
     bool leaving_ = false;

@@ -33,12 +33,11 @@ EnvironmentSetup environmentSetup(const PlayOptions& options, const game::DiveFi
                        .drawsDepth = options.look.skip != render::SkippedPass::Depth,
                        .roomIsSeen = seesRoom,
                        .waterIsCertain = own || options.water == WaterChoice::On,
-                       .analysis = {.pyramid = options.look.glossy == render::Glossy::PhongRings,
-                                    .water = options.water == WaterChoice::On ||
-                                             (options.water == WaterChoice::Auto && (!own || dive.water)),
-                                    .lights = options.shadows == ShadowChoice::On,
-                                    .cameraResponse =
-                                        compositionIn(options) == render::Composition::CameraResponse}},
+                       .pyramid = options.look.glossy == render::Glossy::PhongRings,
+                       .water = options.water == WaterChoice::On ||
+                                (options.water == WaterChoice::Auto && (!own || dive.water)),
+                       .lights = options.shadows == ShadowChoice::On,
+                       .cameraResponse = compositionIn(options) == render::Composition::CameraResponse},
             .yaw_deg = options.environment.envYaw_deg,
             .bothEyes = options.stereo == StereoOutput::SideBySide || options.xr};
 }
@@ -133,33 +132,29 @@ Status ContentLoader::open(const PlayOptions& options, SessionConfig& config, bo
     Models models{reflectanceIn(options.environment), enumName(options.skin),
                   game::speciesShown(config.species, config.dive)};
     if (loaded_ != models) {
-        loaded_.reset();
-        models_.reset();
         renderer_.reset();
         environment_.reset();
+        loaded_.reset();
+        models_ = {};
         if (filmFirst) {
-            wanted.player.analysis.minRoughness = 1;
+            wanted.player.minRoughness = 1;
             if (Status s = Environment::open(wanted, progress_).moveTo(environment_); !s) return s;
             SceneRendererSetup setup = rendererSetup(options, *environment_, seesRoom);
             setup.compositor.composition = render::Composition::BackgroundOnly;
-            if (Status s = SceneRenderer::make({}, setup).moveTo(renderer_); !s) return s;
+            if (Status s = SceneRenderer::make(models_, setup).moveTo(renderer_); !s) return s;
         }
-        auto read = CreatureModels::load(config.species, models.shown, models.skin, models.reflectance,
-                                         detail(), progress_);
-        if (!read) return read.error();
+        if (Status s = CreatureModels::load(config.species, models.shown, models.skin, models.reflectance,
+                                            detail(), progress_)
+                           .moveTo(models_);
+            !s)
+            return s;
         renderer_.reset();
         environment_.reset();
-        models_ = std::move(*read);
         loaded_ = std::move(models);
-        minRoughness_ = models_->minRoughness();
     }
-    wanted.player.analysis.minRoughness = minRoughness_;
-    const auto dropRenderer = [this] {
-        if (renderer_) models_ = renderer_->takeModels();
-        renderer_.reset();
-    };
+    wanted.player.minRoughness = models_.minRoughness();
     if (!environment_ || environment_->setup() != wanted) {
-        dropRenderer();
+        renderer_.reset();
         environment_.reset();
         if (!progress_(1)) return Error{"", "left while it was loading"};
         if (Status s = Environment::open(wanted, progress_).moveTo(environment_); !s) return s;
@@ -174,12 +169,8 @@ Status ContentLoader::open(const PlayOptions& options, SessionConfig& config, bo
     if (options.environment.isOwnVideo()) config.dive.videoLength_s = environment_->player().length_s();
     const SceneRendererSetup setup = rendererSetup(options, *environment_, seesRoom);
     if (renderer_ && renderer_->setup() == setup) return Done{};
-    dropRenderer();
-    CreatureModels taken = std::move(*models_);
-    models_.reset();
-    const Status made = SceneRenderer::make(std::move(taken), setup).moveTo(renderer_);
-    if (!made) loaded_.reset(); // the models are gone
-    return made;
+    renderer_.reset();
+    return SceneRenderer::make(models_, setup).moveTo(renderer_);
 }
 
 } // namespace shoal::app

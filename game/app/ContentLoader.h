@@ -16,6 +16,8 @@ class ContentLoader {
   public:
     // progress: draws the loading screen with the share done, -1 if unknown; returns false to stop.
     explicit ContentLoader(std::function<bool(float)> progress) : progress_(std::move(progress)) {}
+    ContentLoader(const ContentLoader&) = delete; // the renderer holds the models' address
+    ContentLoader& operator=(const ContentLoader&) = delete;
 
     // Opens the parts that these options need and that are not open yet, after a change of settings, dive or
     // film. Sets the film's length and distances in the config's dive. seesRoom: the display can show the
@@ -37,11 +39,10 @@ class ContentLoader {
     };
 
     std::function<bool(float)> progress_;
+    std::optional<Models> loaded_; // the models that there are
+    CreatureModels models_;
     std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> renderer_;
-    std::optional<CreatureModels> models_; // empty while the renderer has them
-    std::optional<Models> loaded_;
-    float minRoughness_ = 1; // of the models
     std::shared_ptr<const game::FilmSpace> space_;
 };
 

@@ -41,6 +41,10 @@ std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::Sp
     return best;
 }
 
+bool holdsAFish(const game::Snapshot& shown) {
+    return shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0;
+}
+
 // Draws a hand as a white sign with a dark outline: rounded bones, and the palm.
 void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
     const glm::vec2 half = view.halfExtent();
@@ -92,12 +96,12 @@ void drawTurning(const Pen& pen, float round) {
 
 } // namespace
 
-void FirstSteps::next(Step step) {
+void Tutorial::next(Step step) {
     step_ = step;
     inStep_s_ = 0;
 }
 
-void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
+void Tutorial::followSteps(const game::Snapshot& shown, float elapsed_s) {
     inStep_s_ += elapsed_s;
     if (!firstView_) firstView_ = shown.worldFromView;
     const glm::quat turn = glm::conjugate(*firstView_) * shown.worldFromView;
@@ -105,12 +109,11 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
     const bool catchable =
         std::ranges::any_of(shown.creatures, [](const auto& creature) { return creature.catchable > 0.5f; });
     near_s_ = catchable ? near_s_ + elapsed_s : 0;
-    const bool holds = shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0;
-    away_s_ = catchable || holds ? 0 : away_s_ + elapsed_s;
+    away_s_ = catchable || holdsAFish(shown) ? 0 : away_s_ + elapsed_s;
     // The target stays for one demonstration, so that the ghost hand does not jump from fish to fish.
     if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
-    if (shown.caught > caughtBefore_) return next(Step::Done); // the player can do all steps
+    if (shown.caught > 0) return next(Step::Done); // the player can do all steps
     switch (step_) {
     case Step::Look:
         if (turned_rad > kTurned_rad) next(Step::Reach);
@@ -127,7 +130,7 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
 }
 
 // The ghost hand reaches its place in the first half of a round and acts in the second.
-hands::HandPose FirstSteps::ghost(const render::View& view) const {
+hands::HandPose Tutorial::ghost(const render::View& view) const {
     const float round = std::fmod(inStep_s_, kShown_s) / kShown_s;
     const glm::vec3 rest(0.22f, -0.26f, -0.5f);
     glm::vec3 goal(0, 0, -0.7f);
@@ -137,7 +140,7 @@ hands::HandPose FirstSteps::ghost(const render::View& view) const {
     return hands::reachingHand(rig_, hands::Side::Right, at, closed);
 }
 
-void FirstSteps::draw(const Pen& pen, const render::View& view) const {
+void Tutorial::drawStep(const Pen& pen, const render::View& view) const {
     if (step_ == Step::Done) return;
     if (step_ == Step::Look)
         drawTurning(pen, std::fmod(inStep_s_, kShown_s) / kShown_s);
@@ -146,33 +149,30 @@ void FirstSteps::draw(const Pen& pen, const render::View& view) const {
     constexpr std::array<game::Text, 3> kTitles = {"Look around", "Reach for a fish until it glows",
                                                    "Close your hand and hold the fish"};
     const auto index = static_cast<size_t>(step_);
-    const size_t by = pen.audience == Audience::Onlooker ? 0 : static_cast<size_t>(pen.audience);
     const float x = pen.size.x / 2;
     const Rectangle title = pen.label(x, pen.size.y * 0.1f, 0.5f, TextSize::Heading, colour::kWhite,
                                       std::to_string(index + 1) + " / 3   " + pen.in(kTitles[index]));
     pen.label(x, title.high.y + 0.4f * pen.line, 0.5f, TextSize::Body, colour::kGold,
-              pen.in(kHowTo[index][by]));
+              pen.in(kHowTo[index][static_cast<size_t>(pen.audience)]));
 }
 
-void Hints::say(Kind kind) {
-    if (now_ || said_[kind] >= kTimes) return;
-    ++said_[kind];
-    now_ = kind;
-    left_s_ = kStay_s;
+void Tutorial::say(Hint hint) {
+    if (hint_ || said_[hint] >= kHintTimes) return;
+    ++said_[hint];
+    hint_ = hint;
+    hintLeft_s_ = kHintStay_s;
 }
 
-void Hints::follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s) {
+void Tutorial::followHints(const game::Snapshot& shown, std::span<const game::Event> events,
+                           float elapsed_s) {
     if (shown.paused) return;
-    left_s_ -= elapsed_s;
-    if (left_s_ <= 0) now_.reset();
+    hintLeft_s_ -= elapsed_s;
+    if (hintLeft_s_ <= 0) hint_.reset();
     sinceCatch_s_ = shown.caught > caught_ ? 0 : sinceCatch_s_ + elapsed_s;
     caught_ = shown.caught;
     for (const game::Event& event : events) {
-        if (event.kind == game::EventKind::SharkNear &&
-            (shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0))
-            say(Shark);
-        if (caught_ >= kUnderstood) continue;
-        if (event.kind == game::EventKind::MissTooFast) say(FastHand);
+        if (event.kind == game::EventKind::SharkNear && holdsAFish(shown)) say(Shark);
+        if (event.kind == game::EventKind::MissTooFast && caught_ < kUnderstood) say(FastHand);
     }
     if (sinceCatch_s_ > kWithout_s && caught_ < kUnderstood) {
         say(Wait);
@@ -180,14 +180,16 @@ void Hints::follow(const game::Snapshot& shown, std::span<const game::Event> eve
     }
 }
 
-std::optional<game::Text> Hints::shown() const { return now_ ? std::optional(kHints[*now_]) : std::nullopt; }
+std::optional<game::Text> Tutorial::hint() const {
+    return hint_ ? std::optional(kHints[*hint_]) : std::nullopt;
+}
 
 void Tutorial::follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s) {
     time_s_ += elapsed_s;
-    if (mode_ == Mode::Dive) hints_.follow(shown, events, elapsed_s);
+    if (mode_ == Mode::Dive) followHints(shown, events, elapsed_s);
     if (mode_ != Mode::FirstSteps) return;
-    steps_.follow(shown, elapsed_s);
-    if (steps_.step() == FirstSteps::Step::Done) done_s_ += elapsed_s;
+    followSteps(shown, elapsed_s);
+    if (step_ == Step::Done) done_s_ += elapsed_s;
 }
 
 void Tutorial::draw(const Pen& pen, const render::View& view) const {
@@ -195,9 +197,9 @@ void Tutorial::draw(const Pen& pen, const render::View& view) const {
     const auto say = [&](game::Text text) {
         pen.label(pen.size.x / 2, pen.size.y * 0.14f, 0.5f, TextSize::Body, colour::kWhite, pen.in(text));
     };
-    if (mode_ == Mode::FirstSteps) steps_.draw(pen, view);
+    if (mode_ == Mode::FirstSteps) drawStep(pen, view);
     if (done_s_ > 0) say("Well caught! Now for real: 90 seconds");
-    if (const auto hint = hints_.shown()) say(*hint);
+    if (const auto text = hint()) say(*text);
     if (mode_ == Mode::FreeSwim && time_s_ < kWelcome_s)
         say("Fish swim past you and see you. Touch them; the field guide remembers whom you have met.");
 }

@@ -18,76 +18,56 @@ namespace shoal::app {
 // Purpose of a session.
 enum class Mode { Title, FirstSteps, Dive, FreeSwim };
 
-class FirstSteps {
+// The tutorial of a session: the first steps, the hints of a dive, or the welcome of a free swim.
+class Tutorial {
   public:
     enum class Step { Look, Reach, Hold, Done };
 
-    FirstSteps(hands::HandRig rig, game::SpeciesTable species)
-        : rig_(std::move(rig)), species_(std::move(species)) {}
+    Tutorial(Mode mode, hands::HandRig rig, game::SpeciesTable species)
+        : mode_(mode), rig_(std::move(rig)), species_(std::move(species)) {}
 
-    // Updates the step, once a frame. elapsed_s: since the last.
-    void follow(const game::Snapshot& shown, float elapsed_s);
-    Step step() const { return step_; }
-
-    // Draws the instruction, and a ghost hand that demonstrates it.
+    // Updates step and hint, once a frame. elapsed_s: since the last.
+    void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
+    // Draws the instruction, with a ghost hand that demonstrates a step.
     void draw(const Pen& pen, const render::View& view) const;
+
+    Step step() const { return step_; }
+    bool stepsAreOver() const { return done_s_ > kStay_s; } // and the message at their end has been read
     // Returns the pose of the ghost hand, viewer's frame.
     hands::HandPose ghost(const render::View& view) const;
     std::optional<glm::vec3> target() const { return target_; } // goal of the ghost hand, world frame
+    std::optional<game::Text> hint() const;
 
     static constexpr float kTurned_rad = 0.6f; // turn of the view that completes the step Look
     static constexpr float kNear_s = 0.25f;    // time within reach of a fish that ends the step Reach
     static constexpr float kShown_s = 3;       // duration of one demonstration by the ghost hand
     static constexpr float kAway_s = 3; // time without a fish in reach after which the step Reach comes back
+    static constexpr float kStay_s = 2.5f, kWelcome_s = 9;
+    static constexpr int kHintTimes = 3;  // how often each hint is shown at most
+    static constexpr int kUnderstood = 3; // catches after which only the shark's hint is shown
+    static constexpr float kHintStay_s = 5, kWithout_s = 14; // a hint's time; time without a catch before it
 
   private:
+    enum Hint { FastHand, Wait, Shark };
+    void followSteps(const game::Snapshot& shown, float elapsed_s);
+    void followHints(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
+    void drawStep(const Pen& pen, const render::View& view) const;
     void next(Step step);
+    void say(Hint hint);
 
+    Mode mode_;
     hands::HandRig rig_;
     game::SpeciesTable species_;
+    float time_s_ = 0;
+    float done_s_ = 0; // seconds since the steps were done
     Step step_ = Step::Look;
     float inStep_s_ = 0, near_s_ = 0, away_s_ = 0;
     std::optional<glm::quat> firstView_;
     std::optional<glm::vec3> target_;
-    int caughtBefore_ = 0;
-};
-
-class Hints {
-  public:
-    void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
-    std::optional<game::Text> shown() const;
-
-    static constexpr int kTimes = 3;                     // how often each hint is shown at most
-    static constexpr int kUnderstood = 3;                // catches after which only the shark's hint is shown
-    static constexpr float kStay_s = 5, kWithout_s = 14; // a hint's time; time without a catch before it
-
-  private:
-    enum Kind { FastHand, Wait, Shark };
-    void say(Kind kind);
-    std::array<int, 3> said_{};
-    std::optional<Kind> now_;
-    float left_s_ = 0, sinceCatch_s_ = 0;
+    std::array<int, 3> said_{}; // how often each hint was shown
+    std::optional<Hint> hint_;
+    float hintLeft_s_ = 0, sinceCatch_s_ = 0;
     int caught_ = 0;
-};
-
-// The tutorial of a session.
-class Tutorial {
-  public:
-    Tutorial(Mode mode, hands::HandRig rig, game::SpeciesTable species)
-        : mode_(mode), steps_(std::move(rig), std::move(species)) {}
-
-    void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
-    bool stepsAreOver() const { return done_s_ > kStay_s; } // and the message at their end has been read
-    void draw(const Pen& pen, const render::View& view) const;
-
-    static constexpr float kStay_s = 2.5f, kWelcome_s = 9;
-
-  private:
-    Mode mode_;
-    FirstSteps steps_;
-    Hints hints_;
-    float time_s_ = 0;
-    float done_s_ = 0; // seconds since the steps were done
 };
 
 } // namespace shoal::app

@@ -179,9 +179,8 @@ int runPlay(const PlayOptions& options) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"Shoal: catch fish inside a 360-degree video that lights them.\n"
-                 "Without a command it plays: `shoal` is `shoal play`, and `shoal FILE` dives in that "
-                 "360-degree video or photo.",
+    CLI::App app{"Shoal: catch fish inside a 360-degree video that lights them.\nWithout a command it plays: "
+                 "`shoal` is `shoal play`, and `shoal FILE` dives in that 360-degree video or photo.",
                  "shoal"};
     app.set_version_flag("--version", SHOAL_VERSION);
     app.require_subcommand(0, 1);

@@ -5,6 +5,7 @@
 #include "engine/media/Pictures.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/chrono.h>
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace shoal::app {
 namespace {
 
 constexpr float kTurn_radps = 1.2f, kMove_mps = 0.8f;
+constexpr float kFarthest_m = 0.5f; // from the player: beyond, the film has holes
 
 // Returns the rotations of the six faces of a cube, each of 90 degrees: ahead, right, back, left, up, down.
 std::array<glm::quat, 6> faceTurns() {
@@ -40,9 +42,7 @@ Path newPictureFile(std::string_view what) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     localtime_r(&now, &local);
-    char stamp[32];
-    std::strftime(stamp, sizeof stamp, "%Y-%m-%d-%H%M%S", &local);
-    return userFolder(UserFolder::Pictures) / ("shoal-" + std::string(stamp) + std::string(what) + ".png");
+    return userFolder(UserFolder::Pictures) / fmt::format("shoal-{:%Y-%m-%d-%H%M%S}{}.png", local, what);
 }
 
 // Returns the names of the keys that move the camera; letters where bound, for they are short.
@@ -57,56 +57,7 @@ std::string movingKeys(const Bindings& bindings) {
     return names;
 }
 
-bool isAmong(const std::vector<int>& list, int value) { return std::ranges::find(list, value) != list.end(); }
-
-} // namespace
-
-PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad, const Bindings& bindings)
-    : shown_(shown), origin_(shown.headWorld), look_(LookAngles::of(shown.worldFromView)),
-      fovBefore_deg_(fov_deg),
-      notice_(byGamepad ? game::Notice{"A: picture. Left stick: look. Right stick: move. B: back"}
-                        : game::Notice{"Click: picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
-                                       movingKeys(bindings)}) {
-    for (game::HandView& hand : shown_.hands) hand.visible = false;
-    for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // no highlight either
-}
-
-PhotoMode::Command PhotoMode::step(const Controls& controls, float sensitivity, float dt_s, float& fov_deg) {
-    const platform::WindowInput& input = controls.input;
-    move(controls, sensitivity, dt_s, fov_deg);
-    if (controls.was(Action::Pause) || isAmong(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B))
-        return Command::Leave;
-    const bool takes =
-        input.leftPressed || controls.was(Action::CloseHand) || isAmong(input.keysPressed, GLFW_KEY_ENTER);
-    return takes ? Command::Picture : Command::None;
-}
-
-void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
-    constexpr int kAroundWidth = 4096;
-    const Path file = newPictureFile(""), around = newPictureFile("-360");
-    Status saved = media::writePng(file, picture);
-    if (saved) {
-        const auto drawn = drawAround(renderer, shown_.headWorld, kAroundWidth);
-        saved = drawn ? media::writePng(around, *drawn) : Status(drawn.error());
-    }
-    notice_ = saved ? game::Notice{"Saved, with a picture of all directions: {}", file.string()}
-                    : game::Notice{"Not saved: {}", saved.error().message()};
-    log::info("{}", notice_->in(game::Language::English));
-}
-
-void PhotoMode::move(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
-    const glm::vec2 drag = glm::vec2(c.dragged().x, -c.dragged().y) * (kDragTurn_rad * sensitivity);
-    look_.turnBy(c.input.gamepad.leftStick * (kTurn_radps * dt_s) + drag);
-    shown_.worldFromView = look_.worldFromView();
-    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
-                        c.between(Action::Farther, Action::Nearer),
-                        c.between(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
-    glm::vec3 from = shown_.headWorld + shown_.worldFromView * way * (kMove_mps * dt_s) - origin_;
-    if (const float length = glm::length(from); length > kReach_m) from *= kReach_m / length;
-    shown_.headWorld = origin_ + from;
-    fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
-}
-
+// Draws the scene in all directions as a lat-long picture, twice as wide as high.
 Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int width) {
     const int edge = width / 4;
     const std::array<glm::quat, 6> turns = faceTurns();
@@ -142,6 +93,50 @@ Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int wi
             }
         }
     return around;
+}
+
+} // namespace
+
+PhotoMode::PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, const Bindings& bindings)
+    : shown(from), fovBefore_deg(fov_deg),
+      notice(byGamepad ? game::Notice{"A: picture. Left stick: look. Right stick: move. B: back"}
+                       : game::Notice{"Click: picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
+                                      movingKeys(bindings)}),
+      origin_(from.headWorld), look_(LookAngles::of(from.worldFromView)) {
+    for (game::HandView& hand : shown.hands) hand.visible = false;
+    for (game::CreatureView& creature : shown.creatures) creature.catchable = 0; // no highlight either
+}
+
+PhotoMode::Command PhotoMode::step(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
+    const glm::vec2 drag = glm::vec2(c.dragged().x, -c.dragged().y) * (kDragTurn_rad * sensitivity);
+    look_.turnBy(c.input.gamepad.leftStick * (kTurn_radps * dt_s) + drag);
+    shown.worldFromView = look_.worldFromView();
+    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
+                        c.between(Action::Farther, Action::Nearer),
+                        c.between(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
+    glm::vec3 from = shown.headWorld + shown.worldFromView * way * (kMove_mps * dt_s) - origin_;
+    if (const float length = glm::length(from); length > kFarthest_m) from *= kFarthest_m / length;
+    shown.headWorld = origin_ + from;
+    fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
+    const platform::WindowInput& input = c.input;
+    if (c.was(Action::Pause) || std::ranges::count(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) > 0)
+        return Command::Leave;
+    const bool takes = input.leftPressed || c.was(Action::CloseHand) ||
+                       std::ranges::count(input.keysPressed, GLFW_KEY_ENTER) > 0;
+    return takes ? Command::Picture : Command::None;
+}
+
+void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
+    constexpr int kAroundWidth = 4096;
+    const Path file = newPictureFile(""), around = newPictureFile("-360");
+    Status saved = media::writePng(file, picture);
+    if (saved) {
+        const auto drawn = drawAround(renderer, shown.headWorld, kAroundWidth);
+        saved = drawn ? media::writePng(around, *drawn) : Status(drawn.error());
+    }
+    notice = saved ? game::Notice{"Saved, with a picture of all directions: {}", file.string()}
+                   : game::Notice{"Not saved: {}", saved.error().message()};
+    log::info("{}", notice->in(game::Language::English));
 }
 
 } // namespace shoal::app

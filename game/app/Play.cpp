@@ -61,7 +61,7 @@ Status playUnseen(const PlayOptions& options) {
     const Path film =
         environment.video.empty() ? dataRoot() / "content" / config.dive.video : Path(environment.video);
     const bool still = !environment.photo.empty() || !environment.env.empty();
-    const auto usable = still                       ? media::checkPicture(environment.photo + environment.env)
+    const auto usable = still ? media::checkPicture(environment.photo + environment.env, environment.layer)
                         : !environment.isOwnVideo() ? media::checkVideo(film)
                                                     : Result<std::string>("");
     if (!usable) return usable.error();

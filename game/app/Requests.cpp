@@ -3,6 +3,7 @@
 
 #include "engine/core/Log.h"
 
+#include <chrono>
 #include <utility>
 #include <variant>
 
@@ -33,6 +34,7 @@ Status Application::answer(const Request& request) {
         return begin(Mode::Title);
     case Request::Kind::OpenFilm: {
         PlayOptions wanted = options_;
+        wanted.environment.layer.clear();
         if (const Status shown = environment::setFile(wanted.environment, request.name); !shown) {
             if (Status ended = endPlay(); !ended) return ended;
             return goBack(options_, shown.error(), Screen::Films);
@@ -49,7 +51,6 @@ Status Application::answer(const Request& request) {
         return applySettings();
     case Request::Kind::Quit:
         leaving_ = true;
-        return Done{};
     }
     return Done{};
 }
@@ -81,9 +82,11 @@ Status Application::enterHeadset() {
         options_.xr = false;
         return opened;
     }
-    headsetReturn_.forget();
+    askForHeadset_s_.reset();
     screens_.showError({});
-    if (std::holds_alternative<MouseSource>(play_->session.source)) takeHandsFrom(HandSourceKind::OpenXr);
+    if (!std::holds_alternative<MouseSource>(play_->session.source)) return Done{};
+    play_->session.source.emplace<OpenXrSource>();
+    config_.handSource = {HandSourceKind::OpenXr, {}}; // for the next sessions too
     return Done{};
 }
 
@@ -104,31 +107,33 @@ void Application::leaveHeadset(const Error& why) {
     options_.xr = false;
     if (options_.hands.source == "openxr") options_.hands.source.clear();
     (void)openDisplay(); // in the window, which does not fail
-    if (std::holds_alternative<OpenXrSource>(play_->session.source)) takeHandsFrom(HandSourceKind::Mouse);
-    play_->session.head.reset(); // only a headset feeds it
-    play_->session.paused = true;
+    GameSession& session = play_->session;
+    if (std::holds_alternative<OpenXrSource>(session.source)) {
+        session.source.emplace<MouseSource>(config_.rig, config_.species);
+        config_.handSource = {HandSourceKind::Mouse, {}};
+    }
+    session.head.reset(); // only a headset feeds it
+    session.paused = true;
     screens_.facts.headsetLost = true;
-    headsetReturn_.await();
+    askForHeadset_s_ = kAskEvery_s; // a runtime that shuts down still answers for a while
     play_->states.update();
     screens_.showError(why.message());
 }
 
-// Reopens a lost headset once it is back, unless the dive goes on without it.
+// Reopens a lost headset once it is back, unless the dive goes on without it. The runtime may take seconds to
+// answer, so a thread of its own asks it.
 void Application::awaitHeadset() {
-    if (photo_) return;
-    if (play_->states.state() != ProgramStates::State::Paused) return headsetReturn_.forget();
-    if (!headsetReturn_.step(static_cast<float>(play_->elapsed_s))) return;
-    if (Status entered = enterHeadset(); !entered) log::debug("{}", entered.error().message());
-}
-
-// Sets the source of hands of this session and the next ones; all else of the session stays.
-void Application::takeHandsFrom(HandSourceKind kind) {
-    GameSession& session = play_->session;
-    if (kind == HandSourceKind::OpenXr)
-        session.source.emplace<OpenXrSource>();
-    else
-        session.source.emplace<MouseSource>(config_.rig, config_.species);
-    config_.handSource = {kind, {}};
+    if (photo_ || !askForHeadset_s_) return;
+    if (play_->states.state() != ProgramStates::State::Paused) return askForHeadset_s_.reset();
+    if (headsetAnswer_.valid()) {
+        if (headsetAnswer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        askForHeadset_s_ = kAskEvery_s;
+        if (!headsetAnswer_.get()) return;
+        if (Status entered = enterHeadset(); !entered) log::debug("{}", entered.error().message());
+        return;
+    }
+    *askForHeadset_s_ -= static_cast<float>(play_->elapsed_s);
+    if (*askForHeadset_s_ <= 0) headsetAnswer_ = std::async(std::launch::async, &xr::Headset::isThere);
 }
 
 // Begins the dive after the first steps, which later dives leave out.
@@ -185,11 +190,14 @@ Status Application::applySettings() {
         openSound();
     if (play_->session.tracked) play_->session.tracked->setHandSize(options_.hands.size);
     config_.hands.size = options_.hands.size;
-    if (options_.hands.source != applied_.hands.source)
+    if (options_.hands.source != applied_.hands.source) {
         if (const auto chosen = handSourceFor(options_)) {
             config_.handSource = *chosen;
             play_->session.track(config_);
+        } else {
+            screens_.showError(chosen.error().message());
         }
+    }
     config_.rules.assist = options_.assist; // takes effect with the next dive
     applied_ = options_;
     return Done{};

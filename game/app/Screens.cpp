@@ -4,7 +4,7 @@
 #include "game/ui/Hud.h"
 
 #include <GLFW/glfw3.h>
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 #include <cmath>
@@ -23,13 +23,14 @@ template <class... Values> std::string filled(const char* text, const Values&...
 
 // Returns a key's name for the player: translated, or the file's name with spaces: "PageUp", "Page up".
 std::string keyLabel(std::string_view name, game::Language language) {
-    std::string label(game::translated(name, language));
-    if (label != name) return label;
-    const auto is = [&](int (*kind)(int), size_t at) { return kind(static_cast<unsigned char>(label[at])); };
-    for (size_t i = 1; i < label.size(); ++i) {
-        if (!is(std::isupper, i) || !is(std::islower, i - 1)) continue;
-        label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i])));
-        label.insert(i, 1, ' ');
+    const auto text = game::translated(name, language);
+    if (text != name) return std::string(text);
+    std::string label;
+    for (const unsigned char c : name) {
+        const bool next =
+            std::isupper(c) && !label.empty() && std::islower(static_cast<unsigned char>(label.back()));
+        if (next) label += ' ';
+        label += static_cast<char>(next ? std::tolower(c) : c);
     }
     return label;
 }
@@ -72,8 +73,7 @@ void Screens::open(Screen screen) {
 void Screens::openWithError(Screen screen, std::string error) {
     open(Screen::Title);
     if (screen != Screen::Title) push(screen);
-    error_ = std::move(error);
-    refresh();
+    showError(std::move(error));
 }
 
 void Screens::showError(std::string error) {
@@ -94,12 +94,12 @@ bool Screens::showsCamera() const {
     if (stack_.empty() || !facts.webcam) return false;
     const Level& level = stack_.back();
     return level.screen == Screen::HandSize ||
-           (level.screen == Screen::SettingsGroup && level.group == SettingsPage::Hands);
+           (level.screen == Screen::SettingsGroup && level.index == static_cast<size_t>(SettingsPage::Hands));
 }
 
-void Screens::push(Screen screen, SettingsPage group) {
+void Screens::push(Screen screen, size_t index) {
     if (!stack_.empty()) stack_.back().focus = menu_.focus();
-    stack_.push_back({.screen = screen, .group = group});
+    stack_.push_back({.screen = screen, .index = index});
     message_.clear();
     error_.clear();
     show(0);
@@ -242,21 +242,22 @@ MenuPage Screens::filmsPage() {
 
 MenuPage Screens::settingsPage() {
     for (size_t i = 0; i < kGroups.size(); ++i)
-        button(kGroups[i], [this, i] { push(Screen::SettingsGroup, static_cast<SettingsPage>(i + 1)); });
+        button(kGroups[i], [this, i] { push(Screen::SettingsGroup, i + 1); });
     button("Keys and buttons", [this] { push(Screen::Bindings); });
     backButton();
     return {.title = in("Settings"), .layout = PageLayout::Side};
 }
 
 MenuPage Screens::groupPage() {
-    const SettingsPage group = stack_.back().group;
+    const size_t index = stack_.back().index;
+    const auto group = static_cast<SettingsPage>(index);
     const bool isMuted = group == SettingsPage::Sound && options_.mute; // nothing would be heard
     for (size_t row = 0; row < table_.rows.size() && !isMuted; ++row)
         if (table_.rows[row].page == group) settingEntry(row);
     if (group == SettingsPage::Hands && facts.webcam)
         button("Measure my hand", [this] { push(Screen::HandSize); });
     backButton();
-    MenuPage page{.title = in(kGroups[static_cast<size_t>(group) - 1])};
+    MenuPage page{.title = in(kGroups[index - 1])};
     if (group == SettingsPage::Hands && facts.handsNeed) page.text = {facts.handsNeed->in(language())};
     return page;
 }
@@ -264,12 +265,11 @@ MenuPage Screens::groupPage() {
 MenuPage Screens::handSizePage() {
     using enum hands::HandSizing::State;
     backButton();
-    MenuPage page{
-        .title = in("Hand size"),
-        .text = {in("Hold one open hand still, palm to the camera and 30 cm away from it, as far as "
-                    "a sheet of A4 paper is long.")},
-        .progress = facts.handSizing.progress(),
-        .layout = PageLayout::Side};
+    MenuPage page{.title = in("Hand size"),
+                  .text = {in("Hold one open hand still, palm to the camera and 30 cm away from it, as far "
+                              "as a sheet of A4 paper is long.")},
+                  .progress = facts.handSizing.progress(),
+                  .layout = PageLayout::Side};
     const auto state = facts.handSizing.state();
     page.note = state == Elsewhere ? in("Nobody’s hand is that small or big: is it 30 cm away?")
                 : state == Holding ? in("Keep it there")
@@ -360,11 +360,8 @@ MenuPage Screens::guidePage() {
     for (size_t species = 0; species < all.size(); ++species) {
         const bool known = std::ranges::find(facts.met, all[species].name) != facts.met.end();
         met += known;
-        itemButton(known ? animalName(all[species], 1, language()) : "?", [this, species] {
-            push(Screen::Animal);
-            stack_.back().species = species;
-            show(0);
-        });
+        itemButton(known ? animalName(all[species], 1, language()) : "?",
+                   [this, species] { push(Screen::Animal, species); });
         items_.back().enabled = known;
     }
     backButton();
@@ -376,7 +373,7 @@ MenuPage Screens::guidePage() {
 }
 
 MenuPage Screens::animalPage() {
-    const game::Species& animal = (*facts.species)[stack_.back().species];
+    const game::Species& animal = (*facts.species)[stack_.back().index];
     backButton();
     return {.title = animalName(animal, 1, language()),
             .picture = "guide/" + animal.name + ".png",
@@ -397,21 +394,21 @@ std::vector<std::string> Screens::goalLines(std::span<const game::GoalView> goal
 
 MenuPage Screens::pausedPage() {
     button("Resume", [this] { ask(Request::Kind::Resume); });
-    if (facts.firstSteps)
+    if (facts.mode == Mode::FirstSteps)
         button("Skip the first steps", [this] { ask(Request::Kind::SkipFirstSteps); });
     else
         button("Start again", [this] { ask(Request::Kind::Restart); });
     if (facts.headsetLost && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
     if (options_.xr) button("Look ahead again", [this] { ask(Request::Kind::Recentre); });
     if (!options_.xr) button("Photo mode", [this] { ask(Request::Kind::Photo); });
-    if (facts.freeSwim) button("Field guide", [this] { push(Screen::Guide); });
+    if (facts.mode != Mode::Dive) button("Field guide", [this] { push(Screen::Guide); });
     button("Settings", [this] { push(Screen::Settings); });
     button("How to play", [this] { push(Screen::HowToPlay); });
     button("Title screen", [this] { ask(Request::Kind::Title); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     MenuPage page{.title = in("Paused"), .layout = PageLayout::Side};
     if (options_.xr) page.note = in("Close a hand: go on");
-    if (!facts.freeSwim) page.text = goalLines(facts.results.goals);
+    if (facts.mode == Mode::Dive) page.text = goalLines(facts.results.goals);
     return page;
 }
 
@@ -432,11 +429,8 @@ MenuPage Screens::resultsPage() {
         page.text.emplace_back(in("Your best dive yet"));
     else if (before.last > 0 && s.score > before.last)
         page.text.push_back(filled(in("Better than last time by {}"), s.score - before.last));
-    if (!before.top.empty()) {
-        std::string best;
-        for (const int score : before.top) best += (best.empty() ? "" : "  ") + std::to_string(score);
-        page.text.push_back(filled(in("Your best dives before: {}"), best));
-    }
+    if (!before.top.empty())
+        page.text.push_back(filled(in("Your best dives before: {}"), fmt::join(before.top, "  ")));
     button("Dive again", [this] { ask(Request::Kind::Restart); });
     if (facts.dives.size() > 1) button("Choose a dive", [this] { push(Screen::Dives); });
     button("Title screen", [this] { ask(Request::Kind::Title); });
@@ -448,8 +442,7 @@ MenuPage Screens::resultsPage() {
 
 ProgramStates::ProgramStates(GameSession& session, Screens& screens, Mode mode, bool keepsScores)
     : session_(session), screens_(screens), mode_(mode), keepsScores_(keepsScores), before_(state()) {
-    screens_.facts.freeSwim = mode_ != Mode::Dive;
-    screens_.facts.firstSteps = mode_ == Mode::FirstSteps;
+    screens_.facts.mode = mode_;
     screens_.close();
     entered(before_);
 }

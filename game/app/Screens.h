@@ -70,7 +70,7 @@ struct ScreenFacts {
     DiveScores scores;            // scores of this dive, before the last one
     std::vector<std::string> met; // names of the species that the player has touched
     game::Snapshot results;       // when the present program state began
-    bool freeSwim = false, firstSteps = false;
+    Mode mode = Mode::Dive;
     bool webcam = false;                     // a webcam tracks the hands
     std::optional<game::Notice> handsNeed{}; // TrackedHands::needs()
     hands::HandSizing handSizing{};          // measurement on the page HandSize
@@ -111,11 +111,10 @@ class Screens {
   private:
     struct Level { // one page of the stack
         Screen screen;
-        SettingsPage group = SettingsPage::None;
-        size_t species = 0; // for the page Animal
+        size_t index = 0; // the SettingsPage, or the animal's index in the table of species
         size_t focus = 0;
     };
-    void push(Screen screen, SettingsPage group = SettingsPage::None);
+    void push(Screen screen, size_t index = 0);
     void back();
     void ask(Request::Kind kind, std::string name = {}) { request_ = Request{kind, std::move(name)}; }
     void show(size_t focus);

@@ -66,13 +66,6 @@ struct HapticPulse {
 };
 constexpr float kFullSpeed_mps = 1.5f;
 
-// Returns whether a table has one row for each value of an enumeration, in its order.
-template <class Rows, class Row, class E> constexpr bool oneRowEach(const Rows& rows, E Row::*key, E last) {
-    for (size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].*key != static_cast<E>(i)) return false;
-    return rows.size() == static_cast<size_t>(last) + 1;
-}
-
 struct EventRow {
     EventKind kind;
     const char* name;            // name in playthrough files and the log
@@ -106,7 +99,12 @@ constexpr std::array kEventRows = std::to_array<EventRow>({
     {EventKind::DiveOver, "dive_over", Text("the dive is over"), Sound::DiveOver},
 });
 // clang-format on
-static_assert(oneRowEach(kEventRows, &EventRow::kind, EventKind::DiveOver));
+// There is one row for each kind, in the order of the enumeration.
+static_assert([] {
+    for (size_t i = 0; i < kEventRows.size(); ++i)
+        if (kEventRows[i].kind != static_cast<EventKind>(i)) return false;
+    return kEventRows.size() == static_cast<size_t>(EventKind::DiveOver) + 1;
+}());
 
 constexpr const EventRow& rowOf(EventKind kind) { return kEventRows[static_cast<size_t>(kind)]; }
 

@@ -3,8 +3,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/media/SoundTrack.h"
-#include "game/feedback/HapticFeedback.h"
-#include "game/feedback/SoundCues.h"
+#include "game/feedback/Feedback.h"
 #include "game/settings/PlayOptions.h"
 #include "input/haptics/HapticDevices.h"
 

@@ -98,9 +98,9 @@ void loadSettings(const SettingsTable& table) {
             unfit += (unfit.empty() ? "" : ", ") + name;
     }
     if (!unfit.empty())
-        log::warn("{}: these settings are not known, or their values not possible; they have their defaults: "
-                  "{}",
-                  settingsFile().string(), unfit);
+        log::warn(
+            "{}: these settings are not known, or their values not possible; they have their defaults: {}",
+            settingsFile().string(), unfit);
 }
 
 Status saveSetting(const Setting& setting) {

@@ -129,10 +129,9 @@ struct PlayOptions {
         using enum SettingsPage;
         table.category = Category::Dive;
         table.add("--dive", &dive, "Name of a dive in content/dives; reef if not given").ofAPerson();
-        table.add(
-            "--start", choice(start),
-            "First screen of the game: title or dive; auto: title, where a person plays in a window and "
-            "has named no dive; in a headset the dive begins at once");
+        table.add("--start", choice(start),
+                  "First screen of the game: title or dive; auto: title, where a person plays in a window "
+                  "and has named no dive; in a headset the dive begins at once");
         table.addShown(Comfort, "Show the first steps", "!--no-first-steps", &firstSteps,
                        "A player's first dive begins at once, without the steps that teach how to catch");
         table.addShown(Comfort, "Game speed", "--speed", &speed, "Speed of the game; 1 is that of a clock",
@@ -167,50 +166,43 @@ struct PlayOptions {
             .add("--xr", &xr,
                  "Plays in a headset, by the OpenXR runtime that is active; the window shows its left eye")
             .without({"--stereo", "--headless"});
-        table.addShown(
-            Picture, "Your own room", "--passthrough", &passthrough,
-            "Shows your own room in a headset, around the animals in place of the film, which goes "
-            "on lighting "
-            "them (F2 in the game)");
+        table.addShown(Picture, "Your own room", "--passthrough", &passthrough,
+                       "Shows your own room in a headset, around the animals in place of the film, which "
+                       "goes on lighting them (F2 in the game)");
         table.addShown(Picture, "Field of view", "--fov", &fov_deg, "Vertical field of view, degrees",
                        {20, 130});
         table.addKept("--eye-distance", &eyeDistance_mm, "Between the eyes in stereo, millimetres", {0, 100});
         table.addShown(Picture, "Fullscreen", "--fullscreen", &fullscreen,
                        "Fill the screen (F11 in the game)");
         table.addKept("!--no-vsync", &vsync, "Do not wait for the display");
-        table.addShown(
-            Picture, "Quality", "--quality", choice(quality),
-            "auto draws fewer pixels, then makes light less often, while frames take longer than the "
-            "display allows; fixed never does (nor does --headless)");
+        table.addShown(Picture, "Quality", "--quality", choice(quality),
+                       "auto draws fewer pixels, then makes light less often, while frames take longer than "
+                       "the display allows; fixed never does (nor does --headless)");
         table.addShown(
             Picture, "Compositing", "--compose",
             choice(compose, {render::Composition::Plain, render::Composition::MatchedResolution,
                              render::Composition::CameraResponse}),
             "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
-            "finely as the video is, and scaled up with it; camera, into the video's own frame, "
-            "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated)");
-        table.addKept(
-            "--water", choice(water),
-            "Dims what is drawn with distance as the environment's water does: auto as the dive says, "
-            "or, of another video or photo, where the picture has lost its red; on; off");
+            "finely as the video is, and scaled up with it; camera, into the video's own frame, as its "
+            "camera would have filmed them (blur, glare, noise, levels, colours; all estimated)");
+        table.addKept("--water", choice(water),
+                      "Dims what is drawn with distance as the environment's water does: auto as the dive "
+                      "says, or, of another video or photo, where the picture has lost its red; on; off");
         table.addShown(Comfort, "Drifting particles", "!--no-snow", &snow,
                        "No particles that drift in the water");
-        table.addShown(
-            Picture, "Version of the film", "--film", choice(film),
-            "Which version of a dive's film: best; small, for slow machines; auto: small without a "
-            "graphics card or with fewer than four processor cores");
-        table.addKept(
-            "--shadows", choice(shadows),
-            "Shadows of animals and of your hands on what the film shows, where it has a track of distances; "
-            "of what swims, on the floor of your own room, where the headset knows it");
+        table.addShown(Picture, "Version of the film", "--film", choice(film),
+                       "Which version of a dive's film: best; small, for slow machines; auto: small without "
+                       "a graphics card or with fewer than four processor cores");
+        table.addKept("--shadows", choice(shadows),
+                      "Shadows of animals and of your hands on what the film shows, where it has a track of "
+                      "distances; of what swims, on the floor of your own room, where the headset knows it");
         table.addShown(Picture, "Performance", "--frame-times", &frameTimes,
                        "Shows frame times, and which light is used (F1 in the game)");
         hands.addTo(table);
         table
-            .addShown(
-                Hands, "Help with catching", "--assist", choice(assist),
-                "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
-                "really close around is held")
+            .addShown(Hands, "Help with catching", "--assist", choice(assist),
+                      "Helps a hand that is nearly right when it closes on a fish; none: only what the "
+                      "fingers really close around is held")
             .ofAPerson();
         table.addShown(Hands, "Skin", "--skin", choice(skin), "How your hands look");
         controls.addTo(table);
@@ -228,10 +220,9 @@ struct PlayOptions {
                        "Volume of the video's own sound, 0 to 1", {0, 1});
         table.addShown(Sound, "Headphones", "--headphones", &headphones, "Sound for headphones (HRTF)");
         table.category = Category::Measuring;
-        table.add(
-            "--headless", &headless,
-            "No window, no sound device, no display server; the same pictures, drawn for --screenshot and "
-            "--timedemo alone");
+        table.add("--headless", &headless,
+                  "No window, no sound device, no display server; the same pictures, drawn for --screenshot "
+                  "and --timedemo alone");
         table.add("--fps", &fps, "Headless: pictures drawn for each second of the dive", {1, 1000});
         table.add("--at", &at_s, "Headless: ends after that many seconds of the dive", {0, 3600});
         table.add("--screenshot", &screenshot, "Writes a picture at --at, or at the end").takes("FILE.png");

@@ -112,13 +112,15 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
             .takes("FILE")
             .without({"--env"});
         table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm").takes("FILE");
+        table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several").takes("NAME");
         table.add(
             "--layout", choice(layout),
             "Layout of a stereo picture's two eyes, the left one first; auto reads the file's metadata");
         table.add("--light", choice(light),
                   "Meaning of a video's or photo's values. auto: decoded sRGB, and how bright the light "
-                  "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB; "
-                  "thesis: its inverse tone mapping, with colours of objects taken as they are coded");
+                  "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB "
+                  "(both: PQ and HLG as measured); thesis: its inverse tone mapping, with colours of objects "
+                  "taken as they are coded");
         table.add("!--no-depth", &depth,
                   "Leaves the video's distances (NAME.depth.mkv beside NAME.mp4) alone: nothing of it hides "
                   "what swims, and for two eyes it is endlessly far");
@@ -144,9 +146,8 @@ struct LookOptions {
         if (oneBody) {
             occlusions.insert(occlusions.end(), {Occlusion::Ollfb, Occlusion::OllfbThesis});
             occlusionHelp +=
-                "; ollfb: the model shadows and reflects itself, by rays through layered "
-                "fragment buffers, while it is still; ollfb-thesis: as the thesis has them; both "
-                "need OpenGL 4.3";
+                "; ollfb: the model shadows and reflects itself, by rays through layered fragment buffers, "
+                "while it is still; ollfb-thesis: as the thesis has them; both need OpenGL 4.3";
         }
         table.category = Category::Picture;
         table.add("--size", sizeSetting(size), "Picture size in pixels").takes("WxH");
@@ -160,16 +161,14 @@ struct LookOptions {
         table.addKept("--occlusion", choice(occlusion, occlusions), occlusionHelp);
         table.add("--backend", choice(backend),
                   "Backend that samples the background and puts objects into it: opengl; software, on the "
-                  "processor, "
-                  "with the same pictures but for rounding (OpenGL draws the objects in either case); auto: "
-                  "software where the OpenGL driver itself renders on the processor");
+                  "processor, with the same pictures but for rounding (OpenGL draws the objects in either "
+                  "case); auto: software where the OpenGL driver itself renders on the processor");
         table.add("--show", choice(shown),
                   "Draws objects as one quantity of their light, to see where it comes from; occlusion: the "
                   "share of diffuse light that is left; depth: 1 / (1 + metres)");
-        table.add(
-            "--skip", choice(skip),
-            "Leaves a pass out, to see what it draws; without the background, objects that are composed into "
-            "it go too; objects: their shadows and the particles as well");
+        table.add("--skip", choice(skip),
+                  "Leaves a pass out, to see what it draws; without the background, objects that are "
+                  "composed into it go too; objects: their shadows and the particles as well");
     }
 };
 
@@ -190,8 +189,8 @@ struct HandOptions {
             .addShown(SettingsPage::Hands, "Hand source", "--hands", &source,
                       "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
                       "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
-                      "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. "
-                      "The mouse moves the hands where a device sees none")
+                      "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. The "
+                      "mouse moves the hands where a device sees none")
             .takes("SOURCE")
             .offers({"auto", "mouse", "leap", "webcam"});
         table.addShown(SettingsPage::Hands, "Hand size (webcam)", "--hand-size", &size,

@@ -60,6 +60,7 @@ struct LightOptions {
     LightFormat format = LightFormat::Pfm;
     light::DiffuseMethod method = light::DiffuseMethod::Default; // Thesis: the thesis' glossy maps too
     light::FrameRadiance frames = light::FrameRadiance::Auto;
+    std::string layer;
     float at_s = 0;
 
     void addTo(SettingsTable& table) {
@@ -67,21 +68,21 @@ struct LightOptions {
         table.add("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json")
             .takes("FOLDER")
             .mustBeGiven();
-        table.add(
-            "--method", choice(method),
-            "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy light "
-            "by 36 samples of a Phong lobe");
+        table.add("--method", choice(method),
+                  "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy "
+                  "light by 36 samples of a Phong lobe");
         table.add("--format", choice(format), "Format of the pictures: 32-bit pfm, exr, or Radiance hdr");
         table.add("--light", choice(frames),
                   "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
                   "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
-                  "sRGB; thesis: its inverse tone mapping");
+                  "sRGB (both: PQ and HLG as measured); thesis: its inverse tone mapping");
+        table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several").takes("NAME");
         table.add("--at", &at_s, "Second of the video", {0, 36000});
     }
 };
 
 struct PanoramaOptions {
-    std::string photo, out;
+    std::string photo, out, layer;
     std::optional<float> fov_deg; // horizontal, of the photo
 
     void addTo(SettingsTable& table) {
@@ -96,6 +97,7 @@ struct PanoramaOptions {
                   "Horizontal field of view of the photo, degrees; 65 along its longer side if not given. "
                   "Given, a photo that is twice as wide as high is taken for an ordinary one too",
                   {panorama::kMinFov_deg, panorama::kMaxFov_deg});
+        table.add("--layer", &layer, "Layer of an OpenEXR photo, if it has several").takes("NAME");
     }
 };
 

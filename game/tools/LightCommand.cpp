@@ -21,9 +21,10 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-// Reads a photo as an environment, or the video's frame at that time: the left eye's picture, turned as the
-// file asks.
-Result<ImageRgb8> readCoded(const Path& file, media::MediaKind kind, float at_s, bool& bgr) {
+// Reads a photo as an environment, or the video's frame at that time and its light if it is PQ or HLG: the
+// left eye's picture, turned as the file asks.
+Result<ImageRgb8> readCoded(const Path& file, media::MediaKind kind, float at_s, bool& bgr,
+                            ImageRgbF& radianceLin) {
     bgr = kind != media::MediaKind::Photo;
     if (!bgr) {
         auto photo = media::readPhoto(file);
@@ -35,7 +36,10 @@ Result<ImageRgb8> readCoded(const Path& file, media::MediaKind kind, float at_s,
     auto player = media::VideoPlayer::open(file);
     if (!player) return player.error();
     const media::VideoFrame& frame = *player->waitFor(static_cast<double>(at_s));
-    return environment::turnedLeftEye(frame.pixelsBgr, frame.layout, player->info().metadata.envFromFilm);
+    const glm::quat& envFromFilm = player->info().metadata.envFromFilm;
+    if (!frame.radianceLin.empty())
+        radianceLin = environment::turnedLeftEye(frame.radianceLin, frame.layout, envFromFilm);
+    return environment::turnedLeftEye(frame.pixelsBgr, frame.layout, envFromFilm);
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
@@ -47,8 +51,8 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     light::EnvironmentLight made;
     const auto kind = media::mediaKind(options.file);
     if (!kind) return kind.error();
-    if (*kind == media::MediaKind::Hdr) {
-        auto picture = media::readHdr(options.file);
+    if (*kind == media::MediaKind::Hdr || !options.layer.empty()) {
+        auto picture = media::readHdr(options.file, {}, options.layer);
         if (!picture) return picture.error();
         maker.makeFromHdr(picture->radianceLin, made);
         if (const std::string repairs = picture->repairs(); !repairs.empty())
@@ -56,8 +60,13 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
         return made;
     }
     bool bgr = false;
-    auto coded = readCoded(options.file, *kind, options.at_s, bgr);
+    ImageRgbF radianceLin;
+    auto coded = readCoded(options.file, *kind, options.at_s, bgr, radianceLin);
     if (!coded) return coded.error();
+    if (!radianceLin.empty() && frames != light::FrameRadiance::Thesis) {
+        maker.makeFromHdr(radianceLin, made);
+        return made;
+    }
     maker.make(
         {coded->pixels.data(), coded->width, coded->height, static_cast<ptrdiff_t>(coded->width) * 3, bgr},
         made);
@@ -86,10 +95,9 @@ void makeAsTheThesis(light::EnvironmentLight& made) {
 std::string harmonics(const light::EnvironmentLight& made) {
     const math::ShRgb radiance = math::shProject(made.radiance.levels.front());
     nlohmann::ordered_json json;
-    json["about"] =
-        "Radiance on real orthonormal spherical harmonics, index l (l + 1) + m, without the Condon-Shortley "
-        "phase, linear Rec. 709; +Y up, the picture's centre column looks along -Z, columns grow to +X. "
-        "Times cosine[l] / pi: radiance leaving a white matte surface.";
+    json["about"] = "Radiance on real orthonormal spherical harmonics, index l (l + 1) + m, without the "
+                    "Condon-Shortley phase, linear Rec. 709; +Y up, the picture's centre column looks along "
+                    "-Z, columns grow to +X. Times cosine[l] / pi: radiance leaving a white matte surface.";
     json["cosine"] = math::kShCosine;
     for (const glm::dvec3& c : radiance) json["radiance"].push_back({c.r, c.g, c.b});
     return json.dump(2) + "\n";

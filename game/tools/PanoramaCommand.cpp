@@ -6,6 +6,8 @@
 #include "engine/media/MediaKind.h"
 #include "engine/media/Pictures.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <cstdio>
 
 namespace shoal::app {
@@ -13,8 +15,8 @@ namespace shoal::app {
 namespace {
 
 template <class Picture, class Write>
-Result<std::string> convert(const PanoramaOptions& options, Picture photo,
-                            const media::PhotoMetadata& metadata, Write&& write) {
+Status convert(const PanoramaOptions& options, Picture photo, const media::PhotoMetadata& metadata,
+               Write&& write) {
     auto made =
         environment::environmentFrom(options.photo, std::move(photo), metadata, {.fov_deg = options.fov_deg});
     if (!made) return made.error();
@@ -22,12 +24,15 @@ Result<std::string> convert(const PanoramaOptions& options, Picture photo,
         made->picture = environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
         made->what += ", and levelled"; // the file that is written has no metadata
     }
-    if (Status s = write(options.out, made->picture); !s) return s.error();
-    return std::to_string(made->picture.width) + "x" + std::to_string(made->picture.height) + ", " +
-           made->what;
+    if (Status s = write(options.out, made->picture); !s) return s;
+    std::printf("%s: %dx%d, %s\n", options.out.c_str(), made->picture.width, made->picture.height,
+                made->what.c_str());
+    return Done{};
 }
 
-Result<std::string> makePanorama(const PanoramaOptions& options) {
+} // namespace
+
+Status panorama(const PanoramaOptions& options) {
     // Outputs are checked before the work, which takes seconds.
     if (media::writtenAs(options.out) == media::WrittenAs::Nothing)
         return Error{options.out, "is of no kind that can be written; use .png or .jpg, or .hdr, .exr or "
@@ -35,7 +40,7 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
     if (Status possible = checkOutputs(std::array{NamedFile{"--out", options.out}},
                                        std::array{NamedFile{"PHOTO", options.photo}});
         !possible)
-        return possible.error();
+        return possible;
     const auto kind = media::mediaKind(options.photo);
     if (!kind) return kind.error();
     const bool isHdr = *kind == media::MediaKind::Hdr;
@@ -44,23 +49,14 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdr && writesHdr)
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdr) {
+    if (!isHdr && options.layer.empty()) {
         auto photo = media::readPhoto(options.photo);
         if (!photo) return photo.error();
         return convert(options, std::move(photo->picture), photo->metadata, media::writePicture);
     }
-    auto read = media::readHdr(options.photo);
+    auto read = media::readHdr(options.photo, {}, options.layer);
     if (!read) return read.error();
     return convert(options, std::move(read->radianceLin), {}, media::writeHdr);
-}
-
-} // namespace
-
-Status panorama(const PanoramaOptions& options) {
-    const auto made = makePanorama(options);
-    if (!made) return made.error();
-    std::printf("%s: %s\n", options.out.c_str(), made->c_str());
-    return Done{};
 }
 
 } // namespace shoal::app

@@ -85,9 +85,8 @@ class Viewer {
     Status showWindow();
 
   private:
-    Status draw(const gl::Target& target);
+    Status draw(const gl::Target& target, bool withLayers = true);
     void pose();
-    void uploadMorphed();
     Status seeLayers();
     Status followPose(bool moving);
     void aim();
@@ -108,17 +107,14 @@ class Viewer {
     std::unique_ptr<render::BackgroundPass> background_;
     std::optional<render::ObjectPass> objects_;
     std::optional<occlusion::LayersGpu> layers_; // layers of the pose while it is still
-    bool withLayers_ = true;
     Orbit orbit_;
 };
 
+// Poses the model, whose meshes have been uploaded.
 void Viewer::pose() {
     scene::restPose(model_, pose_);
     if (clip_.animation >= 0) scene::animate(model_, clip_.animation, clip_.time_s, pose_);
     scene::updateGlobals(model_, pose_);
-}
-
-void Viewer::uploadMorphed() {
     for (size_t n = 0; n < model_.nodes.size(); ++n) {
         const int mesh = model_.nodes[n].mesh;
         if (mesh >= 0 && !pose_.morphWeights[n].empty())
@@ -162,9 +158,7 @@ Status Viewer::open() {
     if (Status s = scene::loadModel(options_.model).moveTo(model_); !s) return s;
     if (!options_.variant.empty() && !scene::applyVariant(model_, options_.variant))
         return Error{options_.model, "has no variant named " + options_.variant};
-    auto clip = findClip(model_, options_.animation, options_.model);
-    if (!clip) return clip.error();
-    clip_ = *clip;
+    if (Status s = findClip(model_, options_.animation, options_.model).moveTo(clip_); !s) return s;
     if (!options_.out.empty()) {
         if (Status s = platform::Headless::open().moveTo(headless_); !s) return s;
     } else {
@@ -178,16 +172,15 @@ Status Viewer::open() {
         if (Status can = occlusion::canKeepLayers(); !can) return Error{"--occlusion", can.error().message()};
     auto environment = Environment::open(
         {.player = {.source = options_.environment.orOwn(dataRoot() / "content/video/reef.mp4"),
-                    .analysis = {.pyramid = options_.look.glossy == render::Glossy::PhongRings,
-                                 .minRoughness = scene::minGloss(model_).minRoughness,
-                                 .quality = light::LightQuality::Still,
-                                 .diffuse = options_.diffuse}},
+                    .pyramid = options_.look.glossy == render::Glossy::PhongRings,
+                    .minRoughness = scene::minGloss(model_).minRoughness,
+                    .quality = light::LightQuality::Still,
+                    .diffuse = options_.diffuse},
          .yaw_deg = options_.environment.envYaw_deg},
         [this](float) { return !window_ || !window_->poll().closing; });
     if (!environment) return environment.error();
     environment_ = std::move(*environment);
     environment_->update(static_cast<double>(options_.at_s), true);
-    pose();
     if (options_.look.occlusion == Occlusion::Ellipsoids) occlusionOf(options_.model, model_);
     if (options_.look.occlusion != Occlusion::Off) {
         body_.albedo = scene::meanBaseColour(model_);
@@ -195,7 +188,7 @@ Status Viewer::open() {
             body_.albedo = glm::pow(body_.albedo, glm::vec3(1 / 2.2f));
     }
     gpu_ = render::uploadModel(model_, reflectanceIn(options_.environment));
-    uploadMorphed();
+    pose();
     if (Status s = render::BackgroundPass::make(options_.look.backend, false).moveTo(background_); !s)
         return s;
     if (Status s = render::ObjectPass::make(render::Detail::Full, options_.look.occlusion != Occlusion::Off,
@@ -207,7 +200,7 @@ Status Viewer::open() {
     return Done{};
 }
 
-Status Viewer::draw(const gl::Target& target) {
+Status Viewer::draw(const gl::Target& target, bool withLayers) {
     target.bind();
     glClearColor(0, 0, 0, 0);
     glDepthMask(GL_TRUE);
@@ -216,7 +209,7 @@ Status Viewer::draw(const gl::Target& target) {
         orbit_.view(glm::radians(options_.fov_deg),
                     static_cast<float>(target.width()) / static_cast<float>(target.height()));
     const render::Exposure exposure = environment_->exposure(options_.look.tone, options_.look.exposure_ev);
-    objects_->setLayers(layers_ && withLayers_ ? &*layers_ : nullptr);
+    objects_->setLayers(layers_ && withLayers ? &*layers_ : nullptr);
     objects_->begin();
     objects_->add({.model = model_,
                    .gpu = gpu_,
@@ -278,16 +271,11 @@ Status Viewer::writePicture() {
 // Rebuilds the layers for a still pose. This takes up to a second, so a moving body is shown without layers.
 Status Viewer::followPose(bool moving) {
     if (!wantsLayers() || (!moving && layers_)) return Done{};
-    const std::string title = "Shoal: " + options_.model;
-    if (moving) {
-        window_->setTitle(title +
-                          " (reflections and shadows of itself are rebuilt when the animation pauses: "
-                          "space)");
-        layers_.reset();
-        return Done{};
-    }
-    window_->setTitle(title);
-    return seeLayers();
+    window_->setTitle(
+        "Shoal: " + options_.model +
+        (moving ? " (reflections and shadows of itself are rebuilt when the animation pauses: space)" : ""));
+    layers_.reset();
+    return moving ? Done{} : seeLayers();
 }
 
 Status Viewer::showWindow() {
@@ -319,7 +307,6 @@ Status Viewer::showWindow() {
             clip_.time_s =
                 duration > 0 ? static_cast<float>(std::fmod(glfwGetTime() - clipStart, duration)) : 0;
             pose();
-            uploadMorphed();
         }
         if (Status shown = followPose(moving && clip_.animation >= 0); !shown) return shown;
         const bool relit = environment_->update(glfwGetTime() + static_cast<double>(options_.at_s), false);
@@ -329,9 +316,9 @@ Status Viewer::showWindow() {
             if (resized) target = gl::Target(size.x, size.y, options_.samples);
             const bool turns = input.leftButton || input.rightButton || input.wheel != 0;
             // A software renderer takes seconds for a picture's rays: it draws them once the camera rests.
-            withLayers_ = !(turns && gl::rendersInSoftware());
+            const bool withLayers = !(turns && gl::rendersInSoftware());
             if (turns || turned || moving || relit || resized || !input.keysPressed.empty())
-                if (Status drawn = draw(target); !drawn) return drawn;
+                if (Status drawn = draw(target, withLayers); !drawn) return drawn;
             turned = turns;
             target.blitTo(0, 0, size.x, size.y);
         }

@@ -172,7 +172,7 @@ void drawText(const Pen& pen, const HudInfo& info) {
 
 } // namespace
 
-void Hud::DestroyContext::operator()(ImGuiContext* context) const {
+void Hud::destroy(ImGuiContext* context) {
     ImGui::SetCurrentContext(context);
     if (ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(context);

@@ -5,7 +5,7 @@
 #include "engine/core/Result.h"
 #include "engine/gl/PassTimers.h"
 #include "engine/render/View.h"
-#include "game/feedback/SoundCues.h"
+#include "game/feedback/Feedback.h"
 #include "game/rules/DiveFile.h"
 #include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
@@ -87,10 +87,8 @@ class Hud {
   private:
     Pen beginFrame(Audience audience, bool hasText, const TextSettings& text, glm::ivec2 size);
     static void endFrame();
-    struct DestroyContext {
-        void operator()(ImGuiContext* context) const;
-    };
-    std::unique_ptr<ImGuiContext, DestroyContext> context_;
+    static void destroy(ImGuiContext* context);
+    std::unique_ptr<ImGuiContext, decltype(&destroy)> context_{nullptr, destroy};
     Fonts fonts_;
     Pictures pictures_;
 };

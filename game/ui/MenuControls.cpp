@@ -39,22 +39,22 @@ Pointing pointingInView(const hands::HandPose& hand, glm::vec2 tanHalf) {
 }
 
 void FingerPoke::step(const Pointing& finger, float dt_s) {
-    pressed_ = false;
+    pressed = false;
     if (!finger.points) {
-        pointing_ = held_ = false;
+        pointing = held = false;
         return;
     }
-    if (!pointing_) mean_m_ = finger.forward_m;
-    pointing_ = true;
+    if (!pointing) mean_m_ = finger.forward_m;
+    pointing = true;
     const float forward_m = finger.forward_m - mean_m_;
     // A press counts where the finger pointed before it moved, as a poking finger does not move straight.
     if (forward_m < kRelease_m || finger.pulls) steady_ = finger.at;
-    if (!held_) at_ = finger.at;
-    if (!held_ && (forward_m > kPress_m || (finger.pulls && !pulled_))) {
-        pressed_ = held_ = true;
-        at_ = steady_;
+    if (!held) at = finger.at;
+    if (!held && (forward_m > kPress_m || (finger.pulls && !pulled_))) {
+        pressed = held = true;
+        at = steady_;
     }
-    if (held_ && forward_m < kRelease_m && !finger.pulls) held_ = false;
+    if (held && forward_m < kRelease_m && !finger.pulls) held = false;
     pulled_ = finger.pulls;
     mean_m_ += forward_m * std::min(1.0f, dt_s / kMean_s);
 }
@@ -65,8 +65,7 @@ MenuInput MenuControls::step(const platform::WindowInput& input, const platform:
     const platform::Gamepad& pad = input.gamepad;
     glm::ivec2 held(stepOf(pad.leftStick.x), -stepOf(pad.leftStick.y)), steps(0);
     for (const DirectionKey& key : kDirectionKeys) {
-        for (const int pressed : input.keysPressed)
-            if (pressed == key.key) steps += key.direction;
+        steps += key.direction * static_cast<int>(std::ranges::count(input.keysPressed, key.key));
         if (has(pad.pressed, key.button)) steps += key.direction;
         if ((window && window->down(key.key)) || pad.down[static_cast<size_t>(key.button)])
             held += key.direction;
@@ -100,10 +99,10 @@ MenuInput MenuControls::step(const platform::WindowInput& input, const platform:
     finger_.reset();
     for (size_t i = 0; i < fingers.size(); ++i) {
         pokes_[i].step(fingers[i], dt_s);
-        if (!pokes_[i].pointing() || fingersRest_s_ > 0) continue;
-        finger_ = menu.pointer = pokes_[i].at() * surface.size;
-        menu.pressed |= pokes_[i].pressed();
-        menu.held |= pokes_[i].held();
+        if (!pokes_[i].pointing || fingersRest_s_ > 0) continue;
+        finger_ = menu.pointer = pokes_[i].at * surface.size;
+        menu.pressed |= pokes_[i].pressed;
+        menu.held |= pokes_[i].held;
     }
     return menu;
 }

@@ -28,22 +28,19 @@ Pointing pointingInView(const hands::HandPose& hand, glm::vec2 tanHalf);
 
 // Detects presses: a fingertip that moves forward by a few centimetres presses at its place. "Forward" is
 // relative to a slow mean of its distance, so that it works wherever the hand is held.
-class FingerPoke {
-  public:
+struct FingerPoke {
     void step(const Pointing& finger, float dt_s);
 
-    bool pointing() const { return pointing_; }
-    glm::vec2 at() const { return at_; } // 0 to 1 from the picture's upper left
-    bool pressed() const { return pressed_; }
-    bool held() const { return held_; }
+    bool pointing = false, pressed = false, held = false;
+    glm::vec2 at{0}; // 0 to 1 from the picture's upper left
 
     static constexpr float kPress_m = 0.025f, kRelease_m = 0.012f;
     static constexpr float kMean_s = 0.35f;
 
   private:
-    bool pointing_ = false, pressed_ = false, held_ = false, pulled_ = false;
+    bool pulled_ = false;
     float mean_m_ = 0;
-    glm::vec2 at_{0}, steady_{0}; // steady_: last position before it moved forward
+    glm::vec2 steady_{0}; // last position before it moved forward
 };
 
 class MenuControls {

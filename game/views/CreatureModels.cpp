@@ -112,7 +112,6 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     for (scene::Material& material : instance.model.materials)
         material.baseColourLin *= glm::vec4(request.colour, 1);
     scene::restPose(instance.model, instance.pose);
-    scene::updateGlobals(instance.model, instance.pose);
     const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
     const auto baked = occlusionOf(request.file, instance.model);
     instance.body = render::makeBodyOccluders(instance.model, instance.pose,

@@ -7,9 +7,8 @@
 namespace shoal::app {
 
 render::Reflectance reflectanceIn(const environment::Source& source) {
-    const bool hdr = source.photo.empty() && !source.env.empty();
-    return hdr || source.light != light::FrameRadiance::Thesis ? render::Reflectance::Linear
-                                                               : render::Reflectance::Coded;
+    return source.isHdr() || source.light != light::FrameRadiance::Thesis ? render::Reflectance::Linear
+                                                                          : render::Reflectance::Coded;
 }
 
 Path filmFor(const Path& film, FilmChoice choice, bool slow) {
@@ -49,8 +48,7 @@ void Environment::upload() {
         }
         if (!frame.depth.inverse.empty()) on.setDepth({&frame.depth, &frame.widened, &frame.depthRange});
         on.uploadLight(frame.found.light, frame.found.smooth);
-        if (setup_.player.analysis.cameraResponse && !player_->isHdr())
-            on.uploadScattered(frame.found.glare.spread);
+        if (setup_.player.cameraResponse && !player_->isHdr()) on.uploadScattered(frame.found.glare.spread);
     }
     upload_ms_ = std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
@@ -72,8 +70,9 @@ game::Text Environment::lightName() const {
     static constexpr std::array<game::Text, 3> kNames = {
         "decoded sRGB, clipped light estimated, GGX prefiltered",
         "thesis inverse tone mapping, GGX prefiltered", "decoded sRGB, GGX prefiltered"}; // by FrameRadiance
-    return player_->isHdr() ? "as measured, GGX prefiltered"
-                            : kNames[static_cast<size_t>(setup_.player.source.light)];
+    return player_->isHdr() || player_->frame().found.measured
+               ? "as measured, GGX prefiltered"
+               : kNames[static_cast<size_t>(setup_.player.source.light)];
 }
 
 const game::Notice* Environment::notice() const {

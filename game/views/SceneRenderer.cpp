@@ -11,23 +11,28 @@
 
 namespace shoal::app {
 
+Look lookOf(const PlayOptions& options, const Environment& environment, float dive_ev) {
+    return {.exposure = environment.exposure(options.look.tone, dive_ev + options.look.exposure_ev),
+            .glossy = options.look.glossy,
+            .particles = options.snow && !options.reducedMotion};
+}
+
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();
     auto particles = render::ParticlePass::make();
     if (!particles) return particles.error();
     Passes passes{std::move(*objects), std::move(*particles), {}, {}};
-    if (setup.floorShadows) {
+    if (setup.floorShadows)
         if (Status s = render::FloorShadowPass::make().moveTo(passes.floorShadows); !s) return s.error();
-    }
     if (Status s = render::Compositor::make(setup.compositor).moveTo(passes.compositor); !s) return s.error();
     return passes;
 }
 
-Result<SceneRenderer> SceneRenderer::make(CreatureModels creatureModels, const SceneRendererSetup& setup) {
+Result<SceneRenderer> SceneRenderer::make(CreatureModels& creatureModels, const SceneRendererSetup& setup) {
     auto passes = makePasses(setup);
     if (!passes) return passes.error();
-    return SceneRenderer(std::move(creatureModels), setup, std::move(*passes));
+    return SceneRenderer(creatureModels, setup, std::move(*passes));
 }
 
 Status SceneRenderer::reloadShaders() {
@@ -50,16 +55,14 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     animalLight_.follow(
         snapshot, bounces && environment.depth() ? &environment.player().frame().lightDifference : nullptr,
         environment.envFromWorld());
-    creatureModels_.show(snapshot, animalLight_, passes_.objects);
+    creatureModels_->show(snapshot, animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
-}
-
-bool SceneRenderer::castsShadows() const {
-    return passes_.compositor.drawsObjects() && setup_.skip != render::SkippedPass::Shadows;
 }
 
 // Returns the light that casts shadows; none if no light stands out.
 std::optional<render::CastingLight> SceneRenderer::castingLight() const {
+    if (!passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows)
+        return std::nullopt;
     constexpr float kWidest = 0.75f; // radians; limit of the light's angular radius
     const light::ShadowLight& found = environment_->player().shadowLight();
     render::CastingLight light;
@@ -75,8 +78,7 @@ std::optional<render::CastingLight> SceneRenderer::castingLight() const {
 // Casts shadows on the film, but not on one without distances, where they would hang in the water.
 void SceneRenderer::castShadows() {
     const depth::DepthMap* map = environment_->depth();
-    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room || !castsShadows())
-        return;
+    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room) return;
     const auto light = castingLight();
     if (!light) return;
     const gl::PassTimers::Scope scope(timers_, "shadows");
@@ -103,7 +105,7 @@ void SceneRenderer::castShadows() {
 // Casts the creatures' shadows on the room's floor; the player's hands cast their own.
 void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
     if (std::exchange(floorIsShaded_, true)) return; // a headset's eyes are drawn one by one
-    if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m || !castsShadows()) return;
+    if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m) return;
     const auto light = castingLight();
     if (!light) return;
     const render::NearBodies& bodies = passes_.objects.bodies();

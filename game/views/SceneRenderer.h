@@ -7,6 +7,7 @@
 #include "engine/render/FloorShadowPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
+#include "game/settings/PlayOptions.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 
@@ -36,12 +37,13 @@ struct Look {
     bool particles = true; // particles drift in the water, if there is water
 };
 
+// Returns the look that the options ask for. dive_ev: exposure of the dive.
+Look lookOf(const PlayOptions& options, const Environment& environment, float dive_ev);
+
 class SceneRenderer final : private render::CompositorScene {
   public:
-    static Result<SceneRenderer> make(CreatureModels creatureModels, const SceneRendererSetup& setup);
-
-    // Moves the models out, for another renderer; this one draws no more.
-    CreatureModels takeModels() { return std::move(creatureModels_); }
+    // The models must outlive this.
+    static Result<SceneRenderer> make(CreatureModels& creatureModels, const SceneRendererSetup& setup);
 
     // Compiles all shaders again from their files, between two frames. If one is broken the error says so and
     // the last good ones stay, even if that shows only when an object first needs it.
@@ -82,9 +84,8 @@ class SceneRenderer final : private render::CompositorScene {
         render::Compositor compositor;
     };
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
-    SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
-        : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
-    bool castsShadows() const;
+    SceneRenderer(CreatureModels& creatureModels, const SceneRendererSetup& setup, Passes passes)
+        : creatureModels_(&creatureModels), setup_(setup), passes_(std::move(passes)) {}
     std::optional<render::CastingLight> castingLight() const;
     void castShadows();
     void castOnFloor(std::optional<float> floor_m);
@@ -96,7 +97,7 @@ class SceneRenderer final : private render::CompositorScene {
     Status drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) override;
     std::span<const scene::Sphere> visibleSpheres(const render::View& view) override;
 
-    CreatureModels creatureModels_;
+    CreatureModels* creatureModels_;
     AnimalLight animalLight_;
     SceneRendererSetup setup_;
     Passes passes_;

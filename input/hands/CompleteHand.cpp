@@ -86,10 +86,11 @@ HandCompleter::Fit HandCompleter::fitTips(const PartialHand& hand, Side side) co
     for (int f = 0; f < kFingerCount; ++f)
         fingers[f] = angle(glm::conjugate(rest.joints[kPalmJoint].orientation) *
                            (rest.joints[kFingerJoints[f].tip].position - rest.joints[kPalmJoint].position));
-    std::array<std::pair<float, int>, kFingerCount> tips;
+    std::array<std::pair<float, int>, kFingerCount> tips; // unused ones sort behind the others
+    tips.fill({-std::numeric_limits<float>::infinity(), -1});
     const int count = hand.looseTipCount;
     for (int t = 0; t < count; ++t) tips[t] = {angle(palmFromDevice * (hand.looseTips[t] - hand.palm)), t};
-    std::sort(tips.begin(), tips.begin() + count, std::greater<>()); // the thumb's side first
+    std::sort(tips.begin(), tips.end(), std::greater<>()); // the thumb's side first
 
     Fit best{.cost = std::numeric_limits<float>::max()};
     for (unsigned chosen = 0; chosen < 1u << kFingerCount; ++chosen) {

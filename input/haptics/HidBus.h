@@ -53,7 +53,7 @@ HidBus withForceFeedback(HidBus bus);
 // A helper process that stops a device's motors when the program dies, however it dies.
 class CrashStop {
   public:
-    // Starts a shell that writes the report to the device's file, whose path has no quotation mark, when this
+    // Starts a shell that writes the report to the device's file, whose path has no single quote, when this
     // process has ended, unless this object was destroyed before. Without a shell nothing is guarded.
     CrashStop(const std::string& file, std::span<const uint8_t> stop);
     ~CrashStop();

@@ -147,6 +147,8 @@ void pictures() {
     for (const char* name : {"seed.png", "seed.jpg"}) {
         if (!media::writePicture(folder / "Pictures" / name, coded)) std::exit(1);
     }
+    put("Pictures", "turned.hdr", "#?RADIANCE\nEXPOSURE=2\n\n+X 1 -Y 2\n" + std::string(8, 'x'));
+    put("Pictures", "alpha.pfm", "PF4\n1 1\n-1\n" + std::string(16, '?'));
     put("Pictures", "seed.ppm", "P6\n2 2\n255\n" + std::string(12, 'x'));
     put("Pictures", "seed.pgm", "P2 2 1 # grey\n255\n1 2\n");
 }

@@ -32,29 +32,29 @@ class Backends : public testing::Test {
         auto config = makeSessionConfig({.headless = true});
         ASSERT_TRUE(config) << config.error().message();
         config_ = std::move(*config);
-        auto creatures =
+        const Status loaded =
             CreatureModels::load(config_->species, game::speciesShown(config_->species, config_->dive),
-                                 "light", reflectanceIn({}), render::Detail::Lean);
-        ASSERT_TRUE(creatures) << creatures.error().message();
+                                 "light", reflectanceIn({}), render::Detail::Lean)
+                .moveTo(creatures_);
+        ASSERT_TRUE(loaded) << loaded.error().message();
         const Path film = dataRoot() / "content" / config_->dive.video;
-        auto environment =
-            Environment::open({.player = {.source = {.video = film.string()},
-                                          .analysis = {.minRoughness = creatures->minRoughness(),
-                                                       .water = true,
-                                                       .lights = true,
-                                                       .cameraResponse = true}}});
+        auto environment = Environment::open({.player = {.source = {.video = film.string()},
+                                                         .minRoughness = creatures_.minRoughness(),
+                                                         .water = true,
+                                                         .lights = true,
+                                                         .cameraResponse = true}});
         ASSERT_TRUE(environment) << environment.error().message();
         environment_ = std::move(*environment);
-        auto renderer = SceneRenderer::make(std::move(*creatures), {.detail = render::Detail::Lean});
+        auto renderer = SceneRenderer::make(creatures_, {.detail = render::Detail::Lean});
         ASSERT_TRUE(renderer) << renderer.error().message();
         renderer_ = std::move(*renderer);
     }
 
     // Draws this way from now on.
     void drawBy(Composition composition, Backend backend) {
-        auto renderer = SceneRenderer::make(
-            renderer_->takeModels(),
-            {.detail = render::Detail::Lean, .compositor = {.composition = composition, .backend = backend}});
+        auto renderer =
+            SceneRenderer::make(creatures_, {.detail = render::Detail::Lean,
+                                             .compositor = {.composition = composition, .backend = backend}});
         EXPECT_TRUE(renderer) << renderer.error().message();
         renderer_ = std::move(*renderer);
     }
@@ -88,6 +88,7 @@ class Backends : public testing::Test {
 
     std::optional<platform::Headless> context_;
     std::optional<SessionConfig> config_;
+    CreatureModels creatures_;
     std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> renderer_;
 };
@@ -163,10 +164,9 @@ TEST_F(Backends, NoShadowIsOlderThanTheFilmsPicture) {
     environment_->update(session.shown.time_s, true);
     const auto fresh = [&](Backend backend) {
         auto renderer = SceneRenderer::make(
-            renderer_->takeModels(),
-            {.detail = render::Detail::Lean,
-             .skip = render::SkippedPass::Bounce, // which follows from picture to picture
-             .compositor = {.composition = Composition::CameraResponse, .backend = backend}});
+            creatures_, {.detail = render::Detail::Lean,
+                         .skip = render::SkippedPass::Bounce, // which follows from picture to picture
+                         .compositor = {.composition = Composition::CameraResponse, .backend = backend}});
         EXPECT_TRUE(renderer) << renderer.error().message();
         renderer_ = std::move(*renderer);
     };

@@ -36,7 +36,7 @@ class Camera final : public LiveFeed {
         return Done{};
     }
 
-    Result<LivePicture> read(ImageRgb8& bgr) override {
+    Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF&) override {
         if (interrupted_) return Error{"", "was interrupted"};
         const Error silent{"", "sends no pictures any more"};
         try {

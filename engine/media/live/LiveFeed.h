@@ -58,8 +58,8 @@ class LiveFeed {
 
     // Returns the newest picture that was not returned before, as soon as there is one; blue first,
     // sRGB-coded. The image takes the picture's size, at most kMaxVideoSide a side. The error says why no
-    // more come; then open() again.
-    virtual Result<LivePicture> read(ImageRgb8& bgr) = 0;
+    // more come; then open() again. radianceLin: as for VideoFrame.
+    virtual Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF& radianceLin) = 0;
 
     // Makes open() and read() return soon, now and later. Any thread.
     virtual void interrupt() = 0;

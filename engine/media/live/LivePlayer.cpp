@@ -77,7 +77,7 @@ struct LivePlayer::Impl {
             slot.state = State::Filling;
             Result<LivePicture> picture = Error{};
             ImageRgb8& bgr = slots.pixelsOf(slot, options);
-            const bool going = inCall(lock, [&] { picture = feed->read(bgr); });
+            const bool going = inCall(lock, [&] { picture = feed->read(bgr, slot.frame.radianceLin); });
             if (!going || !picture) {
                 slot.state = State::Free;
                 return picture ? Error{} : picture.error();
@@ -230,8 +230,9 @@ Result<std::string> checkLive(const LiveAddress& address) {
     auto player = LivePlayer::open(feed);
     if (!player) return player.error();
     const VideoFrame& frame = *player->newest();
-    return fmt::format("a live {} of {}x{}, lat-long {}", feed->kind, frame.pixelsBgr.width,
-                       frame.pixelsBgr.height, enumName(frame.layout));
+    return fmt::format(
+        "a live {} of {}x{}{}, lat-long {}", feed->kind, frame.pixelsBgr.width, frame.pixelsBgr.height,
+        frame.radianceLin.empty() ? "" : " of high dynamic range, lit as measured", enumName(frame.layout));
 }
 
 } // namespace shoal::media

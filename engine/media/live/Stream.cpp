@@ -71,7 +71,7 @@ class Stream final : public LiveFeed {
         return Done{};
     }
 
-    Result<LivePicture> read(ImageRgb8& bgr) override {
+    Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF& radianceLin) override {
         LivePicture picture;
         double began_s = liveNow_s();
         for (;;) {
@@ -81,7 +81,8 @@ class Stream final : public LiveFeed {
                     ++picture.passedOver;
                     continue;
                 }
-                if (Status converted = decoder_.convert(bgr); !converted) return converted.error();
+                if (Status converted = decoder_.convert(bgr, &radianceLin); !converted)
+                    return converted.error();
                 picture.arrived_s = static_cast<double>(decoder_.frame().pts) * 1e-6;
                 picture.chromaTexels = decoder_.chromaTexels();
                 lastShown_s_ = liveNow_s();

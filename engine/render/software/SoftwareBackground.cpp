@@ -49,8 +49,8 @@ SoftwareBackground::SoftwareBackground()
     : threadPool_(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4) - 1) {}
 
 void SoftwareBackground::SamplePart::operator()(int part) const {
-    const auto endOf = [&](int k) { return static_cast<size_t>(k) * pass->states_.size() / kParts; };
-    for (size_t k = endOf(part); k < endOf(part + 1); ++k)
+    const auto beginOf = [&](int k) { return static_cast<size_t>(k) * pass->states_.size() / kParts; };
+    for (size_t k = beginOf(part); k < beginOf(part + 1); ++k)
         if (const State& state = pass->states_[k]; state.due)
             sampleCell(state.painted ? pass->painted() : pass->film_.frame, state.sampled,
                        pass->picture_.data(), pass->film_.size.x);

@@ -66,20 +66,11 @@ GameSession runTo(const SessionConfig& plan, double time_s) {
     return session;
 }
 
-Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Composition composition) {
-    const bool software = gl::rendersInSoftware();
-    const auto detail = software ? render::Detail::Lean : render::Detail::Full;
-    auto cast = CreatureModels::load(plan.species, game::speciesShown(plan.species, plan.dive), "light",
-                                     render::Reflectance::Coded, detail);
-    if (!cast) return cast.error();
-    return SceneRenderer::make(std::move(*cast),
-                               {.detail = detail, .compositor = {.composition = composition}});
-}
-
 Result<std::unique_ptr<Environment>> openVideo(const Path& file) {
-    return Environment::open(
-        {.player = {.source = {.video = file.string(), .layout = media::Layout::Mono},
-                    .analysis = {.minRoughness = 0.25f, .water = true, .cameraResponse = true}}});
+    return Environment::open({.player = {.source = {.video = file.string(), .layout = media::Layout::Mono},
+                                         .minRoughness = 0.25f,
+                                         .water = true,
+                                         .cameraResponse = true}});
 }
 
 // yaw_deg: turn of the view to the right.
@@ -254,12 +245,17 @@ Status run(const Path& folder, bool quick) {
     options.headless = true;
     auto plan = app::makeSessionConfig(options);
     if (!plan) return plan.error();
+    const auto detail = gl::rendersInSoftware() ? render::Detail::Lean : render::Detail::Full;
+    auto cast = CreatureModels::load(plan->species, game::speciesShown(plan->species, plan->dive), "light",
+                                     render::Reflectance::Coded, detail);
+    if (!cast) return cast.error();
     Renderers renderers;
     std::vector<render::Composition> compositions;
     for (const Way& way : kWays) compositions.push_back(way.composition);
     compositions.push_back(render::Composition::BackgroundOnly);
     for (const render::Composition composition : compositions) {
-        auto sceneRenderer = makeSceneRenderer(*plan, composition);
+        auto sceneRenderer =
+            SceneRenderer::make(*cast, {.detail = detail, .compositor = {.composition = composition}});
         if (!sceneRenderer) return sceneRenderer.error();
         renderers.push_back(std::move(*sceneRenderer));
     }

@@ -160,7 +160,8 @@ Of the 8-bit environments: the diffuse light integrated over the pyramid's level
 
 The HDR pictures exposed so that a tenth of their pixels lies above 0.8, clipped at 1, kept as sRGB in 8 bits, then
 expanded. Light against that of the original, each after the one factor that brings it nearest: how bright the frame was
-exposed is not the operator's to know. For each picture diffuse and glossy 0.5.
+exposed is not the operator's to know. For each picture diffuse and glossy 0.5. The films of high dynamic range keep the same
+exposure, 1 at 203 cd/m2, in 10 bits: what they lose lies above 10000 cd/m2 (PQ) and 1000 (HLG).
 
 )";
     md += toneMapTable(chart);

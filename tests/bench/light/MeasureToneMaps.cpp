@@ -4,6 +4,7 @@
 #include "engine/math/Quantile.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
+#include "tests/unit/media/CodedFrames.h"
 
 #include <cmath>
 #include <cstdio>
@@ -61,25 +62,31 @@ Parts partsOf(const ImageRgb8& frame) {
     return parts;
 }
 
+// Returns the true radiance of a frame's pixel. lit: coarser than the frame.
+const float* litAt(const ImageRgb8& frame, const ImageRgbF& lit, int x, int y) {
+    return lit.at(x * lit.width / frame.width, y * lit.height / frame.height);
+}
+
+// Returns the factor from true radiance to the frame's, by its unclipped pixels.
+double exposureOf(const ImageRgb8& frame, const ImageRgbF& lit) {
+    double both = 0, own = 0;
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x)
+            for (int c = 0; !isClipped(frame.at(x, y)) && c < 3; ++c) {
+                const auto light = static_cast<double>(litAt(frame, lit, x, y)[c]);
+                both += light * double{math::linearOfByte()[frame.at(x, y)[c]]}, own += light * light;
+            }
+    return both / own;
+}
+
 // Sets each connected region of clipped pixels (over the seam too) to the mean of its true radiance, in the
 // frame's exposure. lit: true radiance, coarser than the frame.
 ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
     const Parts parts = partsOf(frame);
     ImageRgbF out = parts.unclipped;
-    const auto litAt = [&](int x, int y) {
-        return lit.at(x * lit.width / frame.width, y * lit.height / frame.height);
-    };
-    double both = 0, own = 0; // exposure: the unclipped part's factor
+    const double exposure = exposureOf(frame, lit);
     std::vector<uint8_t> left(out.pixels.size() / 3);
-    for (int y = 0; y < frame.height; ++y)
-        for (int x = 0; x < frame.width; ++x) {
-            const bool clipped = isClipped(frame.at(x, y));
-            left[static_cast<size_t>(y) * frame.width + x] = clipped;
-            for (int c = 0; !clipped && c < 3; ++c) {
-                const auto light = static_cast<double>(litAt(x, y)[c]);
-                both += light * static_cast<double>(out.at(x, y)[c]), own += light * light;
-            }
-        }
+    for (size_t i = 0; i < left.size(); ++i) left[i] = isClipped(&frame.pixels[3 * i]);
     std::vector<std::pair<int, int>> region;
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
@@ -97,13 +104,13 @@ ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
             for (size_t i = 0; i < region.size(); ++i) {
                 const auto [column, row] = region[i];
                 const double weight = texelSolidAngle(row, frame.width, frame.height);
-                const float* light = litAt(column, row);
+                const float* light = litAt(frame, lit, column, row);
                 sum += weight * glm::dvec3(light[0], light[1], light[2]), weights += weight;
                 take(column - 1, row), take(column + 1, row), take(column, row - 1), take(column, row + 1);
             }
             for (const auto& [column, row] : region)
                 for (int c = 0; c < 3; ++c)
-                    out.at(column, row)[c] = static_cast<float>(sum[c] / weights * both / own);
+                    out.at(column, row)[c] = static_cast<float>(sum[c] / weights * exposure);
         }
     return out;
 }
@@ -126,9 +133,15 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
     const size_t oneGain = methods.size(), trueRegions = methods.size() + 1;
     chart.toneMaps.push_back({{"bound: clipped pixels times the one best gain", "", "", ""}, {}, {}});
     chart.toneMaps.push_back({{"bound: clipped regions at their true means", "", "", ""}, {}, {}});
+    const size_t first = chart.toneMaps.size();
+    constexpr AVColorTransferCharacteristic kTransfers[] = {AVCOL_TRC_SMPTE2084, AVCOL_TRC_ARIB_STD_B67};
+    chart.toneMaps.push_back({{"film in PQ, as measured", "", "", ""}, {}, {}});
+    chart.toneMaps.push_back({{"film in HLG, as measured", "", "", ""}, {}, {}});
     const light::Lobe lobes[] = {light::diffuseLobe(), light::glossyLobe(0.5)};
-    // lit: the light that the frame was filmed in, of 256 or 512 texels around.
-    const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit) {
+    // lit: the light that the frame was filmed in, of 256 or 512 texels around. whole: the same, finer if it
+    // is known so; the frame is `exposure` times as bright.
+    const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit,
+                             const ImageRgbF& whole, double exposure) {
         std::fprintf(stderr, "chart: inverse tone mapping, %s\n", name.c_str());
         chart.toneMapEnvironments.push_back(name);
         const Truth truth = integrals(lit, dirs, lobes);
@@ -137,6 +150,14 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
             methods[i].expand(frame, expanded);
             const Truth got = integrals(quartered(expanded), dirs, lobes);
             auto& errors = chart.toneMaps[i].errors.emplace_back();
+            for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
+                errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
+        }
+        for (size_t i = 0; i < std::size(kTransfers); ++i) {
+            const Truth got = integrals(
+                quartered(media::filmed(whole, AV_PIX_FMT_YUV420P10, kTransfers[i], exposure).light), dirs,
+                lobes);
+            auto& errors = chart.toneMaps[first + i].errors.emplace_back();
             for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
         }
@@ -164,12 +185,13 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         const auto environment = source.load();
         if (!environment) continue;
         const Exposed exposed = expose(environment->radianceLin);
-        measure(source.name, exposed.frame, quartered(exposed.radianceLin));
+        measure(source.name, exposed.frame, quartered(exposed.radianceLin), exposed.radianceLin, 1);
     }
     chart.toneMapsClipped = chart.toneMapEnvironments.size();
     for (const EnvironmentSource& source : filmedSources())
-        if (const auto filmed = source.load()) {
-            measure(source.name, filmed->frame, filmed->radianceLin);
+        if (const auto one = source.load()) {
+            measure(source.name, one->frame, one->radianceLin, one->radianceLin,
+                    exposureOf(one->frame, one->radianceLin));
             if (plan.quick) break;
         }
 

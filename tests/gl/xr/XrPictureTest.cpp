@@ -1,6 +1,6 @@
 // A headset shows what the renderer draws from there, pixel by pixel.
 #include "engine/core/Log.h"
-#include "game/app/HeadsetDisplay.h"
+#include "game/app/Display.h"
 #include "game/session/GameSession.h"
 #include "game/views/SceneRenderer.h"
 #include "input/hands/MouseHands.h"
@@ -17,8 +17,8 @@ namespace {
 class XrPicture : public test::WithFakeRuntime {
   protected:
     std::optional<SessionConfig> plan_;
+    std::optional<CreatureModels> creatures_;
     std::unique_ptr<Environment> environment_;
-    float minRoughness_ = 1;
     std::optional<SceneRenderer> sceneRenderer_;
     std::optional<app::GameSession> run_;
     std::function<void(game::Snapshot&)> showOnly_; // changes what is drawn
@@ -34,10 +34,10 @@ class XrPicture : public test::WithFakeRuntime {
         auto cast = CreatureModels::load(plan_->species, game::speciesShown(plan_->species, plan_->dive),
                                          "light", reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(cast) << cast.error().message();
-        minRoughness_ = cast->minRoughness();
+        creatures_ = std::move(*cast);
         openEnvironment({});
         auto sceneRenderer =
-            SceneRenderer::make(std::move(*cast), {.detail = render::Detail::Lean, .floorShadows = true});
+            SceneRenderer::make(*creatures_, {.detail = render::Detail::Lean, .floorShadows = true});
         ASSERT_TRUE(sceneRenderer) << sceneRenderer.error().message();
         sceneRenderer_ = std::move(*sceneRenderer);
         run_.emplace(*plan_);
@@ -48,6 +48,7 @@ class XrPicture : public test::WithFakeRuntime {
         run_.reset();
         sceneRenderer_.reset();
         environment_.reset();
+        creatures_.reset();
         WithFakeRuntime::TearDown();
     }
 
@@ -59,11 +60,12 @@ class XrPicture : public test::WithFakeRuntime {
     void openEnvironment(const Known& known) {
         environment_.reset();
         const Path film = dataRoot() / "content" / plan_->dive.video;
-        auto environment = Environment::open(
-            {.player = {.source = {.video = film.string(), .depth = known.depth},
-                        .roomIsSeen = true,
-                        .analysis = {.minRoughness = minRoughness_, .lights = known.lights}},
-             .bothEyes = true});
+        auto environment =
+            Environment::open({.player = {.source = {.video = film.string(), .depth = known.depth},
+                                          .roomIsSeen = true,
+                                          .minRoughness = creatures_->minRoughness(),
+                                          .lights = known.lights},
+                               .bothEyes = true});
         ASSERT_TRUE(environment) << environment.error().message();
         environment_ = std::move(*environment);
     }
@@ -380,10 +382,10 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
     for (const render::Composition composition : {Plain, VideoTexels})
         for (const int samples : {1, 4})
             for (const bool besideCamera : {false, true}) {
-                auto renderer = SceneRenderer::make(sceneRenderer_->takeModels(),
-                                                    {.detail = render::Detail::Lean,
-                                                     .floorShadows = true,
-                                                     .compositor = {.composition = composition}});
+                auto renderer =
+                    SceneRenderer::make(*creatures_, {.detail = render::Detail::Lean,
+                                                      .floorShadows = true,
+                                                      .compositor = {.composition = composition}});
                 ASSERT_TRUE(renderer) << renderer.error().message();
                 sceneRenderer_ = std::move(*renderer);
                 // One eye where the film's camera is, for which objects are put into the film's own texels.

@@ -131,7 +131,7 @@ TEST(FrameClock, FixedStepsAreEqualAndADisplayKnowsBetter) {
     EXPECT_EQ(clock.video_s(7), 7);
 }
 
-using Step = FirstSteps::Step;
+using Step = Tutorial::Step;
 
 constexpr float kFrame_s = 1.0f / 60;
 
@@ -139,11 +139,11 @@ glm::quat turned(float angle_rad) { return glm::angleAxis(angle_rad, glm::vec3(0
 
 struct Pupil {
     game::SpeciesTable species{{.name = "jellyfish", .stings = true}, {.name = "snapper"}};
-    FirstSteps steps{tests::rig(), species};
+    Tutorial steps{Mode::FirstSteps, tests::rig(), species};
     game::Snapshot shown;
 
     void follow(float seconds) {
-        for (float t = 0; t < seconds; t += kFrame_s) steps.follow(shown, kFrame_s);
+        for (float t = 0; t < seconds; t += kFrame_s) steps.follow(shown, {}, kFrame_s);
     }
 };
 
@@ -152,13 +152,13 @@ TEST(FirstSteps, LeadFromLookingToHolding) {
     p.shown.creatures = {{.species = 1, .position = {0, 0, -1}}};
     p.follow(1);
     EXPECT_EQ(p.steps.step(), Step::Look);
-    p.shown.worldFromView = turned(1.1f * FirstSteps::kTurned_rad);
+    p.shown.worldFromView = turned(1.1f * Tutorial::kTurned_rad);
     p.follow(0.1f);
     EXPECT_EQ(p.steps.step(), Step::Reach);
     p.shown.creatures[0].catchable = 1;
-    p.follow(0.5f * FirstSteps::kNear_s);
+    p.follow(0.5f * Tutorial::kNear_s);
     EXPECT_EQ(p.steps.step(), Step::Reach) << "the hand only swept past the fish";
-    p.follow(FirstSteps::kNear_s);
+    p.follow(Tutorial::kNear_s);
     EXPECT_EQ(p.steps.step(), Step::Hold);
     p.shown.caught = 1;
     p.follow(0.1f);
@@ -170,17 +170,17 @@ TEST(FirstSteps, HoldingWaitsForAFishInReach) {
     Pupil p;
     p.shown.creatures = {{.species = 1, .position = {0, 0, -1}, .catchable = 1}};
     p.follow(0.1f);
-    p.shown.worldFromView = turned(1.1f * FirstSteps::kTurned_rad);
+    p.shown.worldFromView = turned(1.1f * Tutorial::kTurned_rad);
     p.follow(1);
     ASSERT_EQ(p.steps.step(), Step::Hold);
     p.shown.creatures[0].catchable = 0;
     p.shown.hands[0].holds = 0;
-    p.follow(2 * FirstSteps::kAway_s);
+    p.follow(2 * Tutorial::kAway_s);
     EXPECT_EQ(p.steps.step(), Step::Hold) << "it is in the hand";
     p.shown.hands[0].holds = -1;
-    p.follow(0.5f * FirstSteps::kAway_s);
+    p.follow(0.5f * Tutorial::kAway_s);
     EXPECT_EQ(p.steps.step(), Step::Hold);
-    p.follow(FirstSteps::kAway_s);
+    p.follow(Tutorial::kAway_s);
     EXPECT_EQ(p.steps.step(), Step::Reach);
 }
 
@@ -207,7 +207,7 @@ TEST(FirstSteps, TheGhostHandReachesForNothingThatStings) {
     p.follow(0.1f);
     EXPECT_FALSE(p.steps.target());
     p.shown.creatures.push_back({.species = 1, .position = {0.2f, 0, -1}});
-    p.follow(1.1f * FirstSteps::kShown_s);
+    p.follow(1.1f * Tutorial::kShown_s);
     ASSERT_TRUE(p.steps.target());
     EXPECT_EQ(*p.steps.target(), p.shown.creatures[1].position);
 }
@@ -215,11 +215,12 @@ TEST(FirstSteps, TheGhostHandReachesForNothingThatStings) {
 // First steps are made from a copy of the session, which no longer exists when they are drawn.
 TEST(FirstSteps, TheGhostHandDoesNotDependOnWhatItWasMadeFrom) {
     auto rig = std::make_unique<hands::HandRig>(tests::rig());
-    const FirstSteps steps(*rig, {});
+    const Tutorial steps(Mode::FirstSteps, *rig, {});
     *rig = {};
     rig.reset();
     const render::View view;
-    const hands::HandPose ghost = steps.ghost(view), whole = FirstSteps(tests::rig(), {}).ghost(view);
+    const hands::HandPose ghost = steps.ghost(view),
+                          whole = Tutorial(Mode::FirstSteps, tests::rig(), {}).ghost(view);
     for (size_t i = 0; i < ghost.joints.size(); ++i)
         EXPECT_EQ(ghost.joints[i].position, whole.joints[i].position) << i;
 }
@@ -227,20 +228,20 @@ TEST(FirstSteps, TheGhostHandDoesNotDependOnWhatItWasMadeFrom) {
 TEST(Hints, StopOnceTheyAreUnderstood) {
     const game::Events tooFast{{.kind = game::EventKind::MissTooFast}};
     const auto timesSaid = [&](int caught) {
-        Hints hints;
+        Tutorial hints(Mode::Dive, {}, {});
         game::Snapshot shown;
         shown.caught = caught;
         int said = 0;
         for (int i = 0; i < 10; ++i) {
             hints.follow(shown, tooFast, 0.1f);
-            const auto hint = hints.shown();
+            const auto hint = hints.hint();
             said += hint && hint->in(game::Language::English) == std::string("A fast hand frightens fish");
-            hints.follow(shown, {}, Hints::kStay_s);
+            hints.follow(shown, {}, Tutorial::kHintStay_s);
         }
         return said;
     };
-    EXPECT_EQ(timesSaid(0), Hints::kTimes);
-    EXPECT_EQ(timesSaid(Hints::kUnderstood), 0);
+    EXPECT_EQ(timesSaid(0), Tutorial::kHintTimes);
+    EXPECT_EQ(timesSaid(Tutorial::kUnderstood), 0);
 }
 
 } // namespace

@@ -354,8 +354,8 @@ TEST(FingerPoke, AQuickMoveForwardPressesOnceAndASlowOneDoesNot) {
         for (int frame = 0; frame < frames; ++frame) {
             if (frame > 10) tip.z -= forward_mps / 60;
             poke.step(pointingInView(hand, {1, 0.5f}), 1.0f / 60);
-            count += poke.pressed();
-            EXPECT_NEAR(poke.at().x, 0.6f, 0.01f);
+            count += poke.pressed;
+            EXPECT_NEAR(poke.at.x, 0.6f, 0.01f);
         }
         return count;
     };

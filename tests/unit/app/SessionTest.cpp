@@ -1,5 +1,5 @@
 // Tests when a paused dive in a headset goes on, for players who have only their hands.
-#include "game/app/HeadsetDisplay.h"
+#include "game/app/Display.h"
 #include "game/session/Controls.h"
 #include "game/session/GameSession.h"
 #include "tests/Test.h"

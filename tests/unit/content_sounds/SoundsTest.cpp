@@ -1,5 +1,5 @@
 // The sounds in content/sounds, measured.
-#include "game/feedback/SoundCues.h"
+#include "game/feedback/Feedback.h"
 #include "tests/Test.h"
 
 namespace shoal::game {

@@ -1,4 +1,4 @@
-#include "game/feedback/HapticFeedback.h"
+#include "game/feedback/Feedback.h"
 #include "tests/Test.h"
 
 namespace shoal::game {

@@ -43,7 +43,7 @@ class FakeFeed final : public LiveFeed {
         if (!refusal_.empty()) return Error{"", refusal_};
         return Done{};
     }
-    Result<LivePicture> read(ImageRgb8& bgr) override {
+    Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF&) override {
         std::unique_lock lock(mutex_);
         wait(lock, [&] { return !blocked_ && !events_.empty(); });
         if (events_.empty()) return Error{"", "was interrupted"};

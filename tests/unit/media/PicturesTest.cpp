@@ -175,6 +175,58 @@ TEST_F(HdrPictures, RadianceFlatAndBothRunLengthCodes) {
     EXPECT_TRUE(picture(8, line.substr(0, line.size() - 1)).empty());
 }
 
+// Pixels '0' to '5' of two rows of three, in the order of each resolution line; exponent 136: mantissas are
+// values.
+TEST_F(HdrPictures, RadianceHeadersAreObeyed) {
+    const auto read = [&](const std::string& header, const std::string& order) {
+        std::string bytes = "#?RADIANCE\n" + header;
+        for (const char pixel : order) bytes += std::string(3, pixel) + '\x88';
+        writeBytes(folder / "a.hdr", bytes);
+        return readHdr(folder / "a.hdr");
+    };
+    for (const auto& [line, order] : {std::pair("-Y 2 +X 3", "012345"),
+                                      {"-Y 2 -X 3", "210543"},
+                                      {"+Y 2 +X 3", "345012"},
+                                      {"+Y 2 -X 3", "543210"},
+                                      {"+X 3 -Y 2", "031425"},
+                                      {"+X 3 +Y 2", "304152"},
+                                      {"-X 3 -Y 2", "251403"},
+                                      {"-X 3 +Y 2", "524130"}})
+        for (const std::string end : {"\n", "\r\n"}) {
+            const auto picture =
+                tests::valueOf(read("FORMAT=32-bit_rle_rgbe" + end + end + line + end, order));
+            ASSERT_EQ(picture.radianceLin.width, 3) << line;
+            for (size_t i = 0; i < 18; ++i)
+                EXPECT_EQ(picture.radianceLin.pixels[i], static_cast<float>('0' + i / 3)) << line;
+        }
+    const struct {
+        const char* lines;
+        float red, green, blue; // of '0', which is 48
+        const char* note;
+    } kHeaders[] = {
+        {"EXPOSURE=4\nEXPOSURE= 0.5\n", 24, 24, 24, "divided by its exposure 2, 2, 2"},
+        {"COLORCORR=1 2 4\r\n", 48, 24, 12, "divided by its exposure 1, 2, 4"},
+        {"PIXASPECT=2\n", 48, 48, 48, "its pixels count as square"},
+        {"GAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\n", 48, 48, 48,
+         "its primaries span no colours and count as those of Rec. 709"},
+        {"FORMAT=32-bit_rle_xyze\n", 48, 48, 48, "converted to the primaries of Rec. 709"},
+        {"PRIMARIES=.708 .292 .17 .797 .131 .046 .3127 .329\n", 48, 48, 48,
+         "converted to the primaries of Rec. 709"},
+    };
+    for (const auto& each : kHeaders) {
+        const auto picture = tests::valueOf(read(each.lines + std::string("\n-Y 1 +X 1\n"), "0"));
+        const float* p = picture.radianceLin.at(0, 0);
+        EXPECT_NEAR(p[0], each.red, 1e-3f) << each.lines;
+        EXPECT_NEAR(p[1], each.green, 1e-3f) << each.lines;
+        EXPECT_NEAR(p[2], each.blue, 1e-3f) << each.lines;
+        EXPECT_EQ(picture.notes, std::vector<std::string>{each.note});
+    }
+    for (const char* bad :
+         {"EXPOSURE=0\n\n-Y 1 +X 1\n", "COLORCORR=1\n\n-Y 1 +X 1\n", "GAMMA=2.2\n\n-Y 1 +X 1\n",
+          "FORMAT=other\n\n-Y 1 +X 1\n", "\n-Y 1 +Y 1\n", "\n-Y 1\n", "\n-Y 1 +X 1", "-Y 1 +X 1\n"})
+        EXPECT_FALSE(read(bad, "0000")) << bad;
+}
+
 TEST_F(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
     const auto floats = [](std::initializer_list<float> values, bool bigEndian) {
         std::string text;
@@ -188,6 +240,9 @@ TEST_F(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
     writeBytes(folder / "big.pfm", "PF\n1 2\n2.0\n" + floats({1, 2, 3, 4, 5, 6}, true));
     const auto big = tests::valueOf(readHdr(folder / "big.pfm"));
     EXPECT_EQ(big.radianceLin.pixels, (std::vector<float>{8, 10, 12, 2, 4, 6})); // doubled by the scale
+    writeBytes(folder / "alpha.pfm", "PF4\r\n1 2\r\n-1.0\r\n" + floats({1, 2, 3, 0, 4, 5, 6, 0}, false));
+    EXPECT_EQ(tests::valueOf(readHdr(folder / "alpha.pfm")).radianceLin.pixels,
+              (std::vector<float>{4, 5, 6, 1, 2, 3}));
     writeBytes(folder / "grey.pfm", "Pf\n1 2\n-1.0\n" + floats({1, 2}, false));
     const auto grey = tests::valueOf(readHdr(folder / "grey.pfm"));
     EXPECT_EQ(grey.radianceLin.pixels, (std::vector<float>{2, 2, 2, 1, 1, 1}));

@@ -1,5 +1,4 @@
-#include "game/feedback/SoundCues.h"
-#include "game/feedback/EventTable.h"
+#include "game/feedback/Feedback.h"
 #include "tests/Test.h"
 
 namespace shoal::game {

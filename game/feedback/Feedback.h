@@ -1,11 +1,12 @@
-// Chooses sounds and captions of a dive: for events by their table, and for breath, passing fish, the
-// background and the countdown. Main thread; allocates nothing once the creatures are known.
+// Sounds, captions and haptics of a dive, from its snapshots and events. Main thread; allocates nothing once
+// the creatures are known.
 #pragma once
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Random.h"
 #include "game/feedback/EventTable.h"
 #include "game/rules/Snapshot.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <span>
 #include <vector>
@@ -20,6 +21,8 @@ struct Caption {
     float age_s = 0;
 };
 
+// Chooses sounds and captions: for events by their table, and for breath, passing fish, the background and
+// the countdown.
 class SoundCues {
   public:
     SoundCues();
@@ -57,6 +60,26 @@ class SoundCues {
     float enclosure_ = 0;  // follows the snapshot's enclosure without steps
     int countedDown_ = 0;  // last second counted
     Random random_;        // random pitches and breaths, apart from the simulation's
+};
+
+// Actuation of every haptic actuator: a fading pulse for each event; and pressing, stroking and the struggle
+// of a held fish while a finger touches it. Time is an argument; the pulses are the only state.
+class HapticFeedback {
+  public:
+    // Returns the actuation of a frame. events: since the last call; dt_s: time since then; strength: the
+    // player's setting, 0 to 1.
+    haptics::HapticFrame frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
+                               float strength);
+
+  private:
+    struct Pulse {
+        float amplitude = 0; // present amplitude
+        float frequency_Hz = 0;
+        float decay_s = 1; // time constant: falls to 1/e
+    };
+    void startPulse(const Event&);
+
+    std::array<Pulse, haptics::kActuatorCount + 1> pulses_{}; // the last is the body's
 };
 
 } // namespace shoal::game

@@ -1,0 +1,100 @@
+// Conversion of decoded frames to the picture that is shown and, if they are of high dynamic range, to linear
+// light. Internal to this folder.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/core/Result.h"
+#include "engine/core/ThreadPool.h"
+#include "engine/media/Ffmpeg.h"
+#include "engine/media/VideoFrame.h"
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+#include <glm/mat3x3.hpp>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace shoal::media {
+
+// Codes of ISO/IEC 23091-2 (ITU-T H.273) that a stream or a frame states.
+struct StatedColour {
+    AVColorSpace matrix = AVCOL_SPC_UNSPECIFIED;
+    AVColorPrimaries primaries = AVCOL_PRI_UNSPECIFIED;
+    AVColorTransferCharacteristic transfer = AVCOL_TRC_UNSPECIFIED;
+};
+
+struct FrameColour {
+    ColourMatrix matrix = ColourMatrix::Bt709;
+    AVColorPrimaries primaries = AVCOL_PRI_BT709;
+    Transfer transfer = Transfer::Sdr;
+};
+
+// Returns how frames of this size are decoded. PQ and HLG are of BT.2020 unless other colours are stated.
+// Primaries of SDR: BT.2020 and P3 if stated; all others are taken for BT.709, which they are near.
+FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int height);
+
+// Returns BT.601 for Motion JPEG of any size (JFIF), else the matrix that is stated. Without a known code
+// (unspecified, or RGB) it follows from the size, as in other players: BT.709 from 1280 wide or above 576
+// high.
+ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
+
+// Weights of red and blue in luma; green's is 1 minus both.
+struct Luma {
+    double red, blue;
+};
+Luma lumaOf(ColourMatrix matrix);
+
+// Returns the light of a PQ code, 0 to 1, in units of reference white (SMPTE ST 2084; white: BT.2408).
+double lightFromPq(double code);
+
+// Returns the light of the scene, 0 to 1, for an HLG code, 0 to 1 (the inverse OETF of BT.2100).
+double sceneFromHlg(double code);
+
+// Returns the light that a display of 1000 cd/m^2 shows for a scene's light (the OOTF of BT.2100), per unit
+// of the scene's; in units of reference white. luminance: the scene's, 0 to 1.
+double hlgGain(double luminance);
+
+// Converts frames of all pixel formats of whole numbers. Keeps its threads and rows between frames.
+class FrameConverter {
+  public:
+    // bgr takes the frame's size; blue first, sRGB-coded. radianceLin: null, or takes the light of a PQ or
+    // HLG frame, reduced to at most kMaxLightSide a side by means over areas; else it becomes empty. Negative
+    // light of colours outside of Rec. 709 becomes 0. Fails if the pixel format is unknown.
+    //
+    // What is brighter than white is shown divided by its largest channel: hue and saturation stay.
+    Status convert(const AVFrame& frame, const FrameColour& colour, bool fullRange, ImageRgb8& bgr,
+                   ImageRgbF* radianceLin);
+
+  private:
+    using Row = std::vector<float>;
+    struct Rows {
+        std::vector<uint16_t> codes;
+        std::array<Row, 3> channels; // red, green, blue; at first luma, blue and red difference
+    };
+    struct Scale {
+        float black = 0, unit = 0; // value = (code - black) * unit
+    };
+    void readScales(bool fullRange);
+    void readRow(int component, int y, Rows& rows) const;
+    void convertRow(int y, Rows& rows, uint8_t* bgr) const;
+    void convertBand(int band, ImageRgb8& bgr);
+
+    std::unique_ptr<ThreadPool> pool_;
+    std::vector<Rows> rows_; // by band
+    // The frame being converted:
+    const AVFrame* frame_ = nullptr;
+    const AVPixFmtDescriptor* format_ = nullptr;
+    bool isRgb_ = false, isPalette_ = false, isGrey_ = false;
+    std::array<Scale, 3> scales_;
+    Luma luma_{};
+    Transfer transfer_ = Transfer::Sdr;
+    const float* linear_ = nullptr; // by code; null: codes are shown as they are
+    glm::mat3 toRec709_{1};
+    ImageRgbF* radianceLin_ = nullptr;
+};
+
+} // namespace shoal::media

@@ -1,0 +1,323 @@
+#include "engine/media/OpenExr.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfPartType.h>
+#include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStdIO.h>
+#include <fmt/ranges.h>
+#include <openexr.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <set>
+#include <stdexcept>
+
+namespace shoal::media {
+
+namespace {
+
+constexpr int kOnThisThread = 0;
+
+class ExrInput : public Imf::IStream {
+  public:
+    explicit ExrInput(ByteSpan bytes) : IStream("picture"), bytes_(bytes) {}
+    bool read(char out[], int count) override {
+        if (count < 0 || at_ > bytes_.size() || bytes_.size() - at_ < static_cast<size_t>(count))
+            throw std::runtime_error("the bytes end");
+        std::memcpy(out, bytes_.data() + at_, static_cast<size_t>(count));
+        at_ += static_cast<size_t>(count);
+        return at_ < bytes_.size();
+    }
+    uint64_t tellg() override { return at_; }
+    void seekg(uint64_t position) override { at_ = position; }
+
+  private:
+    ByteSpan bytes_;
+    uint64_t at_ = 0;
+};
+
+struct Layer {
+    int part = 0;
+    std::string name;   // as readHdr() takes it; may be empty
+    std::string prefix; // of its channels' names, with the dot; may be empty
+    bool rgb = false;
+    bool chroma = false; // neither: luminance alone
+    bool firstView = true;
+};
+
+// Returns the text without line breaks and commands to terminals, which names of the file may hold.
+std::string printable(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return text;
+}
+
+// Adds the layers of a part that have colour, that of channels without a prefix first.
+void addLayers(const Imf::Header& header, int part, std::vector<Layer>& layers) {
+    const Imf::ChannelList& channels = header.channels();
+    const Imf::StringVector views = Imf::hasMultiView(header) ? Imf::multiView(header) : Imf::StringVector();
+    std::set<std::string> names;
+    channels.layers(names);
+    names.insert("");
+    for (const std::string& name : names) {
+        const std::string prefix = name.empty() ? "" : name + ".";
+        const auto has = [&](const char* channel) {
+            return channels.findChannel(prefix + channel) != nullptr;
+        };
+        Layer layer{part, name, prefix, has("R") && has("G") && has("B"), has("RY") && has("BY")};
+        if (!layer.rgb && !has("Y")) continue;
+        if (name.empty() && header.hasName()) layer.name = header.name();
+        const std::string last = name.substr(name.find_last_of('.') + 1); // may be a view: "diffuse.left"
+        layer.firstView = views.empty() || std::find(views.begin() + 1, views.end(), last) == views.end();
+        layers.push_back(layer);
+    }
+}
+
+// Returns the layer of this name; without a name, the channels that have no prefix, else the only one, of the
+// first part and view with colour.
+Result<Layer> chooseLayer(std::vector<Layer> layers, const std::string& wanted) {
+    std::vector<std::string> names;
+    for (const Layer& layer : layers)
+        if (!layer.name.empty()) names.push_back(layer.name);
+    const std::string all = printable(fmt::format("{}", fmt::join(names, ", ")));
+    if (!wanted.empty()) {
+        const auto named = std::ranges::find(layers, wanted, &Layer::name);
+        if (named != layers.end()) return *named;
+        return Error{"", fmt::format("has no colour in a layer \"{}\", but in: {}", wanted,
+                                     all.empty() ? "channels without a layer" : all)};
+    }
+    const auto prefer = [&](auto&& better) {
+        if (std::ranges::any_of(layers, better)) std::erase_if(layers, std::not_fn(better));
+    };
+    prefer([](const Layer& layer) { return layer.rgb || layer.chroma; });
+    prefer([first = layers.front().part](const Layer& layer) { return layer.part == first; });
+    prefer([](const Layer& layer) { return layer.firstView; });
+    if (layers.size() == 1 || layers.front().prefix.empty()) return layers.front();
+    return Error{"", fmt::format("has several layers; name one by --layer: {}", all)};
+}
+
+PictureSize sizeOf(const Imath::Box2i& window) {
+    return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
+}
+
+// The window is within limits.
+ImageRgbF imageOf(const Imath::Box2i& window) {
+    return {static_cast<int>(sizeOf(window).width), static_cast<int>(sizeOf(window).height)};
+}
+
+// Returns why a part cannot be read; empty if it can.
+std::string refusalOf(const Imf::Header& header, PictureLimits limits) {
+    for (const Imath::Box2i& window : {header.displayWindow(), header.dataWindow()})
+        if (const std::string refusal = beyond(sizeOf(window), limits); !refusal.empty()) return refusal;
+    if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
+        return "is a cube map; only lat-long pictures can be shown, so convert it";
+    // The library takes memory for all channels of a tile, or of a block of at most 256 rows. It may take as
+    // much as the largest picture does, or 64 MiB.
+    const int64_t most = std::max<int64_t>(int64_t{limits.maxWidth} * limits.maxHeight * 3, 1 << 24);
+    int64_t width = sizeOf(header.dataWindow()).width, height = 256, channels = 0;
+    for (auto at = header.channels().begin(); at != header.channels().end(); ++at) ++channels;
+    if (header.hasTileDescription()) {
+        width = std::max<int64_t>(width, header.tileDescription().xSize);
+        height = std::max<int64_t>(height, header.tileDescription().ySize);
+    }
+    if (width > most / height / std::max<int64_t>(channels, 1))
+        return fmt::format("its {} channels take more memory than the limit", channels);
+    return "";
+}
+
+// Returns the pixels of the data window for a layer of RGB or of luminance alone.
+ImageRgbF readChannels(Imf::MultiPartInputFile& file, const Layer& layer) {
+    Imf::InputPart input(file, layer.part);
+    const Imath::Box2i window = input.header().dataWindow();
+    ImageRgbF image = imageOf(window);
+    constexpr size_t kPixel = 3 * sizeof(float);
+    Imf::FrameBuffer buffer;
+    for (const auto& [channel, offset] : {std::pair(layer.rgb ? "R" : "Y", 0), {"G", 1}, {"B", 2}})
+        if (layer.rgb || offset == 0)
+            buffer.insert(layer.prefix + channel,
+                          Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + offset, window, kPixel,
+                                           kPixel * static_cast<size_t>(image.width)));
+    input.setFrameBuffer(buffer);
+    input.readPixels(window.min.y, window.max.y);
+    for (size_t i = 0; !layer.rgb && i < image.pixels.size(); i += 3)
+        image.pixels[i + 1] = image.pixels[i + 2] = image.pixels[i];
+    return image;
+}
+
+// As readChannels(), for a layer of luminance and chroma in the first part. The library converts in 16 bits.
+ImageRgbF readChroma(ByteSpan bytes, const Layer& layer) {
+    ExrInput stream(bytes);
+    Imf::RgbaInputFile input(stream, layer.prefix.substr(0, layer.prefix.find_last_of('.')), kOnThisThread);
+    const Imath::Box2i window = input.dataWindow();
+    ImageRgbF image = imageOf(window);
+    std::vector<Imf::Rgba> pixels(image.pixels.size() / 3);
+    input.setFrameBuffer(Imf::ComputeBasePointer(pixels.data(), window), 1, static_cast<size_t>(image.width));
+    input.readPixels(window.min.y, window.max.y);
+    for (float* out = image.pixels.data(); const Imf::Rgba& pixel : pixels)
+        for (const half component : {pixel.r, pixel.g, pixel.b}) *out++ = component;
+    return image;
+}
+
+// Returns the display window's picture, black outside of the data window.
+ImageRgbF placed(ImageRgbF pixels, const Imath::Box2i& data, const Imath::Box2i& display) {
+    if (data == display) return pixels;
+    ImageRgbF image = imageOf(display);
+    const int left = std::max(display.min.x, data.min.x), right = std::min(display.max.x, data.max.x);
+    for (int y = std::max(display.min.y, data.min.y); y <= std::min(display.max.y, data.max.y); ++y)
+        if (left <= right)
+            std::copy(pixels.at(left - data.min.x, y - data.min.y),
+                      pixels.at(right - data.min.x, y - data.min.y) + 3,
+                      image.at(left - display.min.x, y - display.min.y));
+    return image;
+}
+
+// Returns a clause for each thing that a viewer of the whole file would not expect.
+std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Layer& layer) {
+    const Imf::Header& header = file.header(layer.part);
+    std::vector<std::string> notes;
+    if (!layer.rgb) notes.emplace_back(layer.chroma ? "from luminance and chroma" : "grey");
+    if (file.parts() > 1) notes.push_back(fmt::format("part {} of {}", layer.part + 1, file.parts()));
+    if (!layer.name.empty()) notes.push_back(fmt::format("layer {}", layer.name));
+    if (header.hasView()) notes.push_back(fmt::format("view {}", header.view()));
+    if (Imf::hasMultiView(header))
+        notes.push_back(fmt::format("of the views {}", fmt::join(Imf::multiView(header), ", ")));
+    const Imath::Box2i data = header.dataWindow(), display = header.displayWindow();
+    if (data != display) {
+        const PictureSize size = sizeOf(data);
+        notes.push_back(fmt::format("data of {}x{} at {}, {}, black outside", size.width, size.height,
+                                    int64_t{data.min.x} - display.min.x,
+                                    int64_t{data.min.y} - display.min.y));
+    }
+    if (header.pixelAspectRatio() != 1) notes.emplace_back("its pixels count as square");
+    std::ranges::transform(notes, notes.begin(), printable);
+    return notes;
+}
+
+Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, PictureLimits limits) {
+    ExrInput stream(bytes);
+    Imf::MultiPartInputFile file(stream, kOnThisThread);
+    std::vector<Layer> layers;
+    std::string deep;
+    for (int part = 0; part < file.parts(); ++part) {
+        const Imf::Header& header = file.header(part);
+        if (header.hasType() && Imf::isDeepData(header.type()))
+            deep = printable(
+                fmt::format("its part \"{}\" is deep; flatten it", header.hasName() ? header.name() : ""));
+        else
+            addLayers(header, part, layers);
+    }
+    if (layers.empty())
+        return Error{"", deep.empty() ? "has no colour: neither channels R, G and B nor Y" : deep};
+    const auto layer = chooseLayer(std::move(layers), wanted);
+    if (!layer) return layer.error();
+    const Imf::Header& header = file.header(layer->part);
+    if (std::string refusal = refusalOf(header, limits); !refusal.empty())
+        return Error{"", std::move(refusal)};
+    if (!file.partComplete(layer->part)) return Error{"", "is cut short"};
+    const bool converts = !layer->rgb && layer->chroma;
+    if (converts && layer->part > 0)
+        return Error{"", "has luminance and chroma in a part that is not the first; convert it to RGB"};
+
+    HdrPicture picture{.radianceLin =
+                           placed(converts ? readChroma(bytes, *layer) : readChannels(file, *layer),
+                                  header.dataWindow(), header.displayWindow()),
+                       .notes = notesOn(file, *layer)};
+    if (Imf::hasChromaticities(header) && (layer->rgb || layer->chroma)) {
+        const Imf::Chromaticities& c = Imf::chromaticities(header);
+        picture.primaries = {c.red.x,  c.red.y,  c.green.x, c.green.y,
+                             c.blue.x, c.blue.y, c.white.x, c.white.y};
+    }
+    return picture;
+}
+
+} // namespace
+
+// OpenEXRCore's parser compares each stated size with the file's and its type's, where the classes of C++
+// take memory for any.
+PictureSize exrSize(ByteSpan bytes) {
+    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    setup.user_data = &bytes;
+    setup.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+    setup.size_fn = [](exr_const_context_t, void* all) {
+        return static_cast<int64_t>(static_cast<const ByteSpan*>(all)->size());
+    };
+    setup.read_fn = [](exr_const_context_t, void* all, void* out, uint64_t count, uint64_t at,
+                       exr_stream_error_func_ptr_t) -> int64_t {
+        const ByteSpan from = *static_cast<const ByteSpan*>(all);
+        const size_t there = at < from.size() ? std::min<size_t>(count, from.size() - at) : 0;
+        if (there > 0) std::memcpy(out, from.data() + at, there);
+        return static_cast<int64_t>(there);
+    };
+    exr_context_t context = nullptr;
+    exr_attr_box2i_t window{};
+    const bool read = exr_start_read(&context, "picture", &setup) == EXR_ERR_SUCCESS &&
+                      exr_get_display_window(context, 0, &window) == EXR_ERR_SUCCESS;
+    exr_finish(&context);
+    if (!read) return {};
+    return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
+}
+
+Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& layer, PictureLimits limits) {
+    try {
+        return decodeLayer(bytes, layer, limits);
+    } catch (const std::exception&) {
+        return Error{"", "cannot be decoded as OpenEXR: cut short, damaged, or a rare variant"};
+    }
+}
+
+Result<std::string> encodeExr(const ImageRgbF& image) {
+    try {
+        Imf::Header header(image.width, image.height);
+        Imf::FrameBuffer buffer;
+        for (const auto& [name, offset] : {std::pair("R", 0), {"G", 1}, {"B", 2}}) {
+            header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+            auto* first = reinterpret_cast<char*>(const_cast<float*>(image.pixels.data() + offset));
+            buffer.insert(name, Imf::Slice(Imf::FLOAT, first, 3 * sizeof(float),
+                                           3 * sizeof(float) * static_cast<size_t>(image.width)));
+        }
+        Imf::StdOSStream stream;
+        {
+            Imf::OutputFile output(stream, header, kOnThisThread); // its end writes the table of rows
+            output.setFrameBuffer(buffer);
+            output.writePixels(image.height);
+        }
+        return stream.str();
+    } catch (const std::exception&) {
+        return Error{"", "the picture cannot be coded as OpenEXR"};
+    }
+}
+
+bool toRec709(ImageRgbF& image, const Primaries& from) {
+    const Imf::Chromaticities ours;
+    const Imf::Chromaticities theirs({from[0], from[1]}, {from[2], from[3]}, {from[4], from[5]},
+                                     {from[6], from[7]});
+    // Lam, "Metamerism and Colour Constancy", 1985: XYZ to cones, transposed, as Imath's vectors are rows.
+    const Imath::M44f toCones(0.8951f, -0.7502f, 0.0389f, 0, 0.2664f, 1.7135f, -0.0685f, 0, -0.1614f, 0.0367f,
+                              1.0296f, 0, 0, 0, 0, 1);
+    try {
+        const Imath::M44f toXyz = Imf::RGBtoXYZ(theirs, 1);
+        const Imath::V3f white(1), there = white * toXyz * toCones,
+                                   here = white * Imf::RGBtoXYZ(ours, 1) * toCones;
+        const Imath::M44f matrix = toXyz * toCones * Imath::M44f().setScale(here / there) *
+                                   toCones.inverse() * Imf::XYZtoRGB(ours, 1);
+        if (const Imath::V3f grey = white * matrix; !grey.equalWithAbsError(white, 1e-3f)) return false;
+        for (size_t i = 0; i < image.pixels.size(); i += 3) {
+            float* p = image.pixels.data() + i;
+            const Imath::V3f colour = Imath::V3f(p[0], p[1], p[2]) * matrix;
+            std::copy_n(&colour.x, 3, p);
+        }
+        return true;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+} // namespace shoal::media

@@ -1,0 +1,26 @@
+// OpenEXR pictures, through OpenEXR's own library, on the calling thread. Internal to this folder. The errors
+// have no path.
+#pragma once
+
+#include "engine/media/PictureHeader.h"
+#include "engine/media/Pictures.h"
+
+namespace shoal::media {
+
+// Returns the size of the display window, which is the picture's; sides of 0: a header is damaged. bytes: the
+// file, or its beginning with all headers.
+PictureSize exrSize(ByteSpan bytes);
+
+// Reads a layer of flat channels R, G and B, of luminance and chroma Y, RY and BY, or of Y alone, black
+// outside of its data window. bytes: a file whose size exrSize() found. layer: see readHdr(). Does not
+// convert the primaries. Takes memory only once the windows are within the limits.
+Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& layer, PictureLimits limits);
+
+// Encodes as 32-bit floats, ZIP-compressed.
+Result<std::string> encodeExr(const ImageRgbF& image);
+
+// Converts colours to Rec. 709 primaries; white stays white (Bradford's adaptation). False, without a change,
+// if these primaries span no colours.
+bool toRec709(ImageRgbF& image, const Primaries& from);
+
+} // namespace shoal::media
