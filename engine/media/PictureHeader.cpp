@@ -290,6 +290,8 @@ const char* unreadKind(ByteSpan bytes) {
                                         {"JPEG 2000", "\xff\x4f"},
                                         {"JPEG XL", {"\0\0\0\x0cJXL ", 8}},
                                         {"Photoshop", "8BPS"},
+                                        {"BigTIFF", {"II+\0", 4}},
+                                        {"BigTIFF", {"MM\0+", 4}},
                                         {"JPEG 2000", {"\0\0\0\x0cjP  ", 8}},
                                         {"camera raw", "FUJIFILM"},
                                         {"camera raw", "IIRO"},

@@ -21,7 +21,7 @@ struct ViewOptions {
     float fov_deg = 45;              // vertical
     int samples = 4;                 // for anti-aliasing
     Background background = Background::Environment;
-    std::string animation; // NAME@SECONDS
+    std::string animation; // NAME or NAME@SECONDS
     std::string variant;   // material variant of the model; empty: the default
     float at_s = 0;        // time of the video
     std::string out;
@@ -86,7 +86,7 @@ struct PanoramaOptions {
     std::optional<float> fov_deg; // horizontal, of the photo
 
     void addTo(SettingsTable& table) {
-        table.add("PHOTO", &photo, "JPEG, PNG, WebP, TIFF, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
+        table.add("PHOTO", &photo, "JPEG, PNG, WebP, AVIF, TIFF, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
         table
             .add("-o,--out", &out,
                  "The environment, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or .pfm for a "

@@ -182,7 +182,7 @@ TEST(StreamedTrack, HasItsVolume) {
     EXPECT_NEAR(maximum[1] / maximum[0], 0.5, 0.01);
 }
 
-// A tone from straight left of the track (FuMa: W of half the power, Y), heard by a turned head.
+// A tone from 45 degrees left of straight ahead (FuMa: X and Y are equal to W), heard by a turned head.
 TEST(StreamedTrack, BFormatSurroundsTheHead) {
     constexpr float kPi = std::numbers::pi_v<float>;
     const glm::vec3 up(0, 1, 0);
@@ -196,9 +196,8 @@ TEST(StreamedTrack, BFormatSurroundsTheHead) {
                             [&](std::span<int16_t> samples) {
                                 for (size_t i = 0; i < samples.size(); i += 4, ++at) {
                                     const double tone = 9000 * std::sin(static_cast<double>(at) / 20);
-                                    const auto w = static_cast<int16_t>(tone * std::numbers::sqrt2 / 2);
-                                    samples[i] = w, samples[i + 2] = static_cast<int16_t>(tone);
-                                    samples[i + 1] = samples[i + 3] = 0;
+                                    std::fill_n(&samples[i], 3, static_cast<int16_t>(tone));
+                                    samples[i + 3] = 0;
                                 }
                                 return samples.size() / 4;
                             }});
@@ -213,17 +212,16 @@ TEST(StreamedTrack, BFormatSurroundsTheHead) {
         }
         return loudness(samples);
     };
-    const double ahead = heard(kPi / 2, 0).both();
+    const double ahead = heard(kPi / 4, 0).both();
     EXPECT_GT(ahead, 0.02);
-    for (const auto& [head, track, side] :
-         std::initializer_list<std::array<float, 3>>{{0, 0, -1},
-                                                     {kPi, 0, 1},
-                                                     {0, kPi, 1},
-                                                     {kPi, kPi, -1},
-                                                     {kPi / 2, 0, 0},
-                                                     {0, -kPi / 2, 0},
-                                                     {-kPi / 2, 0, 0},
-                                                     {kPi / 2, kPi / 2, -1}}) {
+    for (const auto& [head, track, side] : std::initializer_list<std::array<float, 3>>{{0, 0, -1},
+                                                                                       {kPi / 2, 0, 1},
+                                                                                       {-kPi / 2, 0, -1},
+                                                                                       {0, kPi / 2, -1},
+                                                                                       {0, -kPi / 2, 1},
+                                                                                       {kPi / 2, kPi / 2, -1},
+                                                                                       {kPi / 4, 0, 0},
+                                                                                       {0, -kPi / 4, 0}}) {
         const Loudness at = heard(head, track);
         const std::string where = testing::PrintToString(std::array{head, track});
         const double balance = at.left / at.right;
