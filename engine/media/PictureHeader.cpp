@@ -116,7 +116,7 @@ bool readRadianceLine(const std::string& line, RadianceHeader& header) {
                                                                                       : 0;
     if (count == 0) return true;
     const std::vector<float> numbers{std::istream_iterator<float>(value), {}};
-    if (numbers.size() != count) return false;
+    if (numbers.size() != count || !value.eof()) return false;
     if (name == "GAMMA") return numbers[0] == 1; // Walter's rgbe.c: components to this power
     if (count == 8) std::ranges::copy(numbers, header.primaries.emplace().begin());
     if (name == "PIXASPECT") header.squarePixels = numbers[0] == 1;
@@ -140,7 +140,8 @@ bool readResolution(const std::string& line, RadianceHeader& header) {
         (isY ? header.fromBottom : header.fromRight) = axis % 2 == 1;
         if (!alongLine) header.byColumns = !isY;
     }
-    return true;
+    words >> std::ws;
+    return words.eof();
 }
 
 std::istringstream beginOf(ByteSpan bytes) {
@@ -260,8 +261,9 @@ PfmHeader readPfmHeader(ByteSpan bytes) {
     std::string kind;
     PfmHeader header;
     text >> kind >> header.size.width >> header.size.height >> header.scale;
-    text.ignore(text.peek() == '\r' ? 2 : 1);
-    if (!text || header.scale == 0) return {};
+    const int behind = text.peek();
+    text.ignore(behind == '\r' ? 2 : 1);
+    if (!text || !std::isspace(behind) || header.scale == 0) return {};
     header.channels = kind == "PF4" ? 4 : kind == "PF" ? 3 : 1;
     header.pixels = static_cast<size_t>(text.tellg());
     return header;
