@@ -182,9 +182,9 @@ TEST(SoundTrack, AmbisonicsComeAsFuMa) {
         std::vector<int16_t> samples(4000);
         for (size_t i = 0; i < samples.size(); std::this_thread::yield())
             i += 4 * track.read(std::span(samples).subspan(i));
-        constexpr double kLevels[] = {0.25 / std::numbers::sqrt2, 0.25 / 4, 0.25 / 2, 0.25 / 3};
+        constexpr double kChannelLevels[] = {0.25 / std::numbers::sqrt2, 0.25 / 4, 0.25 / 2, 0.25 / 3};
         for (size_t i = 0; i < samples.size(); ++i)
-            ASSERT_NEAR(samples[i] / 32768.0, kLevels[i % 4], 1e-4) << i;
+            ASSERT_NEAR(samples[i] / 32768.0, kChannelLevels[i % 4], 1e-4) << i;
     }
 }
 
