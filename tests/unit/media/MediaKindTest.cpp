@@ -92,7 +92,7 @@ TEST_F(MediaKinds, FirstBytesTell) {
 TEST_F(MediaKinds, ContainersAreOpened) {
     if (made("-frames:v 1", "a.png").empty()) GTEST_SKIP() << "needs ffmpeg to make files";
     const std::string film = "-c:v mpeg1video -an",
-                      cover = "-c:v mjpeg -frames:v 1 -disposition:v attached_pic ";
+                      cover = "-c:v mjpeg -vf trim=end_frame=1 -disposition:v attached_pic ";
     for (const auto& [how, name, kind] : std::initializer_list<std::array<std::string, 3>>{
              {"-c:v mpeg4 -c:a aac", "a.mp4", "video"},
              {"-f 3gp -c:v mpeg4 -an", "a.3gp", "video"},

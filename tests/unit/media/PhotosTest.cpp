@@ -282,8 +282,8 @@ TEST_F(Photos, TiffsSizesAreCheckedBeforeDecoding) {
     EXPECT_TRUE(changed(256, 256, 16));
     EXPECT_FALSE(changed(256, 256, 17));
     EXPECT_FALSE(changed(257, 257, 0));
-    EXPECT_FALSE(changed(274, 254, 1)) << "a raw photo's thumbnail";
     EXPECT_EQ(tests::valueOf(mediaKind(folder / "a.tif")), MediaKind::Photo);
+    EXPECT_FALSE(changed(274, 254, 1)) << "a raw photo's thumbnail";
 }
 
 // Made of one panorama; see the data's README.
