@@ -186,7 +186,11 @@ struct Kind {
 constexpr Kind kKinds[] = {
     {"JPEG", [](ByteSpan b) { return hasText(b, 0, "\xff\xd8\xff"); }, jpegSize},
     {"PNG", [](ByteSpan b) { return hasText(b, 0, "\x89PNG\r\n\x1a\n"); }, pngSize},
-    {"BMP", [](ByteSpan b) { return hasText(b, 0, "BM"); }, bmpSize},
+    {"BMP",
+     [](ByteSpan b) {
+         return hasText(b, 0, "BM") && b.size() >= 18 && little32(b, 14) >= 12 && little32(b, 14) <= 124;
+     },
+     bmpSize},
     {"WebP", [](ByteSpan b) { return hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP"); }, webpSize},
     {"TIFF", [](ByteSpan b) { return isTiff(b) && !isRaw(b); }, tiffSize},
     {"AVIF", [](ByteSpan b) { return hasBrand(b, "avif avis"); }, avifSize},
@@ -247,7 +251,7 @@ RadianceHeader readRadianceHeader(ByteSpan bytes) {
     RadianceHeader header;
     bool wasEmpty = false;
     for (std::string line; std::getline(text, line) && !text.eof();) {
-        if (line.ends_with('\r')) line.pop_back();
+        line.erase(line.find_last_not_of(" \t\r") + 1);
         if (!(wasEmpty ? readResolution(line, header) : readRadianceLine(line, header))) break;
         header.pixels = static_cast<size_t>(text.tellg());
         if (wasEmpty) return header;

@@ -85,7 +85,7 @@ Verdict checkReplay(const Path& file) {
 // Returns whether the first line that is neither empty nor a comment begins a table or sets a key. "#?"
 // begins a Radiance picture, whose header has such lines too.
 bool isToml(const std::string& begin) {
-    if (begin.starts_with("#?")) return false;
+    if (begin.starts_with("#?") || begin.find('\0') != begin.npos) return false;
     constexpr const char* kKey = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.\"' \t";
     std::istringstream lines(begin);
     for (std::string line; std::getline(lines, line);) {
@@ -107,7 +107,8 @@ Verdict checkFile(const Path& file) {
     if (begin.starts_with("SHOALRE")) return checkReplay(file);
     const size_t text = begin.find_first_not_of(" \t\r\n");
     if (begin.starts_with("glTF") || (text != begin.npos && begin[text] == '{')) return checkModel(file);
-    return isToml(begin) ? checkToml(file) : media::checkMedia(file);
+    const bool isNamedToml = extensionOf(file) == ".toml" && begin.find('\0') == begin.npos;
+    return isNamedToml || isToml(begin) ? checkToml(file) : media::checkMedia(file);
 }
 
 } // namespace
