@@ -304,10 +304,10 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
 }
 
 std::string Photo::note() const {
-    return (profileUse == ProfileUse::Converted ? "; converted to sRGB by its colour profile"
-            : profileUse == ProfileUse::Ignored ? std::string("; ") + kProfileIgnored
-                                                : "") +
-           metadata.note();
+    std::string text;
+    if (profileUse == ProfileUse::Converted) text = "; converted to sRGB by its colour profile";
+    if (profileUse == ProfileUse::Ignored) text = fmt::format("; {}", kProfileIgnored);
+    return text + metadata.note();
 }
 
 Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
