@@ -86,8 +86,8 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
                                                   const media::PhotoMetadata& metadata,
                                                   const PhotoOptions& options) {
     if (options.fov_deg) return grown(file, photo, options);
-    if (metadata.isPart()) return placed(file, photo, metadata);
     media::Layout layout = options.layout;
+    if (metadata.isPart() && layout == media::Layout::Auto) return placed(file, photo, metadata);
     if (layout == media::Layout::Auto) layout = media::layoutOf(photo, metadata);
     if (layout == media::Layout::Auto) return grown(file, photo, options);
     return PhotoEnvironment<Picture>{std::move(photo), layout, metadata.envFromPhoto(),

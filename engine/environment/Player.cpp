@@ -51,6 +51,8 @@ Result<PhotoEnvironment<ImageRgb8>> readEnvironment(const Path& file, media::Lay
     auto reading = std::async(std::launch::async, [&]() -> Result<PhotoEnvironment<ImageRgb8>> {
         auto photo = media::readPhoto(file);
         if (!photo) return photo.error();
+        if (const std::string note = photo->note(); !note.empty())
+            log::info("{}: {}", file.string(), note.substr(2));
         return environmentFrom(
             file, std::move(photo->picture), photo->metadata,
             {.layout = layout, .progress = [&](double done) { share = static_cast<float>(done); }});

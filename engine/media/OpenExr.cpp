@@ -73,7 +73,7 @@ void addLayers(const Imf::Header& header, int part, std::vector<Layer>& layers) 
             return channels.findChannel(prefix + channel) != nullptr;
         };
         Layer layer{part, name, prefix, has("R") && has("G") && has("B"), has("RY") && has("BY")};
-        if (!layer.rgb && !has("Y")) continue;
+        if (!layer.rgb && (!has("Y") || has("X"))) continue; // X, Y and Z are a direction or a place
         if (name.empty() && header.hasName()) layer.name = header.name();
         const std::string last = name.substr(name.find_last_of('.') + 1); // may be a view: "diffuse.left"
         layer.firstView = views.empty() || std::find(views.begin() + 1, views.end(), last) == views.end();

@@ -76,10 +76,12 @@ std::string internationalText(ByteSpan data) {
 Blocks pngBlocks(ByteSpan bytes) {
     constexpr std::string_view kXmp{"XML:com.adobe.xmp\0", 18};
     Blocks found;
+    bool hadXmp = false, hadProfile = false; // only the first is unpacked: a file may hold thousands
     walkChunks(bytes, true, [&](std::string_view name, ByteSpan data) {
         if (name == "eXIf") found.exif = data;
-        if (name == "iTXt" && hasText(data, 0, kXmp)) found.xmp = internationalText(data);
-        if (name == "iCCP") { // name 0 method profile
+        if (name == "iTXt" && hasText(data, 0, kXmp) && !std::exchange(hadXmp, true))
+            found.xmp = internationalText(data);
+        if (name == "iCCP" && !std::exchange(hadProfile, true)) { // name 0 method profile
             const size_t end = asText(data).find('\0');
             if (end != std::string_view::npos && data.size() - end > 2)
                 found.profile = unpacked(data.subspan(end + 2));
@@ -125,6 +127,10 @@ void readGPano(std::string_view xmp, PhotoMetadata& m) {
     m.pitch_deg = degrees("PosePitchDegrees");
     m.roll_deg = degrees("PoseRollDegrees");
     m.placement = placementIn(xmp, space);
+    constexpr double kLeastShare = 1.0 / 64; // as of films
+    if (m.placement && (m.placement->width < m.placement->fullWidth * kLeastShare ||
+                        m.placement->height < m.placement->fullHeight * kLeastShare))
+        m.placement.reset();
     m.placementIgnored = !m.placement && !xmpValue(xmp, space + "FullPanoWidthPixels").empty();
 }
 
@@ -138,7 +144,7 @@ glm::quat PhotoMetadata::envFromPhoto() const {
 std::string PhotoMetadata::note() const {
     std::string text;
     if (orientation != 1) text += fmt::format("; turned upright from its EXIF orientation {}", orientation);
-    if (placementIgnored) text += "; its place in a panorama contradicts itself and is ignored";
+    if (placementIgnored) text += "; its place in a panorama contradicts itself or is too small, and is ignored";
     if (pitch_deg != 0 || roll_deg != 0)
         text += fmt::format("; levelled, of pitch {:.4g} and roll {:.4g} degrees", pitch_deg, roll_deg);
     if (heading_deg != 0)

@@ -116,7 +116,7 @@ bool readRadianceLine(const std::string& line, RadianceHeader& header) {
                                                                                       : 0;
     if (count == 0) return true;
     const std::vector<float> numbers{std::istream_iterator<float>(value), {}};
-    if (numbers.size() != count) return false;
+    if (numbers.size() != count || !value.eof()) return false;
     if (name == "GAMMA") return numbers[0] == 1; // Walter's rgbe.c: components to this power
     if (count == 8) std::ranges::copy(numbers, header.primaries.emplace().begin());
     if (name == "PIXASPECT") header.squarePixels = numbers[0] == 1;
@@ -140,7 +140,8 @@ bool readResolution(const std::string& line, RadianceHeader& header) {
         (isY ? header.fromBottom : header.fromRight) = axis % 2 == 1;
         if (!alongLine) header.byColumns = !isY;
     }
-    return true;
+    words >> std::ws;
+    return words.eof();
 }
 
 std::istringstream beginOf(ByteSpan bytes) {
@@ -185,7 +186,11 @@ struct Kind {
 constexpr Kind kKinds[] = {
     {"JPEG", [](ByteSpan b) { return hasText(b, 0, "\xff\xd8\xff"); }, jpegSize},
     {"PNG", [](ByteSpan b) { return hasText(b, 0, "\x89PNG\r\n\x1a\n"); }, pngSize},
-    {"BMP", [](ByteSpan b) { return hasText(b, 0, "BM"); }, bmpSize},
+    {"BMP",
+     [](ByteSpan b) {
+         return hasText(b, 0, "BM") && b.size() >= 18 && little32(b, 14) >= 12 && little32(b, 14) <= 124;
+     },
+     bmpSize},
     {"WebP", [](ByteSpan b) { return hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP"); }, webpSize},
     {"TIFF", [](ByteSpan b) { return isTiff(b) && !isRaw(b); }, tiffSize},
     {"AVIF", [](ByteSpan b) { return hasBrand(b, "avif avis"); }, avifSize},
@@ -246,7 +251,7 @@ RadianceHeader readRadianceHeader(ByteSpan bytes) {
     RadianceHeader header;
     bool wasEmpty = false;
     for (std::string line; std::getline(text, line) && !text.eof();) {
-        if (line.ends_with('\r')) line.pop_back();
+        line.erase(line.find_last_not_of(" \t\r") + 1);
         if (!(wasEmpty ? readResolution(line, header) : readRadianceLine(line, header))) break;
         header.pixels = static_cast<size_t>(text.tellg());
         if (wasEmpty) return header;
@@ -260,8 +265,9 @@ PfmHeader readPfmHeader(ByteSpan bytes) {
     std::string kind;
     PfmHeader header;
     text >> kind >> header.size.width >> header.size.height >> header.scale;
-    text.ignore(text.peek() == '\r' ? 2 : 1);
-    if (!text || header.scale == 0) return {};
+    const int behind = text.peek();
+    text.ignore(behind == '\r' ? 2 : 1);
+    if (!text || !std::isspace(behind) || header.scale == 0) return {};
     header.channels = kind == "PF4" ? 4 : kind == "PF" ? 3 : 1;
     header.pixels = static_cast<size_t>(text.tellg());
     return header;

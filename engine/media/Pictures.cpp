@@ -42,6 +42,8 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
         return Error{file.string(),
                      fmt::format("is a {}, which has no high dynamic range; give it as --photo",
                                  nameOf(header->kind))};
+    if (header->kind == PictureKind::Avif) // the decoder of films reads it
+        limits = {std::min(limits.maxWidth, kMaxVideoSide), std::min(limits.maxHeight, kMaxVideoSide)};
     if (std::string refusal = beyond({header->width, header->height}, limits); !refusal.empty())
         return Error{file.string(), std::move(refusal)};
     return PictureFile{std::move(*bytes), *header};
@@ -290,12 +292,14 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
         return with.imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     });
     if (!stored) return stored.error();
+    if (header.kind == PictureKind::Avif &&
+        (stored->width != header.width || stored->height != header.height))
+        return Error{file.string(), "its header and its pixels state different sizes"};
     if (photo.metadata.orientation == 1)
         photo.picture = std::move(*stored);
     else
         makeUpright(*stored, photo.metadata.orientation, photo.picture);
     photo.profileUse = convertToSrgb(photo.metadata.profile, photo.picture);
-    if (photo.profileUse == ProfileUse::Ignored) log::warn("{}: {}", file.string(), kProfileIgnored);
     return photo;
 }
 

@@ -107,7 +107,8 @@ Verdict checkFile(const Path& file) {
     if (begin.starts_with("SHOALRE")) return checkReplay(file);
     const size_t text = begin.find_first_not_of(" \t\r\n");
     if (begin.starts_with("glTF") || (text != begin.npos && begin[text] == '{')) return checkModel(file);
-    return isToml(begin) ? checkToml(file) : media::checkMedia(file);
+    const bool isNamedToml = extensionOf(file) == ".toml" && begin.find('\0') == begin.npos;
+    return isNamedToml || isToml(begin) ? checkToml(file) : media::checkMedia(file);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ Status convert(const PanoramaOptions& options, Picture photo, const media::Photo
     if (!made) return made.error();
     if (glm::angle(made->envFromPhoto) > 0 && made->layout == media::Layout::Mono) {
         made->picture = environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
-        made->what += ", and levelled"; // the file that is written has no metadata
+        made->what = "levelled, else kept as it is"; // the file that is written has no metadata
     }
     if (Status s = write(options.out, made->picture); !s) return s;
     std::printf("%s: %dx%d, %s\n", options.out.c_str(), made->picture.width, made->picture.height,
