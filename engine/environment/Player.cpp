@@ -64,18 +64,12 @@ Result<PhotoEnvironment<ImageRgb8>> readEnvironment(const Path& file, media::Lay
 
 } // namespace
 
-Status setFile(Source& source, const std::string& file) {
-    const auto live = media::liveAddress(file);
-    if (!live) return live.error();
-    const auto kind = file.empty() || *live ? media::MediaKind::Video : media::mediaKind(file);
-    if (!kind) return kind.error();
-    if (*kind == media::MediaKind::DepthTrack)
-        return Error{file, "is the depth of a film; give the film beside it"};
+void setFile(Source& source, const std::string& file) {
     source.video = source.photo = source.env = {};
-    (*kind == media::MediaKind::Hdr     ? source.env
-     : *kind == media::MediaKind::Photo ? source.photo
-                                        : source.video) = file;
-    return Done{};
+    const auto kind = media::mediaKind(file);
+    (kind && *kind == media::MediaKind::Hdr     ? source.env
+     : kind && *kind == media::MediaKind::Photo ? source.photo
+                                                : source.video) = file;
 }
 
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {

@@ -38,9 +38,10 @@ struct Source {
     bool operator==(const Source&) const = default;
 };
 
-// Sets the one member of the source that fits the file's content (media::mediaKind()), or a live address;
-// an empty name leaves all three empty. Fails, without a change, if the file is nothing that can be shown.
-Status setFile(Source& source, const std::string& file);
+// Sets the one member of the source that fits the file's content (media::mediaKind()): env for an HDR
+// picture, photo for another picture, else video, whose opening says why it cannot be shown. An empty name
+// leaves all three empty.
+void setFile(Source& source, const std::string& file);
 
 struct Setup {
     Source source;

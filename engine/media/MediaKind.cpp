@@ -35,7 +35,7 @@ static bool holdsOnlySound(AVFormatContext& input) {
 }
 
 Result<MediaKind> mediaKind(const Path& file) {
-    constexpr uint64_t kBegin = 4096;
+    constexpr uint64_t kBegin = 16 << 10; // some packets of any kind of sound
     constexpr const char* kSounds = "mp3,flac,wav,w64,aac,ac3,aiff,amr,caf,ape,wv";
     const auto failed = [&](std::string reason) { return Error{file.string(), std::move(reason)}; };
     auto begin = readFileBegin(file, kBegin);

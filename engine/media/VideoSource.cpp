@@ -75,6 +75,8 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     setUpDecoders();
     const auto kind = mediaKind(file); // a better reason than the decoder's
     if (!kind) return kind.error();
+    if (*kind == MediaKind::DepthTrack)
+        return Error{file.string(), "is the depth of a film; give the film beside it"};
     if (*kind == MediaKind::Photo || *kind == MediaKind::Hdr)
         return Error{file.string(), std::string("is a picture, not a video; give it as ") +
                                         (*kind == MediaKind::Hdr ? "--env" : "--photo")};

@@ -83,8 +83,7 @@ Status playUnseen(const PlayOptions& options) {
 
 Status play(const PlayOptions& given) {
     PlayOptions options = given;
-    if (!options.file.empty())
-        if (Status shown = environment::setFile(options.environment, options.file); !shown) return shown;
+    if (!options.file.empty()) environment::setFile(options.environment, options.file);
     if (Status possible = checkOutputsOf(options); !possible) return possible;
     noteStopSignals();
     if (!isSeen(options)) return playUnseen(options);

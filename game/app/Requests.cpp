@@ -35,10 +35,7 @@ Status Application::answer(const Request& request) {
     case Request::Kind::OpenFilm: {
         PlayOptions wanted = options_;
         wanted.environment.layer.clear();
-        if (const Status shown = environment::setFile(wanted.environment, request.name); !shown) {
-            if (Status ended = endPlay(); !ended) return ended;
-            return goBack(options_, shown.error(), Screen::Films);
-        }
+        environment::setFile(wanted.environment, request.name);
         return reopen(wanted, Mode::Title, Screen::Films);
     }
     case Request::Kind::Headset:

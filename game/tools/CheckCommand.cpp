@@ -82,8 +82,8 @@ Verdict checkReplay(const Path& file) {
            (recording->complete() ? "" : "; it is cut short, or damaged after these");
 }
 
-// Returns whether the first line that is neither empty nor a comment begins a table or sets a key. "#?"
-// begins a Radiance picture, whose header has such lines too.
+// Returns whether this is text whose first line that is neither empty nor a comment begins a table or sets a
+// key. "#?" begins a Radiance picture, whose header has such lines too.
 bool isToml(const std::string& begin) {
     if (begin.starts_with("#?") || begin.find('\0') != begin.npos) return false;
     constexpr const char* kKey = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.\"' \t";

@@ -483,6 +483,8 @@ TEST_F(Program, CheckReadsContentNotNames) {
     for (const char* kind : {"a dive of", "a table of", "a model of", "PNG picture"})
         EXPECT_NE(good.out.find(kind), std::string::npos) << kind << good.out;
     expectOneMessage(run("check " + named("readme.toml", tests::sourceFolder() / "README.md")), "is neither");
+    const Path riff = write("riff", std::string("RIFF=\0\0\0WAVEfmt ", 16)); // no key of TOML
+    expectOneMessage(run("check " + riff.string()), "riff: is");
 }
 
 TEST_F(Program, EveryMalformedFileGetsOneLine) {

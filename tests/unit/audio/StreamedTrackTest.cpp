@@ -226,8 +226,8 @@ TEST(StreamedTrack, BFormatSurroundsTheHead) {
         const std::string where = testing::PrintToString(std::array{head, track});
         const double balance = at.left / at.right;
         EXPECT_TRUE(side == 0  ? std::abs(balance - 1) < 0.02
-                    : side < 0 ? balance > 2
-                               : balance < 0.5)
+                    : side < 0 ? balance > 1.3
+                               : balance < 0.77)
             << where << balance;
         EXPECT_NEAR(at.both() / ahead, 1, 0.6) << where;
     }
