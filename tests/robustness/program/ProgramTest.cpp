@@ -482,7 +482,8 @@ TEST_F(Program, CheckReadsContentNotNames) {
     EXPECT_EQ(good.status, 0) << good.err;
     for (const char* kind : {"a dive of", "a table of", "a model of", "PNG picture"})
         EXPECT_NE(good.out.find(kind), std::string::npos) << kind << good.out;
-    expectOneMessage(run("check " + named("readme.toml", tests::sourceFolder() / "README.md")), "is neither");
+    expectOneMessage(run("check " + named("readme.toml", tests::sourceFolder() / "README.md")),
+                     "readme.toml: line ");
     const Path riff = write("riff", std::string("RIFF=\0\0\0WAVEfmt ", 16)); // no key of TOML
     expectOneMessage(run("check " + riff.string()), "riff: is");
 }
