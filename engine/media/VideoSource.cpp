@@ -172,7 +172,10 @@ void VideoSource::findPlace() {
     const PanoramaPlacement p = placementOf(stated.bounds, eye.width, eye.height);
     const int across = info_.width / eye.width, down = info_.height / eye.height; // eyes
     constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
-    stated.boundsIgnored = std::max(p.fullWidth, p.fullHeight) > kMaxVideoSide ||
+    constexpr int kMostEnlarged = 8; // a small file may not ask for gigabytes
+    stated.boundsIgnored = p.fullWidth > kMostEnlarged * eye.width ||
+                           p.fullHeight > kMostEnlarged * eye.height ||
+                           std::max(p.fullWidth, p.fullHeight) > kMaxVideoSide ||
                            int64_t{p.fullWidth} * p.fullHeight * across * down > kMaxPixels;
     if (stated.boundsIgnored) {
         stated.bounds = {};
