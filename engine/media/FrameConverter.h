@@ -65,7 +65,7 @@ class FrameConverter {
     // HLG frame, reduced to at most kMaxLightSide a side by means over areas; else it becomes empty. Negative
     // light of colours outside of Rec. 709 becomes 0. Fails if the pixel format is unknown.
     //
-    // What is brighter than white is shown divided by its largest channel: hue and saturation stay.
+    // Colours brighter than white are shown divided by their largest channel: hue and saturation stay.
     Status convert(const AVFrame& frame, const FrameColour& colour, bool fullRange, ImageRgb8& bgr,
                    ImageRgbF* radianceLin);
 

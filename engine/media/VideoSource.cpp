@@ -233,14 +233,14 @@ bool VideoSource::retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin) {
         if (isPlaced_)
             placeInSphere(orientation_ != 1 ? upright : stored, info_.layout, info_.metadata.bounds, whole);
     };
-    const bool stays = orientation_ == 1 && !isPlaced_;
-    if (stays) return in_.decoder.convert(bgr, radianceLin).ok();
+    if (orientation_ == 1 && !isPlaced_) return in_.decoder.convert(bgr, radianceLin).ok();
     if (!in_.decoder.convert(stored_, radianceLin ? &storedLin_ : nullptr)) return false;
     place(stored_, upright_, bgr);
-    if (radianceLin && !storedLin_.empty())
+    if (!radianceLin) return true;
+    if (storedLin_.empty())
+        *radianceLin = {};
+    else
         place(storedLin_, uprightLin_, *radianceLin);
-    else if (radianceLin)
-        radianceLin->fit(0, 0);
     return true;
 }
 

@@ -157,7 +157,8 @@ class TokenBucket {
   private:
     static constexpr double kJump_s = 10;
     double max_s_, left_s_;
-    // Of the packet before. Before the first the bucket is full, and no duration is known.
+    // Stamp and arrival of the packet before. NaN gives no duration for the first; -infinity fills the
+    // bucket.
     double stamp_s_ = std::numeric_limits<double>::quiet_NaN();
     double now_s_ = -std::numeric_limits<double>::infinity();
 };
