@@ -8,7 +8,6 @@
 
 #include "engine/audio/Audio.h"
 
-#include <AL/al.h>
 #include <AL/alext.h>
 
 #include <algorithm>
