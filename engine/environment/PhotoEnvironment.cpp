@@ -95,23 +95,28 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
 }
 
 template <class Picture>
-Picture turnedLeftEye(const Picture& picture, media::Layout layout, const glm::quat& envFromFilm) {
+const Picture& leftEyeOf(const Picture& picture, media::Layout layout, Picture& made,
+                         const glm::quat& envFromFilm) {
     const media::EyePart part = media::eyePart(layout, 0, picture.width, picture.height);
+    const bool turns = glm::angle(envFromFilm) > 0;
+    if (!turns && part.width == picture.width && part.height == picture.height) return picture;
     const glm::dmat3 filmFromEnv = glm::transpose(glm::mat3_cast(glm::dquat(envFromFilm)));
-    Picture eye(part.width, part.height);
-    for (int y = 0; y < eye.height; ++y)
-        for (int x = 0; x < eye.width; ++x) {
+    made.fit(part.width, part.height);
+    for (int y = 0; y < part.height; ++y) {
+        if (!turns) std::copy_n(picture.at(part.x, part.y + y), 3 * part.width, made.at(0, y));
+        for (int x = 0; turns && x < part.width; ++x) {
             const glm::dvec2 at =
-                latLongFromDirection(filmFromEnv * texelDirection<double>(x, y, eye.width, eye.height));
-            const int column = std::min(static_cast<int>(at.x * eye.width), eye.width - 1);
-            const int row = std::min(static_cast<int>(at.y * eye.height), eye.height - 1);
-            std::copy_n(picture.at(part.x + column, part.y + row), 3, eye.at(x, y));
+                latLongFromDirection(filmFromEnv * texelDirection<double>(x, y, part.width, part.height));
+            const int column = std::min(static_cast<int>(at.x * part.width), part.width - 1);
+            const int row = std::min(static_cast<int>(at.y * part.height), part.height - 1);
+            std::copy_n(picture.at(part.x + column, part.y + row), 3, made.at(x, y));
         }
-    return eye;
+    }
+    return made;
 }
 
-template ImageRgb8 turnedLeftEye(const ImageRgb8&, media::Layout, const glm::quat&);
-template ImageRgbF turnedLeftEye(const ImageRgbF&, media::Layout, const glm::quat&);
+template const ImageRgb8& leftEyeOf(const ImageRgb8&, media::Layout, ImageRgb8&, const glm::quat&);
+template const ImageRgbF& leftEyeOf(const ImageRgbF&, media::Layout, ImageRgbF&, const glm::quat&);
 template Result<PhotoEnvironment<ImageRgb8>>
 environmentFrom(const Path&, ImageRgb8, const media::PhotoMetadata&, const PhotoOptions&);
 template Result<PhotoEnvironment<ImageRgbF>>

@@ -30,16 +30,6 @@ light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bg
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
 }
 
-// Returns the light of the left eye's picture; copies it if it is not the whole frame.
-const ImageRgbF& leftEyeOf(const ImageRgbF& frame, media::Layout layout, ImageRgbF& copy) {
-    const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
-    if (part.width == frame.width && part.height == frame.height) return frame;
-    copy.fit(part.width, part.height);
-    for (int y = 0; y < part.height; ++y)
-        std::copy_n(frame.at(part.x, part.y + y), 3 * part.width, copy.at(0, y));
-    return copy;
-}
-
 float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }

@@ -23,23 +23,22 @@ constexpr int kWidestLight = 4096;
 
 // Reads a photo as an environment, or the video's frame at that time and its light if it is PQ or HLG: the
 // left eye's picture, turned as the file asks.
-Result<ImageRgb8> readCoded(const Path& file, media::MediaKind kind, float at_s, bool& bgr,
-                            ImageRgbF& radianceLin) {
-    bgr = kind != media::MediaKind::Photo;
-    if (!bgr) {
+Result<ImageRgb8> readCoded(const Path& file, bool isPhoto, float at_s, ImageRgbF& radianceLin) {
+    ImageRgb8 turned;
+    if (isPhoto) {
         auto photo = media::readPhoto(file);
         if (!photo) return photo.error();
         const auto made = environment::environmentFrom(file, std::move(photo->picture), photo->metadata, {});
         if (!made) return made.error();
-        return environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
+        return environment::leftEyeOf(made->picture, made->layout, turned, made->envFromPhoto);
     }
     auto player = media::VideoPlayer::open(file);
     if (!player) return player.error();
     const media::VideoFrame& frame = *player->waitFor(static_cast<double>(at_s));
     const glm::quat& envFromFilm = player->info().metadata.envFromFilm;
-    if (!frame.radianceLin.empty())
-        radianceLin = environment::turnedLeftEye(frame.radianceLin, frame.layout, envFromFilm);
-    return environment::turnedLeftEye(frame.pixelsBgr, frame.layout, envFromFilm);
+    ImageRgbF turnedLin;
+    radianceLin = environment::leftEyeOf(frame.radianceLin, frame.layout, turnedLin, envFromFilm);
+    return environment::leftEyeOf(frame.pixelsBgr, frame.layout, turned, envFromFilm);
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
@@ -59,17 +58,17 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
             log::warn("{}: {}", options.file, repairs);
         return made;
     }
-    bool bgr = false;
+    const bool isPhoto = *kind == media::MediaKind::Photo;
     ImageRgbF radianceLin;
-    auto coded = readCoded(options.file, *kind, options.at_s, bgr, radianceLin);
+    auto coded = readCoded(options.file, isPhoto, options.at_s, radianceLin);
     if (!coded) return coded.error();
     if (!radianceLin.empty() && frames != light::FrameRadiance::Thesis) {
         maker.makeFromHdr(radianceLin, made);
         return made;
     }
-    maker.make(
-        {coded->pixels.data(), coded->width, coded->height, static_cast<ptrdiff_t>(coded->width) * 3, bgr},
-        made);
+    maker.make({coded->pixels.data(), coded->width, coded->height, static_cast<ptrdiff_t>(coded->width) * 3,
+                !isPhoto},
+               made);
     return made;
 }
 

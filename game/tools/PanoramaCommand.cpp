@@ -20,11 +20,14 @@ Status convert(const PanoramaOptions& options, Picture photo, const media::Photo
     auto made =
         environment::environmentFrom(options.photo, std::move(photo), metadata, {.fov_deg = options.fov_deg});
     if (!made) return made.error();
-    if (glm::angle(made->envFromPhoto) > 0 && made->layout == media::Layout::Mono) {
-        made->picture = environment::turnedLeftEye(made->picture, made->layout, made->envFromPhoto);
-        made->what = "levelled, else kept as it is"; // the file that is written has no metadata
-    }
-    if (Status s = write(options.out, made->picture); !s) return s;
+    const bool isMono = made->layout == media::Layout::Mono;
+    if (glm::angle(made->envFromPhoto) > 0) // the file that is written does not state it
+        made->what += isMono ? "; levelled" : "; not levelled, because it shows two eyes' pictures";
+    Picture level;
+    const Picture& out = isMono
+                             ? environment::leftEyeOf(made->picture, made->layout, level, made->envFromPhoto)
+                             : made->picture;
+    if (Status s = write(options.out, out); !s) return s;
     std::printf("%s: %dx%d, %s\n", options.out.c_str(), made->picture.width, made->picture.height,
                 made->what.c_str());
     return Done{};

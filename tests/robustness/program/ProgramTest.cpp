@@ -382,6 +382,18 @@ TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
     EXPECT_NE(played.err.find("growing"), std::string::npos) << played.err;
 }
 
+TEST_F(Program, PanoramaSaysThatTwoEyesPicturesAreNotLevelled) {
+    const Path stereo = tests::sharedDataFolder() / "photo/coral_underwater_360_overunder_2048.jpg";
+    if (!fs::exists(stereo)) GTEST_SKIP() << "no shared " << stereo;
+    const std::string xmp =
+        std::string("http://ns.adobe.com/xap/1.0/\0", 29) +
+        R"(<x GPano:ProjectionType="equirectangular" GPano:PosePitchDegrees="10" GPano:PoseRollDegrees="5"/>)";
+    std::string jpeg = readText(stereo).value();
+    jpeg.insert(2, std::string("\xff\xe1\0", 3) + static_cast<char>(xmp.size() + 2) + xmp);
+    const Outcome made = run("panorama " + write("stereo.jpg", jpeg).string() + " -o " + picture_.string());
+    EXPECT_NE(made.out.find("not levelled"), std::string::npos) << made.out << made.err;
+}
+
 TEST_F(Program, HandsAndDivesThatAreNone) {
     const std::string play = "play --headless --at 0.1 --size 64x36 ";
     expectOneMessage(run(play + "--hands script:/nowhere/s.toml"), "s.toml");
