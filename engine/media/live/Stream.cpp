@@ -32,8 +32,6 @@ std::string textOf(int error) {
     return text;
 }
 
-std::string seconds(double s) { return fmt::format("{:.3g} s", s); }
-
 // Seconds of video that may come at once before packets wait for their time stamps.
 constexpr double kLiveBurst_s = 3, kStoredBurst_s = 0.05;
 // While catching up, a picture is shown at least this often.
@@ -179,7 +177,7 @@ class Stream final : public LiveFeed {
         format_.reset();
         if (tooMuch_) return Error{"", "sends too much for one picture"};
         if (!queue_.ended() && liveNow_s() > deadline_s_)
-            return Error{"", "did not answer within " + seconds(timeouts_.open_s)};
+            return Error{"", fmt::format("did not answer within {:.3g} s", timeouts_.open_s)};
         if (error == AVERROR_INVALIDDATA || error == AVERROR(EIO) || error == AVERROR_EOF)
             return Error{
                 "", "is no video of a known kind, breaks off before its first picture, or leads elsewhere"};
@@ -238,7 +236,7 @@ class Stream final : public LiveFeed {
             }
             if (tooMuch_) return Error{"", "sends too much for one picture"};
             if (givesUp() || error == AVERROR_EXIT)
-                return Error{"", "has sent no picture for " + seconds(timeouts_.silence_s)};
+                return Error{"", fmt::format("has sent no picture for {:.3g} s", timeouts_.silence_s)};
             if (error == AVERROR_EOF) return Error{"", stored_ ? "is over" : "was ended by its sender"};
             if (error == AVERROR(EAGAIN))
                 av_usleep(5000);
