@@ -135,7 +135,9 @@ void VideoSource::readInfo() {
     const double aspect =
         rateOf(av_guess_sample_aspect_ratio(in_.input.get(), in_.input->streams[in_.stream], nullptr));
     if (isWithin(aspect, 1 / kMaxAspect, kMaxAspect)) pixelAspect_ = across ? 1 / aspect : aspect;
-    const double mean = rateOf(stream.avg_frame_rate), densest = densestRate(file_, in_.stream);
+    const bool interlaced = coded.field_order > AV_FIELD_PROGRESSIVE; // then fields may have stamps
+    const double mean = rateOf(stream.avg_frame_rate),
+                 densest = interlaced ? 0 : densestRate(file_, in_.stream);
     double rate = mean > 0 && (mean <= kMaxFps || densest == 0) ? mean : densest;
     if (densest > 1.05 * rate) rate = densest; // less is jitter
     if (rate == 0) rate = rateOf(stream.r_frame_rate);

@@ -219,13 +219,15 @@ TEST_F(VideoPlayers, AClipIsTurnedUpright) {
 }
 
 // Copies a film into a Matroska file whose pictures have these times, and whose header states a mean rate.
-void writeTimes(const Path& from, const Path& to, const std::vector<int>& times_ms, AVRational rate) {
+void writeTimes(const Path& from, const Path& to, const std::vector<int>& times_ms, AVRational rate,
+                AVFieldOrder order = AV_FIELD_UNKNOWN) {
     const Input in = openInput(from);
     AVFormatContext* out = nullptr;
     ASSERT_GE(avformat_alloc_output_context2(&out, nullptr, "matroska", to.c_str()), 0);
     AVStream& stream = *avformat_new_stream(out, nullptr);
     ASSERT_GE(avcodec_parameters_copy(stream.codecpar, in->streams[0]->codecpar), 0);
     stream.codecpar->codec_tag = 0;
+    stream.codecpar->field_order = order;
     stream.time_base = {1, 1000};
     stream.avg_frame_rate = rate;
     ASSERT_GE(avio_open(&out->pb, to.c_str(), AVIO_FLAG_WRITE), 0);
@@ -272,6 +274,15 @@ TEST_F(VideoPlayers, ThePictureThatIsDueIsShown) {
         EXPECT_TRUE(check) << check.error().message();
         const std::string stated = fmt::format(" {:.4g} frames/s", av_q2d(film.rate));
         EXPECT_NE(check->find(stated), std::string::npos) << *check;
+    }
+}
+
+// Fields of one frame may have stamps of their own, but they are one picture.
+TEST_F(VideoPlayers, InterlacedFilmsHaveTheRateThatTheyState) {
+    writeGreyVideo(folder / "grey.avi", 6);
+    for (const auto& [order, fps] : {std::pair(AV_FIELD_PROGRESSIVE, 50.0), {AV_FIELD_TT, 25.0}}) {
+        writeTimes(folder / "grey.avi", folder / "fields.mkv", {0, 20, 40, 60, 80, 100}, {25, 1}, order);
+        EXPECT_NEAR(opened(folder / "fields.mkv").info().fps, fps, 0.01) << order;
     }
 }
 
