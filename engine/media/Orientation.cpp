@@ -1,6 +1,6 @@
 #include "engine/media/Orientation.h"
 
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,10 @@
 namespace shoal::media {
 
 template <class Picture> static cv::Mat viewOf(const Picture& picture, const EyePart& part) {
-    const int type = CV_MAKETYPE(cv::DataType<std::remove_cvref_t<decltype(picture.pixels[0])>>::depth, 3);
+    using Value = typename decltype(picture.pixels)::value_type;
     const void* pixels = picture.pixels.data();
-    const cv::Mat whole(picture.height, picture.width, type, const_cast<void*>(pixels));
+    const cv::Mat whole(picture.height, picture.width, CV_MAKETYPE(cv::DataType<Value>::depth, 3),
+                        const_cast<void*>(pixels));
     return whole({part.x, part.y, part.width, part.height});
 }
 
@@ -23,8 +24,7 @@ template <class Picture> void makeUpright(const Picture& stored, int orientation
     const cv::Mat from = viewOf(stored, {0, 0, stored.width, stored.height});
     cv::Mat to = viewOf(upright, {0, 0, upright.width, upright.height});
     across ? cv::transpose(from, to) : from.copyTo(to);
-    constexpr int kLeftRight = 1, kBoth = -1, kUpsideDown = 0; // as cv::flip() counts
-    constexpr int kFlips[] = {kLeftRight, kBoth, kUpsideDown}; // after the transposition
+    constexpr int kFlips[] = {1, -1, 0}; // after the transposition: left and right, both, upside down
     if (const int step = (known - 1) % 4; step > 0) cv::flip(to, to, kFlips[step - 1]);
 }
 
@@ -35,27 +35,20 @@ int orientationOf(std::span<const int32_t, 9> matrix) {
     return (across ? 5 : 1) + (leftRight ? (upsideDown ? 2 : 1) : upsideDown ? 3 : 0);
 }
 
-PanoramaPlacement placementOf(const SphereBounds& bounds, int width, int height) {
-    const auto fullWidth = static_cast<int>(std::lround(width / bounds.width()));
-    const auto fullHeight = static_cast<int>(std::lround(height / bounds.height()));
-    return {.fullWidth = fullWidth,
-            .fullHeight = fullHeight,
-            .left = std::min(static_cast<int>(std::lround(fullWidth * bounds.left)), fullWidth - width),
-            .top = std::min(static_cast<int>(std::lround(fullHeight * bounds.top)), fullHeight - height),
-            .width = width,
-            .height = height};
-}
-
 template <class Picture>
 void placeInSphere(const Picture& upright, Layout layout, const SphereBounds& bounds, Picture& whole) {
-    const EyePart part = eyePart(layout, 0, upright.width, upright.height);
-    const PanoramaPlacement p = placementOf(bounds, part.width, part.height);
-    whole.fit(upright.width / part.width * p.fullWidth, upright.height / part.height * p.fullHeight);
+    const auto part = [](int of, double share) { return static_cast<int>(std::lround(of * share)); };
     for (const int eye : {0, 1}) {
-        const cv::Mat from = viewOf(upright, eyePart(layout, eye, upright.width, upright.height));
+        cv::Mat from = viewOf(upright, eyePart(layout, eye, upright.width, upright.height));
         cv::Mat to = viewOf(whole, eyePart(layout, eye, whole.width, whole.height));
-        cv::copyMakeBorder(from, to, p.top, p.fullHeight - p.top - p.height, p.left,
-                           p.fullWidth - p.left - p.width, cv::BORDER_REFLECT | cv::BORDER_ISOLATED);
+        if (from.empty() || to.empty()) continue; // half of a single row
+        const cv::Size size(std::max(part(to.cols, bounds.width()), 1),
+                            std::max(part(to.rows, bounds.height()), 1));
+        if (from.size() != size) cv::resize(from, from, size, 0, 0, cv::INTER_AREA);
+        const int left = std::min(part(to.cols, bounds.left), to.cols - size.width);
+        const int top = std::min(part(to.rows, bounds.top), to.rows - size.height);
+        cv::copyMakeBorder(from, to, top, to.rows - top - size.height, left, to.cols - left - size.width,
+                           cv::BORDER_REFLECT | cv::BORDER_ISOLATED);
     }
 }
 

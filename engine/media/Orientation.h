@@ -21,11 +21,8 @@ template <class Picture> void makeUpright(const Picture& stored, int orientation
 // is shown at (a p + c q + x, b p + d q + y), both downwards (ISO/IEC 14496-12, 8.3.2).
 int orientationOf(std::span<const int32_t, 9> matrix);
 
-// Returns the place of an eye's picture of this size in the picture of the whole sphere.
-PanoramaPlacement placementOf(const SphereBounds& bounds, int width, int height);
-
-// Places each eye's picture in its bounds; `whole` takes the size. The rest of the sphere mirrors it, which
-// is continuous everywhere around a centred half.
+// Places each eye's picture in its bounds within `whole`, which keeps its size: the picture takes the size
+// that fits. The rest of the sphere mirrors it, which is continuous everywhere around a centred half.
 template <class Picture>
 void placeInSphere(const Picture& upright, Layout layout, const SphereBounds& bounds, Picture& whole);
 

@@ -171,21 +171,16 @@ void VideoSource::findPlace() {
     SphericalMetadata& stated = info_.metadata;
     if (stated.bounds.isWhole()) return;
     const EyePart eye = eyePart(info_.layout, 0, info_.width, info_.height);
-    const PanoramaPlacement p = placementOf(stated.bounds, eye.width, eye.height);
-    const int across = info_.width / eye.width, down = info_.height / eye.height; // eyes
-    constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
-    constexpr int kMostEnlarged = 8; // a small file may not ask for gigabytes
-    stated.boundsIgnored = p.fullWidth > kMostEnlarged * eye.width ||
-                           p.fullHeight > kMostEnlarged * eye.height ||
-                           std::max(p.fullWidth, p.fullHeight) > kMaxVideoSide ||
-                           int64_t{p.fullWidth} * p.fullHeight * across * down > kMaxPixels;
-    if (stated.boundsIgnored) {
+    const auto fullWidth = static_cast<int>(std::lround(eye.width / stated.bounds.width())),
+               fullHeight = static_cast<int>(std::lround(eye.height / stated.bounds.height()));
+    const int width = info_.width / eye.width * fullWidth, height = info_.height / eye.height * fullHeight;
+    isPlaced_ = std::max(fullWidth, fullHeight) <= kMaxVideoSide &&
+                int64_t{width} * height <= int64_t{kMaxVideoSide} * kMaxVideoSide;
+    stated.boundsIgnored = !isPlaced_;
+    if (isPlaced_)
+        info_.width = width, info_.height = height;
+    else
         stated.bounds = {};
-        return;
-    }
-    isPlaced_ = true;
-    info_.width = across * p.fullWidth;
-    info_.height = down * p.fullHeight;
 }
 
 // Decodes the picture after the one shown.
@@ -230,19 +225,22 @@ bool VideoSource::grab() {
 bool VideoSource::retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const AVFrame& frame = in_.decoder.frame();
     if (frame.width != storedWidth_ || frame.height != storedHeight_) return false;
-    const auto place = [&](auto& stored, auto& upright, auto& whole) {
+    constexpr int kMaxLightSide = 1024; // of light that is placed, as of other light
+    const int side = std::max(info_.width, info_.height);
+    const auto place = [&](auto& stored, auto& upright, auto& whole, int wholeSide) {
         if (orientation_ != 1) makeUpright(stored, orientation_, isPlaced_ ? upright : whole);
-        if (isPlaced_)
-            placeInSphere(orientation_ != 1 ? upright : stored, info_.layout, info_.metadata.bounds, whole);
+        if (!isPlaced_) return;
+        whole.fit(std::max(info_.width * wholeSide / side, 2), std::max(info_.height * wholeSide / side, 2));
+        placeInSphere(orientation_ != 1 ? upright : stored, info_.layout, info_.metadata.bounds, whole);
     };
     if (orientation_ == 1 && !isPlaced_) return in_.decoder.convert(bgr, radianceLin).ok();
     if (!in_.decoder.convert(stored_, radianceLin ? &storedLin_ : nullptr)) return false;
-    place(stored_, upright_, bgr);
+    place(stored_, upright_, bgr, side);
     if (!radianceLin) return true;
     if (storedLin_.empty())
         *radianceLin = {};
     else
-        place(storedLin_, uprightLin_, *radianceLin);
+        place(storedLin_, uprightLin_, *radianceLin, std::min(side, kMaxLightSide));
     return true;
 }
 

@@ -403,6 +403,19 @@ TEST(SphericalFilms, AHalfSphereIsPlacedAndMirroredForEachEye) {
     }
 }
 
+// A film in HLG of an eighth of the sphere each way.
+TEST(SphericalFilms, LightThatIsPlacedStaysSmall) {
+    const std::string hlg = box("colr", "nclx" + be(9, 2) + be(18, 2) + be(9, 2) + be(0, 1));
+    std::string bounds;
+    for (int side = 0; side < 4; ++side) bounds += be(0x70000000, 4);
+    const ImageRgb8 stored = drawn(256, 128, [](double u, double) { return u < 0.5 ? 200 : 0; });
+    auto player = tests::valueOf(filmThatSays(stored, hlg + sv3d(fullBox("equi", bounds))));
+    EXPECT_EQ(player.info().width, 2048);
+    const ImageRgbF& light = player.waitFor(0)->radianceLin;
+    ASSERT_EQ(std::pair(light.width, light.height), std::pair(1024, 512));
+    EXPECT_GT(light.at(480, 256)[1], 10 * light.at(544, 256)[1]);
+}
+
 TEST(SphericalFilms, PixelsThatAreNotSquareCount) {
     const ImageRgb8 square = drawn(64, 64, noise(32, 12));
     const auto player = tests::valueOf(filmThatSays(square, box("pasp", be(2, 4) + be(1, 4))));
