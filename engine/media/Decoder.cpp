@@ -128,6 +128,23 @@ void Decoder::send(const AVPacket* packet, bool hurry) {
 
 bool Decoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
 
+Status FileDecoder::openFilm(const Path& file) {
+    const Error unreadable{"", "has no video that can be read: it is damaged, cut short or only sound"};
+    drained = false;
+    input = openInput(file, kVideoContainers);
+    if (!input) return unreadable;
+    // Checked before a decoder sees the stream, if the container states a size.
+    for (unsigned i = 0; i < input->nb_streams; ++i)
+        if (const AVCodecParameters& stated = *input->streams[i]->codecpar;
+            stated.codec_type == AVMEDIA_TYPE_VIDEO && std::max(stated.width, stated.height) > kMaxVideoSide)
+            return checkPictureSize(stated.width, stated.height);
+    if (avformat_find_stream_info(input.get(), nullptr) < 0) return unreadable;
+    stream = filmStreamOf(*input);
+    if (stream < 0) return unreadable;
+    keepOnly(*input, stream);
+    return checkPictureSize(opened().codecpar->width, opened().codecpar->height);
+}
+
 bool FileDecoder::next(int maxPackets) {
     for (int sent = 0; !decoder.receive();) {
         if (drained || sent == maxPackets) return false;

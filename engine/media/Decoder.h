@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace shoal::media {
 
@@ -73,6 +72,8 @@ struct FileDecoder {
     double length_s() const {
         return static_cast<double>(std::max<int64_t>(input->duration, 0)) / AV_TIME_BASE;
     }
+    // Opens a file's film, without its decoder. The error has no path.
+    Status openFilm(const Path& file);
     // Decodes the next frame. Returns false at the end, or after so many packets of the stream without one.
     bool next(int maxPackets);
     // Seeks to a key frame at or before this time stamp. Returns false if the file cannot be read there.

@@ -2,7 +2,7 @@
 
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
-#include "engine/media/Ffmpeg.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/PictureHeader.h"
 
 extern "C" {
@@ -162,9 +162,8 @@ SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream
 
 SphericalMetadata sphericalMetadata(const Path& file) {
     setUpDecoders();
-    const Input input = openInput(file);
-    const int stream = input ? filmStreamOf(*input) : -1;
-    return stream < 0 ? SphericalMetadata{} : sphericalMetadata(*input, *input->streams[stream], file);
+    FileDecoder film;
+    return film.openFilm(file) ? sphericalMetadata(*film.input, film.opened(), file) : SphericalMetadata{};
 }
 
 glm::quat filmFromWorld(const glm::quat& envFromFilm, float yaw) {

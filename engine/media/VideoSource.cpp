@@ -96,30 +96,15 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
 }
 
 Status VideoSource::reopen() {
-    const Error undecodable{"", "has no video that can be decoded: damaged, cut short, only sound, or of a "
-                                "codec that is not installed"};
-    in_.input.reset();
     position_ = 0;
-    begun_ = hasAhead_ = isShowing_ = in_.drained = false;
-    in_.input = openInput(file_, kVideoContainers);
-    if (!in_.input) return undecodable;
-    // Checked before the decoder sees the stream, if the container states a size.
-    for (unsigned i = 0; i < in_.input->nb_streams; ++i)
-        if (const AVCodecParameters& stated = *in_.input->streams[i]->codecpar;
-            stated.codec_type == AVMEDIA_TYPE_VIDEO && std::max(stated.width, stated.height) > kMaxVideoSide)
-            return checkPictureSize(stated.width, stated.height);
-    if (avformat_find_stream_info(in_.input.get(), nullptr) < 0) return undecodable;
-    in_.stream = filmStreamOf(*in_.input);
-    if (in_.stream < 0) return undecodable;
-    keepOnly(*in_.input, in_.stream);
+    begun_ = hasAhead_ = isShowing_ = false;
+    if (Status opened = in_.openFilm(file_); !opened) return opened;
     const AVCodecParameters& coded = *in_.opened().codecpar;
-    if (Status playable = checkPictureSize(coded.width, coded.height); !playable) return playable;
     const double pixelRate = 1.0 * coded.width * coded.height * rateOf(in_.opened().avg_frame_rate);
     const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
     const int threads = static_cast<int>(
         std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMaxThreads)));
-    if (!in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads)) return undecodable;
-    return Done{};
+    return in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads);
 }
 
 void VideoSource::readInfo() {
