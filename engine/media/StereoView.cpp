@@ -77,8 +77,8 @@ EyePart eyePart(Layout layout, int eye, int width, int height) {
     return {0, 0, width, height};
 }
 
-Layout layoutFromShape(int width, int height) {
-    const double aspect = static_cast<double>(width) / height;
+Layout layoutFromShape(double width, double height) {
+    const double aspect = width / height;
     const auto near = [&](double wanted) { return std::abs(aspect / wanted - 1) < 0.06; };
     if (near(2)) return Layout::Mono;
     if (near(1)) return Layout::TopBottom;

@@ -21,7 +21,7 @@ EyePart eyePart(Layout layout, int eye, int width, int height);
 
 // Guesses by the frame's shape alone, expecting 2:1 for each eye within 6 %: 2:1 is mono, 1:1 top-bottom, 4:1
 // left-right. Auto if the shape is ambiguous (16:9 is used for all three).
-Layout layoutFromShape(int width, int height);
+Layout layoutFromShape(double width, double height);
 
 // Detects the layout from a frame: two eyes see the same but for small shifts along the rows, the halves of
 // one panorama do not. Compares halves in blocks that have structure. Mono if neither pair of halves is

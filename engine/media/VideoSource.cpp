@@ -6,7 +6,6 @@
 #include "engine/media/Orientation.h"
 
 #include <fmt/core.h>
-#include <opencv2/core.hpp>
 
 extern "C" {
 #include <libavutil/parseutils.h>
@@ -277,8 +276,7 @@ bool VideoSource::findLayout(Layout request) {
     if (found(request, "asked for") || found(info_.metadata.layout, "metadata")) return true;
     const SphereBounds& bounds = info_.metadata.bounds;
     const Layout shape =
-        layoutFromShape(static_cast<int>(std::lround(info_.width * pixelAspect_ / bounds.width())),
-                        static_cast<int>(std::lround(info_.height / bounds.height())));
+        layoutFromShape(info_.width * pixelAspect_ / bounds.width(), info_.height / bounds.height());
     // Two eyes' pictures may be squeezed to 2:1, and square films are as often ordinary ones. The first frame
     // that tells anything decides, and two more have to agree if it tells of two eyes. A film may begin with
     // a fade.
