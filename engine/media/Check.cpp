@@ -67,7 +67,7 @@ Result<std::string> checkVideo(const Path& file) {
         info.codec, info.storedFps, static_cast<double>(frames) / info.fps, nameOf(info.matrix),
         kTransferNotes[static_cast<size_t>(info.transfer)], enumName(info.layout), info.layoutSource);
     message += info.metadata.note();
-    if (!info.metadata.present) message += "; does not say that it is a 360-degree video";
+    if (!info.metadata.isStated()) message += "; does not say that it is a 360-degree video";
     return message + depthNote(file);
 }
 

@@ -14,6 +14,7 @@ extern "C" {
 
 #include <array>
 #include <fstream>
+#include <vector>
 
 namespace shoal::media {
 
@@ -40,18 +41,20 @@ std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::st
 }
 
 // Returns the beginning of an MP4 file's movie box, or of a Matroska file; empty if there is none.
-static std::string headerText(const Path& file, bool matroska) {
+static std::vector<uint8_t> headerOf(const Path& file, bool matroska) {
     std::ifstream stream(file, std::ios::binary);
     std::array<uint8_t, 16> head{}; // size, name, and the large size if size is 1
-    for (uint64_t at = 0; !matroska && !hasText(head, 4, "moov");) {
+    constexpr uint64_t kMost = 1 << 20;
+    uint64_t size = kMost;
+    for (uint64_t at = 0; !matroska && !hasText(head, 4, "moov"); at += size) {
         stream.seekg(static_cast<std::streamoff>(at));
         if (!stream.read(reinterpret_cast<char*>(head.data()), head.size())) return {};
-        const uint64_t size = big32(head, 0) == 1 ? big64(head, 8) : big32(head, 0);
+        size = big32(head, 0) == 1 ? big64(head, 8) : big32(head, 0);
+        if (size == 0) size = INT64_MAX - at; // up to the file's end
         if (size < 8 || size > INT64_MAX - at) return {};
-        at += size;
     }
-    std::string header(1 << 20, 0);
-    stream.read(header.data(), static_cast<std::streamsize>(header.size()));
+    std::vector<uint8_t> header(std::clamp<uint64_t>(size, head.size(), kMost) - head.size());
+    stream.read(reinterpret_cast<char*>(header.data()), static_cast<std::streamsize>(header.size()));
     return header;
 }
 
@@ -63,25 +66,33 @@ static glm::quat turned(float yaw, float pitch, float roll) {
            math::rotationAbout({0, 0, -1}, glm::radians(roll));
 }
 
-// Returns what the boxes of V2 say, which libavformat drops if their own header box is missing, and meshes.
-static std::optional<AVSphericalMapping> unreadMapping(std::string_view header, SphericalMetadata& m) {
-    const std::string_view boxes =
-        header.substr(std::min(header.find("sv3d"), header.size())).substr(0, 1024);
-    const ByteSpan bytes(reinterpret_cast<const uint8_t*>(boxes.data()), boxes.size());
-    const auto has = [&](const char* box) { return boxes.find(box) != boxes.npos; };
-    const auto field = [&](const char* box, size_t index) { // behind name, version and flags
-        const size_t at = boxes.find(box) + 8 + 4 * index;
-        return has(box) && at + 4 <= bytes.size() ? big32(bytes, at) : 0;
-    };
+// Returns the box of V2, from its name on; empty if there is none. Its name alone may stand in any text.
+static ByteSpan boxOfSecondVersion(ByteSpan header) {
+    const std::string_view text = asText(header);
+    for (size_t at = text.find("sv3d"); at != text.npos; at = text.find("sv3d", at + 1))
+        if (at >= 4 && (hasText(header, at + 8, "svhd") || hasText(header, at + 8, "proj")))
+            return header.subspan(at, std::min<size_t>(big32(header, at - 4), header.size() - at));
+    return {};
+}
+
+// Returns what the box of V2 says, which libavformat drops if its own header box is missing, and meshes.
+static std::optional<AVSphericalMapping> unreadMapping(ByteSpan box, SphericalMetadata& m) {
+    const std::string_view text = asText(box);
+    const auto has = [&](std::string_view name) { return text.find(name) != text.npos; };
     m.projection = has("mshp") ? Projection::Mesh : has("cbmp") ? Projection::Cubemap : Projection::Unknown;
-    if (!has("equi")) return std::nullopt;
+    const auto field = [&](std::string_view sizeAndName, size_t index) { // behind version and flags
+        const size_t at = text.find(sizeAndName) + 12 + 4 * index;
+        return has(sizeAndName) && at + 4 <= box.size() ? big32(box, at) : 0;
+    };
+    constexpr std::string_view kBounds{"\0\0\0\34equi", 8}, kPose{"\0\0\0\30prhd", 8};
+    if (!has(kBounds)) return std::nullopt;
     AVSphericalMapping s{};
     s.projection = AV_SPHERICAL_EQUIRECTANGULAR_TILE;
-    s.yaw = static_cast<int32_t>(field("prhd", 0));
-    s.pitch = static_cast<int32_t>(field("prhd", 1));
-    s.roll = static_cast<int32_t>(field("prhd", 2));
-    s.bound_top = field("equi", 0), s.bound_bottom = field("equi", 1);
-    s.bound_left = field("equi", 2), s.bound_right = field("equi", 3);
+    s.yaw = static_cast<int32_t>(field(kPose, 0));
+    s.pitch = static_cast<int32_t>(field(kPose, 1));
+    s.roll = static_cast<int32_t>(field(kPose, 2));
+    s.bound_top = field(kBounds, 0), s.bound_bottom = field(kBounds, 1);
+    s.bound_left = field(kBounds, 2), s.bound_right = field(kBounds, 3);
     return s;
 }
 
@@ -130,22 +141,23 @@ static Layout statedLayout(const AVStereo3D& s) {
 }
 
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file) {
-    constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03"; // ProjectionType, of one byte: 3
-    constexpr std::string_view kRightLeft{"st3d\0\0\0\0\x04", 9};  // unknown to libavformat
+    constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03";           // ProjectionType, of one byte: 3
+    constexpr std::string_view kRightLeft{"\0\0\0\x0dst3d\0\0\0\0\x04", 13}; // unknown to libavformat
     const bool matroska = std::string_view(input.iformat->name).starts_with("matroska");
     SphericalMetadata m;
     if (stream.codecpar->codec_type != AVMEDIA_TYPE_VIDEO) return m;
-    const std::string header = headerText(file, matroska);
-    const auto holds = [&](std::string_view text) { return header.find(text) != header.npos; };
+    const std::vector<uint8_t> header = headerOf(file, matroska);
+    const ByteSpan box = matroska ? ByteSpan() : boxOfSecondVersion(header);
+    const auto holds = [&](std::string_view text) { return asText(header).find(text) != text.npos; };
     if (const auto* s = sideData<AVSphericalMapping>(stream, AV_PKT_DATA_SPHERICAL))
         readMapping(*s, m);
     else if (matroska && holds(kMatroskaMesh))
         m.projection = Projection::Mesh;
-    else if (const auto unread = matroska ? std::nullopt : unreadMapping(header, m))
+    else if (const auto unread = unreadMapping(box, m))
         readMapping(*unread, m);
     const auto* tag = matroska ? av_dict_get(stream.metadata, "spherical-video", nullptr, 0) : nullptr;
-    const std::string_view xmp = tag ? std::string_view(tag->value) : std::string_view(header);
-    const bool second = matroska ? m.projection != Projection::Unknown : holds("sv3d");
+    const std::string_view xmp = tag ? tag->value : asText(header);
+    const bool second = matroska ? m.projection != Projection::Unknown : !box.empty();
     if (!second && xmpValue(xmp, "GSpherical:Spherical") == "true") readFirstVersion(xmp, m);
     if (matroska && m.projection == Projection::Unknown)
         return m; // a flat video: its StereoMode does not describe a panorama
@@ -153,8 +165,7 @@ SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream
         m.layout = statedLayout(*s);
     else if (!matroska && holds(kRightLeft))
         m.layout = Layout::RightLeft;
-    m.present = m.projection != Projection::Unknown || m.layout != Layout::Auto;
-    constexpr double kLeast = 1 / 64.0; // of the sphere's width or height
+    constexpr double kLeast = 1 / 8.0; // of each side: a small file may not ask for gigabytes
     m.boundsIgnored = !(m.bounds.width() >= kLeast && m.bounds.height() >= kLeast);
     if (m.boundsIgnored) m.bounds = {};
     return m;

@@ -30,13 +30,13 @@ struct SphereBounds {
 };
 
 struct SphericalMetadata {
-    bool present = false; // the file states a projection or a stereo layout
     Projection projection = Projection::Unknown;
     Layout layout = Layout::Auto; // Auto: not stated
     SphereBounds bounds;
     bool boundsIgnored = false;        // the bounds were such that no picture could be placed in them
     glm::quat envFromFilm{1, 0, 0, 0}; // turns the film's sphere as it demands; both have the axes of env
 
+    bool isStated() const { return projection != Projection::Unknown || layout != Layout::Auto; }
     // Returns what is done to the picture for its bounds and its pose, a clause each after "; "; empty:
     // nothing.
     std::string note() const;

@@ -260,7 +260,8 @@ std::string stereoMode(uint64_t mode) { return element("\x53\xb8", be(mode, 1));
 TEST(SphericalMetadata, IsUnderstoodAsItIsWritten) {
     using enum Projection;
     using enum Layout;
-    const std::string mesh = movie(sv3d(kMesh)), media = box("mdat", std::string(100000, 'x'));
+    const std::string mesh = movie(sv3d(kMesh)), media = box("mdat", std::string(100000, 'x')),
+                      title = box("udta", box("\xa9nam", be(4, 2) + be(0, 2) + "sv3d"));
     const struct {
         const char* what;
         SphericalMetadata read;
@@ -275,9 +276,11 @@ TEST(SphericalMetadata, IsUnderstoodAsItIsWritten) {
         {"a mesh", parsed(mesh), Mesh, Auto},
         {"a mesh behind the pictures", parsed(mesh.substr(0, 16) + media + mesh.substr(16)), Mesh, Auto},
         {"V1", parsed(movie("", v1(kV1TopBottom))), Equirect, TopBottom},
-        {"V1 without who stitched",
-         parsed(movie("", v1("<GSpherical:Spherical>true</GSpherical:Spherical>"
-                             "<GSpherical:StereoMode>left-right</GSpherical:StereoMode>"))),
+        {"V1 without who stitched, of the title sv3d",
+         parsed(movie("",
+                      v1("<GSpherical:Spherical>true</GSpherical:Spherical>"
+                         "<GSpherical:StereoMode>left-right</GSpherical:StereoMode>"),
+                      title)),
          Equirect, LeftRight},
         {"V2 wins over V1", parsed(movie(stereoBox(0) + sv3d(kCube), v1(kV1TopBottom))), Cubemap, Mono},
         {"a stereo box beside V1", parsed(movie(stereoBox(2), v1(kV1))), Equirect, LeftRight},
@@ -290,7 +293,7 @@ TEST(SphericalMetadata, IsUnderstoodAsItIsWritten) {
         {"Matroska, a mesh", matroska(projection(3)), Mesh, Auto},
     };
     for (const auto& row : kRows) {
-        EXPECT_TRUE(row.read.present) << row.what;
+        EXPECT_TRUE(row.read.isStated()) << row.what;
         EXPECT_EQ(row.read.projection, row.projection) << row.what;
         EXPECT_EQ(row.read.layout, row.layout) << row.what;
     }
@@ -300,9 +303,10 @@ TEST(SphericalMetadata, NoneIsNotPresent) {
     std::string audio = movie(sv3d(kEquirect));
     audio.replace(audio.find("vide"), 4, "soun");
     const std::string isFalse = v1("<GSpherical:Spherical>false</GSpherical:Spherical>");
-    for (const SphericalMetadata& read : {parsed(movie("")), parsed(movie("", isFalse)), parsed(audio),
-                                          matroska(""), matroska(projection(0))}) {
-        EXPECT_FALSE(read.present);
+    for (const SphericalMetadata& read :
+         {parsed(movie("")), parsed(movie("", isFalse)), parsed(audio), matroska(""), matroska(projection(0)),
+          parsed(movie("") + box("mdat", stereoBox(4) + sv3d(kCube)))}) {
+        EXPECT_FALSE(read.isStated());
         EXPECT_EQ(read.projection, Projection::Unknown);
         EXPECT_EQ(read.layout, Layout::Auto);
     }
@@ -331,8 +335,10 @@ TEST(SphericalMetadata, PosesTurnTheSphere) {
         {"yaw, then pitch", v2({90, 90, 0}), kRight, kAhead},
         {"pitch, then roll", v2({0, 90, 90}), kUp, kRight},
         {"Matroska", matroska(projection(1, {90, 0, 0})), kRight, kAhead},
+        {"Matroska, more than a turn", matroska(projection(1, {450, 0, 0})), kRight, kAhead},
         {"Matroska's roll", matroska(projection(1, {0, 0, -45})), kUp, {-r, r, 0}},
         {"V1, looking to the right", first("Heading", 90), kRight, kAhead},
+        {"V1, more than a turn", first("Heading", 450), kAhead, kAhead},
         {"V1, looking up", first("Pitch", 45), {0, r, -r}, kAhead},
         {"V1, the head to the right", first("Roll", 90), kRight, kUp},
         {"none", v2({}), kAhead, kAhead},
@@ -343,6 +349,7 @@ TEST(SphericalMetadata, PosesTurnTheSphere) {
         const glm::vec3 back = filmFromWorld(row.read.envFromFilm, glm::radians(90.0f)) * right;
         EXPECT_LT(glm::distance(back, row.film), 1e-5f) << row.what << ", with the environment turned";
     }
+    EXPECT_NEAR(glm::length(matroska(projection(1, {NAN, 0, 0})).envFromFilm), 1, 1e-5);
 }
 
 TEST(SphericalMetadata, BoundsAreSharesOfTheSphere) {
