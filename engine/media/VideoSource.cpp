@@ -119,7 +119,7 @@ void VideoSource::readInfo() {
     const double aspect =
         rateOf(av_guess_sample_aspect_ratio(in_.input.get(), in_.input->streams[in_.stream], nullptr));
     if (isWithin(aspect, 1 / kMaxAspect, kMaxAspect)) pixelAspect_ = across ? 1 / aspect : aspect;
-    const bool interlaced = coded.field_order > AV_FIELD_PROGRESSIVE; // then fields may have stamps
+    const bool interlaced = coded.field_order > AV_FIELD_PROGRESSIVE; // its fields may have stamps
     const double mean = rateOf(stream.avg_frame_rate),
                  densest = interlaced ? 0 : densestRate(file_, in_.stream);
     double rate = mean > 0 && (mean <= kMaxFps || densest == 0) ? mean : densest;
