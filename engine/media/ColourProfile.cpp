@@ -12,6 +12,7 @@ namespace shoal::media {
 namespace {
 
 using Profile = std::unique_ptr<void, decltype([](cmsHPROFILE each) { cmsCloseProfile(each); })>;
+using Curve = std::unique_ptr<cmsToneCurve, decltype([](cmsToneCurve* each) { cmsFreeToneCurve(each); })>;
 using Transform = std::unique_ptr<void, decltype([](cmsHTRANSFORM each) { cmsDeleteTransform(each); })>;
 
 bool isGrey(const ImageRgb8& picture) {
@@ -53,6 +54,22 @@ ProfileUse convertToSrgb(std::span<const uint8_t> bytes, ImageRgb8& picture) {
     cmsDoTransform(transform.get(), picture.pixels.data(), picture.pixels.data(),
                    static_cast<cmsUInt32Number>(picture.pixels.size() / 3));
     return ProfileUse::Converted;
+}
+
+std::vector<uint8_t> rgbProfile(double gamma, const std::array<double, 8>& xy) {
+    if (xy[1] <= 0 || xy[3] <= 0 || xy[5] <= 0 || xy[7] <= 0) return {};       // lcms divides by them
+    const double srgb[] = {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045}; // IEC 61966-2-1
+    const Curve curve(gamma > 0 ? cmsBuildGamma(nullptr, gamma)
+                                : cmsBuildParametricToneCurve(nullptr, 4, srgb));
+    cmsToneCurve* const curves[] = {curve.get(), curve.get(), curve.get()};
+    const cmsCIExyY white = {xy[0], xy[1], 1};
+    const cmsCIExyYTRIPLE primaries = {{xy[2], xy[3], 1}, {xy[4], xy[5], 1}, {xy[6], xy[7], 1}};
+    const Profile profile(curve ? cmsCreateRGBProfile(&white, &primaries, curves) : nullptr);
+    cmsUInt32Number size = 0;
+    if (!profile || !cmsSaveProfileToMem(profile.get(), nullptr, &size)) return {};
+    std::vector<uint8_t> bytes(size);
+    if (!cmsSaveProfileToMem(profile.get(), bytes.data(), &size)) bytes.clear();
+    return bytes;
 }
 
 } // namespace shoal::media

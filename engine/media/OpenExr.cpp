@@ -201,7 +201,34 @@ std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Laye
     return notes;
 }
 
-Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, PictureLimits limits) {
+} // namespace
+
+// OpenEXRCore's parser compares each stated size with the file's and its type's, where the classes of C++
+// take memory for any.
+PictureSize exrSize(ByteSpan bytes) {
+    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    setup.user_data = &bytes;
+    setup.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+    setup.size_fn = [](exr_const_context_t, void* all) {
+        return static_cast<int64_t>(static_cast<const ByteSpan*>(all)->size());
+    };
+    setup.read_fn = [](exr_const_context_t, void* all, void* out, uint64_t count, uint64_t at,
+                       exr_stream_error_func_ptr_t) -> int64_t {
+        const ByteSpan from = *static_cast<const ByteSpan*>(all);
+        const size_t there = at < from.size() ? std::min<size_t>(count, from.size() - at) : 0;
+        if (there > 0) std::memcpy(out, from.data() + at, there);
+        return static_cast<int64_t>(there);
+    };
+    exr_context_t context = nullptr;
+    exr_attr_box2i_t window{};
+    const bool read = exr_start_read(&context, "picture", &setup) == EXR_ERR_SUCCESS &&
+                      exr_get_display_window(context, 0, &window) == EXR_ERR_SUCCESS;
+    exr_finish(&context);
+    if (!read) return {};
+    return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
+}
+
+Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& wanted, PictureLimits limits) try {
     ExrInput stream(bytes);
     Imf::MultiPartInputFile file(stream, kOnThisThread);
     std::vector<Layer> layers;
@@ -236,41 +263,8 @@ Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, Pictur
                              c.blue.x, c.blue.y, c.white.x, c.white.y};
     }
     return picture;
-}
-
-} // namespace
-
-// OpenEXRCore's parser compares each stated size with the file's and its type's, where the classes of C++
-// take memory for any.
-PictureSize exrSize(ByteSpan bytes) {
-    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    setup.user_data = &bytes;
-    setup.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    setup.size_fn = [](exr_const_context_t, void* all) {
-        return static_cast<int64_t>(static_cast<const ByteSpan*>(all)->size());
-    };
-    setup.read_fn = [](exr_const_context_t, void* all, void* out, uint64_t count, uint64_t at,
-                       exr_stream_error_func_ptr_t) -> int64_t {
-        const ByteSpan from = *static_cast<const ByteSpan*>(all);
-        const size_t there = at < from.size() ? std::min<size_t>(count, from.size() - at) : 0;
-        if (there > 0) std::memcpy(out, from.data() + at, there);
-        return static_cast<int64_t>(there);
-    };
-    exr_context_t context = nullptr;
-    exr_attr_box2i_t window{};
-    const bool read = exr_start_read(&context, "picture", &setup) == EXR_ERR_SUCCESS &&
-                      exr_get_display_window(context, 0, &window) == EXR_ERR_SUCCESS;
-    exr_finish(&context);
-    if (!read) return {};
-    return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
-}
-
-Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& layer, PictureLimits limits) {
-    try {
-        return decodeLayer(bytes, layer, limits);
-    } catch (const std::exception&) {
-        return Error{"", "cannot be decoded as OpenEXR: cut short, damaged, or a rare variant"};
-    }
+} catch (const std::exception&) {
+    return Error{"", "cannot be decoded as OpenEXR: cut short, damaged, or a rare variant"};
 }
 
 Result<std::string> encodeExr(const ImageRgbF& image) {
@@ -312,7 +306,7 @@ bool toRec709(ImageRgbF& image, const Primaries& from) {
         for (size_t i = 0; i < image.pixels.size(); i += 3) {
             float* p = image.pixels.data() + i;
             const Imath::V3f colour = Imath::V3f(p[0], p[1], p[2]) * matrix;
-            std::copy_n(&colour.x, 3, p);
+            for (int c = 0; c < 3; ++c) p[c] = colour[c] > 0 ? std::min(colour[c], kMaxRadiance) : 0;
         }
         return true;
     } catch (const std::exception&) {

@@ -19,8 +19,8 @@ Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& layer, PictureLi
 // Encodes as 32-bit floats, ZIP-compressed.
 Result<std::string> encodeExr(const ImageRgbF& image);
 
-// Converts colours to Rec. 709 primaries; white stays white (Bradford's adaptation). False, without a change,
-// if these primaries span no colours.
+// Converts colours to Rec. 709 primaries; white stays white (Bradford's adaptation), and components that
+// become negative are 0. False, without a change, if these primaries span no colours.
 bool toRec709(ImageRgbF& image, const Primaries& from);
 
 } // namespace shoal::media

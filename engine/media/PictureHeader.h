@@ -52,6 +52,7 @@ struct RadianceHeader {
     bool fromBottom = false;                // else from the top
     bool fromRight = false;                 // else from the left
     std::array<float, 3> exposure{1, 1, 1}; // what radiance was multiplied with: EXPOSURE, COLORCORR
+    float gamma = 1;                        // not in Radiance, but in Walter's rgbe.c
     bool squarePixels = true;
     std::optional<Primaries> primaries;
     size_t pixels = 0; // their offset, bytes
@@ -69,8 +70,7 @@ PfmHeader readPfmHeader(ByteSpan bytes);
 
 struct PictureHeader {
     PictureKind kind = PictureKind::Png;
-    int64_t width = 0; // as stored, before any EXIF rotation; above 0
-    int64_t height = 0;
+    PictureSize size; // as stored, before any rotation; both above 0
 };
 
 // Reads the kind alone, from the first bytes. The error has no path.
@@ -94,6 +94,11 @@ bool isCutJpeg(ByteSpan jpeg);
 // compressed data begins. Returns the offset reached.
 size_t walkJpeg(ByteSpan bytes, const std::function<bool(uint8_t marker, ByteSpan payload)>& visit);
 
+// Calls visit(name, data) for each chunk of a PNG (size, name, data, checksum) or a WebP (name, size, data),
+// or each box of an AVIF (size, name, data), also for those that describe its pictures (ISO 23008-12, 9.3).
+void walkChunks(ByteSpan bytes, PictureKind kind,
+                const std::function<void(std::string_view name, ByteSpan data)>& visit);
+
 enum class TiffTag : uint32_t {
     SubfileType = 254,
     Width = 256,
@@ -108,7 +113,7 @@ enum class TiffTag : uint32_t {
 };
 
 // Return the data of a tag in the first directory of a TIFF structure, which EXIF has too (TIFF 6.0, section
-// 2), or its one number of 16 or 32 bits; empty or 0 if it is missing or cut short. bytes: the structure.
+// 2), or its one number, at most 2^32 - 1; empty or 0 if it is missing or cut short. bytes: the structure.
 ByteSpan tiffEntry(ByteSpan bytes, TiffTag tag);
 uint32_t tiffNumber(ByteSpan bytes, TiffTag tag);
 
