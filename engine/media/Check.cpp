@@ -101,6 +101,7 @@ Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     if (!begin) return begin.error();
     const auto kind = pictureKind(*begin);
     if (!kind) return Error{file.string(), kind.error().reason};
+    if (!layer.empty() && *kind != PictureKind::Exr) return Error{file.string(), kNoLayers};
     if (!isHdr(*kind)) {
         const auto photo = readPhoto(file);
         if (!photo) return photo.error();

@@ -3,7 +3,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
@@ -18,31 +17,12 @@
 #include <cctype>
 #include <functional>
 #include <set>
-#include <stdexcept>
 
 namespace shoal::media {
 
 namespace {
 
 constexpr int kOnThisThread = 0;
-
-class ExrInput : public Imf::IStream {
-  public:
-    explicit ExrInput(ByteSpan bytes) : IStream("picture"), bytes_(bytes) {}
-    bool read(char out[], int count) override {
-        if (count < 0 || at_ > bytes_.size() || bytes_.size() - at_ < static_cast<size_t>(count))
-            throw std::runtime_error("the bytes end");
-        std::memcpy(out, bytes_.data() + at_, static_cast<size_t>(count));
-        at_ += static_cast<size_t>(count);
-        return at_ < bytes_.size();
-    }
-    uint64_t tellg() override { return at_; }
-    void seekg(uint64_t position) override { at_ = position; }
-
-  private:
-    ByteSpan bytes_;
-    uint64_t at_ = 0;
-};
 
 struct Layer {
     int part = 0;
@@ -153,9 +133,9 @@ ImageRgbF readChannels(Imf::MultiPartInputFile& file, const Layer& layer) {
 }
 
 // As readChannels(), for a layer of luminance and chroma in the first part. The library converts in 16 bits.
-ImageRgbF readChroma(ByteSpan bytes, const Layer& layer) {
-    ExrInput stream(bytes);
-    Imf::RgbaInputFile input(stream, layer.prefix.substr(0, layer.prefix.find_last_of('.')), kOnThisThread);
+ImageRgbF readChroma(const Path& file, const Layer& layer) {
+    Imf::RgbaInputFile input(file.c_str(), layer.prefix.substr(0, layer.prefix.find_last_of('.')),
+                             kOnThisThread);
     const Imath::Box2i window = input.dataWindow();
     ImageRgbF image = imageOf(window);
     std::vector<Imf::Rgba> pixels(image.pixels.size() / 3);
@@ -228,9 +208,8 @@ PictureSize exrSize(ByteSpan bytes) {
     return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
 }
 
-Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& wanted, PictureLimits limits) try {
-    ExrInput stream(bytes);
-    Imf::MultiPartInputFile file(stream, kOnThisThread);
+Result<HdrPicture> decodeExr(const Path& name, const std::string& wanted, PictureLimits limits) try {
+    Imf::MultiPartInputFile file(name.c_str(), kOnThisThread);
     std::vector<Layer> layers;
     std::string deep;
     for (int part = 0; part < file.parts(); ++part) {
@@ -253,9 +232,8 @@ Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& wanted, PictureL
     if (converts && layer->part > 0)
         return Error{"", "has luminance and chroma in a part that is not the first; convert it to RGB"};
 
-    HdrPicture picture{.radianceLin =
-                           placed(converts ? readChroma(bytes, *layer) : readChannels(file, *layer),
-                                  header.dataWindow(), header.displayWindow()),
+    HdrPicture picture{.radianceLin = placed(converts ? readChroma(name, *layer) : readChannels(file, *layer),
+                                             header.dataWindow(), header.displayWindow()),
                        .notes = notesOn(file, *layer)};
     if (Imf::hasChromaticities(header) && (layer->rgb || layer->chroma)) {
         const Imf::Chromaticities& c = Imf::chromaticities(header);

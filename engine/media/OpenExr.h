@@ -12,9 +12,9 @@ namespace shoal::media {
 PictureSize exrSize(ByteSpan bytes);
 
 // Reads a layer of flat channels R, G and B, of luminance and chroma Y, RY and BY, or of Y alone, black
-// outside of its data window. bytes: a file whose size exrSize() found. layer: see readHdr(). Does not
-// convert the primaries. Takes memory only once the windows are within the limits.
-Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& layer, PictureLimits limits);
+// outside of its data window. file: one whose size exrSize() found. layer: see readHdr(). Does not convert
+// the primaries. Takes memory only once the windows are within the limits.
+Result<HdrPicture> decodeExr(const Path& file, const std::string& layer, PictureLimits limits);
 
 // Encodes as 32-bit floats, ZIP-compressed.
 Result<std::string> encodeExr(const ImageRgbF& image);

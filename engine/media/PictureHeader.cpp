@@ -1,6 +1,7 @@
 #include "engine/media/PictureHeader.h"
 
 #include "engine/media/OpenExr.h"
+#include "engine/media/Orientation.h"
 
 #include <fmt/core.h>
 
@@ -120,21 +121,19 @@ bool readRadianceLine(const std::string& line, RadianceHeader& header) {
 
 // Reads the resolution line, such as "-Y 512 +X 1024": the axis from line to line, then that along a line.
 bool readResolution(const std::string& line, RadianceHeader& header) {
-    constexpr std::string_view kAxes[] = {"-Y", "+Y", "+X", "-X"};
+    constexpr std::string_view kOrders[] = {"-Y+X", "-Y-X", "+Y-X", "+Y+X", "+X-Y", "-X-Y", "-X+Y", "+X+Y"};
     std::istringstream words(line);
-    for (const bool alongLine : {false, true}) {
-        std::string name;
-        int64_t count = 0;
-        words >> name >> count;
-        const auto axis = std::ranges::find(kAxes, name) - kAxes;
-        if (!words || axis == std::ssize(kAxes)) return false;
-        const bool isY = axis < 2;
-        (isY ? header.size.height : header.size.width) = count;
-        (isY ? header.fromBottom : header.fromRight) = axis % 2 == 1;
-        if (!alongLine) header.byColumns = !isY;
-    }
-    words >> std::ws;
-    return words.eof();
+    std::string lines, along;
+    words >> lines >> header.size.height >> along >> header.size.width;
+    const auto order = std::ranges::find(kOrders, lines + along);
+    header.orientation = static_cast<int>(order - kOrders) + 1;
+    return words && order != std::end(kOrders) && (words >> std::ws).eof();
+}
+
+Size radianceSize(ByteSpan b) {
+    const RadianceHeader header = readRadianceHeader(b);
+    const Size stored = header.size;
+    return swapsSides(header.orientation) ? Size{stored.height, stored.width} : stored;
 }
 
 bool isEndedWord(ByteSpan b, std::string_view word) {
@@ -185,7 +184,7 @@ constexpr Kind kKinds[] = {
     {"AVIF", [](ByteSpan b) { return hasBrand(b, "avif avis"); }, avifSize},
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
-     [](ByteSpan b) { return readRadianceHeader(b).size; }},
+     radianceSize},
     {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
     {"PFM", [](ByteSpan b) { return isEndedWord(b, "PF") || isEndedWord(b, "Pf") || isEndedWord(b, "PF4"); },
      [](ByteSpan b) { return readPfmHeader(b).size; }},

@@ -47,10 +47,8 @@ std::string beyond(PictureSize size, PictureLimits limits);
 
 // Header of a Radiance picture (Radiance's filefmts.pdf, "Picture File Format").
 struct RadianceHeader {
-    PictureSize size;                       // upright
-    bool byColumns = false;                 // each line of the file is a column
-    bool fromBottom = false;                // else from the top
-    bool fromRight = false;                 // else from the left
+    PictureSize size;                       // as stored: pixels of a line, lines
+    int orientation = 1;                    // Orientation.h
     std::array<float, 3> exposure{1, 1, 1}; // what radiance was multiplied with: EXPOSURE, COLORCORR
     float gamma = 1;                        // not in Radiance, but in Walter's rgbe.c
     bool squarePixels = true;

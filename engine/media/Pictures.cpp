@@ -36,12 +36,11 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
     if (!bytes) return bytes.error();
     const auto header = readPictureHeader(*bytes);
     if (!header) return Error{file.string(), header.error().reason};
-    if (isHdr(header->kind) && !hdr)
-        return Error{file.string(), "is a high dynamic range picture; give it as --env"};
-    if (!isHdr(header->kind) && hdr)
+    if (isHdr(header->kind) != hdr)
         return Error{file.string(),
-                     fmt::format("is a {}, which has no high dynamic range; give it as --photo",
-                                 nameOf(header->kind))};
+                     hdr ? fmt::format("is a {}, which has no high dynamic range; give it as --photo",
+                                       nameOf(header->kind))
+                         : "is a high dynamic range picture; give it as --env"};
     if (header->kind == PictureKind::Avif) // the decoder of films reads it
         limits = {std::min(limits.maxWidth, kMaxVideoSide), std::min(limits.maxHeight, kMaxVideoSide)};
     if (std::string refusal = beyond(header->size, limits); !refusal.empty())
@@ -115,8 +114,7 @@ struct LineReader {
 // for black pixels.
 Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
     const RadianceHeader header = readRadianceHeader(bytes);
-    const int width = static_cast<int>(header.size.width), height = static_cast<int>(header.size.height);
-    const int lines = header.byColumns ? width : height, length = header.byColumns ? height : width;
+    const int length = static_cast<int>(header.size.width), lines = static_cast<int>(header.size.height);
     const auto exposure = std::span(header.exposure);
     const bool isUniform = exposure[1] == exposure[0] && exposure[2] == exposure[0];
     const std::string stated = fmt::format("{:.4g}", fmt::join(exposure.first(isUniform ? 1 : 3), ", "));
@@ -131,20 +129,22 @@ Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
 
     std::array<float, 256> factor{};
     for (size_t e = 1; e < 256; ++e) factor[e] = std::ldexp(1.0f, static_cast<int>(e) - 136);
-    HdrPicture picture{.radianceLin = ImageRgbF(width, height), .primaries = header.primaries};
+    HdrPicture picture{.radianceLin = ImageRgbF(length, lines), .primaries = header.primaries};
     std::vector<uint8_t> line(4 * static_cast<size_t>(length));
     LineReader reader{bytes, header.pixels};
     for (int i = 0; i < lines; ++i) {
         if (!reader.next(line, static_cast<size_t>(length)))
             return Error{"", fmt::format("is damaged or cut short at line {}", i)};
         for (int k = 0; k < length; ++k) {
-            const int x = header.byColumns ? i : k, y = header.byColumns ? k : i;
-            float* out = picture.radianceLin.at(header.fromRight ? width - 1 - x : x,
-                                                header.fromBottom ? height - 1 - y : y);
             const uint8_t* pixel = &line[4 * static_cast<size_t>(k)];
             for (size_t c = 0; c < 3; ++c)
-                out[c] = static_cast<float>(pixel[c]) * factor[pixel[3]] / exposure[c];
+                picture.radianceLin.at(k, i)[c] =
+                    static_cast<float>(pixel[c]) * factor[pixel[3]] / exposure[c];
         }
+    }
+    if (header.orientation != 1) {
+        const ImageRgbF stored = std::move(picture.radianceLin);
+        makeUpright(stored, header.orientation, picture.radianceLin);
     }
     if (!isUniform || exposure[0] != 1) picture.notes.push_back("divided by its exposure " + stated);
     if (!header.squarePixels) picture.notes.emplace_back("its pixels count as square");
@@ -314,12 +314,6 @@ std::string Photo::note() const {
     return text + metadata.note();
 }
 
-Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
-    auto photo = readPhoto(file, limits);
-    if (!photo) return photo.error();
-    return std::move(photo->picture);
-}
-
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::string& layer) {
     const auto read = readPictureFile(file, true, limits);
     if (!read) return read.error();
@@ -327,7 +321,7 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::st
     if (!layer.empty() && header.kind != PictureKind::Exr) return Error{file.string(), kNoLayers};
     auto picture = header.kind == PictureKind::Pfm        ? decodePfm(bytes)
                    : header.kind == PictureKind::Radiance ? decodeRadiance(bytes)
-                                                          : decodeExr(bytes, layer, limits);
+                                                          : decodeExr(file, layer, limits);
     if (!picture) return Error{file.string(), picture.error().reason};
     repair(*picture);
     constexpr Primaries kRec709 = {0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};

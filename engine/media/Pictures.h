@@ -33,9 +33,6 @@ struct Photo {
 // Reads JPEG, PNG, BMP, WebP, TIFF, AVIF, PNM. The content decides the kind, not the name.
 Result<Photo> readPhoto(const Path& file, PictureLimits limits = {});
 
-// As readPhoto(), for the picture alone.
-Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
-
 // CIE x and y of red, green, blue and white.
 using Primaries = std::array<float, 8>;
 
