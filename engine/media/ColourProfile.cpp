@@ -36,24 +36,25 @@ bool isIdentity(cmsHTRANSFORM transform) {
 
 } // namespace
 
-ProfileUse convertToSrgb(std::span<const uint8_t> bytes, ImageRgb8& picture) {
-    if (bytes.empty() || picture.empty()) return ProfileUse::None;
+std::string convertToSrgb(std::span<const uint8_t> bytes, ImageRgb8& picture) {
+    constexpr const char* kIgnored = "; its colour profile is damaged or not for its colours, and is ignored";
+    if (bytes.empty() || picture.empty()) return "";
     const Profile from(cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
     const Profile srgb(cmsCreate_sRGBProfile());
-    if (!from || !srgb) return ProfileUse::Ignored;
+    if (!from || !srgb) return kIgnored;
     const bool grey = cmsGetColorSpace(from.get()) == cmsSigGrayData;
-    if (!(grey ? isGrey(picture) : cmsGetColorSpace(from.get()) == cmsSigRgbData)) return ProfileUse::Ignored;
+    if (!(grey ? isGrey(picture) : cmsGetColorSpace(from.get()) == cmsSigRgbData)) return kIgnored;
     // A grey transform reads the first of each pixel's three equal components.
     constexpr cmsUInt32Number kFirstOfThree =
         COLORSPACE_SH(PT_GRAY) | CHANNELS_SH(1) | EXTRA_SH(2) | BYTES_SH(1);
     const Transform transform(cmsCreateTransform(from.get(), grey ? kFirstOfThree : TYPE_RGB_8, srgb.get(),
                                                  TYPE_RGB_8, INTENT_RELATIVE_COLORIMETRIC,
                                                  cmsFLAGS_BLACKPOINTCOMPENSATION));
-    if (!transform) return ProfileUse::Ignored;
-    if (!grey && isIdentity(transform.get())) return ProfileUse::None;
+    if (!transform) return kIgnored;
+    if (!grey && isIdentity(transform.get())) return "";
     cmsDoTransform(transform.get(), picture.pixels.data(), picture.pixels.data(),
                    static_cast<cmsUInt32Number>(picture.pixels.size() / 3));
-    return ProfileUse::Converted;
+    return "; converted to sRGB from the colours that it states";
 }
 
 std::vector<uint8_t> rgbProfile(double gamma, const std::array<double, 8>& xy) {

@@ -181,34 +181,21 @@ std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Laye
     return notes;
 }
 
-} // namespace
-
-// OpenEXRCore's parser compares each stated size with the file's and its type's, where the classes of C++
-// take memory for any.
-PictureSize exrSize(ByteSpan bytes) {
+// Returns whether OpenEXRCore reads the headers. Its parser compares each stated size with the file's and its
+// type's, where the classes of C++ take memory for any.
+bool hasSoundHeaders(const Path& file) {
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    setup.user_data = &bytes;
     setup.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    setup.size_fn = [](exr_const_context_t, void* all) {
-        return static_cast<int64_t>(static_cast<const ByteSpan*>(all)->size());
-    };
-    setup.read_fn = [](exr_const_context_t, void* all, void* out, uint64_t count, uint64_t at,
-                       exr_stream_error_func_ptr_t) -> int64_t {
-        const ByteSpan from = *static_cast<const ByteSpan*>(all);
-        const size_t there = at < from.size() ? std::min<size_t>(count, from.size() - at) : 0;
-        if (there > 0) std::memcpy(out, from.data() + at, there);
-        return static_cast<int64_t>(there);
-    };
     exr_context_t context = nullptr;
-    exr_attr_box2i_t window{};
-    const bool read = exr_start_read(&context, "picture", &setup) == EXR_ERR_SUCCESS &&
-                      exr_get_display_window(context, 0, &window) == EXR_ERR_SUCCESS;
+    const bool read = exr_start_read(&context, file.c_str(), &setup) == EXR_ERR_SUCCESS;
     exr_finish(&context);
-    if (!read) return {};
-    return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
+    return read;
 }
 
+} // namespace
+
 Result<HdrPicture> decodeExr(const Path& name, const std::string& wanted, PictureLimits limits) try {
+    if (!hasSoundHeaders(name)) return Error{"", "its header is damaged, cut short or of an unread variant"};
     Imf::MultiPartInputFile file(name.c_str(), kOnThisThread);
     std::vector<Layer> layers;
     std::string deep;

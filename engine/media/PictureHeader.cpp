@@ -1,6 +1,5 @@
 #include "engine/media/PictureHeader.h"
 
-#include "engine/media/OpenExr.h"
 #include "engine/media/Orientation.h"
 
 #include <fmt/core.h>
@@ -185,7 +184,10 @@ constexpr Kind kKinds[] = {
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
      radianceSize},
-    {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
+    {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); },
+     [](ByteSpan) {
+         return Size{1, 1};
+     }}, // OpenExr.cpp reads it
     {"PFM", [](ByteSpan b) { return isEndedWord(b, "PF") || isEndedWord(b, "Pf") || isEndedWord(b, "PF4"); },
      [](ByteSpan b) { return readPfmHeader(b).size; }},
 };
@@ -316,12 +318,10 @@ Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
     return PictureHeader{*kind, size};
 }
 
-bool lacksEndMark(ByteSpan jpeg) {
-    const size_t data = walkJpeg(jpeg, [](uint8_t, ByteSpan) { return false; });
-    return asText(jpeg.subspan(std::min(data, jpeg.size()))).find("\xff\xd9") == std::string_view::npos;
-}
-
 bool isCutJpeg(ByteSpan bytes) {
+    const size_t data = walkJpeg(bytes, [](uint8_t, ByteSpan) { return false; });
+    if (asText(bytes.subspan(std::min(data, bytes.size()))).find("\xff\xd9") != std::string_view::npos)
+        return false;
     JpegErrors errors;
     jpeg_decompress_struct jpeg{};
     jpeg.err = jpeg_std_error(&errors);

@@ -68,7 +68,7 @@ PfmHeader readPfmHeader(ByteSpan bytes);
 
 struct PictureHeader {
     PictureKind kind = PictureKind::Png;
-    PictureSize size; // as stored, before any rotation; both above 0
+    PictureSize size; // as stored, before any rotation; both above 0; of OpenEXR, which decodeExr() bounds, 1
 };
 
 // Reads the kind alone, from the first bytes. The error has no path.
@@ -81,11 +81,8 @@ const char* unreadKind(ByteSpan bytes);
 // The error has no path.
 Result<PictureHeader> readPictureHeader(ByteSpan bytes);
 
-// Returns whether no end mark follows a JPEG's compressed data.
-bool lacksEndMark(ByteSpan jpeg);
-
-// Returns whether parts of the picture are missing from a JPEG without an end mark, which libjpeg would fill
-// with grey. Decodes it.
+// Returns whether a JPEG has no end mark and lacks parts of the picture too, which libjpeg would fill with
+// grey. Decodes it if the mark is missing.
 bool isCutJpeg(ByteSpan jpeg);
 
 // Calls visit(marker, payload) for each segment of a JPEG (ITU T.81 annex B) until it returns true or the

@@ -3,6 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
+#include "engine/media/ColourProfile.h"
 #include "engine/media/Decoder.h"
 #include "engine/media/OpenExr.h"
 #include "engine/media/Orientation.h"
@@ -288,9 +289,9 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
     if (!read) return read.error();
     auto& [bytes, header] = *read;
     Photo photo{.metadata = photoMetadata(bytes, header.kind)};
-    if (header.kind == PictureKind::Jpeg && lacksEndMark(bytes)) {
+    if (header.kind == PictureKind::Jpeg) {
         if (isCutJpeg(bytes)) return Error{file.string(), "is cut short"};
-        bytes.insert(bytes.end(), {0xff, 0xd9}); // OpenCV leaves the last rows undecoded without it
+        bytes.insert(bytes.end(), {0xff, 0xd9}); // OpenCV leaves the last rows undecoded without an end mark
     }
     if (header.kind == PictureKind::Tiff) clearOrientation(bytes);
     auto stored = decoded(file, header.kind, bytes);
@@ -302,16 +303,8 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
         photo.picture = std::move(*stored);
     else
         makeUpright(*stored, photo.metadata.orientation, photo.picture);
-    photo.profileUse = convertToSrgb(photo.metadata.profile, photo.picture);
+    photo.colourNote = convertToSrgb(photo.metadata.profile, photo.picture);
     return photo;
-}
-
-std::string Photo::note() const {
-    std::string text;
-    if (profileUse == ProfileUse::Converted) text = "; converted to sRGB from the colours that it states";
-    if (profileUse == ProfileUse::Ignored)
-        text = "; its colour profile is damaged or not for its colours, and is ignored";
-    return text + metadata.note();
 }
 
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::string& layer) {

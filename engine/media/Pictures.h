@@ -4,7 +4,6 @@
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/media/ColourProfile.h"
 #include "engine/media/PhotoMetadata.h"
 
 #include <array>
@@ -24,10 +23,10 @@ struct PictureLimits {
 struct Photo {
     ImageRgb8 picture; // sRGB-coded, red first, without transparency; upright, its stated colours converted
     PhotoMetadata metadata;
-    ProfileUse profileUse = ProfileUse::None;
+    std::string colourNote = {}; // convertToSrgb()
 
     // Returns what was done to the picture and what its metadata ask for, a clause each after "; ".
-    std::string note() const;
+    std::string note() const { return colourNote + metadata.note(); }
 };
 
 // Reads JPEG, PNG, BMP, WebP, TIFF, AVIF, PNM. The content decides the kind, not the name.

@@ -123,6 +123,10 @@ std::string fileOf(const std::string& kind, const cv::Mat& bgr, const Metadata& 
     return "RIFF" + number(chunks.size(), 4, true) + chunks;
 }
 
+constexpr const char* kNone = "";
+constexpr const char* kConverted = "; converted to sRGB from the colours that it states";
+constexpr const char* kIgnored = "; its colour profile is damaged or not for its colours, and is ignored";
+
 constexpr const char* kKinds[] = {".jpg", ".png", ".webp", ".tif"};
 
 class Photos : public testing::Test {
@@ -277,24 +281,24 @@ std::string profileOf(std::array<int, 3> order, double gamma, bool grey = false)
 TEST_F(Photos, AreConvertedToSrgbByTheirProfiles) {
     cv::Mat pixels(16, 32, CV_8UC3, cv::Scalar(30, 120, 200)); // blue first
     const auto expect = [&](const std::string& kind, const std::string& profile, std::array<int, 3> wanted,
-                            ProfileUse use, int within = 2) {
+                            const char* use, int within = 2) {
         const Photo photo = read(kind, pixels, {.profile = profile});
-        EXPECT_EQ(photo.profileUse, use) << kind;
+        EXPECT_EQ(photo.colourNote, use) << kind;
         for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(photo.picture.at(9, 9)[c], wanted[c], within) << kind << c;
     };
     const auto coded = [](double linear) { // IEC 61966-2-1
         return static_cast<int>(std::lround(255 * (1.055 * std::pow(linear / 255, 1 / 2.4) - 0.055)));
     };
     for (const std::string kind : kKinds) {
-        expect(kind, profileOf({1, 0, 2}, 0), {120, 200, 30}, ProfileUse::Converted);
-        expect(kind, profileOf({0, 1, 2}, 1), {coded(200), coded(120), coded(30)}, ProfileUse::Converted, 3);
-        expect(kind, profileOf({0, 1, 2}, 1, true), {200, 120, 30}, ProfileUse::Ignored);
-        expect(kind, "no profile, which is damaged", {200, 120, 30}, ProfileUse::Ignored);
-        expect(kind, "", {200, 120, 30}, ProfileUse::None);
+        expect(kind, profileOf({1, 0, 2}, 0), {120, 200, 30}, kConverted);
+        expect(kind, profileOf({0, 1, 2}, 1), {coded(200), coded(120), coded(30)}, kConverted, 3);
+        expect(kind, profileOf({0, 1, 2}, 1, true), {200, 120, 30}, kIgnored);
+        expect(kind, "no profile, which is damaged", {200, 120, 30}, kIgnored);
+        expect(kind, "", {200, 120, 30}, kNone);
     }
-    expect(".png", profileOf({0, 1, 2}, 0), {200, 120, 30}, ProfileUse::None, 0);
+    expect(".png", profileOf({0, 1, 2}, 0), {200, 120, 30}, kNone, 0);
     pixels = cv::Scalar::all(55);
-    expect(".tif", profileOf({0, 1, 2}, 1, true), {coded(55), coded(55), coded(55)}, ProfileUse::Converted);
+    expect(".tif", profileOf({0, 1, 2}, 1, true), {coded(55), coded(55), coded(55)}, kConverted);
 }
 
 // PNG specification, sections 11.3.2.1, 11.3.2.2 and 4.3: what sRGB or iCCP states goes before these.
@@ -310,18 +314,18 @@ TEST_F(Photos, PngsAreConvertedFromTheirGammaAndPrimaries) {
     const struct {
         std::vector<std::pair<std::string, std::string>> chunks;
         std::array<int, 3> wanted;
-        ProfileUse use;
+        const char* use;
     } kCases[] = {
-        {{{"gAMA", big({45455})}, {"cHRM", rec709}}, {200, 120, 30}, ProfileUse::None},
-        {{{"cHRM", swapped}}, {120, 200, 30}, ProfileUse::Converted},
-        {{{"sRGB", std::string(1, '\0')}, {"cHRM", swapped}}, {200, 120, 30}, ProfileUse::None},
-        {{{"cHRM", std::string(32, '\0')}}, {200, 120, 30}, ProfileUse::None},
+        {{{"gAMA", big({45455})}, {"cHRM", rec709}}, {200, 120, 30}, kNone},
+        {{{"cHRM", swapped}}, {120, 200, 30}, kConverted},
+        {{{"sRGB", std::string(1, '\0')}, {"cHRM", swapped}}, {200, 120, 30}, kNone},
+        {{{"cHRM", std::string(32, '\0')}}, {200, 120, 30}, kNone},
         // 255 (1.055 (c / 255)^(1 / 2.4) - 0.055)
-        {{{"gAMA", big({100000})}}, {229, 182, 96}, ProfileUse::Converted},
+        {{{"gAMA", big({100000})}}, {229, 182, 96}, kConverted},
     };
     for (const auto& each : kCases) {
         const Photo photo = read(".png", pixels, {.chunks = each.chunks});
-        EXPECT_EQ(photo.profileUse, each.use) << each.chunks[0].first;
+        EXPECT_EQ(photo.colourNote, each.use) << each.chunks[0].first;
         for (size_t c = 0; c < 3; ++c)
             EXPECT_NEAR(photo.picture.at(9, 9)[c], each.wanted[c], 3) << each.chunks[0].first << c;
     }
