@@ -125,8 +125,8 @@ Status Player::openHdr() {
     lightMaker_.makeFromHdr(picture->radianceLin, made_);
     pack(light::TooBright::Scale, frames_[0].found);
     light_ms_ = millisecondsSince(began);
-    if (const std::string repairs = picture->repairs(); !repairs.empty())
-        log::warn("{}: {}", setup_.source.env, repairs);
+    if (const std::string note = picture->note(); !note.empty())
+        log::info("{}: {}", setup_.source.env, note.substr(2));
     frames_[0].radianceLin = std::move(picture->radianceLin);
     if (setup_.lights) casting_ = lights_.follow(frames_[0].found.lights, 0);
     return Done{};

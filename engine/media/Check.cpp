@@ -101,6 +101,7 @@ Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     if (!begin) return begin.error();
     const auto kind = pictureKind(*begin);
     if (!kind) return Error{file.string(), kind.error().reason};
+    if (!layer.empty() && *kind != PictureKind::Exr) return Error{file.string(), kNoLayers};
     if (!isHdr(*kind)) {
         const auto photo = readPhoto(file);
         if (!photo) return photo.error();
@@ -110,20 +111,17 @@ Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     const auto picture = readHdr(file, {}, layer);
     if (!picture) return picture.error();
     const ImageRgbF& image = picture->radianceLin;
-    std::string message =
-        fmt::format("{}x{} {} picture, largest component {:.4g}, {}", image.width, image.height,
-                    nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image));
-    for (const std::string& note : picture->notes) message += fmt::format("; {}", note);
-    const std::string repairs = picture->repairs();
-    return repairs.empty() ? message : fmt::format("{}; {}", message, repairs);
+    return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}", image.width, image.height,
+                       nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image),
+                       picture->note());
 }
 
-Result<std::string> checkMedia(const Path& file) {
-    const auto kind = mediaKind(file);
+Result<std::string> checkMedia(const Path& file, const std::string& layer) {
+    const auto kind = mediaKind(file, layer);
     if (!kind) return kind.error();
     return *kind == MediaKind::Video        ? checkVideo(file)
            : *kind == MediaKind::DepthTrack ? checkDepthTrack(file)
-                                            : checkPicture(file);
+                                            : checkPicture(file, layer);
 }
 
 } // namespace shoal::media

@@ -17,10 +17,9 @@ Result<std::string> checkVideo(const Path& file);
 Result<std::string> checkDepthTrack(const Path& file);
 
 // As checkVideo(), for photos and high dynamic range pictures; decodes them whole. layer: see readHdr().
-Result<std::string> checkPicture(const Path& file, const std::string& layer);
-inline Result<std::string> checkPicture(const Path& file) { return checkPicture(file, ""); }
+Result<std::string> checkPicture(const Path& file, const std::string& layer = {});
 
 // As that of these three which fits the file's content (MediaKind.h).
-Result<std::string> checkMedia(const Path& file);
+Result<std::string> checkMedia(const Path& file, const std::string& layer = {});
 
 } // namespace shoal::media

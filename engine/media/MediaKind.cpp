@@ -34,7 +34,7 @@ static bool holdsOnlySound(AVFormatContext& input) {
            });
 }
 
-Result<MediaKind> mediaKind(const Path& file) {
+Result<MediaKind> mediaKind(const Path& file, const std::string& layer) {
     constexpr uint64_t kBegin = 16 << 10; // some packets of any kind of sound
     constexpr const char* kSounds = "mp3,flac,wav,w64,aac,ac3,aiff,amr,caf,ape,wv";
     const auto failed = [&](std::string reason) { return Error{file.string(), std::move(reason)}; };
@@ -42,8 +42,9 @@ Result<MediaKind> mediaKind(const Path& file) {
     if (!begin) return begin.error();
     if (begin->empty()) return failed("is empty");
     const auto picture = pictureKind(*begin);
+    if (!picture && unreadKind(*begin)) return failed(picture.error().reason);
+    if (!layer.empty() && !(picture && *picture == PictureKind::Exr)) return failed(kNoLayers);
     if (picture) return isHdr(*picture) ? MediaKind::Hdr : MediaKind::Photo;
-    if (unreadKind(*begin)) return failed(picture.error().reason);
     setUpDecoders();
     const AVInputFormat* format = probe(std::move(*begin));
     const auto isOneOf = [&](const char* formats) {

@@ -3,7 +3,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
@@ -18,31 +17,12 @@
 #include <cctype>
 #include <functional>
 #include <set>
-#include <stdexcept>
 
 namespace shoal::media {
 
 namespace {
 
 constexpr int kOnThisThread = 0;
-
-class ExrInput : public Imf::IStream {
-  public:
-    explicit ExrInput(ByteSpan bytes) : IStream("picture"), bytes_(bytes) {}
-    bool read(char out[], int count) override {
-        if (count < 0 || at_ > bytes_.size() || bytes_.size() - at_ < static_cast<size_t>(count))
-            throw std::runtime_error("the bytes end");
-        std::memcpy(out, bytes_.data() + at_, static_cast<size_t>(count));
-        at_ += static_cast<size_t>(count);
-        return at_ < bytes_.size();
-    }
-    uint64_t tellg() override { return at_; }
-    void seekg(uint64_t position) override { at_ = position; }
-
-  private:
-    ByteSpan bytes_;
-    uint64_t at_ = 0;
-};
 
 struct Layer {
     int part = 0;
@@ -153,9 +133,9 @@ ImageRgbF readChannels(Imf::MultiPartInputFile& file, const Layer& layer) {
 }
 
 // As readChannels(), for a layer of luminance and chroma in the first part. The library converts in 16 bits.
-ImageRgbF readChroma(ByteSpan bytes, const Layer& layer) {
-    ExrInput stream(bytes);
-    Imf::RgbaInputFile input(stream, layer.prefix.substr(0, layer.prefix.find_last_of('.')), kOnThisThread);
+ImageRgbF readChroma(const Path& file, const Layer& layer) {
+    Imf::RgbaInputFile input(file.c_str(), layer.prefix.substr(0, layer.prefix.find_last_of('.')),
+                             kOnThisThread);
     const Imath::Box2i window = input.dataWindow();
     ImageRgbF image = imageOf(window);
     std::vector<Imf::Rgba> pixels(image.pixels.size() / 3);
@@ -201,9 +181,22 @@ std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Laye
     return notes;
 }
 
-Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, PictureLimits limits) {
-    ExrInput stream(bytes);
-    Imf::MultiPartInputFile file(stream, kOnThisThread);
+// Returns whether OpenEXRCore reads the headers. Its parser compares each stated size with the file's and its
+// type's, where the classes of C++ take memory for any.
+bool hasSoundHeaders(const Path& file) {
+    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    setup.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+    exr_context_t context = nullptr;
+    const bool read = exr_start_read(&context, file.c_str(), &setup) == EXR_ERR_SUCCESS;
+    exr_finish(&context);
+    return read;
+}
+
+} // namespace
+
+Result<HdrPicture> decodeExr(const Path& name, const std::string& wanted, PictureLimits limits) try {
+    if (!hasSoundHeaders(name)) return Error{"", "its header is damaged, cut short or of an unread variant"};
+    Imf::MultiPartInputFile file(name.c_str(), kOnThisThread);
     std::vector<Layer> layers;
     std::string deep;
     for (int part = 0; part < file.parts(); ++part) {
@@ -226,9 +219,8 @@ Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, Pictur
     if (converts && layer->part > 0)
         return Error{"", "has luminance and chroma in a part that is not the first; convert it to RGB"};
 
-    HdrPicture picture{.radianceLin =
-                           placed(converts ? readChroma(bytes, *layer) : readChannels(file, *layer),
-                                  header.dataWindow(), header.displayWindow()),
+    HdrPicture picture{.radianceLin = placed(converts ? readChroma(name, *layer) : readChannels(file, *layer),
+                                             header.dataWindow(), header.displayWindow()),
                        .notes = notesOn(file, *layer)};
     if (Imf::hasChromaticities(header) && (layer->rgb || layer->chroma)) {
         const Imf::Chromaticities& c = Imf::chromaticities(header);
@@ -236,41 +228,8 @@ Result<HdrPicture> decodeLayer(ByteSpan bytes, const std::string& wanted, Pictur
                              c.blue.x, c.blue.y, c.white.x, c.white.y};
     }
     return picture;
-}
-
-} // namespace
-
-// OpenEXRCore's parser compares each stated size with the file's and its type's, where the classes of C++
-// take memory for any.
-PictureSize exrSize(ByteSpan bytes) {
-    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    setup.user_data = &bytes;
-    setup.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    setup.size_fn = [](exr_const_context_t, void* all) {
-        return static_cast<int64_t>(static_cast<const ByteSpan*>(all)->size());
-    };
-    setup.read_fn = [](exr_const_context_t, void* all, void* out, uint64_t count, uint64_t at,
-                       exr_stream_error_func_ptr_t) -> int64_t {
-        const ByteSpan from = *static_cast<const ByteSpan*>(all);
-        const size_t there = at < from.size() ? std::min<size_t>(count, from.size() - at) : 0;
-        if (there > 0) std::memcpy(out, from.data() + at, there);
-        return static_cast<int64_t>(there);
-    };
-    exr_context_t context = nullptr;
-    exr_attr_box2i_t window{};
-    const bool read = exr_start_read(&context, "picture", &setup) == EXR_ERR_SUCCESS &&
-                      exr_get_display_window(context, 0, &window) == EXR_ERR_SUCCESS;
-    exr_finish(&context);
-    if (!read) return {};
-    return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
-}
-
-Result<HdrPicture> decodeExr(ByteSpan bytes, const std::string& layer, PictureLimits limits) {
-    try {
-        return decodeLayer(bytes, layer, limits);
-    } catch (const std::exception&) {
-        return Error{"", "cannot be decoded as OpenEXR: cut short, damaged, or a rare variant"};
-    }
+} catch (const std::exception&) {
+    return Error{"", "cannot be decoded as OpenEXR: cut short, damaged, or a rare variant"};
 }
 
 Result<std::string> encodeExr(const ImageRgbF& image) {
@@ -312,7 +271,7 @@ bool toRec709(ImageRgbF& image, const Primaries& from) {
         for (size_t i = 0; i < image.pixels.size(); i += 3) {
             float* p = image.pixels.data() + i;
             const Imath::V3f colour = Imath::V3f(p[0], p[1], p[2]) * matrix;
-            std::copy_n(&colour.x, 3, p);
+            for (int c = 0; c < 3; ++c) p[c] = colour[c] > 0 ? std::min(colour[c], kMaxRadiance) : 0;
         }
         return true;
     } catch (const std::exception&) {

@@ -2,6 +2,7 @@
 
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
+#include "engine/media/ColourProfile.h"
 #include "engine/media/PictureHeader.h"
 
 #include <fmt/core.h>
@@ -18,6 +19,8 @@ struct Blocks {
     ByteSpan exif; // a TIFF structure
     std::string xmp;
     std::vector<uint8_t> profile;
+    size_t turns = 0;  // AVIF: quarter turns counterclockwise
+    size_t mirror = 0; // AVIF, behind these: 1 exchanges top and bottom, 2 left and right
 };
 
 std::vector<uint8_t> copyOf(ByteSpan bytes) { return {bytes.begin(), bytes.end()}; }
@@ -52,14 +55,14 @@ Blocks jpegBlocks(ByteSpan bytes) {
     return found;
 }
 
-// Calls visit(name, data) for each chunk of a PNG (size, name, data, checksum) or a WebP (name, size, data).
-template <class Visit> void walkChunks(ByteSpan b, bool png, Visit&& visit) {
-    for (size_t at = png ? 8 : 12; at + 8 <= b.size();) {
-        const size_t size = png ? big32(b, at) : little32(b, at + 4);
-        if (size > b.size() - at - 8) return;
-        visit(asText(b.subspan(png ? at + 4 : at, 4)), b.subspan(at + 8, size));
-        at += 8 + size + (png ? 4 : size & 1);
-    }
+// Returns an RGB profile by a PNG's gamma and CIE coordinates of white, red, green and blue, in units of
+// 1/100000; without them, those of sRGB. 45455 stands for sRGB's curve (PNG specification, section 11.3.2.5),
+// and so do gammas beyond 0.1 to 10.
+std::vector<uint8_t> statedProfile(ByteSpan gamma, ByteSpan primaries) {
+    const uint32_t stated = gamma.empty() ? 45455 : big32(gamma, 0);
+    std::array<double, 8> xy{0.3127, 0.329, 0.64, 0.33, 0.3, 0.6, 0.15, 0.06};
+    for (size_t i = 0; !primaries.empty() && i < 8; ++i) xy[i] = big32(primaries, 4 * i) / 1e5;
+    return rgbProfile(stated == 45455 || stated < 10000 || stated > 1000000 ? 0 : 1e5 / stated, xy);
 }
 
 // Keyword 0 packed method language 0 keyword 0 text (PNG specification, section 11.3.3.4).
@@ -73,48 +76,46 @@ std::string internationalText(ByteSpan data) {
     return std::string(asText(data[packed] ? unpacked(value) : copyOf(value)));
 }
 
-Blocks pngBlocks(ByteSpan bytes) {
+// Reads the chunks of PNG (lower-case "e" and "i"), WebP (four capitals) and AVIF.
+Blocks chunkBlocks(ByteSpan bytes, PictureKind kind) {
     constexpr std::string_view kXmp{"XML:com.adobe.xmp\0", 18};
     Blocks found;
-    bool hadXmp = false, hadProfile = false; // only the first is unpacked: a file may hold thousands
-    walkChunks(bytes, true, [&](std::string_view name, ByteSpan data) {
+    bool hadXmp = false;                // only the first is unpacked: a file may hold thousands
+    bool isKnown = false;               // colours stated by a number
+    ByteSpan profile, gamma, primaries; // of PNG
+    walkChunks(bytes, kind, [&](std::string_view name, ByteSpan data) {
+        const bool named = hasText(data, 0, "Exif"); // some programs write a JPEG's header
         if (name == "eXIf") found.exif = data;
+        if (name == "EXIF") found.exif = data.subspan(named ? std::min<size_t>(data.size(), 6) : 0);
         if (name == "iTXt" && hasText(data, 0, kXmp) && !std::exchange(hadXmp, true))
             found.xmp = internationalText(data);
-        if (name == "iCCP" && !std::exchange(hadProfile, true)) { // name 0 method profile
-            const size_t end = asText(data).find('\0');
-            if (end != std::string_view::npos && data.size() - end > 2)
-                found.profile = unpacked(data.subspan(end + 2));
-        }
-    });
-    return found;
-}
-
-Blocks webpBlocks(ByteSpan bytes) {
-    Blocks found;
-    walkChunks(bytes, false, [&](std::string_view name, ByteSpan data) {
-        const bool named = hasText(data, 0, "Exif"); // some programs write a JPEG's header
-        if (name == "EXIF") found.exif = data.subspan(named ? std::min<size_t>(data.size(), 6) : 0);
         if (name == "XMP ") found.xmp = asText(data);
+        if (name == "iCCP" && profile.empty()) profile = data;
         if (name == "ICCP") found.profile = copyOf(data);
+        if (name == "colr" && (hasText(data, 0, "prof") || hasText(data, 0, "rICC")))
+            found.profile = copyOf(data.subspan(4));
+        if (name == "sRGB" || name == "cICP") isKnown = true;
+        if (name == "gAMA" && data.size() == 4) gamma = data;
+        if (name == "cHRM" && data.size() == 32) primaries = data;
+        if (name == "irot" && !data.empty()) found.turns = data[0] & 3;
+        if (name == "imir" && !data.empty()) found.mirror = 1 + (data[0] & 1);
     });
+    const size_t end = asText(profile).find('\0'); // name 0 method profile
+    if (end != std::string_view::npos && profile.size() - end > 2)
+        found.profile = unpacked(profile.subspan(end + 2));
+    else if (profile.empty() && !isKnown && !(gamma.empty() && primaries.empty()))
+        found.profile = statedProfile(gamma, primaries);
     return found;
 }
 
 Blocks blocksIn(ByteSpan bytes, PictureKind kind) {
-    switch (kind) {
-    case PictureKind::Jpeg:
-        return jpegBlocks(bytes);
-    case PictureKind::Png:
-        return pngBlocks(bytes);
-    case PictureKind::Webp:
-        return webpBlocks(bytes);
-    case PictureKind::Tiff:
+    if (kind == PictureKind::Jpeg) return jpegBlocks(bytes);
+    if (kind == PictureKind::Tiff)
         return {bytes, std::string(asText(tiffEntry(bytes, TiffTag::Xmp))),
                 copyOf(tiffEntry(bytes, TiffTag::Profile))};
-    default:
-        return {};
-    }
+    if (kind == PictureKind::Png || kind == PictureKind::Webp || kind == PictureKind::Avif)
+        return chunkBlocks(bytes, kind);
+    return {};
 }
 
 void readGPano(std::string_view xmp, PhotoMetadata& m) {
@@ -143,8 +144,9 @@ glm::quat PhotoMetadata::envFromPhoto() const {
 
 std::string PhotoMetadata::note() const {
     std::string text;
-    if (orientation != 1) text += fmt::format("; turned upright from its EXIF orientation {}", orientation);
-    if (placementIgnored) text += "; its place in a panorama contradicts itself or is too small, and is ignored";
+    if (orientation != 1) text += fmt::format("; turned upright from its orientation {}", orientation);
+    if (placementIgnored)
+        text += "; its place in a panorama contradicts itself or is too small, and is ignored";
     if (pitch_deg != 0 || roll_deg != 0)
         text += fmt::format("; levelled, of pitch {:.4g} and roll {:.4g} degrees", pitch_deg, roll_deg);
     if (heading_deg != 0)
@@ -158,6 +160,8 @@ PhotoMetadata photoMetadata(ByteSpan bytes, PictureKind kind) {
     PhotoMetadata m;
     const uint32_t orientation = tiffNumber(found.exif, TiffTag::Orientation);
     if (orientation >= 1 && orientation <= 8) m.orientation = static_cast<int>(orientation);
+    constexpr int kTurned[4][3] = {{1, 4, 2}, {8, 5, 7}, {3, 2, 4}, {6, 7, 5}}; // by turns and mirror
+    if (kind == PictureKind::Avif) m.orientation = kTurned[found.turns][found.mirror];
     readGPano(found.xmp, m);
     m.profile = std::move(found.profile);
     return m;

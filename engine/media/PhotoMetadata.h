@@ -1,7 +1,7 @@
 // Facts that cameras and editors write beside a photo's pixels: how it is stored (EXIF), which part of the
 // sphere it shows and how its camera was held (Google's Photo Sphere XMP, "GPano"), and its colours (ICC).
-// Sources: CIPA DC-008; developers.google.com/streetview/spherical-metadata; ICC.1, annex B; Adobe's XMP
-// specification, part 3.
+// Sources: CIPA DC-008; ISO 23008-12, 6.5 (AVIF); developers.google.com/streetview/spherical-metadata; ICC.1,
+// annex B; Adobe's XMP specification, part 3.
 #pragma once
 
 #include "engine/media/SphericalMetadata.h"
@@ -24,7 +24,7 @@ struct PhotoMetadata {
     std::optional<PanoramaPlacement> placement;
     bool placementIgnored = false; // it contradicts itself
     float heading_deg = 0, pitch_deg = 0, roll_deg = 0;
-    std::vector<uint8_t> profile; // ICC; empty: none
+    std::vector<uint8_t> profile; // ICC, or made of a PNG's gAMA and cHRM; empty: none
 
     // Returns whether the photo states that it is a part of a panorama, and not all of it.
     bool isPart() const {
@@ -39,8 +39,8 @@ struct PhotoMetadata {
     std::string note() const;
 };
 
-// Reads the metadata of a JPEG, PNG, WebP or TIFF; those of other kinds are as if there were none. bytes: the
-// whole file.
+// Reads the metadata of a JPEG, PNG, WebP or TIFF, of an AVIF its orientation and profile alone; those of
+// other kinds are as if there were none. bytes: the whole file.
 PhotoMetadata photoMetadata(std::span<const uint8_t> bytes, PictureKind kind);
 
 // Returns the layout of a photo that is lat-long by its shape and content, or by its metadata; Auto: an

@@ -1,13 +1,11 @@
 #include "engine/media/PictureHeader.h"
 
-#include "engine/core/Number.h"
-#include "engine/media/OpenExr.h"
+#include "engine/media/Orientation.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <iterator>
@@ -21,6 +19,7 @@ namespace shoal::media {
 
 namespace {
 
+using namespace std::string_view_literals;
 using Size = PictureSize;
 
 Size jpegSize(ByteSpan b) {
@@ -58,9 +57,8 @@ Size webpSize(ByteSpan b) {
     return {};
 }
 
-constexpr std::string_view kTiffBegins[] = {{"II*\0", 4}, {"MM\0*", 4}}; // little and big endian
-
-bool isTiff(ByteSpan b) { return hasText(b, 0, kTiffBegins[0]) || hasText(b, 0, kTiffBegins[1]); }
+// Little and big endian.
+bool isTiff(ByteSpan b) { return hasText(b, 0, "II*\0"sv) || hasText(b, 0, "MM\0*"sv); }
 
 // Returns whether a TIFF is a camera's raw photo: its first picture is a thumbnail, or it names Adobe's DNG
 // or Canon's CR2.
@@ -81,23 +79,18 @@ Size tiffSize(ByteSpan b) {
     return {static_cast<int64_t>(width), static_cast<int64_t>(height)};
 }
 
-// Returns the next number in the text of a PNM or PFM header, past white space and comments; 0: none.
-int64_t nextNumber(ByteSpan b, size_t& at) {
-    while (at < b.size() && (std::isspace(b[at]) || b[at] == '#')) {
-        if (b[at] == '#')
-            while (at < b.size() && b[at] != '\n') ++at;
-        else
-            ++at;
-    }
-    const size_t begin = at;
-    while (at < b.size() && std::isdigit(b[at]) && at - begin < 9) ++at;
-    return parseNumber<int64_t>(asText(b.subspan(begin, at - begin))).value_or(0);
+std::istringstream beginOf(ByteSpan bytes) {
+    return std::istringstream(std::string(asText(bytes.first(std::min<size_t>(bytes.size(), 64 << 10)))));
 }
 
 Size pnmSize(ByteSpan b) {
-    size_t at = 2;
-    const int64_t width = nextNumber(b, at);
-    return {width, nextNumber(b, at)};
+    std::istringstream text = beginOf(b.subspan(2));
+    Size size;
+    for (int64_t* side : {&size.width, &size.height}) {
+        while ((text >> std::ws).peek() == '#') text.ignore(INT64_MAX, '\n');
+        text >> *side;
+    }
+    return size;
 }
 
 // Obeys a line "NAME=value" of a Radiance header. False: its value is damaged.
@@ -117,35 +110,29 @@ bool readRadianceLine(const std::string& line, RadianceHeader& header) {
     if (count == 0) return true;
     const std::vector<float> numbers{std::istream_iterator<float>(value), {}};
     if (numbers.size() != count || !value.eof()) return false;
-    if (name == "GAMMA") return numbers[0] == 1; // Walter's rgbe.c: components to this power
-    if (count == 8) std::ranges::copy(numbers, header.primaries.emplace().begin());
+    if (name == "GAMMA") header.gamma = numbers[0];
     if (name == "PIXASPECT") header.squarePixels = numbers[0] == 1;
-    if (count == 8 || name == "PIXASPECT") return true;
-    for (size_t c = 0; c < 3; ++c) header.exposure[c] *= numbers[std::min(c, count - 1)];
-    return std::ranges::all_of(header.exposure, [](float each) { return each > 0 && std::isfinite(each); });
+    if (name == "PRIMARIES") std::ranges::copy(numbers, header.primaries.emplace().begin());
+    if (name == "EXPOSURE" || name == "COLORCORR")
+        for (size_t c = 0; c < 3; ++c) header.exposure[c] *= numbers[std::min(c, count - 1)];
+    return true;
 }
 
 // Reads the resolution line, such as "-Y 512 +X 1024": the axis from line to line, then that along a line.
 bool readResolution(const std::string& line, RadianceHeader& header) {
-    constexpr std::string_view kAxes[] = {"-Y", "+Y", "+X", "-X"};
+    constexpr std::string_view kOrders[] = {"-Y+X", "-Y-X", "+Y-X", "+Y+X", "+X-Y", "-X-Y", "-X+Y", "+X+Y"};
     std::istringstream words(line);
-    for (const bool alongLine : {false, true}) {
-        std::string name;
-        int64_t count = 0;
-        words >> name >> count;
-        const auto axis = std::ranges::find(kAxes, name) - kAxes;
-        if (!words || axis == std::ssize(kAxes)) return false;
-        const bool isY = axis < 2;
-        (isY ? header.size.height : header.size.width) = count;
-        (isY ? header.fromBottom : header.fromRight) = axis % 2 == 1;
-        if (!alongLine) header.byColumns = !isY;
-    }
-    words >> std::ws;
-    return words.eof();
+    std::string lines, along;
+    words >> lines >> header.size.height >> along >> header.size.width;
+    const auto order = std::ranges::find(kOrders, lines + along);
+    header.orientation = static_cast<int>(order - kOrders) + 1;
+    return words && order != std::end(kOrders) && (words >> std::ws).eof();
 }
 
-std::istringstream beginOf(ByteSpan bytes) {
-    return std::istringstream(std::string(asText(bytes.first(std::min<size_t>(bytes.size(), 64 << 10)))));
+Size radianceSize(ByteSpan b) {
+    const RadianceHeader header = readRadianceHeader(b);
+    const Size stored = header.size;
+    return swapsSides(header.orientation) ? Size{stored.height, stored.width} : stored;
 }
 
 bool isEndedWord(ByteSpan b, std::string_view word) {
@@ -166,14 +153,14 @@ bool hasBrand(ByteSpan b, std::string_view brands) {
     return false;
 }
 
-// Returns the largest size that a picture in the file states by a box "ispe" (ISO 23008-12, 6.5.3): parts and
-// thumbnails are smaller than the whole.
+// Returns the largest size that a picture in the file states (ISO 23008-12, 6.5.3): parts and thumbnails are
+// smaller than the whole.
 Size avifSize(ByteSpan b) {
-    const std::string_view text = asText(b);
     Size size;
-    for (size_t at = text.find("ispe"); at != text.npos && b.size() - at >= 16;
-         at = text.find("ispe", at + 4))
-        if (const Size one{big32(b, at + 8), big32(b, at + 12)}; one.width > size.width) size = one;
+    walkChunks(b, PictureKind::Avif, [&](std::string_view name, ByteSpan data) {
+        if (name == "ispe" && data.size() >= 12 && big32(data, 4) > size.width)
+            size = {big32(data, 4), big32(data, 8)};
+    });
     return size;
 }
 
@@ -196,8 +183,11 @@ constexpr Kind kKinds[] = {
     {"AVIF", [](ByteSpan b) { return hasBrand(b, "avif avis"); }, avifSize},
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
-     [](ByteSpan b) { return readRadianceHeader(b).size; }},
-    {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
+     radianceSize},
+    {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); },
+     [](ByteSpan) {
+         return Size{1, 1};
+     }}, // OpenExr.cpp reads it
     {"PFM", [](ByteSpan b) { return isEndedWord(b, "PF") || isEndedWord(b, "Pf") || isEndedWord(b, "PF4"); },
      [](ByteSpan b) { return readPfmHeader(b).size; }},
 };
@@ -222,15 +212,11 @@ bool lacksScans(const jpeg_decompress_struct& jpeg) {
 
 size_t walkJpeg(ByteSpan b, const std::function<bool(uint8_t marker, ByteSpan payload)>& visit) {
     size_t at = 2;
-    while (at + 4 <= b.size()) {
-        if (b[at] != 0xff) break;
+    while (at + 4 <= b.size() && b[at] == 0xff) {
         const uint8_t marker = b[at + 1];
-        if (marker == 0xff) { // fill byte
-            ++at;
-            continue;
-        }
-        if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd7)) { // markers without payload
-            at += 2;
+        const bool isAlone = marker == 0x01 || (marker >= 0xd0 && marker <= 0xd7); // without payload
+        if (isAlone || marker == 0xff) {                                           // 0xff: fill byte
+            at += isAlone ? 2 : 1;
             continue;
         }
         const size_t length = big16(b, at + 2);
@@ -240,6 +226,27 @@ size_t walkJpeg(ByteSpan b, const std::function<bool(uint8_t marker, ByteSpan pa
         if (marker == 0xda) break;
     }
     return at;
+}
+
+void walkChunks(ByteSpan b, PictureKind kind,
+                const std::function<void(std::string_view name, ByteSpan data)>& visit) {
+    const bool png = kind == PictureKind::Png, webp = kind == PictureKind::Webp;
+    for (size_t at = png ? 8 : webp ? 12 : 0; at < b.size() && b.size() - at >= 8;) {
+        const std::string_view name = asText(b.subspan(webp ? at : at + 4, 4));
+        const bool holdsBoxes =
+            kind == PictureKind::Avif && (name == "meta" || name == "iprp" || name == "ipco");
+        at += 8;
+        if (holdsBoxes) {
+            at += name == "meta" ? 4 : 0; // version and flags
+            continue;
+        }
+        const size_t size = png    ? big32(b, at - 8)
+                            : webp ? little32(b, at - 4)
+                                   : size_t{big32(b, at - 8)} - 8;
+        if (size > b.size() - at) return;
+        visit(name, b.subspan(at, size));
+        at += size + (png ? 4 : webp ? size & 1 : 0); // a checksum; or to an even offset
+    }
 }
 
 const char* nameOf(PictureKind kind) { return kKinds[static_cast<size_t>(kind)].name; }
@@ -290,27 +297,15 @@ Result<PictureKind> pictureKind(ByteSpan bytes) {
 }
 
 const char* unreadKind(ByteSpan bytes) {
-    using Begin = std::pair<const char*, std::string_view>;
-    static constexpr Begin kBegins[] = {{"GIF", "GIF8"},
-                                        {"JPEG XL", "\xff\x0a"},
-                                        {"JPEG 2000", "\xff\x4f"},
-                                        {"JPEG XL", {"\0\0\0\x0cJXL ", 8}},
-                                        {"Photoshop", "8BPS"},
-                                        {"BigTIFF", {"II+\0", 4}},
-                                        {"BigTIFF", {"MM\0+", 4}},
-                                        {"JPEG 2000", {"\0\0\0\x0cjP  ", 8}},
-                                        {"camera raw", "FUJIFILM"},
-                                        {"camera raw", "IIRO"},
-                                        {"camera raw", "IIRS"},
-                                        {"camera raw", "MMOR"},
-                                        {"camera raw", {"IIU\0", 4}},
-                                        {"camera raw", "FOVb"},
-                                        {"camera raw", {"\0MRM", 4}}};
+    const auto begins = [&](auto... texts) { return (hasText(bytes, 0, texts) || ...); };
     if (hasBrand(bytes, "heic heix heim heis hevc hevx mif1 msf1")) return "HEIC";
-    if (isRaw(bytes) || hasBrand(bytes, "crx ")) return "camera raw";
-    const auto known =
-        std::ranges::find_if(kBegins, [&](const Begin& each) { return hasText(bytes, 0, each.second); });
-    return known == std::end(kBegins) ? nullptr : known->first;
+    if (isRaw(bytes) || hasBrand(bytes, "crx ") ||
+        begins("FUJIFILM", "IIRO", "IIRS", "MMOR", "IIU\0"sv, "FOVb", "\0MRM"sv))
+        return "camera raw";
+    if (begins("\xff\x0a", "\0\0\0\x0cJXL "sv)) return "JPEG XL";
+    if (begins("\xff\x4f", "\0\0\0\x0cjP  "sv)) return "JPEG 2000";
+    if (begins("II+\0"sv, "MM\0+"sv)) return "BigTIFF";
+    return begins("GIF8") ? "GIF" : begins("8BPS") ? "Photoshop" : nullptr;
 }
 
 Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
@@ -320,15 +315,13 @@ Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
     if (size.width <= 0 || size.height <= 0)
         return Error{"", std::string("its ") + nameOf(*kind) +
                              " header is damaged, cut short or of an unread variant"};
-    return PictureHeader{*kind, size.width, size.height};
-}
-
-bool lacksEndMark(ByteSpan jpeg) {
-    const size_t data = walkJpeg(jpeg, [](uint8_t, ByteSpan) { return false; });
-    return asText(jpeg.subspan(std::min(data, jpeg.size()))).find("\xff\xd9") == std::string_view::npos;
+    return PictureHeader{*kind, size};
 }
 
 bool isCutJpeg(ByteSpan bytes) {
+    const size_t data = walkJpeg(bytes, [](uint8_t, ByteSpan) { return false; });
+    if (asText(bytes.subspan(std::min(data, bytes.size()))).find("\xff\xd9") != std::string_view::npos)
+        return false;
     JpegErrors errors;
     jpeg_decompress_struct jpeg{};
     jpeg.err = jpeg_std_error(&errors);
@@ -355,20 +348,26 @@ bool isCutJpeg(ByteSpan bytes) {
     return errors.cut;
 }
 
+// Returns a number of at most 8 bytes.
+static uint64_t numberIn(ByteSpan bytes, bool little) {
+    uint64_t number = 0;
+    for (size_t i = 0; i < bytes.size(); ++i) number = number << 8 | bytes[little ? bytes.size() - 1 - i : i];
+    return number;
+}
+
 ByteSpan tiffEntry(ByteSpan b, TiffTag tag) {
-    const bool little = hasText(b, 0, kTiffBegins[0]);
-    if (b.size() < 8 || (!little && !hasText(b, 0, kTiffBegins[1]))) return {};
-    const auto word = [&](size_t at) { return little ? little16(b, at) : big16(b, at); };
-    const auto number = [&](size_t at) { return little ? little32(b, at) : big32(b, at); };
-    const size_t directory = number(4);
+    if (b.size() < 8 || !isTiff(b)) return {};
+    const auto number = [&](size_t at, size_t bytes) { return numberIn(b.subspan(at, bytes), b[0] == 'I'); };
+    const size_t directory = number(4, 4);
     if (directory > b.size() || b.size() - directory < 2) return {};
-    const size_t entries = std::min<size_t>(word(directory), (b.size() - directory - 2) / 12);
+    const size_t entries = std::min<size_t>(number(directory, 2), (b.size() - directory - 2) / 12);
     for (size_t at = directory + 2; at < directory + 2 + 12 * entries; at += 12) { // tag, type, count, data
-        if (word(at) != static_cast<uint32_t>(tag)) continue;
-        static constexpr size_t kSizes[] = {0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8}; // by type
-        const size_t type = word(at + 2);
-        const uint64_t size = uint64_t{number(at + 4)} * (type < std::size(kSizes) ? kSizes[type] : 0);
-        const size_t begin = size <= 4 ? at + 8 : number(at + 8);
+        if (number(at, 2) != static_cast<uint32_t>(tag)) continue;
+        // Bytes of a value by its type; libtiff reads BigTIFF's types from 16 on in any file.
+        static constexpr size_t kSizes[] = {0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
+        const size_t type = number(at + 2, 2);
+        const size_t size = number(at + 4, 4) * (type < std::size(kSizes) ? kSizes[type] : 0);
+        const size_t begin = size <= 4 ? at + 8 : number(at + 8, 4);
         return begin <= b.size() && size <= b.size() - begin ? b.subspan(begin, size) : ByteSpan();
     }
     return {};
@@ -376,10 +375,8 @@ ByteSpan tiffEntry(ByteSpan b, TiffTag tag) {
 
 uint32_t tiffNumber(ByteSpan b, TiffTag tag) {
     const ByteSpan value = tiffEntry(b, tag);
-    const bool little = hasText(b, 0, kTiffBegins[0]);
-    if (value.size() == 2) return little ? little16(value, 0) : big16(value, 0);
-    if (value.size() == 4) return little ? little32(value, 0) : big32(value, 0);
-    return 0;
+    if (value.empty() || value.size() > 8) return 0;
+    return static_cast<uint32_t>(std::min<uint64_t>(numberIn(value, b[0] == 'I'), UINT32_MAX));
 }
 
 } // namespace shoal::media

@@ -47,11 +47,10 @@ std::string beyond(PictureSize size, PictureLimits limits);
 
 // Header of a Radiance picture (Radiance's filefmts.pdf, "Picture File Format").
 struct RadianceHeader {
-    PictureSize size;                       // upright
-    bool byColumns = false;                 // each line of the file is a column
-    bool fromBottom = false;                // else from the top
-    bool fromRight = false;                 // else from the left
+    PictureSize size;                       // as stored: pixels of a line, lines
+    int orientation = 1;                    // Orientation.h
     std::array<float, 3> exposure{1, 1, 1}; // what radiance was multiplied with: EXPOSURE, COLORCORR
+    float gamma = 1;                        // not in Radiance, but in Walter's rgbe.c
     bool squarePixels = true;
     std::optional<Primaries> primaries;
     size_t pixels = 0; // their offset, bytes
@@ -69,8 +68,7 @@ PfmHeader readPfmHeader(ByteSpan bytes);
 
 struct PictureHeader {
     PictureKind kind = PictureKind::Png;
-    int64_t width = 0; // as stored, before any EXIF rotation; above 0
-    int64_t height = 0;
+    PictureSize size; // as stored, before any rotation; both above 0; of OpenEXR, which decodeExr() bounds, 1
 };
 
 // Reads the kind alone, from the first bytes. The error has no path.
@@ -83,16 +81,18 @@ const char* unreadKind(ByteSpan bytes);
 // The error has no path.
 Result<PictureHeader> readPictureHeader(ByteSpan bytes);
 
-// Returns whether no end mark follows a JPEG's compressed data.
-bool lacksEndMark(ByteSpan jpeg);
-
-// Returns whether parts of the picture are missing from a JPEG without an end mark, which libjpeg would fill
-// with grey. Decodes it.
+// Returns whether a JPEG has no end mark and lacks parts of the picture too, which libjpeg would fill with
+// grey. Decodes it if the mark is missing.
 bool isCutJpeg(ByteSpan jpeg);
 
 // Calls visit(marker, payload) for each segment of a JPEG (ITU T.81 annex B) until it returns true or the
 // compressed data begins. Returns the offset reached.
 size_t walkJpeg(ByteSpan bytes, const std::function<bool(uint8_t marker, ByteSpan payload)>& visit);
+
+// Calls visit(name, data) for each chunk of a PNG (size, name, data, checksum) or a WebP (name, size, data),
+// or each box of an AVIF (size, name, data), also for those that describe its pictures (ISO 23008-12, 9.3).
+void walkChunks(ByteSpan bytes, PictureKind kind,
+                const std::function<void(std::string_view name, ByteSpan data)>& visit);
 
 enum class TiffTag : uint32_t {
     SubfileType = 254,
@@ -108,7 +108,7 @@ enum class TiffTag : uint32_t {
 };
 
 // Return the data of a tag in the first directory of a TIFF structure, which EXIF has too (TIFF 6.0, section
-// 2), or its one number of 16 or 32 bits; empty or 0 if it is missing or cut short. bytes: the structure.
+// 2), or its one number, at most 2^32 - 1; empty or 0 if it is missing or cut short. bytes: the structure.
 ByteSpan tiffEntry(ByteSpan bytes, TiffTag tag);
 uint32_t tiffNumber(ByteSpan bytes, TiffTag tag);
 

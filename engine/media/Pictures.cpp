@@ -3,6 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
+#include "engine/media/ColourProfile.h"
 #include "engine/media/Decoder.h"
 #include "engine/media/OpenExr.h"
 #include "engine/media/Orientation.h"
@@ -36,15 +37,14 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
     if (!bytes) return bytes.error();
     const auto header = readPictureHeader(*bytes);
     if (!header) return Error{file.string(), header.error().reason};
-    if (isHdr(header->kind) && !hdr)
-        return Error{file.string(), "is a high dynamic range picture; give it as --env"};
-    if (!isHdr(header->kind) && hdr)
+    if (isHdr(header->kind) != hdr)
         return Error{file.string(),
-                     fmt::format("is a {}, which has no high dynamic range; give it as --photo",
-                                 nameOf(header->kind))};
+                     hdr ? fmt::format("is a {}, which has no high dynamic range; give it as --photo",
+                                       nameOf(header->kind))
+                         : "is a high dynamic range picture; give it as --env"};
     if (header->kind == PictureKind::Avif) // the decoder of films reads it
         limits = {std::min(limits.maxWidth, kMaxVideoSide), std::min(limits.maxHeight, kMaxVideoSide)};
-    if (std::string refusal = beyond({header->width, header->height}, limits); !refusal.empty())
+    if (std::string refusal = beyond(header->size, limits); !refusal.empty())
         return Error{file.string(), std::move(refusal)};
     return PictureFile{std::move(*bytes), *header};
 }
@@ -53,26 +53,6 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
 template <class T, int kChannels> cv::Mat viewOf(const Image<T, kChannels>& image) {
     return {image.height, image.width, CV_MAKETYPE(cv::DataType<T>::depth, kChannels),
             const_cast<T*>(image.pixels.data())};
-}
-
-// Decodes a picture by OpenCV, to red first. decode: returns a matrix of `type`, empty on failure; may throw.
-template <class Picture, class Decode>
-Result<Picture> decoded(const Path& file, PictureKind kind, int type, Decode&& decode) {
-    const Error undecodable{
-        file.string(),
-        fmt::format("cannot be decoded as {}: cut short, damaged, or a rare variant", nameOf(kind))};
-    const auto with = codecs();
-    if (!with) return with.error();
-    try {
-        const log::QuietStandardError quiet; // OpenCV 4.6 prints exceptions, whatever the log level
-        const cv::Mat bgr = decode(**with);
-        if (bgr.empty() || bgr.type() != type) return undecodable;
-        Picture image(bgr.cols, bgr.rows);
-        cv::cvtColor(bgr, viewOf(image), cv::COLOR_BGR2RGB);
-        return image;
-    } catch (const std::exception&) {
-        return undecodable;
-    }
 }
 
 // --- High dynamic range pictures that no library reads as needed. The errors have no path.
@@ -135,31 +115,39 @@ struct LineReader {
 // for black pixels.
 Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
     const RadianceHeader header = readRadianceHeader(bytes);
-    const int width = static_cast<int>(header.size.width), height = static_cast<int>(header.size.height);
-    const int lines = header.byColumns ? width : height, length = header.byColumns ? height : width;
+    const int length = static_cast<int>(header.size.width), lines = static_cast<int>(header.size.height);
+    const auto exposure = std::span(header.exposure);
+    const bool isUniform = exposure[1] == exposure[0] && exposure[2] == exposure[0];
+    const std::string stated = fmt::format("{:.4g}", fmt::join(exposure.first(isUniform ? 1 : 3), ", "));
+    if (!std::ranges::all_of(exposure, [](float each) { return each > 0 && std::isfinite(each); }))
+        return Error{"",
+                     fmt::format("states an exposure of {}, which its light cannot be divided by", stated)};
+    if (header.gamma != 1)
+        return Error{"",
+                     fmt::format("states a GAMMA of {:.4g}; only linear light (1) is read", header.gamma)};
     // Checked before memory is allocated: even the shortest line takes a pixel.
     if ((bytes.size() - header.pixels) / 4 < static_cast<size_t>(lines)) return Error{"", "is cut short"};
 
     std::array<float, 256> factor{};
     for (size_t e = 1; e < 256; ++e) factor[e] = std::ldexp(1.0f, static_cast<int>(e) - 136);
-    HdrPicture picture{.radianceLin = ImageRgbF(width, height), .primaries = header.primaries};
+    HdrPicture picture{.radianceLin = ImageRgbF(length, lines), .primaries = header.primaries};
     std::vector<uint8_t> line(4 * static_cast<size_t>(length));
     LineReader reader{bytes, header.pixels};
     for (int i = 0; i < lines; ++i) {
         if (!reader.next(line, static_cast<size_t>(length)))
             return Error{"", fmt::format("is damaged or cut short at line {}", i)};
         for (int k = 0; k < length; ++k) {
-            const int x = header.byColumns ? i : k, y = header.byColumns ? k : i;
-            float* out = picture.radianceLin.at(header.fromRight ? width - 1 - x : x,
-                                                header.fromBottom ? height - 1 - y : y);
             const uint8_t* pixel = &line[4 * static_cast<size_t>(k)];
             for (size_t c = 0; c < 3; ++c)
-                out[c] = static_cast<float>(pixel[c]) * factor[pixel[3]] / header.exposure[c];
+                picture.radianceLin.at(k, i)[c] =
+                    static_cast<float>(pixel[c]) * factor[pixel[3]] / exposure[c];
         }
     }
-    if (header.exposure != std::array<float, 3>{1, 1, 1})
-        picture.notes.push_back(
-            fmt::format("divided by its exposure {:.4g}", fmt::join(header.exposure, ", ")));
+    if (header.orientation != 1) {
+        const ImageRgbF stored = std::move(picture.radianceLin);
+        makeUpright(stored, header.orientation, picture.radianceLin);
+    }
+    if (!isUniform || exposure[0] != 1) picture.notes.push_back("divided by its exposure " + stated);
     if (!header.squarePixels) picture.notes.emplace_back("its pixels count as square");
     return picture;
 }
@@ -216,44 +204,42 @@ std::string encodePfm(const ImageRgbF& image) {
     return bytes;
 }
 
-// Replaces values, see HdrPicture::repaired and clamped.
+// Replaces values that are no light: readHdr().
 void repair(HdrPicture& picture) {
     float largest = 0;
+    int64_t repaired = 0, clamped = 0;
     for (const float value : picture.radianceLin.pixels)
         if (std::isfinite(value)) largest = std::max(largest, std::min(value, kMaxRadiance));
     for (float& value : picture.radianceLin.pixels) {
         if (value >= 0 && value <= kMaxRadiance) continue; // false for NaN
         const bool light = value > kMaxRadiance && std::isfinite(value);
-        ++(light ? picture.clamped : picture.repaired);
+        ++(light ? clamped : repaired);
         value = light ? kMaxRadiance : value > 0 ? largest : 0;
     }
+    if (repaired > 0)
+        picture.notes.push_back(
+            fmt::format("{} components were NaN, infinite or negative and are replaced", repaired));
+    if (clamped > 0)
+        picture.notes.push_back(fmt::format("{} components were above 10^9 and count as 10^9", clamped));
 }
 
-// Encodes by extension a picture of 3 or 4 channels, red first.
-Result<std::string> encoded(const Path& file, const cv::Mat& rgb, const char* extension,
-                            const char* uncodable) {
+// Encodes a picture of 3 or 4 channels, red first, by extension, and writes it.
+Status writeCoded(const Path& file, const cv::Mat& rgb, const char* extension) {
     assert(!rgb.empty());
     const auto with = codecs();
     if (!with) return with.error();
-    std::vector<uint8_t> bytes;
+    std::string uncodable = fmt::format("the picture cannot be coded as {}", extension);
     try {
         const log::QuietStandardError quiet; // OpenCV 4.6 prints exceptions, whatever the log level
+        std::vector<uint8_t> bytes;
         cv::Mat bgr;
         cv::cvtColor(rgb, bgr, rgb.channels() == 4 ? cv::COLOR_RGBA2BGRA : cv::COLOR_RGB2BGR);
-        if (!(*with)->imencode(extension, bgr, bytes, {})) return Error{file.string(), uncodable};
+        if ((*with)->imencode(extension, bgr, bytes, {})) return writeFileWhole(file, asText(bytes));
     } catch (const std::exception& failure) {
-        return Error{file.string(), std::string(uncodable) + ": " + failure.what()};
+        uncodable += std::string(": ") + failure.what();
     }
-    return std::string(asText(bytes));
+    return Error{file.string(), uncodable};
 }
-
-Status write(const Path& file, const Result<std::string>& bytes) {
-    return bytes ? writeFileWhole(file, *bytes) : Status(bytes.error());
-}
-
-constexpr const char* kNoPng = "the picture cannot be coded as PNG";
-constexpr const char* kProfileIgnored =
-    "its colour profile is damaged or not for its colours, and is ignored";
 
 // Makes a TIFF upright as stored, because OpenCV would turn it, whatever it is asked for.
 void clearOrientation(std::vector<uint8_t>& tiff) {
@@ -264,7 +250,7 @@ void clearOrientation(std::vector<uint8_t>& tiff) {
     number[tiff[0] == 'I' ? 0 : entry.size() - 1] = 1;
 }
 
-// OpenCV 4.6 does not read AVIF. Its rotations are not read, because FFmpeg 5 does not tell them.
+// OpenCV 4.6 does not read AVIF.
 bool decodeAvif(const Path& file, ImageRgb8& bgr) {
     FileDecoder in;
     in.input = openInput(file, "mov");
@@ -274,6 +260,28 @@ bool decodeAvif(const Path& file, ImageRgb8& bgr) {
            in.decoder.convert(bgr).ok();
 }
 
+// Decodes a picture as it is stored, to red first.
+Result<ImageRgb8> decoded(const Path& file, PictureKind kind, const std::vector<uint8_t>& bytes) {
+    const auto with = codecs();
+    if (!with) return with.error();
+    try {
+        const log::QuietStandardError quiet; // OpenCV 4.6 prints exceptions, whatever the log level
+        ImageRgb8 avif;                      // outlives the matrix that views it
+        const cv::Mat bgr = kind != PictureKind::Avif
+                                ? (*with)->imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION)
+                            : decodeAvif(file, avif) ? viewOf(avif)
+                                                     : cv::Mat();
+        if (!bgr.empty() && bgr.type() == CV_8UC3) {
+            ImageRgb8 image(bgr.cols, bgr.rows);
+            cv::cvtColor(bgr, viewOf(image), cv::COLOR_BGR2RGB);
+            return image;
+        }
+    } catch (const std::exception&) { // as if it returned nothing
+    }
+    return Error{file.string(),
+                 fmt::format("cannot be decoded as {}: cut short, damaged, or a rare variant", nameOf(kind))};
+}
+
 } // namespace
 
 Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
@@ -281,50 +289,32 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
     if (!read) return read.error();
     auto& [bytes, header] = *read;
     Photo photo{.metadata = photoMetadata(bytes, header.kind)};
-    if (header.kind == PictureKind::Jpeg && lacksEndMark(bytes)) {
+    if (header.kind == PictureKind::Jpeg) {
         if (isCutJpeg(bytes)) return Error{file.string(), "is cut short"};
-        bytes.insert(bytes.end(), {0xff, 0xd9}); // OpenCV leaves the last rows undecoded without it
+        bytes.insert(bytes.end(), {0xff, 0xd9}); // OpenCV leaves the last rows undecoded without an end mark
     }
     if (header.kind == PictureKind::Tiff) clearOrientation(bytes);
-    ImageRgb8 bgr; // outlives the matrix that views it
-    auto stored = decoded<ImageRgb8>(file, header.kind, CV_8UC3, [&](const Codecs& with) {
-        if (header.kind == PictureKind::Avif) return decodeAvif(file, bgr) ? viewOf(bgr) : cv::Mat();
-        return with.imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-    });
+    auto stored = decoded(file, header.kind, bytes);
     if (!stored) return stored.error();
     if (header.kind == PictureKind::Avif &&
-        (stored->width != header.width || stored->height != header.height))
+        (stored->width != header.size.width || stored->height != header.size.height))
         return Error{file.string(), "its header and its pixels state different sizes"};
     if (photo.metadata.orientation == 1)
         photo.picture = std::move(*stored);
     else
         makeUpright(*stored, photo.metadata.orientation, photo.picture);
-    photo.profileUse = convertToSrgb(photo.metadata.profile, photo.picture);
+    photo.colourNote = convertToSrgb(photo.metadata.profile, photo.picture);
     return photo;
-}
-
-std::string Photo::note() const {
-    std::string text;
-    if (profileUse == ProfileUse::Converted) text = "; converted to sRGB by its colour profile";
-    if (profileUse == ProfileUse::Ignored) text = fmt::format("; {}", kProfileIgnored);
-    return text + metadata.note();
-}
-
-Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
-    auto photo = readPhoto(file, limits);
-    if (!photo) return photo.error();
-    return std::move(photo->picture);
 }
 
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::string& layer) {
     const auto read = readPictureFile(file, true, limits);
     if (!read) return read.error();
     const auto& [bytes, header] = *read;
-    if (!layer.empty() && header.kind != PictureKind::Exr)
-        return Error{file.string(), fmt::format("is {}, which has no layers", nameOf(header.kind))};
+    if (!layer.empty() && header.kind != PictureKind::Exr) return Error{file.string(), kNoLayers};
     auto picture = header.kind == PictureKind::Pfm        ? decodePfm(bytes)
                    : header.kind == PictureKind::Radiance ? decodeRadiance(bytes)
-                                                          : decodeExr(bytes, layer, limits);
+                                                          : decodeExr(file, layer, limits);
     if (!picture) return Error{file.string(), picture.error().reason};
     repair(*picture);
     constexpr Primaries kRec709 = {0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};
@@ -334,26 +324,15 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::st
     const bool converted = toRec709(picture->radianceLin, *picture->primaries);
     picture->notes.emplace_back(converted ? "converted to the primaries of Rec. 709"
                                           : "its primaries span no colours and count as those of Rec. 709");
-    repair(*picture); // colours that Rec. 709 has not are negative
     return picture;
 }
 
-std::string HdrPicture::repairs() const {
-    std::string said;
-    if (repaired > 0)
-        said = fmt::format("{} components were NaN, infinite or negative and count as replaced", repaired);
-    if (clamped > 0)
-        said += fmt::format("{}{} components were above 10^9 and count as 10^9", said.empty() ? "" : "; ",
-                            clamped);
-    return said;
+std::string HdrPicture::note() const {
+    return notes.empty() ? "" : fmt::format("; {}", fmt::join(notes, "; "));
 }
 
-Status writePng(const Path& file, const ImageRgb8& image) {
-    return write(file, encoded(file, viewOf(image), ".png", kNoPng));
-}
-Status writePng(const Path& file, const ImageRgba8& image) {
-    return write(file, encoded(file, viewOf(image), ".png", kNoPng));
-}
+Status writePng(const Path& file, const ImageRgb8& image) { return writeCoded(file, viewOf(image), ".png"); }
+Status writePng(const Path& file, const ImageRgba8& image) { return writeCoded(file, viewOf(image), ".png"); }
 
 WrittenAs writtenAs(const Path& file) {
     const std::string extension = extensionOf(file);
@@ -368,7 +347,7 @@ Status writePicture(const Path& file, const ImageRgb8& image) {
     if (kind == WrittenAs::Png) return writePng(file, image);
     if (kind != WrittenAs::Jpeg)
         return Error{file.string(), "is of no kind that photos are written as; use .png or .jpg"};
-    return write(file, encoded(file, viewOf(image), ".jpg", "the picture cannot be coded as JPEG"));
+    return writeCoded(file, viewOf(image), ".jpg");
 }
 
 Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
@@ -380,7 +359,8 @@ Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
 }
 
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {
-    return write(file, encodeHdr(file, radianceLin));
+    const auto bytes = encodeHdr(file, radianceLin);
+    return bytes ? writeFileWhole(file, *bytes) : Status(bytes.error());
 }
 
 void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out) {

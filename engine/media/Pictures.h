@@ -4,7 +4,6 @@
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/media/ColourProfile.h"
 #include "engine/media/PhotoMetadata.h"
 
 #include <array>
@@ -22,42 +21,39 @@ struct PictureLimits {
 };
 
 struct Photo {
-    ImageRgb8 picture; // sRGB-coded, red first, without transparency; upright, its ICC profile applied
+    ImageRgb8 picture; // sRGB-coded, red first, without transparency; upright, its stated colours converted
     PhotoMetadata metadata;
-    ProfileUse profileUse = ProfileUse::None;
+    std::string colourNote = {}; // convertToSrgb()
 
     // Returns what was done to the picture and what its metadata ask for, a clause each after "; ".
-    std::string note() const;
+    std::string note() const { return colourNote + metadata.note(); }
 };
 
-// Reads JPEG, PNG, BMP, WebP, TIFF, PNM. The content decides the kind, not the name.
+// Reads JPEG, PNG, BMP, WebP, TIFF, AVIF, PNM. The content decides the kind, not the name.
 Result<Photo> readPhoto(const Path& file, PictureLimits limits = {});
-
-// As readPhoto(), for the picture alone.
-Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
 // CIE x and y of red, green, blue and white.
 using Primaries = std::array<float, 8>;
 
 struct HdrPicture {
-    ImageRgbF radianceLin; // linear, Rec. 709 primaries; no exposure applied
-    // repaired: number of components that were NaN or negative (now 0) or infinite (now the largest finite
-    // one). clamped: number of those above kMaxRadiance (now that). Either deserves a warning if above 0.
-    int64_t repaired = 0, clamped = 0;
+    ImageRgbF radianceLin;                   // linear, Rec. 709 primaries; no exposure applied
     std::optional<Primaries> primaries = {}; // as stated, and converted from; empty: Rec. 709 assumed
     std::vector<std::string> notes = {};     // clauses: which part of the file it is, what was done to it
 
-    // Returns a sentence about these numbers, empty if both are 0.
-    std::string repairs() const;
+    // Returns the notes, each after "; ".
+    std::string note() const;
 };
 
 // The sun's disc is about 1e9 cd/m^2, and sums of squares of this stay finite in 32 bits.
 constexpr float kMaxRadiance = 1e9f;
 
+constexpr const char* kNoLayers = "has no layers; leave --layer out";
+
 // Reads Radiance RGBE, OpenEXR and PFM (colour, with alpha or grey). Values above the half-float limit 65504
 // are kept, except in OpenEXR's luminance and chroma. layer: one of an OpenEXR file, by its channels' names
 // ("diffuse" of "diffuse.R"), or its part's name; empty: the channels without a layer, else the only layer
-// with colour, of the first part and view.
+// with colour, of the first part and view. In the file, components that are NaN or negative become 0,
+// infinite ones the largest finite one, and those above kMaxRadiance that.
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {}, const std::string& layer = {});
 
 // Write a lossless file, which appears whole or not at all (engine/core/WriteFile.h).

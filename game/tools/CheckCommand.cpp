@@ -97,10 +97,11 @@ bool isToml(const std::string& begin) {
     return false;
 }
 
-Verdict checkFile(const Path& file) {
+Verdict checkFile(const Path& file, const std::string& layer) {
     const auto live = media::liveAddress(file.string());
     if (!live) return live.error();
     if (*live) return media::checkLive(**live);
+    if (!layer.empty()) return media::checkMedia(file, layer);
     const auto bytes = readFileBegin(file, 64 << 10);
     if (!bytes) return bytes.error();
     const std::string begin(bytes->begin(), bytes->end());
@@ -116,7 +117,7 @@ Verdict checkFile(const Path& file) {
 int check(const CheckOptions& options) {
     bool allUsable = true;
     for (const std::string& file : options.files) {
-        Verdict verdict = checkFile(file);
+        Verdict verdict = checkFile(file, options.layer);
         if (verdict)
             std::printf("usable: %s: %s\n", file.c_str(), verdict->c_str());
         else

@@ -103,8 +103,12 @@ struct PanoramaOptions {
 
 struct CheckOptions {
     std::vector<std::string> files;
+    std::string layer;
 
-    void addTo(SettingsTable& table) { table.add("FILE", &files, "Files to look at").mustBeGiven(); }
+    void addTo(SettingsTable& table) {
+        table.add("FILE", &files, "Files to look at").mustBeGiven();
+        table.add("--layer", &layer, "Layer of OpenEXR pictures, if they have several").takes("NAME");
+    }
 };
 
 struct DevicesOptions {

@@ -48,14 +48,14 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
                                             : options.frames;
     light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still, frames});
     light::EnvironmentLight made;
-    const auto kind = media::mediaKind(options.file);
+    const auto kind = media::mediaKind(options.file, options.layer);
     if (!kind) return kind.error();
-    if (*kind == media::MediaKind::Hdr || !options.layer.empty()) {
+    if (*kind == media::MediaKind::Hdr) {
         auto picture = media::readHdr(options.file, {}, options.layer);
         if (!picture) return picture.error();
         maker.makeFromHdr(picture->radianceLin, made);
-        if (const std::string repairs = picture->repairs(); !repairs.empty())
-            log::warn("{}: {}", options.file, repairs);
+        if (const std::string note = picture->note(); !note.empty())
+            log::info("{}: {}", options.file, note.substr(2));
         return made;
     }
     const bool isPhoto = *kind == media::MediaKind::Photo;

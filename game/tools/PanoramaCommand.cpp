@@ -44,7 +44,7 @@ Status panorama(const PanoramaOptions& options) {
                                        std::array{NamedFile{"PHOTO", options.photo}});
         !possible)
         return possible;
-    const auto kind = media::mediaKind(options.photo);
+    const auto kind = media::mediaKind(options.photo, options.layer);
     if (!kind) return kind.error();
     const bool isHdr = *kind == media::MediaKind::Hdr;
     const bool writesHdr = media::writtenAs(options.out) == media::WrittenAs::Hdr;
@@ -52,7 +52,7 @@ Status panorama(const PanoramaOptions& options) {
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdr && writesHdr)
         return Error{options.out, "is for high dynamic range, which this photo has not; use .png or .jpg"};
-    if (!isHdr && options.layer.empty()) {
+    if (!isHdr) {
         auto photo = media::readPhoto(options.photo);
         if (!photo) return photo.error();
         return convert(options, std::move(photo->picture), photo->metadata, media::writePicture);

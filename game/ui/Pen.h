@@ -40,7 +40,7 @@ class Fonts {
     std::array<float, kTextScale.size()> pixels_{};
 };
 
-// Reads one of the program's own PNG (alpha not premultiplied) or JPEG files by stb_image. readPicture()
+// Reads one of the program's own PNG (alpha not premultiplied) or JPEG files by stb_image. media::readPhoto()
 // would load OpenCV's codecs (engine/media/Codecs.h), and it drops alpha.
 Result<ImageRgba8> readSmallPicture(const Path& file);
 

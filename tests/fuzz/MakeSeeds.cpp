@@ -134,6 +134,14 @@ void metadata() {
     const auto length = static_cast<uint32_t>(gpano.size() + 2);
     put("Metadata", "orientation.tif",
         std::string("II*\0\x08\0\0\0\1\0\x12\1\3\0\1\0\0\0\6\0\0\0\0\0\0\0", 26));
+    put("Metadata", "linear.png",
+        "\x89PNG\r\n\x1a\n" + box("gAMA", "").replace(3, 1, "\4") + big32(100000) + "sum.");
+    put("Metadata", "turned.avif",
+        box("ftyp", "avif" + std::string(4, '\0')) +
+            box("meta",
+                std::string(4, '\0') +
+                    box("iprp", box("ipco", box("irot", "\1") + box("imir", "\1") +
+                                                box("ispe", std::string(4, '\0') + big32(8) + big32(4))))));
     put("Metadata", "sphere.jpg", "\xff\xd8\xff\xe1" + big32(length).substr(2) + gpano + "\xff\xd9");
 }
 
@@ -149,6 +157,7 @@ void pictures() {
     }
     put("Pictures", "turned.hdr", "#?RADIANCE\nEXPOSURE=2\n\n+X 1 -Y 2\n" + std::string(8, 'x'));
     put("Pictures", "alpha.pfm", "PF4\n1 1\n-1\n" + std::string(16, '?'));
+    put("Frames", "pq", std::string("\x0f\7\0\0\x09\x09\x10\3", 8) + "some of the light");
     put("Pictures", "seed.ppm", "P6\n2 2\n255\n" + std::string(12, 'x'));
     put("Pictures", "seed.pgm", "P2 2 1 # grey\n255\n1 2\n");
 }

@@ -1,6 +1,7 @@
-// Metadata: of a video's header (MP4 or Matroska), and of photos, with their colour profiles.
+// Kinds of files, and metadata: of a video's header (MP4 or Matroska), and of photos, with their profiles.
 #include "engine/media/ColourProfile.h"
 #include "engine/media/Ffmpeg.h"
+#include "engine/media/MediaKind.h"
 #include "engine/media/PhotoMetadata.h"
 #include "engine/media/PictureHeader.h"
 #include "tests/fuzz/Target.h"
@@ -11,6 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static const fuzz::FileInput file("input");
     media::setUpDecoders();
     const Path& path = file({data, size});
+    (void)media::mediaKind(path);
     if (const auto kind = media::pictureKind({data, size})) {
         const media::PhotoMetadata photo = media::photoMetadata({data, size}, *kind);
         (void)photo.note();

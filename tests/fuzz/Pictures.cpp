@@ -13,10 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     media::setUpDecoders();
     const auto header = media::readPictureHeader({data, size});
     if (!header) return 0;
-    fuzz::expect(header->width > 0 && header->height > 0);
+    fuzz::expect(header->size.width > 0 && header->size.height > 0);
     const media::PictureLimits limits{256, 256};
     if (!media::isHdr(header->kind)) {
-        (void)media::readPicture(file({data, size}), limits);
+        (void)media::readPhoto(file({data, size}), limits);
         return 0;
     }
     const auto picture = media::readHdr(file({data, size}), limits);

@@ -67,10 +67,10 @@ std::optional<ImageRgb8> frameOf(const Path& file, std::optional<int> number = s
 }
 
 std::optional<ImageRgb8> photoOf(const Path& file) {
-    auto picture = media::readPicture(file);
-    if (!picture) return std::nullopt;
-    const bool overUnder = picture->width == picture->height;
-    return oneEye(std::move(*picture), overUnder);
+    auto photo = media::readPhoto(file);
+    if (!photo) return std::nullopt;
+    const bool overUnder = photo->picture.width == photo->picture.height;
+    return oneEye(std::move(photo->picture), overUnder);
 }
 
 EnvironmentSource coded(const std::string& kind, const Path& file,

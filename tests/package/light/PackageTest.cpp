@@ -90,11 +90,11 @@ TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
     ASSERT_TRUE(run(quoted(Path(tests::program())) + " view " + model +
                     " --occlusion off --light thesis --video " + video +
                     " --at 5 --orbit 60,75,2 --size 768x768 --out " + quoted(shoal)));
-    const auto theirs = media::readPicture(ogre), ours = media::readPicture(shoal);
+    const auto theirs = media::readPhoto(ogre), ours = media::readPhoto(shoal);
     ASSERT_TRUE(theirs && ours);
-    ASSERT_EQ(theirs->pixels.size(), ours->pixels.size());
-    ASSERT_TRUE(media::writePng(kScratch / "difference.png", differenceOf(*theirs, *ours)));
-    const double difference = rmse(*theirs, *ours);
+    ASSERT_EQ(theirs->picture.pixels.size(), ours->picture.pixels.size());
+    ASSERT_TRUE(media::writePng(kScratch / "difference.png", differenceOf(theirs->picture, ours->picture)));
+    const double difference = rmse(theirs->picture, ours->picture);
     std::printf("OGRE's picture differs from shoal view's by %.4f root mean square\n", difference);
     RecordProperty("rmse", std::to_string(difference));
     // 0.0063 here. 0.0043 of it, in squares: OpenCV, which the example reads its video with, decodes colours

@@ -257,6 +257,15 @@ TEST_F(Program, CheckSaysThatNothingOfAModelWillBeSeen) {
                 AllOf(HasSubstr("a model of 1 triangle"), Not(HasSubstr("transparent"))));
 }
 
+TEST_F(Program, LayersOfWhatHasNoneAreRefused) {
+    const std::string photo = write("photo.ppm", "P6\n2 1\n255\n" + std::string(6, 'x')).string();
+    for (const std::string& words :
+         {"check " + photo, "play --headless --photo " + photo, "panorama " + photo + " -o " + photo + ".png",
+          "light " + photo + " -o " + photo + ".light",
+          "check " + (dataRoot() / "content/species.toml").string()})
+        expectOneMessage(run(words + " --layer a"), "has no layers; leave --layer out", 1);
+}
+
 TEST_F(Program, HeadlessIsAcceptedByEveryCommand) {
     for (const char* command : {"play", "view", "light", "panorama", "check", "devices"})
         EXPECT_NE(run(std::string(command) + " --help").out.find("--headless"), std::string::npos) << command;

@@ -95,6 +95,7 @@ TEST_F(OpenExr, LayersPartsAndViewsAreChosen) {
     const std::vector<Part> two = {{both(rgb("a", 4), rgb("b\n", 7))}};
     expect(two, "", "has several layers; name one by --layer: a, b?");
     expect(two, "a", "4 5 6; layer a");
+    EXPECT_THAT(checkMedia(file, "a")->c_str(), HasSubstr("; layer a"));
     expect(two, "c", "has no colour in a layer \"c\", but in: a, b?");
     expect({{both(kRgb.channels, rgb("a", 4))}}, "", "1 2 3");
     const std::vector<Part> eyes = {{both(kRgb.channels, rgb("right", 4)), "", views}};
@@ -153,6 +154,9 @@ TEST_F(OpenExr, PrimariesBecomeThoseOfRec709AndWhiteStaysWhite) {
     part.channels = {{"R", 1}, {"G", 1}, {"B", 1}};
     write({part});
     EXPECT_EQ(read(), "1 1 1; converted to the primaries of Rec. 709");
+    part.channels = {{"R", 0}, {"G", 1}, {"B", 0}}; // beyond Rec. 709, which is no fault of the file
+    write({part});
+    EXPECT_EQ(read(), "0 1.37 0; converted to the primaries of Rec. 709");
     Imf::addChromaticities(part.header, {{0.3f, 0.3f}, {0.3f, 0.3f}, {0.3f, 0.3f}, {0.3f, 0.3f}});
     write({part});
     EXPECT_EQ(read(), "1 1 1; its primaries span no colours and count as those of Rec. 709");

@@ -3,6 +3,7 @@
 #include "engine/media/Check.h"
 #include "engine/media/MediaKind.h"
 #include "engine/media/Orientation.h"
+#include "engine/media/PictureHeader.h"
 #include "engine/media/Pictures.h"
 #include "tests/unit/media/TestFiles.h"
 
@@ -23,19 +24,23 @@ std::string number(uint64_t value, int bytes, bool little) {
 struct Metadata {
     int orientation = 1;
     std::string xmp, profile;
+    std::vector<std::pair<std::string, std::string>> chunks = {}; // further ones of PNG
 };
 
-// Returns a TIFF structure, of short and byte values, whose data begin behind the directory.
+// Returns a TIFF structure, of short and byte values, whose data begin behind the directory; the sides of
+// tiles are of 64 bits.
 std::string tiff(bool little, std::vector<std::pair<int, std::string>> entries, const std::string& pixels) {
     const auto of = [&](uint64_t value, int bytes) { return number(value, bytes, little); };
     std::erase_if(entries, [](const auto& entry) { return entry.second.empty(); });
     const size_t end = 8 + 2 + 12 * entries.size() + 4;
     std::string directory = of(entries.size(), 2), data = pixels;
     for (const auto& [tag, value] : entries) {
-        const bool bytes = tag == 700 || tag == 34675;
+        const auto [type, size] = tag == 700 || tag == 34675 ? std::pair(1, 1)
+                                  : tag == 322 || tag == 323 ? std::pair(16, 8)
+                                                             : std::pair(3, 2);
         directory +=
-            of(static_cast<uint64_t>(tag), 2) + of(bytes ? 1 : 3, 2) +
-            of(bytes ? value.size() : value.size() / 2, 4) +
+            of(static_cast<uint64_t>(tag), 2) + of(static_cast<uint64_t>(type), 2) +
+            of(value.size() / static_cast<size_t>(size), 4) +
             (value.size() > 4 ? of(end + data.size(), 4) : (value + std::string(3, '\0')).substr(0, 4));
         if (value.size() > 4) data += value;
     }
@@ -102,12 +107,14 @@ std::string fileOf(const std::string& kind, const cv::Mat& bgr, const Metadata& 
         return png ? number(data.size(), 4, false) + named + number(sum, 4, false)
                    : name + number(data.size(), 4, true) + data + std::string(data.size() & 1, '\0');
     };
+    std::string more;
+    for (const auto& [name, data] : m.chunks) more += chunk(name, data);
     if (png)
-        return file.insert(33,
-                           chunk("iCCP", m.profile.empty() ? "" : std::string("p\0\0", 3) + zip(m.profile)) +
-                               chunk("eXIf", oriented) +
-                               chunk("iTXt", std::string("XML:com.adobe.xmp\0", 18) + (packed ? '\1' : '\0') +
-                                                 std::string("\0en\0\0", 5) + (packed ? zip(m.xmp) : m.xmp)));
+        return file.insert(
+            33, more + chunk("iCCP", m.profile.empty() ? "" : std::string("p\0\0", 3) + zip(m.profile)) +
+                    chunk("eXIf", oriented) +
+                    chunk("iTXt", std::string("XML:com.adobe.xmp\0", 18) + (packed ? '\1' : '\0') +
+                                      std::string("\0en\0\0", 5) + (packed ? zip(m.xmp) : m.xmp)));
     const std::string chunks =
         "WEBP" +
         chunk("VP8X", number(0x2c, 4, true) + number(static_cast<uint64_t>(bgr.cols - 1), 3, true) +
@@ -115,6 +122,10 @@ std::string fileOf(const std::string& kind, const cv::Mat& bgr, const Metadata& 
         chunk("ICCP", m.profile) + file.substr(12) + chunk("EXIF", oriented) + chunk("XMP ", m.xmp);
     return "RIFF" + number(chunks.size(), 4, true) + chunks;
 }
+
+constexpr const char* kNone = "";
+constexpr const char* kConverted = "; converted to sRGB from the colours that it states";
+constexpr const char* kIgnored = "; its colour profile is damaged or not for its colours, and is ignored";
 
 constexpr const char* kKinds[] = {".jpg", ".png", ".webp", ".tif"};
 
@@ -153,6 +164,46 @@ TEST_F(Photos, AreTurnedUprightInAllEightWays) {
                 EXPECT_EQ(cornersOf(photo.picture), kUpright[orientation]) << kind << orientation;
                 EXPECT_EQ(photo.picture.width, orientation >= 5 && orientation <= 8 ? 16 : 32) << kind;
             }
+}
+
+// The orientations are those that libavif writes and reads for turns and mirrors (ISO
+// 23008-12, 6.5.10, 6.5.12).
+TEST_F(Photos, AvifBoxesAreObeyedWithinBounds) {
+    const auto box = [](const std::string& name, const std::string& data) {
+        return number(8 + data.size(), 4, false) + name + data;
+    };
+    const auto size = [&](uint64_t width, uint64_t height) {
+        return box("ispe", std::string(4, '\0') + number(width, 4, false) + number(height, 4, false));
+    };
+    const auto file = [&](const std::string& properties) {
+        return box("ftyp", std::string("avif\0\0\0\0mif1", 12)) +
+               box("meta",
+                   std::string(4, '\0') + box("hdlr", "pict") + box("iprp", box("ipco", properties))) +
+               box("mdat", size(9999, 9999));
+    };
+    const auto bytesOf = [](const std::string& text) {
+        return std::vector<uint8_t>(text.begin(), text.end());
+    };
+    constexpr int kOrientations[4][3] = {{1, 4, 2}, {8, 5, 7}, {3, 2, 4}, {6, 7, 5}};
+    for (int turns = 0; turns < 4; ++turns)
+        for (int mirror = -1; mirror < 2; ++mirror) {
+            const std::string mirrored =
+                mirror < 0 ? "" : box("imir", number(static_cast<uint64_t>(mirror), 1, true));
+            const auto bytes =
+                bytesOf(file(size(8, 4) + size(32, 16) + box("colr", "profICC") +
+                             box("irot", number(static_cast<uint64_t>(turns), 1, true)) + mirrored));
+            const auto header = tests::valueOf(readPictureHeader(bytes));
+            EXPECT_EQ(std::pair(header.size.width, header.size.height), std::pair(int64_t{32}, int64_t{16}));
+            const PhotoMetadata metadata = photoMetadata(bytes, PictureKind::Avif);
+            EXPECT_EQ(metadata.orientation, kOrientations[turns][mirror + 1]) << turns << mirror;
+            EXPECT_EQ(metadata.profile, bytesOf("ICC"));
+        }
+    const std::string whole = file(size(32, 16) + box("irot", "\1"));
+    for (size_t cut = 0; cut < whole.size(); ++cut) {
+        const auto bytes = bytesOf(whole.substr(0, cut));
+        (void)readPictureHeader(bytes);
+        (void)photoMetadata(bytes, PictureKind::Avif);
+    }
 }
 
 std::string gpano(const std::string& part, const std::string& pose = "") {
@@ -230,24 +281,54 @@ std::string profileOf(std::array<int, 3> order, double gamma, bool grey = false)
 TEST_F(Photos, AreConvertedToSrgbByTheirProfiles) {
     cv::Mat pixels(16, 32, CV_8UC3, cv::Scalar(30, 120, 200)); // blue first
     const auto expect = [&](const std::string& kind, const std::string& profile, std::array<int, 3> wanted,
-                            ProfileUse use, int within = 2) {
+                            const char* use, int within = 2) {
         const Photo photo = read(kind, pixels, {.profile = profile});
-        EXPECT_EQ(photo.profileUse, use) << kind;
+        EXPECT_EQ(photo.colourNote, use) << kind;
         for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(photo.picture.at(9, 9)[c], wanted[c], within) << kind << c;
     };
     const auto coded = [](double linear) { // IEC 61966-2-1
         return static_cast<int>(std::lround(255 * (1.055 * std::pow(linear / 255, 1 / 2.4) - 0.055)));
     };
     for (const std::string kind : kKinds) {
-        expect(kind, profileOf({1, 0, 2}, 0), {120, 200, 30}, ProfileUse::Converted);
-        expect(kind, profileOf({0, 1, 2}, 1), {coded(200), coded(120), coded(30)}, ProfileUse::Converted, 3);
-        expect(kind, profileOf({0, 1, 2}, 1, true), {200, 120, 30}, ProfileUse::Ignored);
-        expect(kind, "no profile, which is damaged", {200, 120, 30}, ProfileUse::Ignored);
-        expect(kind, "", {200, 120, 30}, ProfileUse::None);
+        expect(kind, profileOf({1, 0, 2}, 0), {120, 200, 30}, kConverted);
+        expect(kind, profileOf({0, 1, 2}, 1), {coded(200), coded(120), coded(30)}, kConverted, 3);
+        expect(kind, profileOf({0, 1, 2}, 1, true), {200, 120, 30}, kIgnored);
+        expect(kind, "no profile, which is damaged", {200, 120, 30}, kIgnored);
+        expect(kind, "", {200, 120, 30}, kNone);
     }
-    expect(".png", profileOf({0, 1, 2}, 0), {200, 120, 30}, ProfileUse::None, 0);
+    expect(".png", profileOf({0, 1, 2}, 0), {200, 120, 30}, kNone, 0);
     pixels = cv::Scalar::all(55);
-    expect(".tif", profileOf({0, 1, 2}, 1, true), {coded(55), coded(55), coded(55)}, ProfileUse::Converted);
+    expect(".tif", profileOf({0, 1, 2}, 1, true), {coded(55), coded(55), coded(55)}, kConverted);
+}
+
+// PNG specification, sections 11.3.2.1, 11.3.2.2 and 4.3: what sRGB or iCCP states goes before these.
+TEST_F(Photos, PngsAreConvertedFromTheirGammaAndPrimaries) {
+    const cv::Mat pixels(16, 32, CV_8UC3, cv::Scalar(30, 120, 200)); // blue first
+    const auto big = [](std::initializer_list<uint64_t> values) {
+        std::string text;
+        for (const uint64_t value : values) text += number(value, 4, false);
+        return text;
+    };
+    const std::string rec709 = big({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}),
+                      swapped = big({31270, 32900, 30000, 60000, 64000, 33000, 15000, 6000});
+    const struct {
+        std::vector<std::pair<std::string, std::string>> chunks;
+        std::array<int, 3> wanted;
+        const char* use;
+    } kCases[] = {
+        {{{"gAMA", big({45455})}, {"cHRM", rec709}}, {200, 120, 30}, kNone},
+        {{{"cHRM", swapped}}, {120, 200, 30}, kConverted},
+        {{{"sRGB", std::string(1, '\0')}, {"cHRM", swapped}}, {200, 120, 30}, kNone},
+        {{{"cHRM", std::string(32, '\0')}}, {200, 120, 30}, kNone},
+        // 255 (1.055 (c / 255)^(1 / 2.4) - 0.055)
+        {{{"gAMA", big({100000})}}, {229, 182, 96}, kConverted},
+    };
+    for (const auto& each : kCases) {
+        const Photo photo = read(".png", pixels, {.chunks = each.chunks});
+        EXPECT_EQ(photo.colourNote, each.use) << each.chunks[0].first;
+        for (size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(photo.picture.at(9, 9)[c], each.wanted[c], 3) << each.chunks[0].first << c;
+    }
 }
 
 // Every other cut of a JPEG is refused, or loses nothing of the picture.
@@ -284,6 +365,17 @@ TEST_F(Photos, TiffsSizesAreCheckedBeforeDecoding) {
     EXPECT_FALSE(changed(257, 257, 0));
     EXPECT_EQ(tests::valueOf(mediaKind(folder / "a.tif")), MediaKind::Photo);
     EXPECT_FALSE(changed(274, 254, 1)) << "a raw photo's thumbnail";
+
+    // libtiff takes memory for such a tile, whose sides are of BigTIFF's type.
+    for (const bool little : {true, false}) {
+        const std::string side = number(1 << 16, 8, little);
+        const std::string tiled =
+            tiff(little,
+                 {{256, number(16, 2, little)}, {257, number(8, 2, little)}, {322, side}, {323, side}}, "");
+        const std::vector<uint8_t> bytes(tiled.begin(), tiled.end());
+        EXPECT_EQ(tiffNumber(bytes, TiffTag::TileWidth), 1u << 16);
+        EXPECT_FALSE(readPictureHeader(bytes));
+    }
 }
 
 // Made of one panorama; see the data's README.
@@ -306,9 +398,9 @@ TEST_F(Photos, SharedOnesAreAsTheirMetadataSay) {
         EXPECT_LE(sum / static_cast<double>(2 * quarter), most) << name;
         EXPECT_NE(checkPicture(shared(name))->find(said), std::string::npos) << *checkPicture(shared(name));
     };
-    expect("rot.webp", 0, "EXIF orientation 3");
+    expect("rot.webp", 0, "its orientation 3");
     expect("crop.png", 2, "1024x256 at 0, 128 of 1024x512");
-    expect("icc_swap.jpg", 3, "colour profile");
+    expect("icc_swap.jpg", 3, "converted to sRGB");
     expect("gp.jpg", 3, "pitch 20 and roll 30 degrees");
 }
 

@@ -128,7 +128,7 @@ TEST_F(HdrPictures, PfmAndExrRoundTripsAreExact) {
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image)) << name;
         const auto read = tests::valueOf(readHdr(folder / name));
-        EXPECT_EQ(read.repaired, 0);
+        EXPECT_EQ(read.note(), "");
         EXPECT_EQ(read.radianceLin.width, 33);
         EXPECT_EQ(read.radianceLin.height, 17);
         EXPECT_EQ(read.radianceLin.pixels, image.pixels) << name;
@@ -204,7 +204,7 @@ TEST_F(HdrPictures, RadianceHeadersAreObeyed) {
         float red, green, blue; // of '0', which is 48
         const char* note;
     } kHeaders[] = {
-        {"EXPOSURE=4\nEXPOSURE= 0.5\n", 24, 24, 24, "divided by its exposure 2, 2, 2"},
+        {"EXPOSURE=4\nEXPOSURE= 0.5\n", 24, 24, 24, "divided by its exposure 2"},
         {"COLORCORR=1 2 4\r\n", 48, 24, 12, "divided by its exposure 1, 2, 4"},
         {"PIXASPECT=2\n", 48, 48, 48, "its pixels count as square"},
         {"GAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\n", 48, 48, 48,
@@ -221,9 +221,13 @@ TEST_F(HdrPictures, RadianceHeadersAreObeyed) {
         EXPECT_NEAR(p[2], each.blue, 1e-3f) << each.lines;
         EXPECT_EQ(picture.notes, std::vector<std::string>{each.note});
     }
-    for (const char* bad :
-         {"EXPOSURE=0\n\n-Y 1 +X 1\n", "COLORCORR=1\n\n-Y 1 +X 1\n", "GAMMA=2.2\n\n-Y 1 +X 1\n",
-          "FORMAT=other\n\n-Y 1 +X 1\n", "\n-Y 1 +Y 1\n", "\n-Y 1\n", "\n-Y 1 +X 1", "-Y 1 +X 1\n"})
+    for (const auto& [bad, reason] :
+         {std::pair("EXPOSURE=0\n", "states an exposure of 0, which its light cannot be divided by"),
+          {"COLORCORR=1 -1 1\n", "states an exposure of 1, -1, 1, which its light cannot be divided by"},
+          {"GAMMA=2.2\n", "states a GAMMA of 2.2; only linear light (1) is read"}})
+        EXPECT_EQ(read(bad + std::string("\n-Y 1 +X 1\n"), "0").error().reason, reason);
+    for (const char* bad : {"COLORCORR=1\n\n-Y 1 +X 1\n", "FORMAT=other\n\n-Y 1 +X 1\n", "\n-Y 1 +Y 1\n",
+                            "\n-Y 1\n", "\n-Y 1 +X 1", "-Y 1 +X 1\n"})
         EXPECT_FALSE(read(bad, "0000")) << bad;
 }
 
@@ -255,14 +259,11 @@ TEST_F(HdrPictures, ValuesThatAreNoLightAreReplacedAndCounted) {
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image));
         const auto read = tests::valueOf(readHdr(folder / name));
-        EXPECT_EQ(read.repaired, 4) << name;
-        EXPECT_EQ(read.clamped, 1) << name;
         EXPECT_EQ(read.radianceLin.pixels,
                   (std::vector<float>{1, 0, 0, kMaxRadiance, 0, 78944, kMaxRadiance, 0, 1, 2, 3, 4}))
             << name;
-        EXPECT_EQ(read.repairs(),
-                  "4 components were NaN, infinite or negative and count as replaced; 1 components "
-                  "were above 10^9 and count as 10^9");
+        EXPECT_EQ(read.note(), "; 4 components were NaN, infinite or negative and are replaced; 1 components "
+                               "were above 10^9 and count as 10^9");
     }
     // A sun is light.
     image.pixels.assign(12, kMaxRadiance);
@@ -270,7 +271,7 @@ TEST_F(HdrPictures, ValuesThatAreNoLightAreReplacedAndCounted) {
         ASSERT_TRUE(writeHdr(folder / name, image));
         const auto read = tests::valueOf(readHdr(folder / name));
         EXPECT_EQ(read.radianceLin.pixels, image.pixels) << name;
-        EXPECT_EQ(read.repairs(), "") << name;
+        EXPECT_EQ(read.note(), "") << name;
     }
 }
 
@@ -299,7 +300,7 @@ TEST_F(HdrPictures, SharedLightHasTheStatedMaximum) {
         if (file.empty()) GTEST_SKIP() << "no shared hdr/" << fact.name;
         const auto read = tests::valueOf(readHdr(file));
         EXPECT_EQ(read.radianceLin.width, 1024);
-        EXPECT_EQ(read.repaired, 0);
+        EXPECT_EQ(read.note().find("components"), std::string::npos);
         double largest = 0;
         for (size_t i = 0; i < read.radianceLin.pixels.size(); i += 3) {
             const float* p = &read.radianceLin.pixels[i];
@@ -322,6 +323,9 @@ TEST_F(Check, PicturesAreDescribed) {
     bad.pixels[5] = -1;
     ASSERT_TRUE(writeHdr(folder / "bad.pfm", bad));
     EXPECT_NE(checkPicture(folder / "bad.pfm")->find("1 components"), std::string::npos);
+    EXPECT_EQ(readHdr(folder / "bad.pfm", {}, "a").error().reason, kNoLayers);
+    for (const char* name : {"pano.png", "bad.pfm"})
+        EXPECT_EQ(checkMedia(folder / name, "a").error().reason, kNoLayers);
 }
 
 } // namespace

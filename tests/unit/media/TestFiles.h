@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
-#include "engine/core/Image.h"
+#include "engine/media/Pictures.h"
 #include "tests/Test.h"
 
 #include <opencv2/videoio.hpp>
@@ -15,6 +15,12 @@ using TempFolder = tests::ScratchFolder;
 inline Path sharedData(const std::string& name) {
     const Path file = tests::sharedDataFolder() / name;
     return std::filesystem::exists(file) ? file : Path{};
+}
+
+inline Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {}) {
+    auto photo = readPhoto(file, limits);
+    if (!photo) return photo.error();
+    return std::move(photo->picture);
 }
 
 inline void writeBytes(const Path& file, std::string_view bytes) {

@@ -272,7 +272,7 @@ TEST(Panorama, SixteenBitsGreyAndAlpha) {
         cv::rectangle(made, {20, 4, 4, 4}, cv::Scalar::all(CV_MAT_DEPTH(type) == CV_8U ? 255 : 65535),
                       cv::FILLED);
         ASSERT_TRUE(cv::imwrite((folder / "odd.png").string(), made));
-        const auto photo = tests::valueOf(media::readPicture(folder / "odd.png"));
+        const auto photo = tests::valueOf(media::readPhoto(folder / "odd.png")).picture;
         const auto grown = tests::valueOf(panoramaFromPhoto(photo, {}));
         EXPECT_NEAR(grown.lightInPhoto.x, 22, 0.5) << type;
         EXPECT_NEAR(grown.latLong.at(0, grown.latLong.height / 2)[0], 100, 12) << type;

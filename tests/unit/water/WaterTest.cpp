@@ -194,11 +194,12 @@ TEST(EstimateWater, TellsLandFromWater) {
     const Path photos = tests::sharedDataFolder() / "photo";
     if (!std::filesystem::exists(photos)) GTEST_SKIP() << photos << " is missing";
     const auto evidence = [&](const char* name, bool upperHalf) {
-        const auto picture = media::readPicture(photos / name);
-        if (!picture) return -1.0f;
+        const auto photo = media::readPhoto(photos / name);
+        if (!photo) return -1.0f;
+        const ImageRgb8& picture = photo->picture;
         return WaterEstimator()
-            .estimate({picture->pixels.data(), picture->width, picture->height / (upperHalf ? 2 : 1),
-                       3 * picture->width, false})
+            .estimate({picture.pixels.data(), picture.width, picture.height / (upperHalf ? 2 : 1),
+                       3 * picture.width, false})
             .evidence;
     };
     EXPECT_EQ(evidence("petra_360_2048x1024.jpg", false), 0);
