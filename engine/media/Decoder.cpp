@@ -164,11 +164,9 @@ Status Decoder::convert(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     const auto format = static_cast<AVPixelFormat>(frame_->format);
-    const bool ofJpeg = format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P ||
-                        format == AV_PIX_FMT_YUVJ444P || format == AV_PIX_FMT_YUVJ440P;
-    const bool fullRange =
-        frame_->color_range == AVCOL_RANGE_JPEG || ofJpeg || codec_->codec_id == AV_CODEC_ID_MJPEG;
+    const bool fullRange = isFullRange(codec_->codec_id, format, frame_->color_range);
     const FrameColour colour = this->colour();
+    if (!colour.decodable) return colour.decodable;
     const bool isUsual = format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUV422P ||
                          format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P;
     if (!isUsual || colour.transfer != Transfer::Sdr || colour.primaries != AVCOL_PRI_BT709)

@@ -3,6 +3,7 @@
 #include "engine/core/Vectorise.h"
 #include "engine/math/Colour.h"
 
+#include <fmt/core.h>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
@@ -13,6 +14,7 @@ extern "C" {
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace shoal::media {
 
@@ -86,8 +88,16 @@ ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int heigh
     if (codec == AV_CODEC_ID_MJPEG || stated == AVCOL_SPC_BT470BG || stated == AVCOL_SPC_SMPTE170M)
         return ColourMatrix::Bt601;
     if (stated == AVCOL_SPC_BT709) return ColourMatrix::Bt709;
-    if (stated == AVCOL_SPC_BT2020_NCL || stated == AVCOL_SPC_BT2020_CL) return ColourMatrix::Bt2020;
+    if (stated == AVCOL_SPC_BT2020_NCL) return ColourMatrix::Bt2020;
     return width >= 1280 || height > 576 ? ColourMatrix::Bt709 : ColourMatrix::Bt601;
+}
+
+bool isFullRange(AVCodecID codec, AVPixelFormat format, AVColorRange stated) {
+    const AVPixFmtDescriptor* known = av_pix_fmt_desc_get(format);
+    const bool ofJpeg = known && std::string_view(known->name).starts_with("yuvj");
+    const bool isGrey = known && known->nb_components < 3;
+    return stated == AVCOL_RANGE_JPEG || ofJpeg || codec == AV_CODEC_ID_MJPEG ||
+           (isGrey && stated == AVCOL_RANGE_UNSPECIFIED);
 }
 
 Luma lumaOf(ColourMatrix matrix) {
@@ -101,6 +111,9 @@ const char* nameOf(ColourMatrix matrix) {
 
 FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int height) {
     FrameColour colour{matrixOf(codec, stated.matrix, width, height)};
+    if (stated.matrix == AVCOL_SPC_BT2020_CL || stated.matrix == AVCOL_SPC_ICTCP)
+        colour.decodable = Error{"", fmt::format("codes its colours as {}, which cannot be shown; convert it",
+                                                 av_color_space_name(stated.matrix))};
     if (stated.transfer == AVCOL_TRC_SMPTE2084) colour.transfer = Transfer::Pq;
     if (stated.transfer == AVCOL_TRC_ARIB_STD_B67) colour.transfer = Transfer::Hlg;
     const AVColorPrimaries primaries = stated.primaries;

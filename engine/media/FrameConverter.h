@@ -31,6 +31,7 @@ struct FrameColour {
     ColourMatrix matrix = ColourMatrix::Bt709;
     AVColorPrimaries primaries = AVCOL_PRI_BT709;
     Transfer transfer = Transfer::Sdr;
+    Status decodable = Done{}; // fails for luma that is no sum of codes: constant luminance, ICtCp
 };
 
 // Returns how frames of this size are decoded. PQ and HLG are of BT.2020 unless other colours are stated.
@@ -41,6 +42,10 @@ FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int
 // (unspecified, or RGB) it follows from the size, as in other players: BT.709 from 1280 wide or above 576
 // high.
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
+
+// Returns whether codes span the whole range: by statement, or as FFmpeg takes Motion JPEG, its own formats
+// of JPEG and grey without a statement.
+bool isFullRange(AVCodecID codec, AVPixelFormat format, AVColorRange stated);
 
 // Weights of red and blue in luma; green's is 1 minus both.
 struct Luma {

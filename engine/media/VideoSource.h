@@ -49,7 +49,7 @@ class VideoSource {
     bool jump(int64_t number);
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
-    bool readColour();
+    Status readColour();
     void findPlace();
 
     Path file_;
