@@ -102,7 +102,7 @@ TEST(HdrFilm, StatedColoursTellAndOthersAreRefused) {
         frame->format = format;
         frame->width = frame->height = 64;
         ASSERT_EQ(av_frame_get_buffer(frame.get(), 0), 0);
-        EXPECT_FALSE(FrameConverter().convert(*frame, {}, false, bgr, nullptr)) << format;
+        EXPECT_FALSE(FrameConverter().convert(*frame, {}, bgr, nullptr)) << format;
     }
 }
 

@@ -73,7 +73,7 @@ TEST(ColourMatrix, StatedWinsElseSizeTells) {
 // As FFmpeg's own converter takes them.
 TEST(ColourRange, IsWholeForJpegAndForGreyUnlessStated) {
     const auto isFull = [](AVPixelFormat format, AVColorRange stated = AVCOL_RANGE_UNSPECIFIED) {
-        return isFullRange(AV_CODEC_ID_FFV1, format, stated);
+        return colourOf(AV_CODEC_ID_FFV1, {.range = stated, .format = format}, 64, 32).fullRange;
     };
     for (const AVPixelFormat format : {AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY16, AV_PIX_FMT_YUVJ411P})
         EXPECT_TRUE(isFull(format)) << av_get_pix_fmt_name(format);
