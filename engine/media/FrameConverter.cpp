@@ -14,6 +14,7 @@ extern "C" {
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace shoal::media {
@@ -285,7 +286,7 @@ void FrameConverter::convertRow(int y, Rows& rows, uint8_t* bgr) const {
     for (int c = 0; c < 3; ++c) readRow(c, y, rows);
     float *const red = rows.channels[0].data(), *const green = rows.channels[1].data(),
                  *const blue = rows.channels[2].data();
-    applyMatrix(planes_.rgbFromCodes, -1e9f, width, red, green, blue);
+    applyMatrix(planes_.rgbFromCodes, std::numeric_limits<float>::lowest(), width, red, green, blue);
     if (!planes_.lightByCode) return writeCodes(red, green, blue, width, bgr);
     for (Row& channel : rows.channels) lookUp(planes_.lightByCode, width, channel.data());
     if (planes_.isHlg) applyHlgGain(hlgGains().data(), width, red, green, blue);
@@ -338,8 +339,9 @@ Status FrameConverter::begin(const AVFrame& frame, const FrameColour& colour) {
 void FrameConverter::share(const AVFrame& frame, const FrameColour& colour, VideoFrame& out) {
     if (!out.planesOwner) out.planesOwner = {av_frame_alloc(), FreeAt<av_frame_free>()};
     av_frame_unref(out.planesOwner.get());
-    const bool shared = begin(frame, colour) && av_frame_ref(out.planesOwner.get(), &frame) >= 0;
-    out.planes = shared && std::ranges::min(planes_.rowBytes) > 0 ? planes_ : Planes();
+    const bool shared = begin(frame, colour) && std::ranges::min(planes_.rowBytes) > 0 &&
+                        av_frame_ref(out.planesOwner.get(), &frame) >= 0;
+    out.planes = shared ? planes_ : Planes();
 }
 
 Status FrameConverter::convert(const AVFrame& frame, const FrameColour& colour, ImageRgb8& bgr,
