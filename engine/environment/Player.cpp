@@ -85,7 +85,8 @@ Status Player::openVideo(const Wait& wait) {
         if (Status s = media::DepthTrack::open(track, name).moveTo(depthTrack_); !s)
             log::warn("{}; the film is shown without depth", s.error().message());
     prepareFor(setup_.quality, media::kFrameSlots);
-    media::PlayerOptions options{.layout = setup_.source.layout, .keepPixels = false};
+    media::PlayerOptions options{
+        .layout = setup_.source.layout, .keepPixels = false, .keepPlanes = setup_.planes};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
     if (*address)
         return media::LivePlayer::open(media::feedFrom(**address), {options},
@@ -160,7 +161,8 @@ void Player::prepare(const media::VideoFrame& frame) {
     analyse(leftEye, leftEyeOf(frame.radianceLin, frame.layout, leftRadianceLin_), made.found);
     if (depthTrack_ && setup_.drawsDepth) prepareDepth(frame, leftEye);
     made.found.cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
-    media::toBgra(frame.pixelsBgr, true, made.picture);
+    made.planes = frame.planes.codes[0] ? &frame.planes : nullptr;
+    if (!made.planes) media::toBgra(frame.pixelsBgr, true, made.picture);
 }
 
 void Player::analyse(const light::FrameView& frame, const ImageRgbF& radianceLin, FrameFindings& out) {

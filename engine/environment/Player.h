@@ -55,6 +55,7 @@ struct Setup {
     bool water = false;
     bool lights = false; // directions of the light sources, for shadows
     bool cameraResponse = false;
+    bool planes = false; // a graphics card converts a film's frames, if it can read their planes
 
     bool operator==(const Setup&) const = default;
 };
@@ -80,8 +81,9 @@ struct FrameFindings {
 
 // A frame and its analysis.
 struct Frame {
-    ImageRgba8 picture;    // pixels to upload, blue first; empty for an HDR picture
-    ImageRgbF radianceLin; // only for an HDR picture
+    ImageRgba8 picture; // pixels to upload, blue first; empty for an HDR picture, unused beside planes
+    const media::Planes* planes = nullptr; // to upload instead of the picture, unless null
+    ImageRgbF radianceLin;                 // only for an HDR picture
     FrameFindings found;
     depth::DepthMap depth, widened; // empty: unknown; of a stereo film's left picture; see widenNear()
     depth::DepthRange depthRange;

@@ -174,6 +174,8 @@ FrameColour Decoder::colour() const {
     if (frame_->colorspace != AVCOL_SPC_UNSPECIFIED) stated.matrix = frame_->colorspace;
     if (frame_->color_primaries != AVCOL_PRI_UNSPECIFIED) stated.primaries = frame_->color_primaries;
     if (frame_->color_trc != AVCOL_TRC_UNSPECIFIED) stated.transfer = frame_->color_trc;
+    stated.range = frame_->color_range;
+    stated.format = static_cast<AVPixelFormat>(frame_->format);
     return colourOf(codec_->codec_id, stated, frame_->width, frame_->height);
 }
 
@@ -181,22 +183,19 @@ Status Decoder::convert(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     const auto format = static_cast<AVPixelFormat>(frame_->format);
-    const bool ofJpeg = format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P ||
-                        format == AV_PIX_FMT_YUVJ444P || format == AV_PIX_FMT_YUVJ440P;
-    const bool fullRange =
-        frame_->color_range == AVCOL_RANGE_JPEG || ofJpeg || codec_->codec_id == AV_CODEC_ID_MJPEG;
     const FrameColour colour = this->colour();
+    if (!colour.decodable) return colour.decodable;
     const bool isUsual = format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUV422P ||
                          format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P;
     if (!isUsual || colour.transfer != Transfer::Sdr || colour.primaries != AVCOL_PRI_BT709)
-        return converter_.convert(*frame_, colour, fullRange, bgr, radianceLin);
+        return converter_.convert(*frame_, colour, bgr, radianceLin);
     // Whole numbers take a fraction of the converter's time, within 0.6 levels.
     if (radianceLin && !radianceLin->empty()) *radianceLin = {};
     bgr.fit(width, height);
     const auto& data = frame_->data;
     const auto& linesize = frame_->linesize;
     toBgr({data[0], data[1], data[2]}, {linesize[0], linesize[1], linesize[2]}, chromaTexels().y,
-          colour.matrix, fullRange, bgr);
+          colour.matrix, colour.fullRange, bgr);
     return Done{};
 }
 

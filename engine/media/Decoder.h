@@ -51,6 +51,7 @@ class Decoder {
     // stream; bgr takes its size. radianceLin: null, or takes the light of PQ or HLG; empty for other
     // pictures. Fails if it is too large, or of an unknown pixel format.
     Status convert(ImageRgb8& bgr, ImageRgbF* radianceLin = nullptr);
+    void share(VideoFrame& out) { converter_.share(*frame_, colour(), out); }
 
   private:
     Codec codec_;

@@ -3,6 +3,7 @@
 #include "engine/core/Vectorise.h"
 #include "engine/math/Colour.h"
 
+#include <fmt/core.h>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
@@ -13,6 +14,8 @@ extern "C" {
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
 
 namespace shoal::media {
 
@@ -25,12 +28,10 @@ constexpr double kHlgPeak_cdM2 = 1000; // nominal, which makes gamma 1.2: BT.210
 constexpr double kPqPeak_cdM2 = 10000; // SMPTE ST 2084
 constexpr glm::vec3 kLuminance2020{0.2627f, 0.6780f, 0.0593f}; // BT.2020
 
-constexpr size_t kCodes = 1 << 14; // of a table; steps are at most 0.2 % of the light
-
 template <class F> std::vector<float> tableOf(F&& valueAt) {
-    std::vector<float> table(kCodes);
-    for (size_t i = 0; i < kCodes; ++i)
-        table[i] = static_cast<float>(valueAt(static_cast<double>(i) / (kCodes - 1)));
+    std::vector<float> table(kLightCodes);
+    for (size_t i = 0; i < table.size(); ++i)
+        table[i] = static_cast<float>(valueAt(static_cast<double>(i) / (kLightCodes - 1)));
     return table;
 }
 
@@ -86,7 +87,7 @@ ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int heigh
     if (codec == AV_CODEC_ID_MJPEG || stated == AVCOL_SPC_BT470BG || stated == AVCOL_SPC_SMPTE170M)
         return ColourMatrix::Bt601;
     if (stated == AVCOL_SPC_BT709) return ColourMatrix::Bt709;
-    if (stated == AVCOL_SPC_BT2020_NCL || stated == AVCOL_SPC_BT2020_CL) return ColourMatrix::Bt2020;
+    if (stated == AVCOL_SPC_BT2020_NCL) return ColourMatrix::Bt2020;
     return width >= 1280 || height > 576 ? ColourMatrix::Bt709 : ColourMatrix::Bt601;
 }
 
@@ -101,6 +102,13 @@ const char* nameOf(ColourMatrix matrix) {
 
 FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int height) {
     FrameColour colour{matrixOf(codec, stated.matrix, width, height)};
+    if (stated.matrix == AVCOL_SPC_BT2020_CL || stated.matrix == AVCOL_SPC_ICTCP)
+        colour.decodable = Error{"", fmt::format("codes its colours as {}, which cannot be shown; convert it",
+                                                 av_color_space_name(stated.matrix))};
+    const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(stated.format);
+    const bool isGrey = format && format->nb_components < 3 && stated.range == AVCOL_RANGE_UNSPECIFIED;
+    colour.fullRange = stated.range == AVCOL_RANGE_JPEG || codec == AV_CODEC_ID_MJPEG || isGrey ||
+                       (format && std::string_view(format->name).starts_with("yuvj"));
     if (stated.transfer == AVCOL_TRC_SMPTE2084) colour.transfer = Transfer::Pq;
     if (stated.transfer == AVCOL_TRC_ARIB_STD_B67) colour.transfer = Transfer::Hlg;
     const AVColorPrimaries primaries = stated.primaries;
@@ -146,34 +154,18 @@ bool canRead(const AVFrame& frame, const AVPixFmtDescriptor& format) {
     return true;
 }
 
-// Spreads codes over 2^across pixels each, and scales them.
+// Spreads codes over 2^across pixels each.
 SHOAL_VECTORISE
-void spread(const uint16_t* __restrict codes, int across, int width, float black, float unit,
-            float* __restrict out) {
+void spread(const uint16_t* __restrict codes, int across, int width, float* __restrict out) {
     if (across == 0) // without a gather
-        for (int x = 0; x < width; ++x) out[x] = (static_cast<float>(codes[x]) - black) * unit;
+        for (int x = 0; x < width; ++x) out[x] = static_cast<float>(codes[x]);
     else
-        for (int x = 0; x < width; ++x) out[x] = (static_cast<float>(codes[x >> across]) - black) * unit;
-}
-
-// Converts luma, blue and red difference to red, green and blue; Decoder.cpp has the formula.
-SHOAL_VECTORISE
-void toRgb(const Luma& k, int width, float* __restrict red, float* __restrict green, float* __restrict blue) {
-    const auto ofRed = static_cast<float>(2 - 2 * k.red), ofBlue = static_cast<float>(2 - 2 * k.blue);
-    const auto luma = static_cast<float>(1 / (1 - k.red - k.blue));
-    const float redOfGreen = static_cast<float>(k.red) * ofRed * luma,
-                blueOfGreen = static_cast<float>(k.blue) * ofBlue * luma;
-    for (int x = 0; x < width; ++x) {
-        const float y = red[x], cb = green[x], cr = blue[x];
-        red[x] = y + ofRed * cr;
-        green[x] = y - blueOfGreen * cb - redOfGreen * cr;
-        blue[x] = y + ofBlue * cb;
-    }
+        for (int x = 0; x < width; ++x) out[x] = static_cast<float>(codes[x >> across]);
 }
 
 // Returns the index of the table's value at `share`, 0 to 1.
 inline int indexOf(float share) {
-    return static_cast<int>(std::clamp(share, 0.0f, 1.0f) * static_cast<float>(kCodes - 1) + 0.5f);
+    return static_cast<int>(std::clamp(share, 0.0f, 1.0f) * static_cast<float>(kLightCodes - 1) + 0.5f);
 }
 
 SHOAL_VECTORISE
@@ -192,14 +184,15 @@ void applyHlgGain(const float* __restrict table, int width, float* __restrict re
     }
 }
 
+// Results are `least` or more.
 SHOAL_VECTORISE
-void applyMatrix(const glm::mat3& m, int width, float* __restrict red, float* __restrict green,
+void applyMatrix(const glm::mat4x3& m, float least, int width, float* __restrict red, float* __restrict green,
                  float* __restrict blue) {
     for (int x = 0; x < width; ++x) {
-        const float r = red[x], g = green[x], b = blue[x];
-        red[x] = std::max(m[0][0] * r + m[1][0] * g + m[2][0] * b, 0.0f);
-        green[x] = std::max(m[0][1] * r + m[1][1] * g + m[2][1] * b, 0.0f);
-        blue[x] = std::max(m[0][2] * r + m[1][2] * g + m[2][2] * b, 0.0f);
+        const float a = red[x], b = green[x], c = blue[x];
+        red[x] = std::max(m[0][0] * a + m[1][0] * b + m[2][0] * c + m[3][0], least);
+        green[x] = std::max(m[0][1] * a + m[1][1] * b + m[2][1] * c + m[3][1], least);
+        blue[x] = std::max(m[0][2] * a + m[1][2] * b + m[2][2] * c + m[3][2], least);
     }
 }
 
@@ -250,19 +243,22 @@ void addMeans(const float* channel, int width, int count, float weight, float* o
 
 } // namespace
 
-// Sets the scales of components: H.273, 8.3. Luma and RGB become 0 to 1, differences -1/2 to 1/2.
-void FrameConverter::readScales(bool fullRange) {
-    for (size_t c = 0; c < scales_.size(); ++c) {
+// Makes the matrix from codes to red, green and blue of 0 to 1: H.273, 8.3. Luma is 0 to 1, and differences
+// are -1/2 to 1/2; Decoder.cpp has their formula.
+void FrameConverter::makeMatrix(const FrameColour& colour) {
+    const Luma k = lumaOf(colour.matrix);
+    const double ofRed = 2 - 2 * k.red, ofBlue = 2 - 2 * k.blue, green = 1 - k.red - k.blue;
+    glm::dmat4x3 m(1);
+    if (!isRgb_)
+        m = {1, 1, 1, 0, -k.blue * ofBlue / green, ofBlue, ofRed, -k.red * ofRed / green, 0, 0, 0, 0};
+    for (int c = 0; c < (isGrey_ ? 1 : 3); ++c) {
         const int depth = isPalette_ ? 8 : format_->comp[c].depth;
-        const bool isDifference = !isRgb_ && c > 0;
-        const auto code = [&](double of8) { return static_cast<float>(std::ldexp(of8, depth - 8)); };
-        const auto whole = static_cast<float>((1 << depth) - 1);
-        const bool full = fullRange || isRgb_ || depth < 8;
-        scales_[c] = {isDifference ? code(128)
-                      : full       ? 0
-                                   : code(16),
-                      1 / (full ? whole : code(isDifference ? 224 : 219))};
+        const bool isDifference = !isRgb_ && c > 0, full = colour.fullRange || isRgb_ || depth < 8;
+        const auto code = [&](double of8) { return std::ldexp(of8, depth - 8); };
+        m[c] /= full ? (1 << depth) - 1 : code(isDifference ? 224 : 219);
+        m[3] -= m[c] * (isDifference ? code(128) : full ? 0 : code(16));
     }
+    planes_.rgbFromCodes = glm::mat4x3(m);
 }
 
 void FrameConverter::readRow(int component, int y, Rows& rows) const {
@@ -281,21 +277,20 @@ void FrameConverter::readRow(int component, int y, Rows& rows) const {
     if (isPalette_) // words of alpha, red, green, blue
         for (uint16_t& code : rows.codes)
             code = reinterpret_cast<const uint32_t*>(planes[1])[code] >> (16 - 8 * component) & 255;
-    const Scale& scale = scales_[static_cast<size_t>(component)];
-    spread(rows.codes.data(), across, frame_->width, scale.black, scale.unit, out.data());
+    spread(rows.codes.data(), across, frame_->width, out.data());
 }
 
-// Converts a row; leaves its light in `rows`.
+// Converts a row; leaves its light in `rows`. Twin of shaders/render/Planes.frag.
 void FrameConverter::convertRow(int y, Rows& rows, uint8_t* bgr) const {
     const int width = frame_->width;
     for (int c = 0; c < 3; ++c) readRow(c, y, rows);
     float *const red = rows.channels[0].data(), *const green = rows.channels[1].data(),
                  *const blue = rows.channels[2].data();
-    if (!isRgb_) toRgb(luma_, width, red, green, blue);
-    if (!linear_) return writeCodes(red, green, blue, width, bgr);
-    for (Row& channel : rows.channels) lookUp(linear_, width, channel.data());
-    if (transfer_ == Transfer::Hlg) applyHlgGain(hlgGains().data(), width, red, green, blue);
-    applyMatrix(toRec709_, width, red, green, blue);
+    applyMatrix(planes_.rgbFromCodes, std::numeric_limits<float>::lowest(), width, red, green, blue);
+    if (!planes_.lightByCode) return writeCodes(red, green, blue, width, bgr);
+    for (Row& channel : rows.channels) lookUp(planes_.lightByCode, width, channel.data());
+    if (planes_.isHlg) applyHlgGain(hlgGains().data(), width, red, green, blue);
+    applyMatrix(planes_.toRec709, 0, width, red, green, blue);
     writeLight(red, green, blue, width, bgr);
 }
 
@@ -317,22 +312,43 @@ void FrameConverter::convertBand(int band, ImageRgb8& bgr) {
     }
 }
 
-Status FrameConverter::convert(const AVFrame& frame, const FrameColour& colour, bool fullRange,
-                               ImageRgb8& bgr, ImageRgbF* radianceLin) {
+Status FrameConverter::begin(const AVFrame& frame, const FrameColour& colour) {
     frame_ = &frame;
     format_ = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame.format));
     if (!format_ || !canRead(frame, *format_)) return Error{"", "its picture is of an unknown form"};
     isPalette_ = format_->flags & AV_PIX_FMT_FLAG_PAL;
     isRgb_ = isPalette_ || format_->flags & AV_PIX_FMT_FLAG_RGB;
     isGrey_ = !isRgb_ && format_->nb_components < 3;
-    readScales(fullRange);
-    luma_ = lumaOf(colour.matrix);
-    transfer_ = colour.transfer;
-    const bool isHdr = transfer_ != Transfer::Sdr;
-    linear_ = isHdr || colour.primaries != AVCOL_PRI_BT709 ? lightByCode(transfer_).data() : nullptr;
-    toRec709_ = toRec709(colour.primaries);
+    const AVComponentDescriptor* of = format_->comp;
+    planes_ = {.bytes = of[0].depth > 8 ? 2 : 1,
+               .size = {frame.width, frame.height},
+               .chromaShift = {format_->log2_chroma_w, format_->log2_chroma_h},
+               .toRec709 = glm::mat4x3(toRec709(colour.primaries)),
+               .isHlg = colour.transfer == Transfer::Hlg};
+    if (colour.transfer != Transfer::Sdr || colour.primaries != AVCOL_PRI_BT709)
+        planes_.lightByCode = lightByCode(colour.transfer).data();
+    makeMatrix(colour);
+    const bool isThree = !isRgb_ && of[1].plane == 1 && of[2].plane == 2 && of[0].shift == 0;
+    for (size_t c = 0; isThree && !(format_->flags & AV_PIX_FMT_FLAG_BE) && c < 3; ++c) {
+        planes_.codes[c] = frame.data[c];
+        planes_.rowBytes[c] = frame.linesize[c];
+    }
+    return Done{};
+}
+
+void FrameConverter::share(const AVFrame& frame, const FrameColour& colour, VideoFrame& out) {
+    if (!out.planesOwner) out.planesOwner = {av_frame_alloc(), FreeAt<av_frame_free>()};
+    av_frame_unref(out.planesOwner.get());
+    const bool shared = begin(frame, colour) && std::ranges::min(planes_.rowBytes) > 0 &&
+                        av_frame_ref(out.planesOwner.get(), &frame) >= 0;
+    out.planes = shared ? planes_ : Planes();
+}
+
+Status FrameConverter::convert(const AVFrame& frame, const FrameColour& colour, ImageRgb8& bgr,
+                               ImageRgbF* radianceLin) {
+    if (Status readable = begin(frame, colour); !readable) return readable;
     bgr.fit(frame.width, frame.height);
-    radianceLin_ = isHdr ? radianceLin : nullptr;
+    radianceLin_ = colour.transfer != Transfer::Sdr ? radianceLin : nullptr;
     if (radianceLin_) {
         const int width = std::min(frame.width, kMaxLightSide);
         radianceLin_->fit(width, std::clamp(frame.height * width / frame.width, 1, kMaxLightSide));

@@ -12,8 +12,6 @@ extern "C" {
 #include <libavutil/pixdesc.h>
 }
 
-#include <glm/mat3x3.hpp>
-
 #include <array>
 #include <memory>
 #include <vector>
@@ -25,16 +23,21 @@ struct StatedColour {
     AVColorSpace matrix = AVCOL_SPC_UNSPECIFIED;
     AVColorPrimaries primaries = AVCOL_PRI_UNSPECIFIED;
     AVColorTransferCharacteristic transfer = AVCOL_TRC_UNSPECIFIED;
+    AVColorRange range = AVCOL_RANGE_UNSPECIFIED;
+    AVPixelFormat format = AV_PIX_FMT_NONE;
 };
 
 struct FrameColour {
     ColourMatrix matrix = ColourMatrix::Bt709;
     AVColorPrimaries primaries = AVCOL_PRI_BT709;
     Transfer transfer = Transfer::Sdr;
+    bool fullRange = false;
+    Status decodable = Done{}; // fails for luma that is no sum of codes: constant luminance, ICtCp
 };
 
 // Returns how frames of this size are decoded. PQ and HLG are of BT.2020 unless other colours are stated.
-// Primaries of SDR: BT.2020 and P3 if stated; all others are taken for BT.709, which they are near.
+// Primaries of SDR: BT.2020 and P3 if stated; all others are taken for BT.709, which they are near. Range: as
+// FFmpeg takes it, full for its formats of JPEG, and for grey without a statement.
 FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int height);
 
 // Returns BT.601 for Motion JPEG of any size (JFIF), else the matrix that is stated. Without a known code
@@ -66,19 +69,19 @@ class FrameConverter {
     // light of colours outside of Rec. 709 becomes 0. Fails if the pixel format is unknown.
     //
     // Colours brighter than white are shown divided by their largest channel: hue and saturation stay.
-    Status convert(const AVFrame& frame, const FrameColour& colour, bool fullRange, ImageRgb8& bgr,
-                   ImageRgbF* radianceLin);
+    Status convert(const AVFrame& frame, const FrameColour& colour, ImageRgb8& bgr, ImageRgbF* radianceLin);
+
+    // Makes `out` own the frame and hold its planes, if it has three of YCbCr.
+    void share(const AVFrame& frame, const FrameColour& colour, VideoFrame& out);
 
   private:
     using Row = std::vector<float>;
     struct Rows {
         std::vector<uint16_t> codes;
-        std::array<Row, 3> channels; // red, green, blue; at first luma, blue and red difference
+        std::array<Row, 3> channels; // red, green, blue; at first codes
     };
-    struct Scale {
-        float black = 0, unit = 0; // value = (code - black) * unit
-    };
-    void readScales(bool fullRange);
+    Status begin(const AVFrame& frame, const FrameColour& colour);
+    void makeMatrix(const FrameColour& colour);
     void readRow(int component, int y, Rows& rows) const;
     void convertRow(int y, Rows& rows, uint8_t* bgr) const;
     void convertBand(int band, ImageRgb8& bgr);
@@ -89,11 +92,7 @@ class FrameConverter {
     const AVFrame* frame_ = nullptr;
     const AVPixFmtDescriptor* format_ = nullptr;
     bool isRgb_ = false, isPalette_ = false, isGrey_ = false;
-    std::array<Scale, 3> scales_;
-    Luma luma_{};
-    Transfer transfer_ = Transfer::Sdr;
-    const float* linear_ = nullptr; // by code; null: codes are shown as they are
-    glm::mat3 toRec709_{1};
+    Planes planes_; // without codes unless it has three planes of YCbCr
     ImageRgbF* radianceLin_ = nullptr;
 };
 

@@ -5,6 +5,7 @@
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
 
+#include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -12,8 +13,11 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
+
+struct AVFrame;
 
 namespace shoal::media {
 
@@ -47,6 +51,19 @@ struct VideoInfo {
     const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"
 };
 
+// A picture as its decoder gave it, in planes of luma, blue and red difference, and how it is shown: by
+// FrameConverter on the processor, and by shaders/render/Planes.frag.
+struct Planes {
+    std::array<const uint8_t*, 3> codes{}; // rows from the top; null: there are no such planes
+    std::array<int, 3> rowBytes{};
+    int bytes = 1;                      // of a code
+    glm::ivec2 size{0}, chromaShift{0}; // chromaShift: log2 of the texels that share a colour
+    glm::mat4x3 rgbFromCodes{1}, toRec709{1};
+    const float* lightByCode = nullptr; // kLightCodes from 0 to 1; null: colours are shown as they are coded
+    bool isHlg = false;                 // that light is the scene's
+};
+constexpr int kLightCodes = 1 << 14; // steps are at most 0.2 % of the light
+
 struct VideoFrame {
     ImageRgb8 pixelsBgr;          // sRGB-coded, blue first; see PlayerOptions::keepPixels
     ImageRgbF radianceLin;        // of a PQ or HLG film, 1 is its white; at most 1024 a side; else empty
@@ -59,6 +76,8 @@ struct VideoFrame {
     double arrived_s = 0;         // arrival of a live frame, by LiveOptions::now_s
     double decode_ms = 0;         // decoding and conversion of this frame alone
     double prepare_ms = 0;        // time of PlayerOptions::prepare
+    Planes planes;                // with PlayerOptions::keepPlanes
+    std::shared_ptr<AVFrame> planesOwner;
 };
 
 constexpr size_t kFrameSlots = 3; // one is shown, the others are ready or being filled
@@ -71,6 +90,8 @@ struct PlayerOptions {
     std::function<void(const VideoFrame& frame)> prepare;
     // False: only `prepare` sees pixelsBgr; it is empty in frames that the player returns.
     bool keepPixels = true;
+    // True: frames of a file keep their planes too, if they are neither turned nor placed in a sphere.
+    bool keepPlanes = false;
 };
 
 // Slots for a player's frames, each with its state. Internal to this folder.

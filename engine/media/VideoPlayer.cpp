@@ -127,6 +127,7 @@ struct VideoPlayer::Impl {
             if (!source.grab()) return source.position();
         }
         if (!source.retrieve(slots.pixelsOf(slot, options), &slot.frame.radianceLin)) return number;
+        if (options.keepPlanes) source.share(slot.frame);
         slot.frame.chromaTexels = source.chromaTexels();
         slot.frame.decode_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         slots.prepare(slot, options);

@@ -88,9 +88,10 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
         return Error{file.string(), fmt::format("is {}; only lat-long video can be shown, so convert it",
                                                 enumName(stated.projection))};
     source.readInfo();
+    const Status coloured = source.readColour();
+    if (!coloured) return Error{file.string(), coloured.error().reason};
     if (!source.findLayout(request)) return Error{file.string(), "its first frame cannot be decoded"};
     source.findPlace();
-    if (!source.readColour()) return Error{file.string(), "its first frame cannot be decoded"};
     return source;
 }
 
@@ -139,15 +140,16 @@ void VideoSource::readInfo() {
 }
 
 // Reads the colours of the first frame, which may state more than its stream: HEVC has a message that turns
-// BT.2020 to HLG. False: it cannot be decoded.
-bool VideoSource::readColour() {
-    if (!hasAhead_) decodeAhead();
+// BT.2020 to HLG. Fails if it cannot be decoded.
+Status VideoSource::readColour() {
+    decodeAhead();
+    if (!hasAhead_) return Error{"", "its first frame cannot be decoded"};
     in_.decoder.exchange(ahead_);
     const FrameColour colour = in_.decoder.colour();
     in_.decoder.exchange(ahead_);
     info_.matrix = colour.matrix;
     info_.transfer = colour.transfer;
-    return hasAhead_;
+    return colour.decodable;
 }
 
 // Finds the size of frames that are placed in their bounds, before memory is taken for them.

@@ -34,6 +34,11 @@ class VideoSource {
     // Decoder::convert().
     bool retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin = nullptr);
 
+    // Makes `out` hold the planes of the frame grabbed last, if retrieve() neither turns nor places it.
+    void share(VideoFrame& out) {
+        if (orientation_ == 1 && !isPlaced_) in_.decoder.share(out);
+    }
+
     glm::ivec2 chromaTexels() const { return in_.decoder.chromaTexels(); } // of the frame grabbed last
 
     // Makes `number` the next frame, or an earlier one if the file allows no better: the caller grabs on from
@@ -49,7 +54,7 @@ class VideoSource {
     bool jump(int64_t number);
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
-    bool readColour();
+    Status readColour();
     void findPlace();
 
     Path file_;

@@ -96,9 +96,9 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
                                    (shadows && !shownPainted ? kShaded : 0u));
         if (!found) return found.error();
         const gl::Program& program = **found;
-        program.use();
-        program.setTexture("frame", UNIT_FRAME,
-                           shownPainted ? composite_.texture() : picture.environment.frameTexture());
+        const GLuint frame = shownPainted ? composite_.texture() : picture.environment.frameTexture();
+        program.use(); // the frame may have been drawn by another
+        program.setTexture("frame", UNIT_FRAME, frame);
         if (shadows && !shownPainted) program.setTexture("shadowsLeft", UNIT_SHADOWS, shadows);
         program.set("exposureScale", picture.exposure.scale());
         rectangles_.draw(corners_);

@@ -39,16 +39,83 @@ void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::i
     size = newSize;
 }
 
+Result<PlanesPass> PlanesPass::make() {
+    PlanesPass pass;
+    if (Status s = gl::Program::load("render/Planes").moveTo(pass.program_); !s) return s.error();
+    pass.framebuffer_ = gl::Framebuffer::make();
+    pass.codes_ = gl::Buffer::make();
+    for (gl::Texture& texture : pass.textures_)
+        texture = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    return pass;
+}
+
+void PlanesPass::upload() {
+    const media::Planes& from = *frame_;
+    const bool isWide = from.bytes == 2;
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, codes_.name());
+    for (size_t i = 0; i < 3; ++i) {
+        const glm::ivec2 size = i == 0 ? from.size : -(-from.size >> from.chromaShift); // rounded up
+        // New memory, because the graphics card may still read the old.
+        glBufferData(GL_PIXEL_UNPACK_BUFFER, ptrdiff_t{size.y - 1} * from.rowBytes[i] + size.x * from.bytes,
+                     from.codes[i], GL_STREAM_DRAW);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, from.rowBytes[i] / from.bytes);
+        glBindTexture(GL_TEXTURE_2D, textures_[i].name());
+        glTexImage2D(GL_TEXTURE_2D, 0, isWide ? GL_R16UI : GL_R8UI, size.x, size.y, 0, GL_RED_INTEGER,
+                     isWide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE, nullptr);
+    }
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glBindTexture(GL_TEXTURE_2D, textures_[3].name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 128, media::kLightCodes / 128, 0, GL_RED, GL_FLOAT,
+                 from.lightByCode);
+    uploaded_ = true;
+}
+
+void PlanesPass::draw(const DisplayFrame& part, const gl::Texture& texture, glm::ivec2& size) {
+    if (!uploaded_) upload();
+    const glm::ivec2 newSize(part.width, part.height);
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    if (newSize != size)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB10_A2, newSize.x, newSize.y, 0, GL_RGBA,
+                     GL_UNSIGNED_INT_2_10_10_10_REV, nullptr);
+    size = newSize;
+    GLint framebuffer = 0;
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+    glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
+    glViewport(0, 0, size.x, size.y);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    program_.use();
+    const std::array names = {"luma", "blueDifference", "redDifference", "lightByCode"};
+    for (GLuint i = 0; i < names.size(); ++i) program_.setTexture(names[i], i, textures_[i].name());
+    program_.set("first", part.first);
+    program_.set("chromaShift", frame_->chromaShift);
+    program_.set("rgbFromCodes", frame_->rgbFromCodes);
+    program_.set("isCoded", frame_->lightByCode ? 0 : 1);
+    program_.set("isHlg", frame_->isHlg ? 1 : 0);
+    program_.set("toRec709", frame_->toRec709);
+    whole_.draw();
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+}
+
 void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
+    if (!frame.planes != !displayFrame_.planes) codedSize_ = {0, 0}; // other storage
     displayFrame_ = frame;
     uploaded_ = false;
-    coded_ = true;
     ++frameNumber_;
 }
 
 // Uploads a new frame first.
 GLuint EnvironmentGpu::frameTexture() const {
-    if (!uploaded_) uploadTexels(frame_, displayFrame_, codedSize_);
+    if (!uploaded_ && displayFrame_.planes)
+        displayFrame_.planes->draw(displayFrame_, frame_, codedSize_);
+    else if (!uploaded_)
+        uploadTexels(frame_, displayFrame_, codedSize_);
     uploaded_ = true;
     return frame_.name();
 }
@@ -58,8 +125,7 @@ void EnvironmentGpu::setFrame(const ImageRgbF& radianceLin) {
     codedSize_ = {0, 0};
     // 32 bits: a real sun lies above the largest half float.
     putTexels(frame_, 0, GL_RGB32F, GL_RGB, GL_FLOAT, radianceLin);
-    displayFrame_ = {nullptr, radianceLin.width, radianceLin.height, radianceLin.width};
-    coded_ = false;
+    displayFrame_ = {.width = radianceLin.width, .height = radianceLin.height};
     ++frameNumber_;
 }
 

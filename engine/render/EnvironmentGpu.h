@@ -5,9 +5,12 @@
 #include "engine/depth/DepthMap.h"
 #include "engine/gl/Program.h"
 #include "engine/light/PackedLight.h"
+#include "engine/media/VideoFrame.h"
 #include "engine/occlusion/SmoothLight.h"
+#include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +20,30 @@ namespace shoal::render {
 gl::Texture makeLatLongTexture();
 // Uploads texels to such a texture. size: of its storage, which is reused while it fits.
 void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::ivec2& size);
+
+// Converts the planes of a film's frame to the picture that is shown, with 10 bits a channel, as
+// media::FrameConverter does to 8 bits on the processor.
+class PlanesPass {
+  public:
+    static Result<PlanesPass> make();
+
+    // Sets the frame, which must live until the next is set. It is uploaded when it is first drawn.
+    void setFrame(const media::Planes& planes) { frame_ = &planes, uploaded_ = false; }
+
+    // Draws a part of the frame into a texture, as uploadTexels(). Keeps the framebuffer and the viewport.
+    void draw(const DisplayFrame& part, const gl::Texture& texture, glm::ivec2& size);
+
+  private:
+    void upload();
+
+    gl::Program program_;
+    gl::Framebuffer framebuffer_;
+    gl::Buffer codes_;
+    std::array<gl::Texture, 4> textures_; // luma, blue and red difference, Planes::lightByCode
+    WholePicture whole_;
+    const media::Planes* frame_ = nullptr;
+    bool uploaded_ = false;
+};
 
 // The distances of what a film's frame shows; null: unknown.
 struct FilmDistances {
@@ -43,10 +70,10 @@ class EnvironmentGpu {
     // Binds the distances for shaders/render/FilmDepth.glsl. eyeInFilm: env frame, from the film's camera.
     void bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const;
 
-    bool frameIsCoded() const { return coded_; }
+    bool frameIsCoded() const { return displayFrame_.pixels || displayFrame_.planes; }
     uint64_t frameNumber() const { return frameNumber_; } // number of frames set so far
     GLuint frameTexture() const;
-    const DisplayFrame& displayFrame() const { return displayFrame_; } // without pixels if it is HDR
+    const DisplayFrame& displayFrame() const { return displayFrame_; } // no pixels: HDR, or from planes
 
     void bindLight(const gl::Program& program) const;       // the program must be in use
     bool lightIsScaled() const { return lightScale_ != 1; } // programs that use it need SCALED_LIGHT
@@ -67,7 +94,6 @@ class EnvironmentGpu {
     mutable bool uploaded_ = true;    // whether frame_ holds the newest frame
     mutable glm::ivec2 codedSize_{0}; // size of frame_ while it holds coded texels
     uint64_t frameNumber_ = 0;
-    bool coded_ = true;
     ImageRgbF scatteredLight_;
     int mirrorWidth_ = 0; // 0: there are no mirror maps
     std::vector<glm::vec4> places_;

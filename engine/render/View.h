@@ -13,6 +13,8 @@
 
 namespace shoal::render {
 
+class PlanesPass;
+
 struct View {
     glm::vec3 eyeWorld{0};
     glm::quat worldFromEye{1, 0, 0, 0}; // the eye looks along its -Z, +Y up
@@ -141,6 +143,9 @@ struct DisplayFrame {
     const uint8_t* pixels = nullptr;
     int width = 0, height = 0;
     int rowPixels = 0; // stride of rows, in pixels
+    // Unless null, this draws the pixels, of a part of its frame that begins at `first`.
+    PlanesPass* planes = nullptr;
+    glm::ivec2 first{0};
 
     bool operator==(const DisplayFrame&) const = default;
 };

@@ -27,7 +27,8 @@ render::Detail detail() { return gl::rendersInSoftware() ? render::Detail::Lean 
 
 EnvironmentSetup environmentSetup(const PlayOptions& options, const game::DiveFile& dive, bool seesRoom) {
     const bool own = options.environment.isOwnVideo();
-    const bool slow = gl::rendersInSoftware() || std::thread::hardware_concurrency() < 4;
+    const bool inSoftware = gl::rendersInSoftware();
+    const bool slow = inSoftware || std::thread::hardware_concurrency() < 4;
     const Path film = filmFor(dataRoot() / "content" / dive.video, options.film, slow);
     return {.player = {.source = options.environment.orOwn(film),
                        .drawsDepth = options.look.skip != render::SkippedPass::Depth,
@@ -37,7 +38,8 @@ EnvironmentSetup environmentSetup(const PlayOptions& options, const game::DiveFi
                        .water = options.water == WaterChoice::On ||
                                 (options.water == WaterChoice::Auto && (!own || dive.water)),
                        .lights = options.shadows == ShadowChoice::On,
-                       .cameraResponse = compositionIn(options) == render::Composition::CameraResponse},
+                       .cameraResponse = compositionIn(options) == render::Composition::CameraResponse,
+                       .planes = !inSoftware && options.look.backend != render::Backend::Software},
             .yaw_deg = options.environment.envYaw_deg,
             .bothEyes = options.stereo == StereoOutput::SideBySide || options.xr};
 }

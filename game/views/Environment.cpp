@@ -24,6 +24,8 @@ Result<std::unique_ptr<Environment>> Environment::open(const EnvironmentSetup& s
     std::unique_ptr<Environment> environment(new Environment(setup));
     if (Status s = environment::Player::open(setup.player, wait).moveTo(environment->player_); !s)
         return s.error();
+    if (setup.player.planes)
+        if (Status s = render::PlanesPass::make().moveTo(environment->planes_); !s) return s.error();
     environment->upload();
     return environment;
 }
@@ -37,14 +39,20 @@ bool Environment::update(double time_s, bool exact) {
 void Environment::upload() {
     const auto began = std::chrono::steady_clock::now();
     const environment::Frame& frame = player_->frame();
+    if (frame.planes) planes_->setFrame(*frame.planes);
     for (int eye = 0; eye < (eyesSeeTheSame() ? 1 : 2); ++eye) {
         render::EnvironmentGpu& on = gpu_[static_cast<size_t>(eye)];
         if (player_->isHdr()) {
             on.setFrame(frame.radianceLin);
         } else {
             const ImageRgba8& picture = frame.picture;
-            const media::EyePart part = media::eyePart(player_->layout(), eye, picture.width, picture.height);
-            on.setFrame({picture.at(part.x, part.y), part.width, part.height, picture.width});
+            const glm::ivec2 size =
+                frame.planes ? frame.planes->size : glm::ivec2(picture.width, picture.height);
+            const media::EyePart part = media::eyePart(player_->layout(), eye, size.x, size.y);
+            if (frame.planes)
+                on.setFrame({nullptr, part.width, part.height, 0, &*planes_, {part.x, part.y}});
+            else
+                on.setFrame({picture.at(part.x, part.y), part.width, part.height, picture.width});
         }
         if (!frame.depth.inverse.empty()) on.setDepth({&frame.depth, &frame.widened, &frame.depthRange});
         on.uploadLight(frame.found.light, frame.found.smooth);

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace shoal::app {
 
@@ -64,6 +65,7 @@ class Environment {
 
     EnvironmentSetup setup_;
     std::unique_ptr<environment::Player> player_;
+    std::optional<render::PlanesPass> planes_;  // if a graphics card converts frames
     std::array<render::EnvironmentGpu, 2> gpu_; // per eye; the second only where each eye has its own picture
     float upload_ms_ = 0;
 };

@@ -36,7 +36,7 @@ std::set<std::string> featuresOf(const std::string& stem) {
 class ShaderDialects : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Passes, ShaderDialects,
                          testing::Values("Background", "Depth", "EquirectComposite", "Fade", "FloorShadow",
-                                         "Layer", "Object", "Premultiply", "Particles"),
+                                         "Layer", "Object", "Planes", "Premultiply", "Particles"),
                          [](const auto& spec) { return std::string(spec.param); });
 
 // Without features, with each, and with each pair of them.

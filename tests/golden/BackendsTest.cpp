@@ -134,6 +134,29 @@ TEST_F(Backends, DrawTheSameDives) {
     }
 }
 
+// The conversions are within 1 of each other, and each picture is rounded once more, or twice in texels.
+TEST_F(Backends, ShowAFilmsPlanesAsItsPixels) {
+    GameSession session(*config_);
+    session.advance(1.0 / 60);
+    const auto drawn = [&](Composition composition) {
+        return draw(session.shown, 1, composition, Backend::OpenGL)[0].pixels;
+    };
+    const std::array compositions = {Composition::BackgroundOnly, Composition::VideoTexels};
+    const std::array before = {drawn(compositions[0]), drawn(compositions[1])};
+    EnvironmentSetup setup = environment_->setup();
+    setup.player.planes = true;
+    auto environment = Environment::open(setup);
+    ASSERT_TRUE(environment) << environment.error().message();
+    environment_ = std::move(*environment);
+    ASSERT_TRUE(environment_->player().frame().planes);
+    for (size_t i = 0; i < before.size(); ++i) {
+        const auto after = drawn(compositions[i]);
+        int most = 0;
+        for (size_t k = 0; k < after.size(); ++k) most = std::max(most, std::abs(after[k] - before[i][k]));
+        EXPECT_LE(most, i == 0 ? 2 : 3);
+    }
+}
+
 // Put into the video's texels objects are as bright as drawn over the picture: resampling keeps means but for
 // outlines, of which a twentieth of all that the objects change is left.
 TEST_F(Backends, ObjectsInTheTexelsAreAsBright) {

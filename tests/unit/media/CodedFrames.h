@@ -89,7 +89,7 @@ inline Filmed filmed(const ImageRgbF& panorama, AVPixelFormat as, AVColorTransfe
     Filmed out;
     const FrameColour colour =
         colourOf(AV_CODEC_ID_HEVC, {AVCOL_SPC_BT2020_NCL, AVCOL_PRI_BT2020, transfer}, width, height);
-    if (!FrameConverter().convert(*frame, colour, false, out.bgr, &out.light)) std::abort();
+    if (!FrameConverter().convert(*frame, colour, out.bgr, &out.light)) std::abort();
     return out;
 }
 

@@ -94,13 +94,15 @@ TEST(HdrFilm, StatedColoursTellAndOthersAreRefused) {
     EXPECT_EQ(colourOf(AV_CODEC_ID_AV1, {.transfer = AVCOL_TRC_ARIB_STD_B67}, 64, 32).matrix,
               ColourMatrix::Bt2020);
     EXPECT_EQ(colourOf(AV_CODEC_ID_AV1, {.primaries = AVCOL_PRI_BT470BG}, 64, 32).primaries, AVCOL_PRI_BT709);
+    for (const AVColorSpace matrix : {AVCOL_SPC_BT2020_CL, AVCOL_SPC_ICTCP})
+        EXPECT_FALSE(colourOf(AV_CODEC_ID_HEVC, {matrix}, 64, 32).decodable) << matrix;
     ImageRgb8 bgr;
     for (const AVPixelFormat format : {AV_PIX_FMT_GBRPF32, AV_PIX_FMT_UYYVYY411, AV_PIX_FMT_BAYER_RGGB8}) {
         const Frame frame = makeFrame();
         frame->format = format;
         frame->width = frame->height = 64;
         ASSERT_EQ(av_frame_get_buffer(frame.get(), 0), 0);
-        EXPECT_FALSE(FrameConverter().convert(*frame, {}, false, bgr, nullptr)) << format;
+        EXPECT_FALSE(FrameConverter().convert(*frame, {}, bgr, nullptr)) << format;
     }
 }
 

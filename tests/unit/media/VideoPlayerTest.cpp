@@ -119,6 +119,17 @@ TEST_F(VideoPlayers, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
     }
 }
 
+// They are the decoder's own memory, which it must not write while the frame is shown.
+TEST_F(VideoPlayers, KeepsTheDecodersPlanes) {
+    auto player = greyFilm(20, {.keepPixels = false, .keepPlanes = true});
+    for (int i = 0; i < 60; ++i) {
+        const Planes& planes = player.waitFor(i / kFps)->planes;
+        ASSERT_TRUE(planes.codes[0]);
+        const int grey = planes.codes[0][ptrdiff_t{16} * planes.rowBytes[0] + 32]; // JPEG: of full range
+        EXPECT_EQ((grey - kFirstGrey + kGreyStep / 2) / kGreyStep, i % 20);
+    }
+}
+
 TEST_F(VideoPlayers, KeepsTheNativeRateUnlessItIsAbsurd) {
     for (const auto& [stated, kept] : {std::pair(24.0, 24.0), {50.0, 50.0}, {1000.0, kMaxFps}}) {
         writeGreyVideo(folder / "rate.avi", 50, stated);
@@ -203,7 +214,9 @@ TEST_F(VideoPlayers, AClipIsTurnedUpright) {
                                         {0, -1, 1, 0}}) {
         std::string turned = upright;
         writeBytes(file, turned.replace(at, 36, matrix(m)));
-        auto player = opened(file);
+        auto player = opened(file, {.keepPlanes = true});
+        const bool isUpright = m == std::array{1, 0, 0, 1};
+        EXPECT_EQ(player.waitFor(0)->planes.codes[0] != nullptr, isUpright);
         const ImageRgb8& picture = player.waitFor(0)->pixelsBgr;
         const std::string what = fmt::format("{}", fmt::join(m, " "));
         ASSERT_EQ(std::pair(picture.width, picture.height), m[0] ? std::pair(96, 32) : std::pair(32, 96))

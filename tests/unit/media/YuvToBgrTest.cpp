@@ -70,6 +70,18 @@ TEST(ColourMatrix, StatedWinsElseSizeTells) {
     EXPECT_EQ(matrixOf(AV_CODEC_ID_H264, AVCOL_SPC_RGB, 426, 214), ColourMatrix::Bt601);
 }
 
+// As FFmpeg's own converter takes them.
+TEST(ColourRange, IsWholeForJpegAndForGreyUnlessStated) {
+    const auto isFull = [](AVPixelFormat format, AVColorRange stated = AVCOL_RANGE_UNSPECIFIED) {
+        return colourOf(AV_CODEC_ID_FFV1, {.range = stated, .format = format}, 64, 32).fullRange;
+    };
+    for (const AVPixelFormat format : {AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY16, AV_PIX_FMT_YUVJ411P})
+        EXPECT_TRUE(isFull(format)) << av_get_pix_fmt_name(format);
+    EXPECT_FALSE(isFull(AV_PIX_FMT_GRAY8, AVCOL_RANGE_MPEG));
+    EXPECT_FALSE(isFull(AV_PIX_FMT_YUV411P));
+    EXPECT_TRUE(isFull(AV_PIX_FMT_YUV411P, AVCOL_RANGE_JPEG));
+}
+
 constexpr Luma k601{0.299, 0.114}, k709{0.2126, 0.0722};
 
 // A colour coded by one matrix and decoded by another.

@@ -1,0 +1,2 @@
+// Pairs with PlanesPass in engine/render/EnvironmentGpu.
+#include "render/WholePicture.glsl"
