@@ -102,6 +102,7 @@ void Screens::push(Screen screen, size_t index) {
     stack_.push_back({.screen = screen, .index = index});
     message_.clear();
     error_.clear();
+    if (screen == Screen::Films) films_.look();
     show(0);
 }
 
@@ -140,6 +141,7 @@ void Screens::refresh() {
 
 void Screens::input(const MenuInput& input) {
     if (stack_.empty() || captured_) return;
+    if (top() == Screen::Films) refresh(); // the list grows
     const auto event = menu_.input(input);
     if (!event) return;
     if (event->kind == MenuEvent::Kind::Back) return back();
@@ -231,13 +233,15 @@ MenuPage Screens::divesPage() {
 
 MenuPage Screens::filmsPage() {
     if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OpenFilm); });
-    const std::vector<Path> files = filmsAndPhotos();
+    const auto [files, complete] = films_.found();
     for (const Path& file : files)
         itemButton(file.filename().string(), [this, file] { ask(Request::Kind::OpenFilm, file.string()); });
     backButton();
     return {.title = in("My film or photo"),
             .text = {in("Drop a 360-degree video or any photo on this window, or choose one of these.")},
-            .note = files.empty() ? in("There are no films or photos in your folders yet.") : ""};
+            .note = !complete       ? in("Loading")
+                    : files.empty() ? in("There are no films or photos in your folders yet.")
+                                    : ""};
 }
 
 MenuPage Screens::settingsPage() {

@@ -153,6 +153,7 @@ class Screens {
     std::optional<Request> request_;
     std::optional<Action> captured_; // the action that waits for a key
     std::string message_, error_;    // texts below the items
+    FilmList films_;                 // on the page Films
 };
 
 // The states of the program, and the menu pages that each shows over the picture.

@@ -57,9 +57,20 @@ TEST_F(KeptFiles, FilmsAndPhotosAreListedByTheirContent) {
                                                  20));
     write("Downloads/sky.txt", "#?RADIANCE\n");
     write("Downloads/empty.png", "");
-    std::vector<std::string> names;
-    for (const Path& file : filmsAndPhotos()) names.push_back(file.filename().string());
-    EXPECT_THAT(names, testing::UnorderedElementsAre("photo", "grey.ppm", "sky.txt"));
+    const auto names = [] {
+        FilmList list;
+        list.look();
+        while (!list.found().complete) std::this_thread::yield();
+        std::vector<std::string> all;
+        for (const Path& file : list.found().files) all.push_back(file.filename().string());
+        return all;
+    };
+    EXPECT_THAT(names(), testing::UnorderedElementsAre("photo", "grey.ppm", "sky.txt"));
+    write("Downloads/empty.png", "\xff\xd8\xff\xe0");
+    const auto later = std::filesystem::file_time_type::clock::now() + std::chrono::hours(1);
+    std::filesystem::last_write_time(folder_ / "Pictures/grey.ppm", later);
+    EXPECT_THAT(names(), testing::AllOf(testing::SizeIs(4), testing::Contains("empty.png")));
+    EXPECT_EQ(names().front(), "grey.ppm"); // the newest comes first
 }
 
 // The ends of ranges are floats, which need not be what their decimals say.
