@@ -15,8 +15,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr float kTitleTurn_radps = 0.03f; // rate at which the view behind the title turns
 constexpr float kGoalsAtFirst_s = 8;      // time for which the goals are shown as a dive begins
 constexpr float kGoalsOnNews_s = 4;       // time for which they are shown after one is reached
@@ -29,7 +27,7 @@ constexpr double kMinimisedWait_s = 0.25; // time between polls of a minimised w
 constexpr double kWarmUp_s = 5;           // length of the warm-up dive before a measured one
 
 // Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
-std::vector<DiveName> divesThereAre() {
+static std::vector<DiveName> divesThereAre() {
     std::vector<DiveName> dives;
     auto scores = readAllScores();
     for (const std::string& name : game::diveNames()) {
@@ -51,8 +49,6 @@ std::vector<DiveName> divesThereAre() {
     if (first != dives.end()) std::rotate(dives.begin(), first, first + 1);
     return dives;
 }
-
-} // namespace
 
 Application::Application(const PlayOptions& options) : options_(options), applied_(options) {
     if (!bindings_.parse(options.controls.bindings))

@@ -9,10 +9,8 @@
 
 namespace shoal::app {
 
-namespace {
-
 // Makes these signals set stopSignal from now on; a second one of a kind ends the program at once.
-void noteStopSignals() {
+static void noteStopSignals() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { stopSignal = signal; };
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
@@ -24,7 +22,7 @@ void noteStopSignals() {
 }
 
 // Checks, before anything is played, that all output files can be written.
-Status checkOutputsOf(const PlayOptions& options) {
+static Status checkOutputsOf(const PlayOptions& options) {
     if (!options.screenshot.empty() && media::writtenAs(options.screenshot) != media::WrittenAs::Png)
         return Error{options.screenshot, "screenshots are PNG files; let the name end in .png"};
     const std::string& hands = options.hands.source; // such as replay:FILE
@@ -39,8 +37,8 @@ Status checkOutputsOf(const PlayOptions& options) {
 
 // Writes the figures, even of a run that failed, and prints the summary of a script that met its
 // expectations: its name and hash as in tests/equal_hashes.txt. Returns the verdict.
-Status report(const PlayOptions& options, const Statistics& statistics, const std::string& summary,
-              const Status& verdict) {
+static Status report(const PlayOptions& options, const Statistics& statistics, const std::string& summary,
+                     const Status& verdict) {
     if (!options.stats.empty())
         if (Status written = writeStatistics(options.stats, statistics); !written) return written;
     if (verdict && !summary.empty()) std::printf("%s\n", summary.c_str());
@@ -48,13 +46,13 @@ Status report(const PlayOptions& options, const Statistics& statistics, const st
 }
 
 // Returns whether a picture is needed. A live video always needs one, because it runs in real time.
-bool isSeen(const PlayOptions& options) {
+static bool isSeen(const PlayOptions& options) {
     const auto address = media::liveAddress(options.environment.video);
     return !options.headless || options.timedemo || !options.screenshot.empty() || !address || *address;
 }
 
 // Plays a session without a picture, as fast as possible; reads only the distances of the film.
-Status playUnseen(const PlayOptions& options) {
+static Status playUnseen(const PlayOptions& options) {
     SessionConfig config;
     if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;
     const EnvironmentOptions& environment = options.environment;
@@ -78,8 +76,6 @@ Status playUnseen(const PlayOptions& options) {
     const Status verdict = runner.end(statistics);
     return report(options, statistics, runner.session.summary, verdict);
 }
-
-} // namespace
 
 Status play(const PlayOptions& given) {
     PlayOptions options = given;

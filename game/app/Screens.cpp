@@ -11,18 +11,16 @@
 
 namespace shoal::app {
 
-namespace {
-
 // The pages of settings, by SettingsPage without None.
 constexpr auto kGroups =
     std::to_array<game::Text>({"Hands", "Comfort", "Picture", "Sound", "Text and captions"});
 
-template <class... Values> std::string filled(const char* text, const Values&... values) {
+template <class... Values> static std::string filled(const char* text, const Values&... values) {
     return fmt::format(fmt::runtime(text), values...);
 }
 
 // Returns a key's name for the player: translated, or the file's name with spaces: "PageUp", "Page up".
-std::string keyLabel(std::string_view name, game::Language language) {
+static std::string keyLabel(std::string_view name, game::Language language) {
     const auto text = game::translated(name, language);
     if (text != name) return std::string(text);
     std::string label;
@@ -36,7 +34,7 @@ std::string keyLabel(std::string_view name, game::Language language) {
 }
 
 // Returns the keys and the button as text; empty if there is none.
-std::string keysText(const Bindings::Keys& keys, game::Language language) {
+static std::string keysText(const Bindings::Keys& keys, game::Language language) {
     std::string text;
     for (const int key : keys.keys)
         if (key >= 0) text += (text.empty() ? "" : ", ") + keyLabel(keyName(key), language);
@@ -46,7 +44,8 @@ std::string keysText(const Bindings::Keys& keys, game::Language language) {
 }
 
 // Returns a goal's text.
-std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
+static std::string goalText(const game::Goal& goal, const game::SpeciesTable& species,
+                            game::Language language) {
     static constexpr std::array<game::Text, 5> kGoals = {
         "Catch {} fish", "Catch {} different species", "Score {} points",
         "Catch fish and lose none to the shark", "Catch {} different species in a row"}; // by GoalKind
@@ -55,8 +54,6 @@ std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, 
                       animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
     return filled(kGoals[static_cast<size_t>(goal.kind)].in(language), goal.count);
 }
-
-} // namespace
 
 Screens::Screens(PlayOptions& options, Bindings& bindings)
     : options_(options), bindings_(bindings), table_(settingsOf(options)) {}

@@ -11,8 +11,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr float kKeyTurn_radps = 1.6f;
 constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
 constexpr float kStickReach_ps = 1.1f;   // speed of the hand with a full stick, half pictures a second
@@ -23,13 +21,13 @@ constexpr double kCaption_s = 4;
 constexpr double kFindDevices_s = 1; // time before the mouse is announced as the only source
 
 // Returns the options for a camera's number, a clip's file or, without text, the first camera.
-hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
+static hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
     const auto index = which.empty() ? std::optional(0) : parseNumber(which, 0, 99);
     return {.file = index ? "" : which, .index = index.value_or(0), .live = live, .handSize = handSize};
 }
 
 // Parses "KIND" or "KIND:ARGUMENT".
-Result<HandSourceChoice> parseHandSource(const std::string& text) {
+static Result<HandSourceChoice> parseHandSource(const std::string& text) {
     const size_t colon = text.find(':');
     const bool hasArgument = colon != std::string::npos;
     if (const auto kind = enumNamed<HandSourceKind>(text.substr(0, colon))) {
@@ -42,7 +40,7 @@ Result<HandSourceChoice> parseHandSource(const std::string& text) {
 }
 
 // Returns the turn of the view in this frame: +x right, +y up, radians. snapped: state kept between frames.
-glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
+static glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
     const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
                          c.between(Action::LookUp, Action::LookDown));
     const float up = options.invertLook ? -1.0f : 1.0f;
@@ -61,8 +59,6 @@ glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, b
     turn += glm::vec2(dragged.x, -up * static_cast<float>(dragged.y)) * kDragTurn_rad;
     return turn * (options.turning == Turning::Snap ? 1.0f : options.sensitivity);
 }
-
-} // namespace
 
 Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
     const std::string& text = options.hands.source;

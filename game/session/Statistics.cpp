@@ -11,11 +11,9 @@
 
 namespace shoal::app {
 
-namespace {
-
-double quantile(Series series, double share) { return static_cast<double>(math::quantile(series, share)); }
-
-} // namespace
+static double quantile(Series series, double share) {
+    return static_cast<double>(math::quantile(series, share));
+}
 
 void printTimes(const Statistics& s, bool live) {
     std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",

@@ -6,8 +6,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 // Sizes in lines of text.
 constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 0.5f;
 constexpr float kWidth = 28, kSideWidth = 15, kPicture = 11;
@@ -16,15 +14,13 @@ constexpr float kTrackWidth = 6, kValueWidth = 10;
 constexpr int kMinRows = 3; // rows in sight beside a long text
 
 // Draws a scroll bar at the right edge of `room`, which shows a part of content `height` high.
-void drawScrollBar(const Pen& pen, const Rectangle& room, float height, float scroll) {
+static void drawScrollBar(const Pen& pen, const Rectangle& room, float height, float scroll) {
     const float shown = room.high.y - room.low.y;
     if (height <= shown + 1) return;
     const float from = room.low.y + scroll * shown / height, right = room.high.x - 0.15f * pen.line;
     pen.fill({{right - 0.2f * pen.line, from}, {right, from + shown * shown / height}}, colour::kGrey,
              0.1f * pen.line);
 }
-
-} // namespace
 
 void Menu::show(MenuPage page, size_t focus) {
     page_ = std::move(page);

@@ -10,14 +10,12 @@ namespace shoal::haptics {
 
 static_assert(glove::kActuators == kActuatorCount);
 
-namespace {
-
-uint8_t scaled(float amplitude, float full) {
+static uint8_t scaled(float amplitude, float full) {
     return static_cast<uint8_t>(std::lround(driveOf(amplitude) * full));
 }
 
 // Adds the CRC-32 that Sony wants over Bluetooth, of the whole packet; 0xA2 is an output report's header.
-void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
+static void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
     constexpr uint8_t kHeader = 0xA2;
     constexpr size_t kAt = 74;
     uLong crc = crc32(0, &kHeader, 1);
@@ -27,7 +25,7 @@ void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
 
 // Returns whether the newer bit enables vibration: from firmware 2.21 on, and on every DualSense Edge.
 // Feature report 0x20 holds the firmware's version.
-bool hasNewVibration(const HidInfo& info, HidDevice& device) {
+static bool hasNewVibration(const HidInfo& info, HidDevice& device) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;
     if (info.product == kEdge) return true;
@@ -36,14 +34,14 @@ bool hasNewVibration(const HidInfo& info, HidDevice& device) {
            (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
 }
 
-void sealDualSenseBluetooth(Report& report, uint8_t sequence) {
+static void sealDualSenseBluetooth(Report& report, uint8_t sequence) {
     report.bytes[1] = static_cast<uint8_t>(sequence << 4);
     addSonyChecksum(report, sequence);
 }
 
 // Bytes: id; motors to enable (all four); left trigger, right trigger, strong and weak motor, in per cent; on
 // for 2.55 s; no pause; repeats, so that it runs until the next report. Each trigger serves a hand's fingers.
-Report xbox(const HapticFrame& frame) {
+static Report xbox(const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     return {{0x03, 0x0F, scaled(motorsOf(handOf(frame, 0)).weak, 100),
              scaled(motorsOf(handOf(frame, 1)).weak, 100), scaled(motors.strong, 100),
@@ -52,7 +50,7 @@ Report xbox(const HapticFrame& frame) {
 }
 
 // Appends the strengths of the strong and of the weak motor, 16 bits each, little-endian.
-Report withMotors16(Report report, const HapticFrame& frame) {
+static Report withMotors16(Report report, const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     for (const float amplitude : {motors.strong, motors.weak}) {
         const auto value = static_cast<uint16_t>(std::lround(driveOf(amplitude) * 65535));
@@ -62,20 +60,20 @@ Report withMotors16(Report report, const HapticFrame& frame) {
     return report;
 }
 
-Report stadia(const HapticFrame& frame) { return withMotors16({{0x05}, 1}, frame); }
-Report forceFeedback(const HapticFrame& frame) { return withMotors16({}, frame); }
+static Report stadia(const HapticFrame& frame) { return withMotors16({{0x05}, 1}, frame); }
+static Report forceFeedback(const HapticFrame& frame) { return withMotors16({}, frame); }
 
 // Nintendo's controllers have a voice coil in each hand that plays two tones at a time.
 
 constexpr float kHighFrom_Hz = 160; // least frequency of the high tone
 constexpr int kSafeIndex = 100;     // the tables warn of damage beyond it
 
-int frequencyIndex(float frequency_Hz) {
+static int frequencyIndex(float frequency_Hz) {
     return static_cast<int>(std::lround(32 * std::log2(frequency_Hz / 10)));
 }
 
 // The first four bytes are for the left hand, the last for the right; a single Joy-Con takes its own half.
-Report tones(const HapticFrame& frame, size_t size) {
+static Report tones(const HapticFrame& frame, size_t size) {
     Report report{.size = size};
     report.bytes[0] = 0x10;
     for (int hand = 0; hand < 2; ++hand) {
@@ -87,7 +85,7 @@ Report tones(const HapticFrame& frame, size_t size) {
 }
 
 // Returns the report that enables vibration, which is off until then: subcommand 0x48.
-Report enable(size_t size) {
+static Report enable(size_t size) {
     Report report = tones({}, size);
     report.bytes[0] = 0x01; // a report with tones and a subcommand behind them
     report.bytes[10] = 0x48;
@@ -95,11 +93,11 @@ Report enable(size_t size) {
     return report;
 }
 
-void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
+static void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
 
 // Bytes of the fingertip glove: 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The
 // body's vibration, for which a glove has no actuator, goes to both palms.
-Report gloveReport(const HapticFrame& frame) {
+static Report gloveReport(const HapticFrame& frame) {
     Report report{.size = 1 + glove::kReportBytes};
     for (size_t i = 0; i < kActuatorCount; ++i) {
         Actuation felt = frame.actuators[i];
@@ -112,9 +110,7 @@ Report gloveReport(const HapticFrame& frame) {
     return report;
 }
 
-void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
-
-} // namespace
+static void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
 
 // Bytes: id; over Bluetooth also sequence number and 0x10 (for the controller itself, not its audio); enable
 // 1 (bit 0: vibration, bit 1: haptics instead of audio); enable 2; right motor; left motor. Enable 3 (bit 2:

@@ -10,15 +10,13 @@
 
 namespace shoal::haptics {
 
-namespace {
-
 constexpr double kStopping_s = 0.1; // time limit for the last reports, each at its device's pace
 
-double secondsSince(std::chrono::steady_clock::time_point then) {
+static double secondsSince(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
 
-std::string describe(const DeviceRow& row, const HidInfo& info) {
+static std::string describe(const DeviceRow& row, const HidInfo& info) {
     const bool named = info.transport == Transport::ForceFeedback && !info.name.empty();
     const char* way = info.transport == Transport::Bluetooth ? " over Bluetooth"
                       : info.transport == Transport::Usb     ? " on USB"
@@ -27,7 +25,7 @@ std::string describe(const DeviceRow& row, const HidInfo& info) {
 }
 
 // Returns what a person must do to get access, with the rule for this device.
-std::string notLetIn(const HidInfo& info) {
+static std::string notLetIn(const HidInfo& info) {
     if (info.transport == Transport::ForceFeedback) return "may not be opened";
     return fmt::format(
         "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev "
@@ -35,8 +33,6 @@ std::string notLetIn(const HidInfo& info) {
         "KERNEL==\"hidraw*\", KERNELS==\"*:{:04X}:{:04X}.*\", TAG+=\"uaccess\"",
         info.vendor, info.product);
 }
-
-} // namespace
 
 const DeviceRow* recognise(const HidInfo& info) {
     if (info.transport == Transport::ForceFeedback) return &kForceFeedback;

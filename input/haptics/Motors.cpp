@@ -5,12 +5,8 @@
 
 namespace shoal::haptics {
 
-namespace {
-
 constexpr float kLow_Hz = 60, kHigh_Hz = 200;
 constexpr float kMinFelt = 0.2f; // share of a motor's range at which it starts
-
-} // namespace
 
 Motors motorsOf(std::span<const Actuation> actuations) {
     Motors motors;
