@@ -8,7 +8,6 @@
 #include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
 #include "game/session/SoundAndHaptics.h"
-#include "game/ui/MenuControls.h"
 #include "game/views/DynamicQuality.h"
 
 #include <future>

@@ -10,7 +10,7 @@
 #include "engine/xr/Headset.h"
 #include "game/session/GameSession.h"
 #include "game/ui/Hud.h"
-#include "game/ui/MenuControls.h"
+#include "game/ui/Menu.h"
 #include "game/views/SceneRenderer.h"
 #include "input/hands/HandRig.h"
 #include "input/haptics/HapticFrame.h"

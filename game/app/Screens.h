@@ -6,7 +6,6 @@
 #include "game/session/GameSession.h"
 #include "game/settings/KeptFiles.h"
 #include "game/ui/Menu.h"
-#include "input/hands/HandSize.h"
 
 #include <functional>
 #include <optional>

@@ -9,7 +9,6 @@
 #include "engine/render/View.h"
 #include "game/rules/DiveFile.h"
 #include "game/settings/Setting.h"
-#include "input/hands/HandSize.h"
 #include "input/hands/HandTracker.h"
 
 #include <string>

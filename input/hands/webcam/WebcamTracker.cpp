@@ -3,7 +3,6 @@
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoSource.h"
-#include "input/hands/HandSize.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 
 #include <glm/geometric.hpp>
