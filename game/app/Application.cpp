@@ -397,17 +397,13 @@ void Application::globalActions(const Controls& controls) {
 }
 
 void Application::photograph() {
-    switch (photo_->step(play_->controls, options_.controls.sensitivity, static_cast<float>(play_->elapsed_s),
-                         options_.fov_deg)) {
-    case PhotoMode::Command::None:
-        return;
-    case PhotoMode::Command::Picture: {
+    const auto command = photo_->step(play_->controls, options_.controls.sensitivity,
+                                      static_cast<float>(play_->elapsed_s), options_.fov_deg);
+    if (command == PhotoMode::Command::Picture) {
         photo_->notice.reset(); // no text covers the picture
         const Result<bool> drawn = draw();
         if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), content_.renderer());
-        return;
-    }
-    case PhotoMode::Command::Leave:
+    } else if (command == PhotoMode::Command::Leave) {
         options_.fov_deg = photo_->fovBefore_deg;
         photo_.reset();
         screens_.open(Screen::Paused);
@@ -478,6 +474,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     GameSession& session = play_->session;
     const ProgramStates& states = play_->states;
     const bool showTimes = options_.frameTimes && part != HudPart::Marks;
+    const bool showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5;
     const bool showCamera = session.tracked && (showTimes || screens_.showsCamera());
     if (showCamera && session.tracked->look(cameraImage_)) cameraPicture_.show(cameraImage_);
     if (photo_) return hud_->drawNotice(*photo_->notice, options_.text, size);
@@ -514,8 +511,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .environment = &content_.environment(),
          .camera = showCamera && cameraPicture_.texture ? &cameraPicture_ : nullptr,
          .notice = notice,
-         .volume = options_.volume,
-         .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},
+         .volume = showVolume ? std::optional(options_.volume) : std::nullopt},
         size);
 }
 

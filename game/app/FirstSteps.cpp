@@ -110,19 +110,9 @@ void Tutorial::followSteps(const game::Snapshot& shown, float elapsed_s) {
     if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
     if (shown.caught > 0) return next(Step::Done); // the player can do all steps
-    switch (step_) {
-    case Step::Look:
-        if (turned_rad > kTurned_rad) next(Step::Reach);
-        break;
-    case Step::Reach:
-        if (near_s_ > kNear_s) next(Step::Hold);
-        break;
-    case Step::Hold: // the fish may have gone on
-        if (away_s_ > kAway_s) next(Step::Reach);
-        break;
-    case Step::Done:
-        break;
-    }
+    if (step_ == Step::Look && turned_rad > kTurned_rad) return next(Step::Reach);
+    if (step_ == Step::Reach && near_s_ > kNear_s) return next(Step::Hold);
+    if (step_ == Step::Hold && away_s_ > kAway_s) next(Step::Reach); // the fish may have gone on
 }
 
 // The ghost hand reaches its place in the first half of a round and acts in the second.

@@ -95,10 +95,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         mouse.cursor = pointer_;
         mouse.wheel = static_cast<float>(input.wheel) +
                       kKeyNotches_ps * dt_s * c.between(Action::Farther, Action::Nearer);
-        if (hand_ != options.hand) {
-            hand_ = options.hand;
-            hands_.setActive(options.hand == Handedness::Left ? hands::Side::Left : hands::Side::Right);
-        }
+        if (hand_ != options.hand) hands_.setActive(hand_ = options.hand);
         mouse.swapHands = c.was(Action::SwapHands);
         const float trigger = input.gamepad.rightTrigger;
         const bool holds = input.leftButton || c.is(Action::CloseHand);

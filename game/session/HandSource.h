@@ -54,7 +54,7 @@ class MouseSource {
     LookAngles look_;
     float turning_radps_ = 0;
     glm::vec2 pointer_{0}; // position that the hand reaches for: -1 to 1 across the window, +x right, +y up
-    Handedness hand_ = Handedness::Right; // the player's chosen hand
+    hands::Side hand_ = hands::Side::Right; // the player's chosen hand
     bool wasDown_ = false;
     bool toggled_ = false;   // the hand is closed; used with Closing::Toggle
     bool awaitsOpen_ = true; // true until the press that ended a menu is released

@@ -19,17 +19,13 @@ namespace shoal::app {
 
 using Clock = std::chrono::steady_clock;
 
-static double secondsSince(Clock::time_point then) {
-    return std::chrono::duration<double>(Clock::now() - then).count();
-}
-
 // Sends the haptic devices a frame for a while, at their own pace.
 static void feel(haptics::HapticDevices& hapticDevices, const haptics::HapticFrame& frame,
                  Clock::time_point began, double for_s) {
     const Clock::time_point start = Clock::now();
-    for (double left_s = for_s; left_s > 0; left_s = for_s - secondsSince(start))
-        std::this_thread::sleep_for(
-            std::chrono::duration<double>(std::min(left_s, hapticDevices.step(frame, secondsSince(began)))));
+    for (double left_s = for_s; left_s > 0; left_s = for_s - haptics::secondsSince(start))
+        std::this_thread::sleep_for(std::chrono::duration<double>(
+            std::min(left_s, hapticDevices.step(frame, haptics::secondsSince(began)))));
 }
 
 // Pulses each actuator in turn, by its name, first low and then high; then the body.

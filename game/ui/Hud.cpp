@@ -157,9 +157,9 @@ static void drawText(const Pen& pen, const HudInfo& info) {
     }
     if (info.overlay) info.overlay(pen);
     const float x = pen.size.x / 2;
-    if (info.showVolume)
+    if (info.volume)
         pen.label(x, pen.line, 0.5f, TextSize::Body, kWhite,
-                  fmt::format(fmt::runtime(pen.in("Sound {} %")), std::lround(info.volume * 100)));
+                  fmt::format(fmt::runtime(pen.in("Sound {} %")), std::lround(*info.volume * 100)));
     if (info.notice)
         pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Small, kGold, info.notice->in(pen.language));
     if (info.finger)

@@ -11,7 +11,7 @@ Path handModelFolder() { return scoreFolder() / "models"; }
 void HandStream::push(HandFrame frame) {
     if (frame.seenAt == Clock::time_point()) frame.seenAt = Clock::now();
     std::unique_lock lock(mutex_);
-    if (full_ == Full::Wait) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
+    if (waits_) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
     if (frames_.size() >= capacity_) frames_.pop_front();
     frames_.push_back(std::move(frame));
     changed_.notify_all();
@@ -20,7 +20,7 @@ void HandStream::push(HandFrame frame) {
 bool HandStream::take(HandFrame& out, std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     const auto ready = [&] { return closed_ || !frames_.empty(); };
-    if (full_ == Full::Wait && patience.count() > 0)
+    if (waits_ && patience.count() > 0)
         changed_.wait(lock, ready);
     else
         changed_.wait_for(lock, patience, ready);

@@ -42,9 +42,8 @@ struct DeviceState {
 // A queue of frames with one writer, the tracker's thread, and one reader.
 class HandStream {
   public:
-    // Action of push() when the queue is full: drop the oldest frame, or wait for room.
-    enum class Full { Drop, Wait };
-    explicit HandStream(size_t capacity = 1024, Full full = Full::Drop) : capacity_(capacity), full_(full) {}
+    // waits: push() waits for room when the queue is full; else the oldest frame is dropped.
+    explicit HandStream(size_t capacity = 1024, bool waits = false) : capacity_(capacity), waits_(waits) {}
 
     void push(HandFrame frame); // a frame without seenAt counts as seen now
     // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time;
@@ -60,7 +59,7 @@ class HandStream {
     std::condition_variable changed_;
     std::deque<HandFrame> frames_;
     const size_t capacity_;
-    const Full full_;
+    const bool waits_;
     bool closed_ = false;
     DeviceState state_;
 };
@@ -111,9 +110,8 @@ class HandTracker {
     virtual void setHandSize(float) {} // the player's, in times of the rig's; for trackers that use a camera
 
   protected:
-    explicit HandTracker(const char* name, size_t capacity = 1024,
-                         HandStream::Full full = HandStream::Full::Drop)
-        : name_(name), stream_(capacity, full) {}
+    explicit HandTracker(const char* name, size_t capacity = 1024, bool waits = false)
+        : name_(name), stream_(capacity, waits) {}
 
   private:
     const char* name_;

@@ -12,10 +12,6 @@ namespace shoal::haptics {
 
 constexpr double kStopping_s = 0.1; // time limit for the last reports, each at its device's pace
 
-static double secondsSince(std::chrono::steady_clock::time_point then) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-}
-
 static std::string describe(const DeviceRow& row, const HidInfo& info) {
     const bool named = info.transport == Transport::ForceFeedback && !info.name.empty();
     const char* way = info.transport == Transport::Bluetooth ? " over Bluetooth"

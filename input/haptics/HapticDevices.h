@@ -16,6 +16,10 @@ namespace shoal::haptics {
 
 constexpr double kFindDevices_s = 1.0; // time between two searches for new devices
 
+inline double secondsSince(std::chrono::steady_clock::time_point then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
 class HapticDevices {
   public:
     explicit HapticDevices(HidBus bus) : bus_(std::move(bus)) {}
