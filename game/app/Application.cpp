@@ -173,7 +173,6 @@ Mode Application::firstMode() const {
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
 }
 
-// Begins a session in a mode.
 Status Application::begin(Mode mode) {
     if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
@@ -187,10 +186,6 @@ Status Application::begin(Mode mode) {
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, options_, clock, screens_, mode);
     return records(mode) ? play_->session.record(recordingFile()) : Done{};
-}
-
-bool Application::records(Mode mode) const {
-    return measured_ && !options_.record.empty() && mode != Mode::Title;
 }
 
 // Returns whether the player sits, which matters only in a headset.

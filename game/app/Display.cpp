@@ -59,8 +59,6 @@ ImageRgb8 pictureOf(std::span<const gl::Target> eyes) {
     return picture;
 }
 
-double FlatDisplay::period_s() const { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
-
 Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& shown, float scale) {
     const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.look.size;
     if (size.x <= 0 || size.y <= 0) return false; // minimised

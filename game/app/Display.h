@@ -89,7 +89,7 @@ class FlatDisplay : public Display {
     FlatDisplay(platform::Window* window, const PlayOptions& options, int samples)
         : window_(window), options_(options), samples_(samples) {}
 
-    double period_s() const override;
+    double period_s() const override { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;
     void present() override;
     MenuSurface menuSurface() const override;

@@ -43,7 +43,6 @@ static std::string keysText(const Bindings::Keys& keys, game::Language language)
     return text;
 }
 
-// Returns a goal's text.
 static std::string goalText(const game::Goal& goal, const game::SpeciesTable& species,
                             game::Language language) {
     static constexpr std::array<game::Text, 5> kGoals = {
@@ -53,13 +52,6 @@ static std::string goalText(const game::Goal& goal, const game::SpeciesTable& sp
         return filled(game::Text("Catch {} {}").in(language), goal.count,
                       animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
     return filled(kGoals[static_cast<size_t>(goal.kind)].in(language), goal.count);
-}
-
-Screens::Screens(PlayOptions& options, Bindings& bindings)
-    : options_(options), bindings_(bindings), table_(settingsOf(options)) {}
-
-std::string Screens::named(std::string_view english) const {
-    return std::string(game::translated(english, language()));
 }
 
 void Screens::open(Screen screen) {
@@ -100,7 +92,7 @@ void Screens::push(Screen screen, size_t index) {
     message_.clear();
     error_.clear();
     if (screen == Screen::Films) films_.look();
-    show(0);
+    menu_.show(page(), 0);
 }
 
 void Screens::back() {
@@ -113,7 +105,7 @@ void Screens::back() {
         return;
     }
     stack_.pop_back();
-    show(stack_.back().focus);
+    menu_.show(page(), stack_.back().focus);
 }
 
 MenuPage Screens::page() {
@@ -129,8 +121,6 @@ MenuPage Screens::page() {
     if (!message_.empty()) page.note = message_;
     return page;
 }
-
-void Screens::show(size_t focus) { menu_.show(page(), focus); }
 
 void Screens::refresh() {
     if (isOpen()) menu_.update(page());
@@ -148,20 +138,8 @@ void Screens::input(const MenuInput& input) {
     if (stack_.size() == depth) refresh();
 }
 
-std::optional<Request> Screens::takeRequest() { return std::exchange(request_, std::nullopt); }
-
-void Screens::draw(const Pen& pen) {
-    if (isOpen()) menu_.draw(pen);
-}
-
 void Screens::itemButton(std::string label, std::function<void()> act) {
     items_.push_back({.label = std::move(label), .act = [act = std::move(act)](const MenuEvent&) { act(); }});
-}
-
-void Screens::button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
-
-void Screens::backButton() {
-    button("Back", [this] { back(); });
 }
 
 // Saves a changed setting at once. Only changed settings are written, none from the command line.

@@ -16,8 +16,6 @@ constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
 constexpr float kStickReach_ps = 1.1f;   // speed of the hand with a full stick, half pictures a second
 constexpr float kKeyNotches_ps = 12;     // speed with a key, wheel notches a second
 constexpr float kTriggerStarts = 0.06f;  // a trigger at rest is not always at 0
-
-constexpr double kCaption_s = 4;
 constexpr double kFindDevices_s = 1; // time before the mouse is announced as the only source
 
 // Returns the options for a camera's number, a clip's file or, without text, the first camera.
@@ -176,10 +174,6 @@ std::optional<game::Notice> TrackedHands::needs() const {
     if (!state_.lacksModels) return std::nullopt;
     return game::Notice{"To find your hands before the webcam, run once: {}",
                         hands::handModelScript().string()};
-}
-
-const game::Notice* TrackedHands::notice() const {
-    return announcement_ && played_s_ - announcedAt_s_ < kCaption_s ? &*announcement_ : nullptr;
 }
 
 void OpenXrSource::next(game::TickInput& out, float share) const {

@@ -111,7 +111,10 @@ class TrackedHands {
     // Returns the instruction that the player must follow before the device can find hands; empty: none.
     std::optional<game::Notice> needs() const;
     // Returns the message to show now: the device in use, or why it is not. Null: none.
-    const game::Notice* notice() const;
+    const game::Notice* notice() const {
+        constexpr double kShown_s = 4;
+        return announcement_ && played_s_ - announcedAt_s_ < kShown_s ? &*announcement_ : nullptr;
+    }
 
   private:
     void announce();

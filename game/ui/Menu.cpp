@@ -3,7 +3,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui/imgui.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace shoal::app {
@@ -61,10 +60,6 @@ void Menu::scrollBy(float pixels) {
 float Menu::maxScroll() const {
     const float rows = kRow * line_ * static_cast<float>(areas_.size());
     return std::max(0.0f, rows - (list_.high.y - list_.low.y));
-}
-
-float Menu::textBelow() const {
-    return std::max(textHeight_ - (text_.high.y - text_.low.y) - textScroll_, 0.0f);
 }
 
 void Menu::scrollText(float pixels) {

@@ -7,6 +7,7 @@
 #include "engine/scene/HandPose.h"
 #include "game/ui/Pen.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -75,7 +76,9 @@ class Menu {
     size_t focus() const { return focus_; }
     // Returns the area where an item was drawn last; empty while it is scrolled away.
     std::optional<Rectangle> areaOf(size_t item) const;
-    float textBelow() const; // height of the text scrolled away below, pixels
+    float textBelow() const { // height of the text scrolled away below, pixels
+        return std::max(textHeight_ - (text_.high.y - text_.low.y) - textScroll_, 0.0f);
+    }
 
   private:
     void moveFocus(int steps);

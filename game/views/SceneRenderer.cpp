@@ -204,9 +204,4 @@ std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View&
     return spheres_;
 }
 
-int SceneRenderer::drawCount() const {
-    return passes_.objects.drawCount() + 1 + (look_.particles ? 1 : 0) +
-           (passes_.floorShadows && !passes_.floorShadows->empty() ? 1 : 0);
-}
-
 } // namespace shoal::app

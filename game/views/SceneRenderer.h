@@ -73,7 +73,10 @@ class SceneRenderer final : private render::CompositorScene {
 
     const SceneRendererSetup& setup() const { return setup_; }
     gl::PassTimers& timers() override { return timers_; }
-    int drawCount() const;
+    int drawCount() const {
+        return passes_.objects.drawCount() + 1 + (look_.particles ? 1 : 0) +
+               (passes_.floorShadows && !passes_.floorShadows->empty() ? 1 : 0);
+    }
     int triangleCount() const { return passes_.objects.triangleCount(); }
 
   private:

@@ -54,9 +54,6 @@ bool agreesWithJoints(PartialHand& hand) {
     return true;
 }
 
-HandCompleter::HandCompleter(const HandRig& rig)
-    : rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {}
-
 float HandCompleter::sizeOf(const PartialHand& hand) const {
     const JointPositions& at = hand.joints;
     float measured = 0, rigs = 0;

@@ -5,9 +5,6 @@
 
 namespace shoal::hands {
 
-Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
-Path handModelFolder() { return scoreFolder() / "models"; }
-
 void HandStream::push(HandFrame frame) {
     if (frame.seenAt == Clock::time_point()) frame.seenAt = Clock::now();
     std::unique_lock lock(mutex_);
@@ -29,22 +26,6 @@ bool HandStream::take(HandFrame& out, std::chrono::milliseconds patience) {
     frames_.pop_front();
     changed_.notify_all();
     return true;
-}
-
-void HandStream::close() {
-    const std::lock_guard lock(mutex_);
-    closed_ = true;
-    changed_.notify_all();
-}
-
-void HandStream::setState(DeviceState state) {
-    const std::lock_guard lock(mutex_);
-    state_ = std::move(state);
-}
-
-DeviceState HandStream::state() const {
-    const std::lock_guard lock(mutex_);
-    return state_;
 }
 
 float spanOf(const HandPose& hand) {

@@ -49,10 +49,19 @@ class HandStream {
     // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time;
     // if it is not 0, a clip, which waits for its reader, is waited for until its next frame or its end.
     bool take(HandFrame& out, std::chrono::milliseconds patience = {});
-    void close(); // calls no longer wait
-
-    void setState(DeviceState state);
-    DeviceState state() const;
+    void close() { // calls no longer wait
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+        changed_.notify_all();
+    }
+    void setState(DeviceState state) {
+        const std::lock_guard lock(mutex_);
+        state_ = std::move(state);
+    }
+    DeviceState state() const {
+        const std::lock_guard lock(mutex_);
+        return state_;
+    }
 
   private:
     mutable std::mutex mutex_;
@@ -133,8 +142,8 @@ constexpr int kNewestLeapVersion = 6;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
 // The script that fetches the models of hands, once, and the folder that it puts them into.
-Path handModelScript();
-Path handModelFolder();
+inline Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
+inline Path handModelFolder() { return scoreFolder() / "models"; }
 
 // A webcam, or a clip of one.
 struct WebcamOptions {

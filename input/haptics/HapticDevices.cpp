@@ -6,8 +6,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 namespace shoal::haptics {
 
 constexpr double kStopping_s = 0.1; // time limit for the last reports, each at its device's pace
@@ -113,10 +111,6 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
     return std::max(next_s - now_s, 0.0);
 }
 
-bool HapticDevices::allStopped() const {
-    return std::ranges::all_of(devices_, [](const Device& each) { return each.sent == each.stopped; });
-}
-
 HapticDevices::~HapticDevices() {
     for (Device& device : devices_)
         if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
@@ -128,9 +122,6 @@ std::vector<HapticDevices::Listed> HapticDevices::list() const {
     all.insert(all.end(), refused_.begin(), refused_.end());
     return all;
 }
-
-HapticOutput::HapticOutput(HidBus bus)
-    : thread_([this, bus = std::move(bus)](const std::stop_token& ending) { run(ending, bus); }) {}
 
 void HapticOutput::submit(const HapticFrame& frame) {
     const std::lock_guard lock(mutex_);
