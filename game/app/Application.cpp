@@ -29,7 +29,7 @@ constexpr double kWarmUp_s = 5;           // length of the warm-up dive before a
 // Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
 static std::vector<DiveName> divesThereAre() {
     std::vector<DiveName> dives;
-    auto scores = readAllScores();
+    auto scores = readScores();
     for (const std::string& name : game::diveNames()) {
         const auto files = game::loadDiveFiles(name);
         if (!files) {

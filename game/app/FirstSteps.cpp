@@ -92,11 +92,6 @@ static void drawTurning(const Pen& pen, float round) {
     }
 }
 
-void Tutorial::next(Step step) {
-    step_ = step;
-    inStep_s_ = 0;
-}
-
 void Tutorial::followSteps(const game::Snapshot& shown, float elapsed_s) {
     inStep_s_ += elapsed_s;
     if (!firstView_) firstView_ = shown.worldFromView;

@@ -462,7 +462,7 @@ void ProgramStates::entered(State state) {
 
 void ProgramStates::keepScore() {
     const std::string& dive = session_.dive.file().name;
-    screens_.facts.scores = readScores(dive);
+    screens_.facts.scores = readScores()[dive];
     // Only a person's dives count.
     if (!keepsScores_ || !byPerson()) return;
     if (Status saved = addScore(dive, session_.after.score); !saved) log::warn("{}", saved.error().message());

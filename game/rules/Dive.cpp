@@ -89,11 +89,6 @@ void Dive::begin(uint64_t seed) {
     startInRoom(state_.shark, context());
 }
 
-DiveContext Dive::context() const {
-    const FilmMoment now(files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz);
-    return {files_.dive, files_.species, state_, now, rules_.assist};
-}
-
 void Dive::step(const TickInput& input, Events& events) {
     DiveState& s = state_;
     const bool restart = input.restart && !s.restartHeld;

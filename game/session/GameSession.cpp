@@ -135,12 +135,6 @@ void GameSession::addToRecording(const game::TickInput& input, uint64_t hash) {
     recording_.reset();
 }
 
-Status GameSession::endRecording() {
-    if (recording_) recorded_ = recording_->finish();
-    recording_.reset();
-    return recorded_;
-}
-
 void GameSession::advance(double elapsed_s) {
     events.clear();
     if (tracked) tracked->frame(elapsed_s);

@@ -16,7 +16,7 @@ constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
 constexpr float kStickReach_ps = 1.1f;   // speed of the hand with a full stick, half pictures a second
 constexpr float kKeyNotches_ps = 12;     // speed with a key, wheel notches a second
 constexpr float kTriggerStarts = 0.06f;  // a trigger at rest is not always at 0
-constexpr double kFindDevices_s = 1; // time before the mouse is announced as the only source
+constexpr double kFindDevices_s = 1;     // time before the mouse is announced as the only source
 
 // Returns the options for a camera's number, a clip's file or, without text, the first camera.
 static hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
@@ -174,13 +174,6 @@ std::optional<game::Notice> TrackedHands::needs() const {
     if (!state_.lacksModels) return std::nullopt;
     return game::Notice{"To find your hands before the webcam, run once: {}",
                         hands::handModelScript().string()};
-}
-
-void OpenXrSource::next(game::TickInput& out, float share) const {
-    out.hands = poses_;
-    for (size_t side = 0; side < 2; ++side)
-        if (before_[side].tracked && poses_[side].tracked)
-            out.hands[side] = hands::between(before_[side], poses_[side], share);
 }
 
 bool ReplaySource::next(game::TickInput& input) {

@@ -135,7 +135,12 @@ class OpenXrSource {
   public:
     void frame(const std::array<hands::HandPose, 2>& poses) { before_ = std::exchange(poses_, poses); }
     // share: fraction of the time from the last frame (0) to this one (1) at which the tick lies.
-    void next(game::TickInput& out, float share) const;
+    void next(game::TickInput& out, float share) const {
+        out.hands = poses_;
+        for (size_t side = 0; side < 2; ++side)
+            if (before_[side].tracked && poses_[side].tracked)
+                out.hands[side] = hands::between(before_[side], poses_[side], share);
+    }
 
   private:
     std::array<hands::HandPose, 2> before_{}, poses_{};

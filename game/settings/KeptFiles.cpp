@@ -129,14 +129,12 @@ Status saveSetting(const Setting& setting) {
     return writeFileWhole(settingsFile(), json->dump(2) + "\n");
 }
 
-std::map<std::string, DiveScores> readAllScores() {
+std::map<std::string, DiveScores> readScores() {
     std::map<std::string, DiveScores> scores;
     const Json all = readOrWarn(scoreFile());
     for (const auto& [dive, entry] : all.items()) scores.emplace(dive, scoresIn(entry));
     return scores;
 }
-
-DiveScores readScores(const std::string& dive) { return readAllScores()[dive]; }
 
 Status addScore(const std::string& dive, int score) {
     auto all = readObject(scoreFile());

@@ -27,10 +27,9 @@ struct DiveScores {
     int last = 0;         // score of the dive before; 0: none
 };
 
-// Return the scores by the dive's name; empty if there are none yet or the file cannot be used (which is
+// Returns the scores by the dive's name; empty if there are none yet or the file cannot be used (which is
 // logged, and the file left as it is).
-std::map<std::string, DiveScores> readAllScores();
-DiveScores readScores(const std::string& dive);
+std::map<std::string, DiveScores> readScores();
 
 // Adds a score; the file is replaced as a whole or not at all, and keeps the other dives' scores.
 Status addScore(const std::string& dive, int score);

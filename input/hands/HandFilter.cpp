@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shoal::hands {
 
@@ -30,11 +29,6 @@ static glm::quat moved(const glm::quat& from, const glm::vec3& way) {
 }
 
 using namespace tuning;
-
-float smoothing(float cutoff_Hz, float dt_s) {
-    const float r = 2 * std::numbers::pi_v<float> * cutoff_Hz * dt_s;
-    return r / (r + 1);
-}
 
 template <class Value> void OneEuro<Value>::reset(const Value& value) {
     value_ = raw_ = value;
