@@ -15,8 +15,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr float kTitleTurn_radps = 0.03f; // rate at which the view behind the title turns
 constexpr float kGoalsAtFirst_s = 8;      // time for which the goals are shown as a dive begins
 constexpr float kGoalsOnNews_s = 4;       // time for which they are shown after one is reached
@@ -29,9 +27,9 @@ constexpr double kMinimisedWait_s = 0.25; // time between polls of a minimised w
 constexpr double kWarmUp_s = 5;           // length of the warm-up dive before a measured one
 
 // Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
-std::vector<DiveName> divesThereAre() {
+static std::vector<DiveName> divesThereAre() {
     std::vector<DiveName> dives;
-    auto scores = readAllScores();
+    auto scores = readScores();
     for (const std::string& name : game::diveNames()) {
         const auto files = game::loadDiveFiles(name);
         if (!files) {
@@ -51,8 +49,6 @@ std::vector<DiveName> divesThereAre() {
     if (first != dives.end()) std::rotate(dives.begin(), first, first + 1);
     return dives;
 }
-
-} // namespace
 
 Application::Application(const PlayOptions& options) : options_(options), applied_(options) {
     if (!bindings_.parse(options.controls.bindings))
@@ -177,7 +173,6 @@ Mode Application::firstMode() const {
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
 }
 
-// Begins a session in a mode.
 Status Application::begin(Mode mode) {
     if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
@@ -191,10 +186,6 @@ Status Application::begin(Mode mode) {
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, options_, clock, screens_, mode);
     return records(mode) ? play_->session.record(recordingFile()) : Done{};
-}
-
-bool Application::records(Mode mode) const {
-    return measured_ && !options_.record.empty() && mode != Mode::Title;
 }
 
 // Returns whether the player sits, which matters only in a headset.
@@ -401,17 +392,13 @@ void Application::globalActions(const Controls& controls) {
 }
 
 void Application::photograph() {
-    switch (photo_->step(play_->controls, options_.controls.sensitivity, static_cast<float>(play_->elapsed_s),
-                         options_.fov_deg)) {
-    case PhotoMode::Command::None:
-        return;
-    case PhotoMode::Command::Picture: {
+    const auto command = photo_->step(play_->controls, options_.controls.sensitivity,
+                                      static_cast<float>(play_->elapsed_s), options_.fov_deg);
+    if (command == PhotoMode::Command::Picture) {
         photo_->notice.reset(); // no text covers the picture
         const Result<bool> drawn = draw();
         if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), content_.renderer());
-        return;
-    }
-    case PhotoMode::Command::Leave:
+    } else if (command == PhotoMode::Command::Leave) {
         options_.fov_deg = photo_->fovBefore_deg;
         photo_.reset();
         screens_.open(Screen::Paused);
@@ -482,6 +469,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     GameSession& session = play_->session;
     const ProgramStates& states = play_->states;
     const bool showTimes = options_.frameTimes && part != HudPart::Marks;
+    const bool showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5;
     const bool showCamera = session.tracked && (showTimes || screens_.showsCamera());
     if (showCamera && session.tracked->look(cameraImage_)) cameraPicture_.show(cameraImage_);
     if (photo_) return hud_->drawNotice(*photo_->notice, options_.text, size);
@@ -518,8 +506,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .environment = &content_.environment(),
          .camera = showCamera && cameraPicture_.texture ? &cameraPicture_ : nullptr,
          .notice = notice,
-         .volume = options_.volume,
-         .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},
+         .volume = showVolume ? std::optional(options_.volume) : std::nullopt},
         size);
 }
 

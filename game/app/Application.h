@@ -8,7 +8,6 @@
 #include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
 #include "game/session/SoundAndHaptics.h"
-#include "game/ui/MenuControls.h"
 #include "game/views/DynamicQuality.h"
 
 #include <future>
@@ -67,7 +66,7 @@ class Application {
     Status begin(Mode mode);
     bool isSeated() const;
     Status beginSeated(); // begins again with seated rules if the player turns out to sit
-    bool records(Mode mode) const;
+    bool records(Mode mode) const { return measured_ && !options_.record.empty() && mode != Mode::Title; }
     Path recordingFile();
     Status endPlay();
 

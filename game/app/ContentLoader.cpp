@@ -14,18 +14,19 @@
 
 namespace shoal::app {
 
-namespace {
-
 using game::FilmSpace;
 
-render::Composition compositionIn(const PlayOptions& options) {
+static render::Composition compositionIn(const PlayOptions& options) {
     return options.look.skip == render::SkippedPass::Objects ? render::Composition::BackgroundOnly
                                                              : options.compose;
 }
 
-render::Detail detail() { return gl::rendersInSoftware() ? render::Detail::Lean : render::Detail::Full; }
+static render::Detail detail() {
+    return gl::rendersInSoftware() ? render::Detail::Lean : render::Detail::Full;
+}
 
-EnvironmentSetup environmentSetup(const PlayOptions& options, const game::DiveFile& dive, bool seesRoom) {
+static EnvironmentSetup environmentSetup(const PlayOptions& options, const game::DiveFile& dive,
+                                         bool seesRoom) {
     const bool own = options.environment.isOwnVideo();
     const bool inSoftware = gl::rendersInSoftware();
     const bool slow = inSoftware || std::thread::hardware_concurrency() < 4;
@@ -44,7 +45,8 @@ EnvironmentSetup environmentSetup(const PlayOptions& options, const game::DiveFi
             .bothEyes = options.stereo == StereoOutput::SideBySide || options.xr};
 }
 
-SceneRendererSetup rendererSetup(const PlayOptions& options, const Environment& environment, bool seesRoom) {
+static SceneRendererSetup rendererSetup(const PlayOptions& options, const Environment& environment,
+                                        bool seesRoom) {
     const bool shadows = options.shadows == ShadowChoice::On;
     return {.detail = detail(),
             .shadows = shadows && environment.player().hasDepthTrack(),
@@ -61,7 +63,7 @@ constexpr double kSteps_Hz = 4;
 constexpr int kBelieved = media::kMaxDepthCode / 2; // confidence below which a distance is ignored
 
 // Returns the cell of each texel of the track. Uses no C library trigonometry, because the grid is hashed.
-std::vector<int> cellsOf(int width, int height, const glm::mat3& worldFromFilm) {
+static std::vector<int> cellsOf(int width, int height, const glm::mat3& worldFromFilm) {
     constexpr float kPi = std::numbers::pi_v<float>;
     std::vector<glm::vec2> ahead; // direction of each column: towards +X and -Z
     for (int x = 0; x < width; ++x) {
@@ -79,7 +81,8 @@ std::vector<int> cellsOf(int width, int height, const glm::mat3& worldFromFilm) 
     return cells;
 }
 
-void addStep(const media::DepthFrame& frame, const std::vector<int>& cells, std::span<uint16_t> step_mm) {
+static void addStep(const media::DepthFrame& frame, const std::vector<int>& cells,
+                    std::span<uint16_t> step_mm) {
     std::fill(step_mm.begin(), step_mm.end(), static_cast<uint16_t>(1000 * FilmSpace::kFar_m));
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
@@ -90,8 +93,6 @@ void addStep(const media::DepthFrame& frame, const std::vector<int>& cells, std:
             nearest = std::min(nearest, static_cast<uint16_t>(1000 / inverse));
         }
 }
-
-} // namespace
 
 std::shared_ptr<const FilmSpace> filmSpaceOf(const Path& film, float yaw) {
     const Path file = media::depthTrackOf(film);

@@ -11,8 +11,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 // The panel spans 53 by 37 degrees at 1.5 m with 18 pixels a degree, about as headsets have: a line of text
 // is 1.5 degrees high.
 constexpr glm::ivec2 kPanelPixels(960, 640);
@@ -23,7 +21,7 @@ constexpr double kNoRoom_s = 5;
 constexpr auto kIdle = std::chrono::milliseconds(10);
 
 // Returns the size of the largest central part of a picture with the shape of the window.
-glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
+static glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
     const double shape = static_cast<double>(window.x) / window.y;
     const glm::ivec2 wide(picture.x, std::max(1, static_cast<int>(std::lround(picture.x / shape))));
     if (wide.y <= picture.y) return wide;
@@ -31,7 +29,7 @@ glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
 }
 
 // Returns whether the index finger is stretched: its tip as far from its root as its bones are long.
-bool points(const hands::HandPose& hand) {
+static bool points(const hands::HandPose& hand) {
     constexpr float kStretched = 0.93f;
     const hands::FingerJoints& index = hands::kFingerJoints[1];
     const auto at = [&](int joint) { return hand.joints[static_cast<size_t>(joint)].position; };
@@ -40,8 +38,6 @@ bool points(const hands::HandPose& hand) {
         bones_m += glm::distance(at(joint), at(joint + 1));
     return glm::distance(at(index.proximal), at(index.tip)) > kStretched * bones_m;
 }
-
-} // namespace
 
 void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples) {
     if (targets.size() == static_cast<size_t>(count) && targets[0].width() == size.x &&
@@ -62,8 +58,6 @@ ImageRgb8 pictureOf(std::span<const gl::Target> eyes) {
     }
     return picture;
 }
-
-double FlatDisplay::period_s() const { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
 
 Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& shown, float scale) {
     const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.look.size;

@@ -10,7 +10,7 @@
 #include "engine/xr/Headset.h"
 #include "game/session/GameSession.h"
 #include "game/ui/Hud.h"
-#include "game/ui/MenuControls.h"
+#include "game/ui/Menu.h"
 #include "game/views/SceneRenderer.h"
 #include "input/hands/HandRig.h"
 #include "input/haptics/HapticFrame.h"
@@ -89,7 +89,7 @@ class FlatDisplay : public Display {
     FlatDisplay(platform::Window* window, const PlayOptions& options, int samples)
         : window_(window), options_(options), samples_(samples) {}
 
-    double period_s() const override;
+    double period_s() const override { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;
     void present() override;
     MenuSurface menuSurface() const override;

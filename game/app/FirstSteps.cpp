@@ -10,8 +10,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr float kReach_m = 1.2f; // farthest fish that the ghost hand reaches for
 constexpr std::array<game::Text, 3> kHints = {"A fast hand frightens fish",
                                               "Wait in a fish’s way with an open hand",
@@ -26,7 +24,7 @@ constexpr std::array<std::array<game::Text, 3>, 3> kHowTo = {{
 }};
 
 // Returns the catchable fish within reach that is nearest to the middle of the view.
-std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::SpeciesTable& species) {
+static std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::SpeciesTable& species) {
     std::optional<glm::vec3> best;
     float bestCosine = 0.8f;
     const glm::vec3 ahead = shown.worldFromView * glm::vec3(0, 0, -1);
@@ -41,12 +39,12 @@ std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::Sp
     return best;
 }
 
-bool holdsAFish(const game::Snapshot& shown) {
+static bool holdsAFish(const game::Snapshot& shown) {
     return shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0;
 }
 
 // Draws a hand as a white sign with a dark outline: rounded bones, and the palm.
-void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
+static void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
     const glm::vec2 half = view.halfExtent();
     const auto onScreen = [&](int joint) {
         const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
@@ -79,7 +77,7 @@ void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& 
 }
 
 // Draws arrows to both sides, which move outwards in turn. round: progress of the demonstration, 0 to 1.
-void drawTurning(const Pen& pen, float round) {
+static void drawTurning(const Pen& pen, float round) {
     for (const float side : {-1.0f, 1.0f}) {
         const float phase = side > 0 ? 2 * round : 2 * round - 1; // progress in its half of the round
         const float out = phase > 0 && phase < 1 ? std::sin(3.14159265f * phase) : 0.0f;
@@ -92,13 +90,6 @@ void drawTurning(const Pen& pen, float round) {
         arrow(1.5f * pen.line, IM_COL32(4, 22, 34, 255));
         arrow(1.2f * pen.line, IM_COL32(235, 248, 255, 255));
     }
-}
-
-} // namespace
-
-void Tutorial::next(Step step) {
-    step_ = step;
-    inStep_s_ = 0;
 }
 
 void Tutorial::followSteps(const game::Snapshot& shown, float elapsed_s) {
@@ -114,19 +105,9 @@ void Tutorial::followSteps(const game::Snapshot& shown, float elapsed_s) {
     if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
     if (shown.caught > 0) return next(Step::Done); // the player can do all steps
-    switch (step_) {
-    case Step::Look:
-        if (turned_rad > kTurned_rad) next(Step::Reach);
-        break;
-    case Step::Reach:
-        if (near_s_ > kNear_s) next(Step::Hold);
-        break;
-    case Step::Hold: // the fish may have gone on
-        if (away_s_ > kAway_s) next(Step::Reach);
-        break;
-    case Step::Done:
-        break;
-    }
+    if (step_ == Step::Look && turned_rad > kTurned_rad) return next(Step::Reach);
+    if (step_ == Step::Reach && near_s_ > kNear_s) return next(Step::Hold);
+    if (step_ == Step::Hold && away_s_ > kAway_s) next(Step::Reach); // the fish may have gone on
 }
 
 // The ghost hand reaches its place in the first half of a round and acts in the second.

@@ -52,7 +52,10 @@ class Tutorial {
     void followSteps(const game::Snapshot& shown, float elapsed_s);
     void followHints(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
     void drawStep(const Pen& pen, const render::View& view) const;
-    void next(Step step);
+    void next(Step step) {
+        step_ = step;
+        inStep_s_ = 0;
+    }
     void say(Hint hint);
 
     Mode mode_;

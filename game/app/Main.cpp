@@ -21,7 +21,6 @@ namespace shoal::app {
 
 namespace {
 
-// Adds one row of a table to a command.
 struct AddOption {
     CLI::App& command;
     const Setting& row;

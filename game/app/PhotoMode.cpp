@@ -16,20 +16,18 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr float kTurn_radps = 1.2f, kMove_mps = 0.8f;
 constexpr float kFarthest_m = 0.5f; // from the player: beyond, the film has holes
 
 // Returns the rotations of the six faces of a cube, each of 90 degrees: ahead, right, back, left, up, down.
-std::array<glm::quat, 6> faceTurns() {
+static std::array<glm::quat, 6> faceTurns() {
     constexpr float kQuarter = std::numbers::pi_v<float> / 2;
     const auto about = [](glm::vec3 axis, float angle) { return glm::angleAxis(angle, axis); };
     return {about({0, 1, 0}, 0),        about({0, 1, 0}, -kQuarter), about({0, 1, 0}, 2 * kQuarter),
             about({0, 1, 0}, kQuarter), about({1, 0, 0}, kQuarter),  about({1, 0, 0}, -kQuarter)};
 }
 
-size_t faceOf(glm::vec3 d) {
+static size_t faceOf(glm::vec3 d) {
     const glm::vec3 a = glm::abs(d);
     if (a.y >= a.x && a.y >= a.z) return d.y > 0 ? 4 : 5;
     if (a.x >= a.z) return d.x > 0 ? 1 : 3;
@@ -38,7 +36,7 @@ size_t faceOf(glm::vec3 d) {
 
 // Returns the name of a new file in the folder for pictures, by date and time: shoal-2026-11-22-213045.png.
 // what: "-360" or nothing.
-Path newPictureFile(std::string_view what) {
+static Path newPictureFile(std::string_view what) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     localtime_r(&now, &local);
@@ -46,7 +44,7 @@ Path newPictureFile(std::string_view what) {
 }
 
 // Returns the names of the keys that move the camera; letters where bound, for they are short.
-std::string movingKeys(const Bindings& bindings) {
+static std::string movingKeys(const Bindings& bindings) {
     std::string names;
     for (const Action action : {Action::LookUp, Action::LookLeft, Action::LookDown, Action::LookRight,
                                 Action::Farther, Action::Nearer}) {
@@ -58,7 +56,7 @@ std::string movingKeys(const Bindings& bindings) {
 }
 
 // Draws the scene in all directions as a lat-long picture, twice as wide as high.
-Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int width) {
+static Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int width) {
     const int edge = width / 4;
     const std::array<glm::quat, 6> turns = faceTurns();
     std::array<ImageRgba8, 6> faces;
@@ -94,8 +92,6 @@ Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int wi
         }
     return around;
 }
-
-} // namespace
 
 PhotoMode::PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, const Bindings& bindings)
     : shown(from), fovBefore_deg(fov_deg),

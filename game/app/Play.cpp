@@ -1,18 +1,21 @@
 // The command `play`: plays a dive, with a picture or without.
 #include "engine/core/WriteFile.h"
+#include "engine/math/Quantile.h"
 #include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
 #include "game/app/Application.h"
 #include "game/tools/Commands.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
+#include <cstdio>
+#include <sys/resource.h>
 
 namespace shoal::app {
 
-namespace {
-
 // Makes these signals set stopSignal from now on; a second one of a kind ends the program at once.
-void noteStopSignals() {
+static void noteStopSignals() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { stopSignal = signal; };
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
@@ -24,7 +27,7 @@ void noteStopSignals() {
 }
 
 // Checks, before anything is played, that all output files can be written.
-Status checkOutputsOf(const PlayOptions& options) {
+static Status checkOutputsOf(const PlayOptions& options) {
     if (!options.screenshot.empty() && media::writtenAs(options.screenshot) != media::WrittenAs::Png)
         return Error{options.screenshot, "screenshots are PNG files; let the name end in .png"};
     const std::string& hands = options.hands.source; // such as replay:FILE
@@ -37,10 +40,63 @@ Status checkOutputsOf(const PlayOptions& options) {
     return checkOutputs(outputs, inputs);
 }
 
+static double quantile(Series series, double share) {
+    return static_cast<double>(math::quantile(series, share));
+}
+
+// Prints the times for a person to read: one line, or two with a live video.
+static void printTimes(const Statistics& s, bool live) {
+    std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",
+                s.renderer.c_str(), s.frame_ms.size(), quantile(s.frame_ms, 0.5), quantile(s.frame_ms, 0.99),
+                quantile(s.frame_ms, 1));
+    if (!live) return;
+    std::printf("live: %lld frames shown, %lld passed over; from arrival to picture median %.1f ms, 99th "
+                "percentile %.1f ms; in pictures of the display %.0f and %.0f, at most %.0f\n",
+                static_cast<long long>(s.live.shown), static_cast<long long>(s.live.passedOver),
+                quantile(s.liveLatency_ms, 0.5), quantile(s.liveLatency_ms, 0.99),
+                quantile(s.liveDisplayFrames, 0.5), quantile(s.liveDisplayFrames, 0.99),
+                quantile(s.liveDisplayFrames, 1));
+}
+
+static Status writeStatistics(const Path& file, const Statistics& s) {
+    const auto summary = [](const Series& series) {
+        return nlohmann::ordered_json{
+            {"median", quantile(series, 0.5)}, {"p99", quantile(series, 0.99)}, {"max", quantile(series, 1)}};
+    };
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    nlohmann::ordered_json json = {
+        {"renderer", s.renderer},
+        {"frames", s.frame_ms.size()},
+        {"frame_ms", summary(s.frame_ms)},
+        {"light_ms", summary(s.light_ms)},
+        {"decode_ms", summary(s.decode_ms)},
+        {"upload_ms", summary(s.upload_ms)},
+        {"draws", s.draws},
+        {"triangles", s.triangles},
+        {"least_scale", s.minScale},
+        {"caught", s.caught},
+        {"score", s.score},
+        {"state_hash", fmt::format("{:016x}", s.stateHash)},
+        {"ticks", s.ticks},
+        {"peak_rss_mb", static_cast<double>(usage.ru_maxrss) / 1024},
+    };
+    if (s.live.shown > 0)
+        json["live"] = {{"latency_ms", summary(s.liveLatency_ms)},
+                        {"display_frames", summary(s.liveDisplayFrames)},
+                        {"shown", s.live.shown},
+                        {"made", s.live.made},
+                        {"passed_over", s.live.passedOver},
+                        {"stops", s.live.stops},
+                        {"losses", s.live.losses},
+                        {"resized", s.live.resized}};
+    return writeFileWhole(file, json.dump(2) + "\n");
+}
+
 // Writes the figures, even of a run that failed, and prints the summary of a script that met its
 // expectations: its name and hash as in tests/equal_hashes.txt. Returns the verdict.
-Status report(const PlayOptions& options, const Statistics& statistics, const std::string& summary,
-              const Status& verdict) {
+static Status report(const PlayOptions& options, const Statistics& statistics, const std::string& summary,
+                     const Status& verdict) {
     if (!options.stats.empty())
         if (Status written = writeStatistics(options.stats, statistics); !written) return written;
     if (verdict && !summary.empty()) std::printf("%s\n", summary.c_str());
@@ -48,13 +104,13 @@ Status report(const PlayOptions& options, const Statistics& statistics, const st
 }
 
 // Returns whether a picture is needed. A live video always needs one, because it runs in real time.
-bool isSeen(const PlayOptions& options) {
+static bool isSeen(const PlayOptions& options) {
     const auto address = media::liveAddress(options.environment.video);
     return !options.headless || options.timedemo || !options.screenshot.empty() || !address || *address;
 }
 
 // Plays a session without a picture, as fast as possible; reads only the distances of the film.
-Status playUnseen(const PlayOptions& options) {
+static Status playUnseen(const PlayOptions& options) {
     SessionConfig config;
     if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;
     const EnvironmentOptions& environment = options.environment;
@@ -78,8 +134,6 @@ Status playUnseen(const PlayOptions& options) {
     const Status verdict = runner.end(statistics);
     return report(options, statistics, runner.session.summary, verdict);
 }
-
-} // namespace
 
 Status play(const PlayOptions& given) {
     PlayOptions options = given;

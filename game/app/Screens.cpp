@@ -11,18 +11,16 @@
 
 namespace shoal::app {
 
-namespace {
-
 // The pages of settings, by SettingsPage without None.
 constexpr auto kGroups =
     std::to_array<game::Text>({"Hands", "Comfort", "Picture", "Sound", "Text and captions"});
 
-template <class... Values> std::string filled(const char* text, const Values&... values) {
+template <class... Values> static std::string filled(const char* text, const Values&... values) {
     return fmt::format(fmt::runtime(text), values...);
 }
 
 // Returns a key's name for the player: translated, or the file's name with spaces: "PageUp", "Page up".
-std::string keyLabel(std::string_view name, game::Language language) {
+static std::string keyLabel(std::string_view name, game::Language language) {
     const auto text = game::translated(name, language);
     if (text != name) return std::string(text);
     std::string label;
@@ -36,7 +34,7 @@ std::string keyLabel(std::string_view name, game::Language language) {
 }
 
 // Returns the keys and the button as text; empty if there is none.
-std::string keysText(const Bindings::Keys& keys, game::Language language) {
+static std::string keysText(const Bindings::Keys& keys, game::Language language) {
     std::string text;
     for (const int key : keys.keys)
         if (key >= 0) text += (text.empty() ? "" : ", ") + keyLabel(keyName(key), language);
@@ -45,8 +43,8 @@ std::string keysText(const Bindings::Keys& keys, game::Language language) {
     return text;
 }
 
-// Returns a goal's text.
-std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
+static std::string goalText(const game::Goal& goal, const game::SpeciesTable& species,
+                            game::Language language) {
     static constexpr std::array<game::Text, 5> kGoals = {
         "Catch {} fish", "Catch {} different species", "Score {} points",
         "Catch fish and lose none to the shark", "Catch {} different species in a row"}; // by GoalKind
@@ -54,15 +52,6 @@ std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, 
         return filled(game::Text("Catch {} {}").in(language), goal.count,
                       animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
     return filled(kGoals[static_cast<size_t>(goal.kind)].in(language), goal.count);
-}
-
-} // namespace
-
-Screens::Screens(PlayOptions& options, Bindings& bindings)
-    : options_(options), bindings_(bindings), table_(settingsOf(options)) {}
-
-std::string Screens::named(std::string_view english) const {
-    return std::string(game::translated(english, language()));
 }
 
 void Screens::open(Screen screen) {
@@ -102,7 +91,8 @@ void Screens::push(Screen screen, size_t index) {
     stack_.push_back({.screen = screen, .index = index});
     message_.clear();
     error_.clear();
-    show(0);
+    if (screen == Screen::Films) films_.look();
+    menu_.show(page(), 0);
 }
 
 void Screens::back() {
@@ -115,7 +105,7 @@ void Screens::back() {
         return;
     }
     stack_.pop_back();
-    show(stack_.back().focus);
+    menu_.show(page(), stack_.back().focus);
 }
 
 MenuPage Screens::page() {
@@ -132,14 +122,13 @@ MenuPage Screens::page() {
     return page;
 }
 
-void Screens::show(size_t focus) { menu_.show(page(), focus); }
-
 void Screens::refresh() {
     if (isOpen()) menu_.update(page());
 }
 
 void Screens::input(const MenuInput& input) {
     if (stack_.empty() || captured_) return;
+    if (top() == Screen::Films) refresh(); // the list grows
     const auto event = menu_.input(input);
     if (!event) return;
     if (event->kind == MenuEvent::Kind::Back) return back();
@@ -149,20 +138,8 @@ void Screens::input(const MenuInput& input) {
     if (stack_.size() == depth) refresh();
 }
 
-std::optional<Request> Screens::takeRequest() { return std::exchange(request_, std::nullopt); }
-
-void Screens::draw(const Pen& pen) {
-    if (isOpen()) menu_.draw(pen);
-}
-
 void Screens::itemButton(std::string label, std::function<void()> act) {
     items_.push_back({.label = std::move(label), .act = [act = std::move(act)](const MenuEvent&) { act(); }});
-}
-
-void Screens::button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
-
-void Screens::backButton() {
-    button("Back", [this] { back(); });
 }
 
 // Saves a changed setting at once. Only changed settings are written, none from the command line.
@@ -231,13 +208,15 @@ MenuPage Screens::divesPage() {
 
 MenuPage Screens::filmsPage() {
     if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OpenFilm); });
-    const std::vector<Path> files = filmsAndPhotos();
+    const auto [files, complete] = films_.found();
     for (const Path& file : files)
         itemButton(file.filename().string(), [this, file] { ask(Request::Kind::OpenFilm, file.string()); });
     backButton();
     return {.title = in("My film or photo"),
             .text = {in("Drop a 360-degree video or any photo on this window, or choose one of these.")},
-            .note = files.empty() ? in("There are no films or photos in your folders yet.") : ""};
+            .note = !complete       ? in("Loading")
+                    : files.empty() ? in("There are no films or photos in your folders yet.")
+                                    : ""};
 }
 
 MenuPage Screens::settingsPage() {
@@ -483,7 +462,7 @@ void ProgramStates::entered(State state) {
 
 void ProgramStates::keepScore() {
     const std::string& dive = session_.dive.file().name;
-    screens_.facts.scores = readScores(dive);
+    screens_.facts.scores = readScores()[dive];
     // Only a person's dives count.
     if (!keepsScores_ || !byPerson()) return;
     if (Status saved = addScore(dive, session_.after.score); !saved) log::warn("{}", saved.error().message());

@@ -6,7 +6,6 @@
 #include "game/session/GameSession.h"
 #include "game/settings/KeptFiles.h"
 #include "game/ui/Menu.h"
-#include "input/hands/HandSize.h"
 
 #include <functional>
 #include <optional>
@@ -79,7 +78,8 @@ struct ScreenFacts {
 class Screens {
   public:
     // options and bindings must outlive this.
-    Screens(PlayOptions& options, Bindings& bindings);
+    Screens(PlayOptions& options, Bindings& bindings)
+        : options_(options), bindings_(bindings), table_(settingsOf(options)) {}
 
     void open(Screen screen); // as the only page
     void close() { stack_.clear(); }
@@ -94,8 +94,10 @@ class Screens {
     void capture(const platform::WindowInput& input);
 
     void input(const MenuInput& input);
-    std::optional<Request> takeRequest();
-    void draw(const Pen& pen);
+    std::optional<Request> takeRequest() { return std::exchange(request_, std::nullopt); }
+    void draw(const Pen& pen) {
+        if (isOpen()) menu_.draw(pen);
+    }
     // Updates the page that is open, after its words or numbers have changed.
     void refresh();
     // Saves a setting that the player has changed by a key of the game, and requests that it take effect.
@@ -117,7 +119,6 @@ class Screens {
     void push(Screen screen, size_t index = 0);
     void back();
     void ask(Request::Kind kind, std::string name = {}) { request_ = Request{kind, std::move(name)}; }
-    void show(size_t focus);
     MenuPage page();
 
     // Each fills items_ and returns the page without its items.
@@ -134,15 +135,19 @@ class Screens {
     MenuPage pausedPage();
     MenuPage resultsPage();
 
-    void button(game::Text label, std::function<void()> act);
+    void button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
     void itemButton(std::string label, std::function<void()> act); // label from content, already translated
-    void backButton();
+    void backButton() {
+        button("Back", [this] { back(); });
+    }
     void settingEntry(size_t row);
     void changed(size_t row);
     void captured(std::optional<Action> loser);
     const char* in(game::Text text) const { return text.in(language()); }
     game::Language language() const { return options_.text.shownLanguage(); }
-    std::string named(std::string_view english) const;
+    std::string named(std::string_view english) const {
+        return std::string(game::translated(english, language()));
+    }
 
     PlayOptions& options_;
     Bindings& bindings_;
@@ -153,6 +158,7 @@ class Screens {
     std::optional<Request> request_;
     std::optional<Action> captured_; // the action that waits for a key
     std::string message_, error_;    // texts below the items
+    FilmList films_;                 // on the page Films
 };
 
 // The states of the program, and the menu pages that each shows over the picture.

@@ -7,8 +7,6 @@
 
 namespace shoal::game {
 
-namespace {
-
 constexpr float kPass_m = 1; // distance from the head within which a pass is heard; twice it for large ones
 constexpr float kPass_mps = 0.45f; // slower passes are silent
 constexpr float kPassQuiet_s = 4;  // time between two passes of the same creature
@@ -35,7 +33,7 @@ constexpr float kHeld = 0.15f, kStruggle = 0.6f; // amplitude of a held fish at 
 constexpr float kHeld_Hz = 48, kStruggle_Hz = 30;
 
 // Returns the actuation of a finger while it touches.
-haptics::Actuation underFinger(const TouchView& touch, bool held) {
+static haptics::Actuation underFinger(const TouchView& touch, bool held) {
     if (!touch.touches) return {};
     const float press = std::clamp(touch.depth_m / kPressFull_m, 0.0f, 1.0f);
     const float stroke = std::clamp(touch.slide_mps / kStrokeFull_mps, 0.0f, 1.0f);
@@ -47,8 +45,6 @@ haptics::Actuation underFinger(const TouchView& touch, bool held) {
             out, {kHeld + kStruggle * touch.struggle, kHeld_Hz + kStruggle_Hz * touch.struggle});
     return out;
 }
-
-} // namespace
 
 SoundCues::SoundCues() : breath_s_(kBreathShortest_s) {
     shots_.reserve(kEventsReserved);

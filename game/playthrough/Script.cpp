@@ -12,8 +12,6 @@
 
 namespace shoal::game {
 
-namespace {
-
 constexpr int kMaxSteps = 1000, kMaxExpects = 200;
 
 constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "open",  "wave",   "hover",
@@ -28,7 +26,7 @@ constexpr auto kEventNames = [] {
     return names;
 }();
 
-ScriptStep readStep(TomlTable& table, int number) {
+static ScriptStep readStep(TomlTable& table, int number) {
     ScriptStep step;
     step.line = table.line();
     table.need("do");
@@ -61,7 +59,7 @@ ScriptStep readStep(TomlTable& table, int number) {
     return step;
 }
 
-ScriptExpect readExpect(TomlTable& table) {
+static ScriptExpect readExpect(TomlTable& table) {
     ScriptExpect expect;
     expect.line = table.line();
     for (size_t i = 0; i < kEndValues.size(); ++i)
@@ -83,8 +81,6 @@ ScriptExpect readExpect(TomlTable& table) {
         }
     return expect;
 }
-
-} // namespace
 
 Result<Script> loadScript(const Path& path) {
     Script script;
@@ -128,8 +124,6 @@ Result<DiveFiles> loadDiveFiles(const Script& script) {
 
 // Motions and verdict of a script's player.
 
-namespace {
-
 constexpr float kHandSpeed_mps = 1.5f;
 constexpr float kHeadSpeed_radps = 2.2f;
 constexpr float kCloseTime_s = 0.12f;
@@ -144,34 +138,34 @@ constexpr float kWindowFov = 65 * kPi / 180;
 constexpr float kVisibleReach_m = 1.4f;
 constexpr float kMouseThere_m = 0.07f; // distance from grasp centre to fish at which Point is done
 
-glm::vec3 withinReach(glm::vec3 p) {
+static glm::vec3 withinReach(glm::vec3 p) {
     const float distance = glm::length(p);
     if (distance < 1e-4f) return {0, 0, -kNear_m};
     return p * (std::clamp(distance, kNear_m, kReach_m) / distance);
 }
 
-glm::vec3 restingView(int hand) { return {hand == 0 ? -0.24f : 0.24f, -0.34f, -0.38f}; }
+static glm::vec3 restingView(int hand) { return {hand == 0 ? -0.24f : 0.24f, -0.34f, -0.38f}; }
 
-const CreatureView* sharkOf(const Snapshot& now, const SpeciesTable& species) {
+static const CreatureView* sharkOf(const Snapshot& now, const SpeciesTable& species) {
     for (const CreatureView& creature : now.creatures)
         if (species[creature.species].shark) return &creature;
     return nullptr;
 }
 
-bool isFree(const CreatureView& creature, const ScriptStep& step, const SpeciesTable& species) {
+static bool isFree(const CreatureView& creature, const ScriptStep& step, const SpeciesTable& species) {
     const Species& kind = species[creature.species];
     const bool asked = step.kind == "any" ? isCatchable(kind) : kind.name == step.kind;
     return asked && creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
 }
 
 // Returns the window's pixel of a place in front of the viewer, viewer's frame.
-glm::vec2 pixelOf(glm::vec3 view) {
+static glm::vec2 pixelOf(glm::vec3 view) {
     const float half = 0.5f * kWindowFov, focal_px = kHalfWindow_px.y * math::cosine(half) / math::sine(half);
     return kHalfWindow_px + glm::vec2(view.x, -view.y) * (focal_px / std::max(-view.z, 0.05f));
 }
 
 // Returns the nearest fish within reach and well inside the window; -1: none.
-int chooseVisible(const ScriptStep& step, const Snapshot& now, const SpeciesTable& species) {
+static int chooseVisible(const ScriptStep& step, const Snapshot& now, const SpeciesTable& species) {
     return leastCost(now.creatures, kVisibleReach_m, [&](const CreatureView& creature) {
         const glm::vec3 view = glm::conjugate(now.worldFromView) * creature.position;
         const glm::vec2 fromMiddle = glm::abs(pixelOf(view) / kHalfWindow_px - 1.0f);
@@ -180,8 +174,6 @@ int chooseVisible(const ScriptStep& step, const Snapshot& now, const SpeciesTabl
         return std::max(fromMiddle.x, fromMiddle.y) > 0.8f ? kNever : glm::length(view);
     });
 }
-
-} // namespace
 
 ScriptRun::ScriptRun(Script script, hands::HandRig rig, SpeciesTable species, bool inFilm)
     : script_(std::move(script)), rig_(std::move(rig)), species_(std::move(species)), inFilm_(inFilm),

@@ -14,10 +14,8 @@
 
 namespace shoal::game {
 
-namespace {
-
 // Moves the fish's bands up and in for a seated player, who has a lap and cannot step towards fish.
-void bringToSeated(DiveFile& dive) {
+static void bringToSeated(DiveFile& dive) {
     constexpr float kLap_m = -0.45f, kFloor_m = -0.9f; // relative to the eyes
     constexpr float kStep_m = 0.3f, kMinBand_m = 0.3f;
     dive.floor_m = std::max(dive.floor_m, kFloor_m);
@@ -34,7 +32,7 @@ constexpr float kHeardFrom_m = 1.5f;
 
 // The encounter of a dive: a giant (a whale), too large to catch, swims past once. It reacts to nothing, and
 // nothing collides with it. The field guide counts it as met when it sets out. id: its creature id.
-void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events& events) {
+static void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events& events) {
     const EncounterPlan& plan = in.dive.encounter;
     if (plan.species < 0 || in.state.time_s() < plan.at_s || passer.state == Passer::State::Gone) return;
     const Species& kind = in.species[plan.species];
@@ -56,8 +54,6 @@ void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events&
     passer.gait.advance(1);
     if (glm::dot(plan.to - passer.position, passer.forward) <= 0) passer.state = Passer::State::Gone;
 }
-
-} // namespace
 
 Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed, DiveRules rules)
     : files_{std::move(species), std::move(file)}, rules_(rules) {
@@ -91,11 +87,6 @@ void Dive::begin(uint64_t seed) {
     state_.passer = {};
     startInRoom(state_.fish, context());
     startInRoom(state_.shark, context());
-}
-
-DiveContext Dive::context() const {
-    const FilmMoment now(files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz);
-    return {files_.dive, files_.species, state_, now, rules_.assist};
 }
 
 void Dive::step(const TickInput& input, Events& events) {
@@ -172,9 +163,7 @@ void Dive::reachGoals(Events& events) {
 
 // Snapshots.
 
-namespace {
-
-void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
+static void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
     view.visible = hand.visible;
     view.grip = hand.grip;
     view.joints = hand.fingers.shown;
@@ -184,7 +173,7 @@ void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
 }
 
 // Returns the weight of a mark at a time: 1 within it, down to 0 over kRamp_s on both sides.
-double within(const VideoMark& mark, double videoLength_s, double time_s) {
+static double within(const VideoMark& mark, double videoLength_s, double time_s) {
     constexpr double kRamp_s = 2;
     const auto from_s = static_cast<double>(mark.from_s);
     if (!(videoLength_s > 0) || from_s >= videoLength_s) return 0;
@@ -195,8 +184,6 @@ double within(const VideoMark& mark, double videoLength_s, double time_s) {
     const double away_s = inside ? 0 : std::min(wrapped(from_s - now_s), wrapped(now_s - to_s));
     return std::max(0.0, 1 - away_s / kRamp_s);
 }
-
-} // namespace
 
 float enclosureAt(std::span<const VideoMark> marks, double videoLength_s, double time_s) {
     double maximum = 0;
@@ -295,12 +282,10 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
 
 // Recordings.
 
-namespace {
-
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian");
 
 // Visits every field but the flags of the last byte, in the order of the file.
-template <class Input, class Visit> void visit(Input& input, Visit&& io) {
+template <class Input, class Visit> static void visit(Input& input, Visit&& io) {
     const auto quaternion = [&](auto& q) { io(q.w), io(q.x), io(q.y), io(q.z); };
     for (auto& hand : input.hands) {
         io(hand.tracked);
@@ -322,9 +307,9 @@ template <class Input, class Visit> void visit(Input& input, Visit&& io) {
 constexpr const char* kFilmSpace = "film_space"; // key in a recording's settings
 
 // Returns the hash of a film's space as a recording holds it; empty: no distances.
-std::string nameOf(const FilmSpace* space) { return space ? fmt::format("{:016x}", space->hash()) : ""; }
-
-} // namespace
+static std::string nameOf(const FilmSpace* space) {
+    return space ? fmt::format("{:016x}", space->hash()) : "";
+}
 
 void toBytes(const TickInput& input, std::span<uint8_t, kTickInputBytes> out) {
     uint8_t* at = out.data();

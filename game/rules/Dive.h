@@ -34,7 +34,10 @@ class Dive {
 
     const DiveState& state() const { return state_; }
     DiveState& state() { return state_; } // for tests of single rules
-    DiveContext context() const;
+    DiveContext context() const {
+        const FilmMoment now(files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz);
+        return {files_.dive, files_.species, state_, now, rules_.assist};
+    }
 
   private:
     void begin(uint64_t seed);

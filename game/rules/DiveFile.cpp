@@ -9,13 +9,11 @@
 
 namespace shoal::game {
 
-namespace {
-
 constexpr int kMaxFish = 1000;
 constexpr size_t kMaxVisits = 100;
 constexpr size_t kMaxMarks = 100;
 
-Species readOne(TomlTable& table) {
+static Species readOne(TomlTable& table) {
     Species s;
     table.need("name", "model", "length");
     table.text("name", s.name);
@@ -51,7 +49,7 @@ Species readOne(TomlTable& table) {
 }
 
 // Returns the index of the table's species, which must be known and of that kind.
-int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark = false, bool giant = false) {
+static int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark = false, bool giant = false) {
     std::string name;
     table.need("species");
     table.text("species", name);
@@ -64,7 +62,7 @@ int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark = false
     return index;
 }
 
-School readSchool(TomlTable& table, const SpeciesTable& known) {
+static School readSchool(TomlTable& table, const SpeciesTable& known) {
     School school;
     school.species = speciesNamed(table, known);
     table.need("count");
@@ -74,7 +72,7 @@ School readSchool(TomlTable& table, const SpeciesTable& known) {
     return school;
 }
 
-SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
+static SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
     SharkPlan shark;
     shark.species = speciesNamed(table, known, true);
     table.number("radius", shark.radius_m, 3, 8);
@@ -93,7 +91,7 @@ SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
     return shark;
 }
 
-EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
+static EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
     constexpr float kFar_m = 60, kRoom_m = 2.5f;
     EncounterPlan plan;
     plan.species = speciesNamed(table, known, false, true);
@@ -109,7 +107,7 @@ EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
     return plan;
 }
 
-VideoMark readMark(TomlTable& table) {
+static VideoMark readMark(TomlTable& table) {
     VideoMark mark;
     table.need("from_s", "to_s");
     table.number("from_s", mark.from_s, 0, 36000);
@@ -119,7 +117,7 @@ VideoMark readMark(TomlTable& table) {
     return mark;
 }
 
-Goal readGoal(TomlTable& table, const SpeciesTable& known) {
+static Goal readGoal(TomlTable& table, const SpeciesTable& known) {
     Goal goal;
     table.need("kind");
     table.choice("kind", kGoalNames, goal.kind);
@@ -133,8 +131,6 @@ Goal readGoal(TomlTable& table, const SpeciesTable& known) {
     table.whole("count", goal.count, combo ? 2 : 1, combo ? kMaxCombo : 100'000);
     return goal;
 }
-
-} // namespace
 
 int findSpecies(const SpeciesTable& table, std::string_view name) {
     const auto found = std::ranges::find(table, name, &Species::name);

@@ -4,10 +4,8 @@ namespace shoal::game {
 
 // Fish and shark as a dive begins.
 
-namespace {
-
 // Returns a random unit vector in the level plane, without trigonometry: rejection from the square.
-glm::vec3 randomAround(Random& random) {
+static glm::vec3 randomAround(Random& random) {
     for (;;) {
         const float x = random.between(-1, 1), z = random.between(-1, 1);
         const float squared = x * x + z * z;
@@ -16,8 +14,8 @@ glm::vec3 randomAround(Random& random) {
 }
 
 // Makes a fish. Most fish of a school circle the same way; companions start beside their leader.
-Fish spawnOne(const School& school, int schoolIndex, const Species& kind, float mainDirection,
-              const Fish* leader, Random& random) {
+static Fish spawnOne(const School& school, int schoolIndex, const Species& kind, float mainDirection,
+                     const Fish* leader, Random& random) {
     Fish fish;
     fish.species = school.species;
     fish.school = schoolIndex;
@@ -45,8 +43,8 @@ Fish spawnOne(const School& school, int schoolIndex, const Species& kind, float 
 }
 
 // Returns, of twelve random fish, the one farthest from all others.
-Fish spawnWithRoom(const DiveFiles& files, int schoolIndex, float mainDirection, const Fish* leader,
-                   const std::vector<Fish>& others, Random& random) {
+static Fish spawnWithRoom(const DiveFiles& files, int schoolIndex, float mainDirection, const Fish* leader,
+                          const std::vector<Fish>& others, Random& random) {
     const School& school = files.dive.schools[schoolIndex];
     Fish best;
     float bestRoom = -1;
@@ -62,8 +60,6 @@ Fish spawnWithRoom(const DiveFiles& files, int schoolIndex, float mainDirection,
     }
     return best;
 }
-
-} // namespace
 
 void spawnFish(const DiveFiles& files, Random& random, std::vector<Fish>& out) {
     out.clear();
@@ -99,23 +95,21 @@ Shark spawnShark(const DiveFiles& files, Random& random) {
 
 // Hands.
 
-namespace {
-
 constexpr int kKeepTicks = 12; // a hand lost for less than 0.1 s stays where it was
 
-bool nearUnit(const glm::quat& q) {
+static bool nearUnit(const glm::quat& q) {
     const float norm = glm::dot(q, q);
     return norm > 0.9f && norm < 1.1f; // false for NaN
 }
 
 // Zeroes the velocities of a hand that appears or jumps, so that it pushes no fish and takes hold of none.
-void stop(Hand& hand) {
+static void stop(Hand& hand) {
     hand.velocity = hand.calmVelocity = hand.ownVelocity = hand.calmAcceleration = glm::vec3(0);
     hand.velocities.fill(glm::vec3(0));
     hand.grasp.window = 0;
 }
 
-void believe(const hands::HandPose& given, Hand& hand) {
+static void believe(const hands::HandPose& given, Hand& hand) {
     if (given.tracked && hands::plausible(given)) {
         hand.lastGood = given;
         hand.known = true;
@@ -127,7 +121,7 @@ void believe(const hands::HandPose& given, Hand& hand) {
     if (!hand.visible) hand.untrackedTicks = std::min(hand.untrackedTicks, 10 * kHandDropTicks);
 }
 
-void placeJoints(const Viewpoint& view, Hand& hand) {
+static void placeJoints(const Viewpoint& view, Hand& hand) {
     for (int j = 0; j < hands::kJointCount; ++j) {
         hand.joints[j] = hand.lastGood.joints[j];
         hand.joints[j].position =
@@ -140,14 +134,14 @@ void placeJoints(const Viewpoint& view, Hand& hand) {
 }
 
 // Marks a hand that appears as a fist as closed already, so that it takes hold of nothing.
-void startGrasp(Hand& hand) {
+static void startGrasp(Hand& hand) {
     hand.fingers.lifts = {};
     hand.grasp.closed = hand.grasp.holds >= 0 || hand.grip > kGripCloses;
     hand.grasp.firmest = std::max(hand.grip, kGripOpens);
 }
 
 // palmBefore: the palm's position in the last tick, viewer's frame.
-void updateVelocities(glm::vec3 palmBefore, const Viewpoint& view, Hand& hand) {
+static void updateVelocities(glm::vec3 palmBefore, const Viewpoint& view, Hand& hand) {
     hand.velocity = (hand.palm().position - hand.before[hands::kPalmJoint].position) / kDt;
     const glm::vec3 change = (hand.velocity - hand.calmVelocity) * (1.0f / 6);
     hand.calmVelocity += change;
@@ -161,7 +155,7 @@ void updateVelocities(glm::vec3 palmBefore, const Viewpoint& view, Hand& hand) {
     }
 }
 
-void trackHand(const hands::HandPose& given, const Viewpoint& view, Hand& hand) {
+static void trackHand(const hands::HandPose& given, const Viewpoint& view, Hand& hand) {
     const bool appears = !hand.visible;
     const glm::vec3 palmBefore = hand.lastGood.joints[hands::kPalmJoint].position;
     believe(given, hand);
@@ -183,8 +177,6 @@ void trackHand(const hands::HandPose& given, const Viewpoint& view, Hand& hand) 
     } else
         updateVelocities(palmBefore, view, hand);
 }
-
-} // namespace
 
 void trackHands(const TickInput& input, Viewpoint& view, Hands& hands) {
     if (nearUnit(input.worldFromView)) view.worldFromView = glm::normalize(input.worldFromView);

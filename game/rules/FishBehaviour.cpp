@@ -8,8 +8,6 @@
 
 namespace shoal::game {
 
-namespace {
-
 constexpr float kOrientation = 3;   // outer radius of the zone of orientation, in spacings
 constexpr float kAttraction = 1.6f; // inner radius of the zone of attraction, in spacings
 constexpr float kSight_m = 1.1f;    // strangers farther away are ignored
@@ -17,17 +15,20 @@ constexpr float kTouch_m = 0.04f;   // gap below which bodies push each other
 constexpr float kForesee_s = 0.5f;  // look-ahead for fish that will be too near
 
 // Returns the distance at which two strangers start to give way, centre to centre.
-float roomBetween(const Species& a, const Species& b) { return 0.45f * (a.length_m + b.length_m) + 0.08f; }
+static float roomBetween(const Species& a, const Species& b) {
+    return 0.45f * (a.length_m + b.length_m) + 0.08f;
+}
 
 // Adds one fish's avoidance of another to out. away: unit; gap: between the bodies, metres; urgency: 0 to 1.
-void giveWay(const Fish& f, const Species& kind, glm::vec3 away, float gap, float urgency, Neighbours& out) {
+static void giveWay(const Fish& f, const Species& kind, glm::vec3 away, float gap, float urgency,
+                    Neighbours& out) {
     const float pace = std::max(kind.cruise_mps, f.speed);
     out.giveWay += away * (1.8f * urgency * pace);
     if (gap < kTouch_m)
         out.push += away * (8.0f * (pace / kind.cruise_mps) * std::min(1 - gap / kTouch_m, 2.0f) * kDt);
 }
 
-void accompany(const Fish& other, glm::vec3 towards, float distance, float spacing, Neighbours& out) {
+static void accompany(const Fish& other, glm::vec3 towards, float distance, float spacing, Neighbours& out) {
     if (distance < kOrientation * spacing) {
         out.headings += other.forward;
         ++out.aligned;
@@ -38,8 +39,8 @@ void accompany(const Fish& other, glm::vec3 towards, float distance, float spaci
     }
 }
 
-void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, const Fish& b, const Species& kindB,
-                Neighbours& ofB) {
+static void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, const Fish& b,
+                       const Species& kindB, Neighbours& ofB) {
     const bool companions = a.route.leader == b.route.leader;
     const glm::vec3 apart = a.position - b.position;
     const float squared = glm::dot(apart, apart);
@@ -60,8 +61,6 @@ void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, const Fish
     accompany(b, -apart, distance, spacing, ofA);
     accompany(a, apart, distance, spacing, ofB);
 }
-
-} // namespace
 
 void gatherNeighbours(std::span<const Fish> fish, const SpeciesTable& species, std::span<Neighbours> out) {
     std::fill(out.begin(), out.end(), Neighbours{});
@@ -107,8 +106,6 @@ void frightenByHands(std::span<Fish> fish, const DiveContext& in, Random& random
 
 // Visits.
 
-namespace {
-
 constexpr float kStill_mps = 0.2f; // a hand slower than this rests...
 constexpr float kFast_mps = 0.6f;  // ...until it is faster than this
 constexpr float kRest_s = 1;       // rest before the first visitor comes
@@ -120,13 +117,13 @@ constexpr float kComes_s = 7;                           // longest time on its w
 constexpr float kThere_m = 0.12f;                       // distance from its place at which it has arrived
 constexpr float kBefore_m = 0.06f;                      // distance from the grasp centre to its place
 
-bool isStill(const Hand& hand, const Viewpoint& view) {
+static bool isStill(const Hand& hand, const Viewpoint& view) {
     const bool open = hand.visible && hand.solid && hand.grip < kGripOpens && hand.stung_s == 0;
     const glm::vec3 way = normalizedOr(hand.graspCentre - view.headWorld, view.ahead());
     return open && glm::dot(way, view.ahead()) > kInView && glm::length(hand.calmVelocity) < kStill_mps;
 }
 
-void noteRest(Hand& hand, const Viewpoint& view) {
+static void noteRest(Hand& hand, const Viewpoint& view) {
     if (isStill(hand, view))
         hand.rested_s += kDt;
     else if (!hand.visible || hand.grip > kGripCloses || glm::length(hand.calmVelocity) > kFast_mps)
@@ -134,7 +131,7 @@ void noteRest(Hand& hand, const Viewpoint& view) {
     hand.nextVisit_s = std::max(0.0f, hand.nextVisit_s - kDt);
 }
 
-void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random& random) {
+static void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random& random) {
     visit.rest_s = std::max(0.0f, visit.rest_s - kDt);
     if (visit.hand < 0) return;
     const Hand& hand = hands[visit.hand];
@@ -146,7 +143,7 @@ void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random& rando
 }
 
 // Returns the fish ahead of the player with the least distance over curiosity; -1: none may come.
-int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
+static int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     return leastCost(fish, kNever, [&](const Fish& f) {
         const float curiosity = in.kindOf(f).curiosity;
         if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || f.visit.rest_s > 0) return kNever;
@@ -157,8 +154,6 @@ int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveContext&
         return distance / curiosity;
     });
 }
-
-} // namespace
 
 glm::vec3 visitedPlace(const Hand& hand) { return hand.graspCentre + hand.outOfPalm() * kBefore_m; }
 

@@ -7,31 +7,29 @@
 
 namespace shoal::game {
 
-namespace {
-
 constexpr uint32_t kTouchKept = 12; // ticks for which a touch is remembered
 constexpr float kGentle_mps = 0.6f; // speed of a palm below which its touch does not frighten...
 constexpr float kPatience_s = 1.5f; // ...for this time
 
 // Returns the strength of a fish's struggle after held_s in a hand, 1 at first.
-float tired(float held_s) { return std::max(physics::kTiredOut, 1 - physics::kTires_Hz * held_s); }
+static float tired(float held_s) { return std::max(physics::kTiredOut, 1 - physics::kTires_Hz * held_s); }
 
 // Returns the deflection of its tail, -1 to 1.
-float tailBeat(const Fish& f) { return math::sine(f.hold.time_s * physics::kBeat_radps); }
+static float tailBeat(const Fish& f) { return math::sine(f.hold.time_s * physics::kBeat_radps); }
 
 // Returns the direction from a bone into a body, unit length.
-glm::vec3 into(const physics::Capsule& bone, const physics::Capsule& body) {
+static glm::vec3 into(const physics::Capsule& bone, const physics::Capsule& body) {
     const physics::Nearest at = physics::nearest(bone, body);
     return normalizedOr(at.onSecond - at.onFirst, kUp);
 }
 
-void press(Hand& hand, int part, const physics::Press& one, float depth_m) {
+static void press(Hand& hand, int part, const physics::Press& one, float depth_m) {
     hand.fingers.presses[hand.fingers.pressCount++] = one;
     hand.touching[part].touches = true;
     hand.touching[part].depth_m = std::max(hand.touching[part].depth_m, depth_m);
 }
 
-void pressPalm(const physics::Capsule& body, Hand& hand) { // the palm is rigid
+static void pressPalm(const physics::Capsule& body, Hand& hand) { // the palm is rigid
     for (int j = 0; j < hands::kJointCount; ++j) {
         if (j == hands::kWristJoint || partOfBone(j) != hands::kPalmPart) continue;
         const physics::Capsule at = bone(hand.joints, j);
@@ -43,7 +41,7 @@ void pressPalm(const physics::Capsule& body, Hand& hand) { // the palm is rigid
     }
 }
 
-void wrapFinger(int finger, const physics::Capsule& body, Hand& hand) {
+static void wrapFinger(int finger, const physics::Capsule& body, Hand& hand) {
     const int first = hands::kFingerJoints[finger].metacarpal;
     physics::Finger given;
     given.count = hands::kFingerJoints[finger].count();
@@ -64,8 +62,6 @@ void wrapFinger(int finger, const physics::Capsule& body, Hand& hand) {
         press(hand, finger, {into(here, body), physics::pressForce_N(depth)}, depth);
     }
 }
-
-} // namespace
 
 void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
                            std::vector<physics::Contact>& contacts) {
@@ -179,9 +175,7 @@ physics::Hold holdOn(int fish, const DiveState& state, glm::vec3 asked_N) {
     return physics::hold({presses.data(), count}, asked_N);
 }
 
-namespace {
-
-bool graspable(const Fish& f, const Hand& hand, int h, const DiveContext& in) {
+static bool graspable(const Fish& f, const Hand& hand, int h, const DiveContext& in) {
     if (!in.mayBeTaken(f) || in.hides(f.position) || in.hides(hand.graspCentre) || !onPalmSide(f, hand))
         return false;
     const float gap = graspGap(f, in.kindOf(f), hand);
@@ -192,17 +186,17 @@ bool graspable(const Fish& f, const Hand& hand, int h, const DiveContext& in) {
 }
 
 // Returns the graspable fish nearest to the grasp centre, or -1.
-int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in) {
+static int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in) {
     return leastCost(fish, kNever, [&](const Fish& f) {
         return graspable(f, hand, h, in) ? graspGap(f, in.kindOf(f), hand) : kNever;
     });
 }
 
-void wrapAround(const Fish& f, Hand& hand, const DiveContext& in) {
+static void wrapAround(const Fish& f, Hand& hand, const DiveContext& in) {
     wrapFingers(capsuleOf(f, in.kindOf(f), physics::kEnclosed_m), hand);
 }
 
-void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
+static void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
     hand.grasp.holds = hand.grasp.encloses = id;
     hand.grasp.window = 0;
     hand.grasp.firmest = 1; // so that it takes hold again only after it has opened
@@ -224,7 +218,7 @@ void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
 }
 
 // Starts the flight of a released fish: away from the player and roughly the way it looks.
-void swimOff(Fish& f, const Hand& hand, const DiveContext& in) {
+static void swimOff(Fish& f, const Hand& hand, const DiveContext& in) {
     f.hold.struggle = 0;
     f.hold.noPush_s = physics::kLoose_s;
     f.heldBy = -1;
@@ -243,7 +237,7 @@ void swimOff(Fish& f, const Hand& hand, const DiveContext& in) {
 }
 
 // Updates whether the hand is closed, and for how many ticks it may still take hold.
-void readGrip(Hand& hand) {
+static void readGrip(Hand& hand) {
     Grasp& grasp = hand.grasp;
     const bool helped = hand.intent.helps && hand.intent.fish >= 0;
     if (hand.grip < kGripOpens) {
@@ -261,7 +255,7 @@ void readGrip(Hand& hand) {
 }
 
 // Takes hold of a fish that both hands press on from opposing sides.
-void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveContext& in, Events& events) {
+static void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveContext& in, Events& events) {
     if (hands[0].grasp.holds >= 0 || hands[1].grasp.holds >= 0) return;
     bool taken = false;
     forEachCreature(in.state.contacts, [&](int id, std::span<const physics::Contact> own) {
@@ -277,7 +271,7 @@ void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveContext& in,
 }
 
 // Takes hold of the fish between the fingers, or else moves it into the hand. Returns whether it is held.
-bool takeHold(Hand& hand, int h, int id, Fish& f, const DiveContext& in, Events& events) {
+static bool takeHold(Hand& hand, int h, int id, Fish& f, const DiveContext& in, Events& events) {
     wrapAround(f, hand, in);
     hand.grasp.encloses = id;
     if (holdOn(id, in.state, glm::vec3(0)).margin_N > physics::kFirm_N) {
@@ -292,7 +286,7 @@ bool takeHold(Hand& hand, int h, int id, Fish& f, const DiveContext& in, Events&
 }
 
 // Stings a hand that closes on a stinging species. Returns whether it did.
-bool sting(Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in, Events& events) {
+static bool sting(Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in, Events& events) {
     const auto stings = [&](const Fish& f) {
         const Species& kind = in.kindOf(f);
         return kind.stings && onPalmSide(f, hand) && graspGap(f, kind, hand) <= kGraspRadius_m;
@@ -304,7 +298,7 @@ bool sting(Hand& hand, int h, std::span<const Fish> fish, const DiveContext& in,
     return true;
 }
 
-void closeHand(Hand& hand, int h, std::span<Fish> fish, const DiveContext& in, Events& events) {
+static void closeHand(Hand& hand, int h, std::span<Fish> fish, const DiveContext& in, Events& events) {
     Grasp& grasp = hand.grasp;
     const bool wasClosed = grasp.closed;
     readGrip(hand);
@@ -331,7 +325,7 @@ void closeHand(Hand& hand, int h, std::span<Fish> fish, const DiveContext& in, E
 }
 
 // Returns the force that a held fish asks of the grip.
-glm::vec3 askedForce_N(Fish& f, const Species& kind, const Hand& hand) {
+static glm::vec3 askedForce_N(Fish& f, const Species& kind, const Hand& hand) {
     const float mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
     const float beat = tailBeat(f);
     f.hold.struggle = tired(f.hold.time_s) * (0.6f + 0.4f * beat);
@@ -345,7 +339,7 @@ glm::vec3 askedForce_N(Fish& f, const Species& kind, const Hand& hand) {
 
 // Advances the slipping of fish `id` in the hand: the grip's friction acts against the fish's struggle, the
 // water's drag and the hand's acceleration. Returns false once the fish has slipped out.
-bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) {
+static bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) {
     const Species& kind = in.kindOf(f);
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
     FishHold& hold = f.hold;
@@ -368,8 +362,6 @@ bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) {
     hold.unopposed = holdOn(id, in.state, glm::vec3(0)).margin_N > 0 ? 0 : hold.unopposed + 1;
     return hold.slid_m < physics::kSlideOut_m && hold.unopposed < physics::kUnopposed;
 }
-
-} // namespace
 
 void closeHands(Hands& hands, std::span<Fish> fish, const DiveContext& in, Events& events) {
     for (int h = 0; h < 2; ++h) {

@@ -25,23 +25,21 @@ float openRadius(glm::vec3 place, const DiveContext& in, float ahead_s) {
     return std::min(fits, plan.radius_m);
 }
 
-namespace {
-
 // Returns the smaller of the two values of openRadius() at kSoon_s and at kLater_s from now.
-float futureOpenRadius(glm::vec3 place, const DiveContext& in) {
+static float futureOpenRadius(glm::vec3 place, const DiveContext& in) {
     return std::min(openRadius(place, in, kSoon_s), openRadius(place, in, kLater_s));
 }
 
-glm::vec3 mouthOf(const Shark& shark, const DiveContext& in) {
+static glm::vec3 mouthOf(const Shark& shark, const DiveContext& in) {
     return shark.position + shark.forward * (0.46f * in.kindOf(shark).length_m);
 }
 
-float fromMouth(const Shark& shark, const Hand& hand, const DiveContext& in) {
+static float fromMouth(const Shark& shark, const Hand& hand, const DiveContext& in) {
     return glm::distance(mouthOf(shark, in), hand.graspCentre);
 }
 
 // Returns the hand that holds a fish, or else the one nearest to the shark's mouth; -1 if none is visible.
-int watchedHand(const Shark& shark, const DiveContext& in) {
+static int watchedHand(const Shark& shark, const DiveContext& in) {
     return leastCost(in.state.hands, kNever, [&](const Hand& hand) {
         return hand.visible ? fromMouth(shark, hand, in) - (hand.grasp.holds >= 0 ? 10.0f : 0.0f) : kNever;
     });
@@ -49,13 +47,13 @@ int watchedHand(const Shark& shark, const DiveContext& in) {
 
 // Returns how much nearer the shark's mouth may come while it threatens that hand; negative if it is too
 // near. The shark keeps its distance from the hand and from the player's head.
-float threatSpare(const Shark& shark, int hand, const DiveContext& in) {
+static float threatSpare(const Shark& shark, int hand, const DiveContext& in) {
     return std::min(fromMouth(shark, in.state.hands[hand], in) - kThreatRoom_m,
                     glm::distance(mouthOf(shark, in), in.head()) - kSharkApart_m);
 }
 
 // Returns a fish that struggles in a hand, -1 if none does.
-int strugglingFish(const DiveState& state) {
+static int strugglingFish(const DiveState& state) {
     int struggling = -1;
     for (const Hand& hand : state.hands) {
         const int held = hand.grasp.holds;
@@ -65,7 +63,7 @@ int strugglingFish(const DiveState& state) {
     return struggling;
 }
 
-void decideCircling(Shark& shark, const DiveContext& in, Events& events) {
+static void decideCircling(Shark& shark, const DiveContext& in, Events& events) {
     const SharkPlan& plan = in.dive.shark;
     const bool due =
         shark.nextVisit < plan.visits_s.size() && in.state.time_s() >= plan.visits_s[shark.nextVisit];
@@ -82,9 +80,9 @@ void decideCircling(Shark& shark, const DiveContext& in, Events& events) {
 }
 
 // Ends a threat or a strike.
-void goOn(Shark& shark) { shark.set(shark.visit_s > 0 ? State::Prowl : State::Leave); }
+static void goOn(Shark& shark) { shark.set(shark.visit_s > 0 ? State::Prowl : State::Leave); }
 
-void decideProwling(Shark& shark, const DiveContext& in, int struggling) {
+static void decideProwling(Shark& shark, const DiveContext& in, int struggling) {
     if (openRadius(shark.position, in) > kVisitRoom_m) shark.visit_s -= kDt; // else it waits for room
     shark.threatRest_s -= kDt;
     if (shark.visit_s <= 0) return shark.set(State::Leave);
@@ -99,7 +97,7 @@ void decideProwling(Shark& shark, const DiveContext& in, int struggling) {
     shark.aimed_s = 0;
 }
 
-void decideThreatening(Shark& shark, const DiveContext& in, int struggling) {
+static void decideThreatening(Shark& shark, const DiveContext& in, int struggling) {
     shark.visit_s -= kDt;
     const Hand& hand = in.state.hands[shark.watched];
     const glm::vec3 to = hand.graspCentre - shark.position;
@@ -115,7 +113,7 @@ void decideThreatening(Shark& shark, const DiveContext& in, int struggling) {
     }
 }
 
-void decideStriking(Shark& shark, const DiveContext& in) {
+static void decideStriking(Shark& shark, const DiveContext& in) {
     const Fish& prey = in.state.fish[shark.prey];
     if (prey.state == Fish::State::Held && !prey.hold.counted && shark.state_s <= kStrikeTime_s) return;
     shark.prey = -1;
@@ -123,11 +121,11 @@ void decideStriking(Shark& shark, const DiveContext& in) {
 }
 
 // Returns whether the shark is back on its circle, or as far out as the film's surfaces let it swim there.
-bool isFarOut(const Shark& shark, const DiveContext& in) {
+static bool isFarOut(const Shark& shark, const DiveContext& in) {
     return placeOf(shark.position).radius > openRadius(shark.position, in) - kFarOut_m;
 }
 
-void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& events) {
+static void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& events) {
     const int h = f.heldBy;
     hands[h].grasp.holds = -1;
     f.heldBy = -1;
@@ -142,7 +140,7 @@ void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& ev
 }
 
 // Moves the caught fish along with the shark's mouth and turns it to lie across the jaws.
-void carryInMouth(const Shark& shark, glm::vec3 mouth, Fish& f) {
+static void carryInMouth(const Shark& shark, glm::vec3 mouth, Fish& f) {
     const glm::vec3 was = f.position;
     const glm::vec3 at = mouth - 0.05f * kUp;
     f.position += (at - f.position) * 0.3f;
@@ -157,7 +155,7 @@ void carryInMouth(const Shark& shark, glm::vec3 mouth, Fish& f) {
 }
 
 // Frees the fish in the shark's mouth; the fish flees inwards, towards its school's band.
-void breakFree(Shark& shark, Fish& f) {
+static void breakFree(Shark& shark, Fish& f) {
     f.state = Fish::State::Dart;
     f.flight.left_s = 1.0f;
     f.flight.rest_s = 2;
@@ -165,8 +163,6 @@ void breakFree(Shark& shark, Fish& f) {
     f.flight.heading = normalizedOr({-f.position.x, 0, -f.position.z}, f.forward);
     shark.mouth = -1;
 }
-
-} // namespace
 
 void decide(Shark& shark, const DiveContext& in, Events& events) {
     shark.bumpRest_s = std::max(0.0f, shark.bumpRest_s - kDt);

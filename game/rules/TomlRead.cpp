@@ -8,14 +8,10 @@
 
 namespace shoal::game {
 
-namespace {
-
-[[noreturn]] void fail(const toml::source_region& where, std::string_view reason) {
+[[noreturn]] static void fail(const toml::source_region& where, std::string_view reason) {
     throw Error{"", where.begin.line ? fmt::format("line {}: {}", where.begin.line, reason)
                                      : std::string(reason)};
 }
-
-} // namespace
 
 Status readToml(const Path& file, const TomlTable::Read& read) {
     const auto text = readText(file, 1u << 20);

@@ -106,10 +106,6 @@ std::string_view buttonName(int button) {
                                                              : kNone;
 }
 
-Bindings::Bindings() {
-    for (size_t i = 0; i < kActions; ++i) bound_[i] = {kActionRows[i].keys, kActionRows[i].button};
-}
-
 std::optional<Action> Bindings::bind(Action action, int number, bool isButton) {
     std::optional<Action> loser;
     for (size_t i = 0; i < kActions; ++i) {

@@ -47,7 +47,9 @@ extern const std::array<ActionRow, kActions> kActionRows;
 
 class Bindings {
   public:
-    Bindings(); // the defaults
+    Bindings() { // the defaults
+        for (size_t i = 0; i < kActions; ++i) bound_[i] = {kActionRows[i].keys, kActionRows[i].button};
+    }
 
     struct Keys {
         std::array<int, 2> keys;

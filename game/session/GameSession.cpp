@@ -10,17 +10,13 @@
 
 namespace shoal::app {
 
-namespace {
-
-HandSource makeSource(const SessionConfig& config) {
+static HandSource makeSource(const SessionConfig& config) {
     if (config.script)
         return game::ScriptRun(*config.script, config.rig, config.species, config.dive.space != nullptr);
     if (config.replay) return ReplaySource{*config.replay};
     if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
     return MouseSource(config.rig, config.species);
 }
-
-} // namespace
 
 uint64_t drawnSeed() {
     std::random_device device;
@@ -137,12 +133,6 @@ void GameSession::addToRecording(const game::TickInput& input, uint64_t hash) {
     if (recorded_) return;
     log::error("{}; the recording ends here", recorded_.error().message());
     recording_.reset();
-}
-
-Status GameSession::endRecording() {
-    if (recording_) recorded_ = recording_->finish();
-    recording_.reset();
-    return recorded_;
 }
 
 void GameSession::advance(double elapsed_s) {

@@ -49,7 +49,11 @@ struct GameSession {
     // Writes every tick to that file, from now on until endRecording().
     Status record(const Path& file);
     // Ends the recording. Returns the first error that kept the file from being complete.
-    Status endRecording();
+    Status endRecording() {
+        if (recording_) recorded_ = recording_->finish();
+        recording_.reset();
+        return recorded_;
+    }
 
     // Runs the ticks of this much time.
     void advance(double elapsed_s);

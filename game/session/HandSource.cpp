@@ -11,25 +11,21 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr float kKeyTurn_radps = 1.6f;
 constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
 constexpr float kStickReach_ps = 1.1f;   // speed of the hand with a full stick, half pictures a second
 constexpr float kKeyNotches_ps = 12;     // speed with a key, wheel notches a second
 constexpr float kTriggerStarts = 0.06f;  // a trigger at rest is not always at 0
-
-constexpr double kCaption_s = 4;
-constexpr double kFindDevices_s = 1; // time before the mouse is announced as the only source
+constexpr double kFindDevices_s = 1;     // time before the mouse is announced as the only source
 
 // Returns the options for a camera's number, a clip's file or, without text, the first camera.
-hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
+static hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
     const auto index = which.empty() ? std::optional(0) : parseNumber(which, 0, 99);
     return {.file = index ? "" : which, .index = index.value_or(0), .live = live, .handSize = handSize};
 }
 
 // Parses "KIND" or "KIND:ARGUMENT".
-Result<HandSourceChoice> parseHandSource(const std::string& text) {
+static Result<HandSourceChoice> parseHandSource(const std::string& text) {
     const size_t colon = text.find(':');
     const bool hasArgument = colon != std::string::npos;
     if (const auto kind = enumNamed<HandSourceKind>(text.substr(0, colon))) {
@@ -42,7 +38,7 @@ Result<HandSourceChoice> parseHandSource(const std::string& text) {
 }
 
 // Returns the turn of the view in this frame: +x right, +y up, radians. snapped: state kept between frames.
-glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
+static glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
     const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
                          c.between(Action::LookUp, Action::LookDown));
     const float up = options.invertLook ? -1.0f : 1.0f;
@@ -61,8 +57,6 @@ glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, b
     turn += glm::vec2(dragged.x, -up * static_cast<float>(dragged.y)) * kDragTurn_rad;
     return turn * (options.turning == Turning::Snap ? 1.0f : options.sensitivity);
 }
-
-} // namespace
 
 Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
     const std::string& text = options.hands.source;
@@ -99,10 +93,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         mouse.cursor = pointer_;
         mouse.wheel = static_cast<float>(input.wheel) +
                       kKeyNotches_ps * dt_s * c.between(Action::Farther, Action::Nearer);
-        if (hand_ != options.hand) {
-            hand_ = options.hand;
-            hands_.setActive(options.hand == Handedness::Left ? hands::Side::Left : hands::Side::Right);
-        }
+        if (hand_ != options.hand) hands_.setActive(hand_ = options.hand);
         mouse.swapHands = c.was(Action::SwapHands);
         const float trigger = input.gamepad.rightTrigger;
         const bool holds = input.leftButton || c.is(Action::CloseHand);
@@ -183,17 +174,6 @@ std::optional<game::Notice> TrackedHands::needs() const {
     if (!state_.lacksModels) return std::nullopt;
     return game::Notice{"To find your hands before the webcam, run once: {}",
                         hands::handModelScript().string()};
-}
-
-const game::Notice* TrackedHands::notice() const {
-    return announcement_ && played_s_ - announcedAt_s_ < kCaption_s ? &*announcement_ : nullptr;
-}
-
-void OpenXrSource::next(game::TickInput& out, float share) const {
-    out.hands = poses_;
-    for (size_t side = 0; side < 2; ++side)
-        if (before_[side].tracked && poses_[side].tracked)
-            out.hands[side] = hands::between(before_[side], poses_[side], share);
 }
 
 bool ReplaySource::next(game::TickInput& input) {

@@ -54,7 +54,7 @@ class MouseSource {
     LookAngles look_;
     float turning_radps_ = 0;
     glm::vec2 pointer_{0}; // position that the hand reaches for: -1 to 1 across the window, +x right, +y up
-    Handedness hand_ = Handedness::Right; // the player's chosen hand
+    hands::Side hand_ = hands::Side::Right; // the player's chosen hand
     bool wasDown_ = false;
     bool toggled_ = false;   // the hand is closed; used with Closing::Toggle
     bool awaitsOpen_ = true; // true until the press that ended a menu is released
@@ -111,7 +111,10 @@ class TrackedHands {
     // Returns the instruction that the player must follow before the device can find hands; empty: none.
     std::optional<game::Notice> needs() const;
     // Returns the message to show now: the device in use, or why it is not. Null: none.
-    const game::Notice* notice() const;
+    const game::Notice* notice() const {
+        constexpr double kShown_s = 4;
+        return announcement_ && played_s_ - announcedAt_s_ < kShown_s ? &*announcement_ : nullptr;
+    }
 
   private:
     void announce();
@@ -132,7 +135,12 @@ class OpenXrSource {
   public:
     void frame(const std::array<hands::HandPose, 2>& poses) { before_ = std::exchange(poses_, poses); }
     // share: fraction of the time from the last frame (0) to this one (1) at which the tick lies.
-    void next(game::TickInput& out, float share) const;
+    void next(game::TickInput& out, float share) const {
+        out.hands = poses_;
+        for (size_t side = 0; side < 2; ++side)
+            if (before_[side].tracked && poses_[side].tracked)
+                out.hands[side] = hands::between(before_[side], poses_[side], share);
+    }
 
   private:
     std::array<hands::HandPose, 2> before_{}, poses_{};

@@ -1,8 +1,6 @@
 // Frame times, counts and the state hash of a session: for the developer's panel and for --stats.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "engine/core/Result.h"
 #include "engine/media/live/LivePlayer.h"
 
 #include <cstdint>
@@ -29,10 +27,5 @@ struct Statistics {
     int caught = 0, score = 0;
     uint64_t stateHash = 0, ticks = 0;
 };
-
-// Prints the times for a person to read: one line, or two with a live video.
-void printTimes(const Statistics& statistics, bool live);
-
-Status writeStatistics(const Path& file, const Statistics& statistics);
 
 } // namespace shoal::app

@@ -2,6 +2,7 @@
 
 #include "engine/core/JsonBounds.h"
 #include "engine/core/Log.h"
+#include "engine/core/ThreadPool.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/MediaKind.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 namespace shoal::app {
 
@@ -76,9 +78,26 @@ struct ReadEntry {
     bool operator()(std::vector<std::string>*) const { return false; } // no list is a kept setting
 };
 
-constexpr size_t kMaxLooked = 5000; // entries read of each folder
+constexpr size_t kMaxLooked = 5000;              // entries read of each folder
+constexpr size_t kMaxRead = 500, kMaxFilms = 60; // files of all folders whose beginning is read; in the list
 
-constexpr size_t kMaxRead = 500; // files of all folders whose beginning is read, the newest
+// Returns the newest files of the player's folders, whatever they are.
+std::vector<Path> newestFiles() {
+    using Found = std::pair<std::filesystem::file_time_type, Path>; // when it was changed last
+    std::vector<Found> found;
+    std::error_code code;
+    for (const auto which : {UserFolder::Videos, UserFolder::Pictures, UserFolder::Downloads}) {
+        size_t looked = 0;
+        for (std::filesystem::directory_iterator entry(userFolder(which), code), end;
+             !code && entry != end && looked < kMaxLooked; entry.increment(code), ++looked)
+            if (entry->is_regular_file(code)) found.emplace_back(entry->last_write_time(code), entry->path());
+    }
+    std::ranges::sort(found, std::ranges::greater(), &Found::first);
+    found.resize(std::min(found.size(), kMaxRead));
+    std::vector<Path> files;
+    std::ranges::move(found | std::views::values, std::back_inserter(files));
+    return files;
+}
 
 struct MakeEntry {
     template <class T> Json operator()(T* value) const { return *value; }
@@ -110,14 +129,12 @@ Status saveSetting(const Setting& setting) {
     return writeFileWhole(settingsFile(), json->dump(2) + "\n");
 }
 
-std::map<std::string, DiveScores> readAllScores() {
+std::map<std::string, DiveScores> readScores() {
     std::map<std::string, DiveScores> scores;
     const Json all = readOrWarn(scoreFile());
     for (const auto& [dive, entry] : all.items()) scores.emplace(dive, scoresIn(entry));
     return scores;
 }
-
-DiveScores readScores(const std::string& dive) { return readAllScores()[dive]; }
 
 Status addScore(const std::string& dive, int score) {
     auto all = readObject(scoreFile());
@@ -141,24 +158,29 @@ Status saveGuide(const std::vector<std::string>& species) {
     return writeFileWhole(guideFile(), Json{{"met", species}}.dump(2) + "\n");
 }
 
-std::vector<Path> filmsAndPhotos() {
-    using Found = std::pair<std::filesystem::file_time_type, Path>; // when it was changed last
-    std::vector<Found> found;
-    std::error_code code;
-    for (const Path& folder : {userFolder(UserFolder::Videos), userFolder(UserFolder::Pictures),
-                               userFolder(UserFolder::Downloads)}) {
-        size_t looked = 0;
-        for (std::filesystem::directory_iterator entry(folder, code), end;
-             !code && entry != end && looked < kMaxLooked; entry.increment(code), ++looked)
-            if (entry->is_regular_file(code)) found.emplace_back(entry->last_write_time(code), entry->path());
-    }
-    std::ranges::sort(found, std::ranges::greater(), &Found::first);
+void FilmList::look() {
+    thread_ = std::jthread([this](const std::stop_token& ending) { read(ending); });
+}
+
+FilmList::Found FilmList::found() const {
+    const std::lock_guard lock(mutex_);
+    return found_;
+}
+
+void FilmList::read(const std::stop_token& ending) {
+    lowerThreadPriority();
     std::vector<Path> files;
-    for (size_t i = 0; i < std::min(found.size(), kMaxRead) && files.size() < kMaxFilms; ++i)
-        if (const auto kind = media::mediaKind(found[i].second);
-            kind && *kind != media::MediaKind::DepthTrack)
-            files.push_back(std::move(found[i].second));
-    return files;
+    for (const Path& file : newestFiles()) {
+        if (ending.stop_requested()) return;
+        if (files.size() == kMaxFilms) break;
+        const auto kind = media::mediaKind(file);
+        if (!kind || *kind == media::MediaKind::DepthTrack) continue;
+        files.push_back(file);
+        const std::lock_guard lock(mutex_);
+        if (files.size() > found_.files.size()) found_.files = files;
+    }
+    const std::lock_guard lock(mutex_);
+    found_ = {std::move(files), true};
 }
 
 } // namespace shoal::app

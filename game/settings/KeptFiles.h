@@ -7,7 +7,9 @@
 #include "game/settings/Setting.h"
 
 #include <map>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace shoal::app {
@@ -25,10 +27,9 @@ struct DiveScores {
     int last = 0;         // score of the dive before; 0: none
 };
 
-// Return the scores by the dive's name; empty if there are none yet or the file cannot be used (which is
+// Returns the scores by the dive's name; empty if there are none yet or the file cannot be used (which is
 // logged, and the file left as it is).
-std::map<std::string, DiveScores> readAllScores();
-DiveScores readScores(const std::string& dive);
+std::map<std::string, DiveScores> readScores();
 
 // Adds a score; the file is replaced as a whole or not at all, and keeps the other dives' scores.
 Status addScore(const std::string& dive, int score);
@@ -37,10 +38,25 @@ Status addScore(const std::string& dive, int score);
 std::vector<std::string> readGuide();
 Status saveGuide(const std::vector<std::string>& species);
 
-// Returns the player's own films and photos for the list on the screen, at most kMaxFilms, the newest first:
-// the files in the folders for videos, pictures and downloads, without subfolders, that can be shown by their
-// content (media::mediaKind()).
-constexpr size_t kMaxFilms = 60;
-std::vector<Path> filmsAndPhotos();
+// The player's own films and photos for the list on the screen, the newest first: the files in the folders
+// for videos, pictures and downloads, without subfolders, that can be shown by their content
+// (media::mediaKind()). A thread of its own reads their beginnings, because one may take longer than a
+// picture.
+class FilmList {
+  public:
+    struct Found {
+        std::vector<Path> files; // at most 60
+        bool complete = false;   // all files have been looked at
+    };
+    void look(); // looks anew; until that list is the longer one, or complete, the last one stays
+    Found found() const;
+
+  private:
+    void read(const std::stop_token& ending);
+
+    mutable std::mutex mutex_; // guards found_
+    Found found_;
+    std::jthread thread_; // last: it uses all of the above
+};
 
 } // namespace shoal::app

@@ -11,7 +11,7 @@ namespace shoal::app {
 
 // Settings of mouse, keys and gamepad.
 struct ControlOptions {
-    Handedness hand = Handedness::Right;
+    hands::Side hand = hands::Side::Right;
     float sensitivity = 1;
     bool invertLook = false;
     Closing closing = Closing::Hold;
@@ -22,7 +22,8 @@ struct ControlOptions {
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
         table.category = Category::Hands;
-        table.addShown(Hands, "Dominant hand", "--dominant-hand", choice(hand),
+        table.addShown(Hands, "Dominant hand", "--dominant-hand",
+                       choice(hand, {hands::Side::Right, hands::Side::Left}),
                        "The hand that mouse and gamepad move");
         table.addShown(Hands, "Mouse sensitivity", "--sensitivity", &sensitivity,
                        "How far mouse and gamepad turn the view, in times of the default", {0.2, 3});

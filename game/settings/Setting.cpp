@@ -4,11 +4,9 @@
 
 namespace shoal::app {
 
-namespace {
-
 // Sets a vector from kCount numbers with a character between them, or changes nothing and returns false.
 template <int kCount, class Vector, class T>
-bool setVector(Vector& value, std::string_view text, char between, T low, T high) {
+static bool setVector(Vector& value, std::string_view text, char between, T low, T high) {
     glm::vec<kCount, T> read(0);
     for (int i = 0; i < kCount; ++i) {
         const size_t end = i + 1 < kCount ? text.find(between) : text.size();
@@ -24,16 +22,18 @@ bool setVector(Vector& value, std::string_view text, char between, T low, T high
 // Numbers with at most this upper limit are shares or factors, which are shown as percent.
 constexpr double kPercentRange = 3;
 
-double stepOf(const Setting::Range& range) { return range.high - range.low <= kPercentRange ? 0.05 : 5; }
+static double stepOf(const Setting::Range& range) {
+    return range.high - range.low <= kPercentRange ? 0.05 : 5;
+}
 
 // Rounds a number to a multiple of its step, or to an end of its range.
-double rounded(double value, const Setting::Range& range) {
+static double rounded(double value, const Setting::Range& range) {
     const double step = stepOf(range);
     return std::clamp(std::round(value / step) * step, range.low, range.high);
 }
 
 // Returns the value as text, and all values that the menus offer, which is none for a number.
-std::pair<std::string, std::vector<std::string>> choicesOf(const Setting& setting) {
+static std::pair<std::string, std::vector<std::string>> choicesOf(const Setting& setting) {
     if (const auto* flag = std::get_if<bool*>(&setting.value)) return {**flag ? "on" : "off", {"off", "on"}};
     if (const auto* text = std::get_if<TextSetting>(&setting.value))
         return {text->get ? text->get() : "", text->names};
@@ -42,8 +42,6 @@ std::pair<std::string, std::vector<std::string>> choicesOf(const Setting& settin
     const auto& some = setting.suggestions;
     return {(*text)->empty() && !some.empty() ? some[0] : **text, some};
 }
-
-} // namespace
 
 TextSetting sizeSetting(glm::ivec2& pixels) {
     const auto set = [&](const std::string& text) { return setVector<2>(pixels, text, 'x', 16, 8192); };

@@ -9,7 +9,6 @@
 #include "engine/render/View.h"
 #include "game/rules/DiveFile.h"
 #include "game/settings/Setting.h"
-#include "input/hands/HandSize.h"
 #include "input/hands/HandTracker.h"
 
 #include <string>
@@ -33,7 +32,6 @@ enum class ShadowChoice { On, Off };
 enum class FilmChoice { Auto, Best, Small };
 enum class Skin { Light, Medium, Dark, Glove };
 enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
-enum class Handedness { Right, Left };
 enum class Closing { Hold, Toggle }; // how a button closes the hand
 enum class Turning { Smooth, Snap };
 enum class Posture { Auto, Seated, Standing }; // Auto: from the height of the eyes that the headset measures
@@ -73,7 +71,7 @@ template <> inline constexpr std::array kEnumNames<app::Skin> = {"light", "mediu
 template <>
 inline constexpr std::array kEnumNames<app::HandSourceKind> = {"auto",   "mouse",  "leap",  "webcam",
                                                                "openxr", "script", "replay"};
-template <> inline constexpr std::array kEnumNames<app::Handedness> = {"right", "left"};
+template <> inline constexpr std::array kEnumNames<hands::Side> = {"left", "right"};
 template <> inline constexpr std::array kEnumNames<app::Closing> = {"hold", "toggle"};
 template <> inline constexpr std::array kEnumNames<app::Turning> = {"smooth", "snap"};
 template <> inline constexpr std::array kEnumNames<app::Posture> = {"auto", "seated", "standing"};

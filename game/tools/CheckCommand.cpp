@@ -14,21 +14,19 @@
 
 namespace shoal::app {
 
-namespace {
-
 using Verdict = Result<std::string>; // the kind of file, or why it is not usable
 
-std::string counted(size_t count, const char* one, const char* many) {
+static std::string counted(size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 // Returns whether the material is invisible whatever its textures hold.
-bool isTransparent(const scene::Material& material) {
+static bool isTransparent(const scene::Material& material) {
     return (material.alphaMode == scene::AlphaMode::Blend && material.baseColourLin.a <= 0) ||
            (material.alphaMode == scene::AlphaMode::Mask && material.baseColourLin.a < material.alphaCutoff);
 }
 
-Verdict checkModel(const Path& file) {
+static Verdict checkModel(const Path& file) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     size_t triangles = 0;
@@ -45,7 +43,7 @@ Verdict checkModel(const Path& file) {
 }
 
 // Checks a TOML file: its tables tell a dive, a playthrough or the species table.
-Verdict checkToml(const Path& file) {
+static Verdict checkToml(const Path& file) {
     auto text = readText(file);
     if (!text) return text.error();
     const Path content = dataRoot() / "content";
@@ -68,7 +66,7 @@ Verdict checkToml(const Path& file) {
            counted(script->expects.size(), "expectation", "expectations");
 }
 
-Verdict checkReplay(const Path& file) {
+static Verdict checkReplay(const Path& file) {
     auto recording = sim::RecordingReader::open(file);
     if (!recording) return recording.error();
     if (const auto rules = game::rulesOf(recording->header()); !rules)
@@ -84,7 +82,7 @@ Verdict checkReplay(const Path& file) {
 
 // Returns whether this is text whose first line that is neither empty nor a comment begins a table or sets a
 // key. "#?" begins a Radiance picture, whose header has such lines too.
-bool isToml(const std::string& begin) {
+static bool isToml(const std::string& begin) {
     if (begin.starts_with("#?") || begin.find('\0') != begin.npos) return false;
     constexpr const char* kKey = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.\"' \t";
     std::istringstream lines(begin);
@@ -97,7 +95,7 @@ bool isToml(const std::string& begin) {
     return false;
 }
 
-Verdict checkFile(const Path& file, const std::string& layer) {
+static Verdict checkFile(const Path& file, const std::string& layer) {
     const auto live = media::liveAddress(file.string());
     if (!live) return live.error();
     if (*live) return media::checkLive(**live);
@@ -111,8 +109,6 @@ Verdict checkFile(const Path& file, const std::string& layer) {
     const bool isNamedToml = extensionOf(file) == ".toml" && begin.find('\0') == begin.npos;
     return isNamedToml || isToml(begin) ? checkToml(file) : media::checkMedia(file);
 }
-
-} // namespace
 
 int check(const CheckOptions& options) {
     bool allUsable = true;

@@ -17,25 +17,19 @@
 
 namespace shoal::app {
 
-namespace {
-
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point then) {
-    return std::chrono::duration<double>(Clock::now() - then).count();
-}
-
 // Sends the haptic devices a frame for a while, at their own pace.
-void feel(haptics::HapticDevices& hapticDevices, const haptics::HapticFrame& frame, Clock::time_point began,
-          double for_s) {
+static void feel(haptics::HapticDevices& hapticDevices, const haptics::HapticFrame& frame,
+                 Clock::time_point began, double for_s) {
     const Clock::time_point start = Clock::now();
-    for (double left_s = for_s; left_s > 0; left_s = for_s - secondsSince(start))
-        std::this_thread::sleep_for(
-            std::chrono::duration<double>(std::min(left_s, hapticDevices.step(frame, secondsSince(began)))));
+    for (double left_s = for_s; left_s > 0; left_s = for_s - haptics::secondsSince(start))
+        std::this_thread::sleep_for(std::chrono::duration<double>(
+            std::min(left_s, hapticDevices.step(frame, haptics::secondsSince(began)))));
 }
 
 // Pulses each actuator in turn, by its name, first low and then high; then the body.
-void pulseEach(haptics::HapticDevices& hapticDevices, Clock::time_point began) {
+static void pulseEach(haptics::HapticDevices& hapticDevices, Clock::time_point began) {
     constexpr double kPulse_s = 0.2, kPause_s = 0.15;
     for (size_t i = 0; i <= haptics::kActuatorCount; ++i) {
         const bool body = i == haptics::kActuatorCount;
@@ -50,7 +44,7 @@ void pulseEach(haptics::HapticDevices& hapticDevices, Clock::time_point began) {
     }
 }
 
-void haptic(bool test) {
+static void haptic(bool test) {
     std::printf("Haptics\n");
     const Clock::time_point began = Clock::now();
     haptics::HapticDevices hapticDevices(haptics::withForceFeedback(haptics::hidapiBus()));
@@ -64,13 +58,13 @@ void haptic(bool test) {
 }
 
 // Lists the cameras by name only: opening one would turn it on.
-void listCameras(const char* prefix, const char* none) {
+static void listCameras(const char* prefix, const char* none) {
     const auto cameras = media::listCameras();
     for (const auto& [number, name] : cameras) std::printf("  %s:%d: %s\n", prefix, number, name.c_str());
     if (cameras.empty()) std::printf("  %s\n", none);
 }
 
-void sound(bool test) {
+static void sound(bool test) {
     std::printf("Sound\n");
     const auto outputs = audio::listOutputs();
     for (const std::string& output : outputs) std::printf("  %s\n", output.c_str());
@@ -93,7 +87,7 @@ void sound(bool test) {
     }
 }
 
-void listHandSources(const HandOptions& options) {
+static void listHandSources(const HandOptions& options) {
     std::printf("Hands\n  mouse: always\n");
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     if (!rig) return;
@@ -104,8 +98,6 @@ void listHandSources(const HandOptions& options) {
     std::printf("  leap: %s%s\n", state.present ? "ready, " : "", state.description.c_str());
     listCameras("webcam", "webcam: none plugged in");
 }
-
-} // namespace
 
 int devices(const DevicesOptions& options) {
     listHandSources(options.hands);

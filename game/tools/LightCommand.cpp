@@ -17,13 +17,11 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr int kWidestLight = 4096;
 
 // Reads a photo as an environment, or the video's frame at that time and its light if it is PQ or HLG: the
 // left eye's picture, turned as the file asks.
-Result<ImageRgb8> readCoded(const Path& file, bool isPhoto, float at_s, ImageRgbF& radianceLin) {
+static Result<ImageRgb8> readCoded(const Path& file, bool isPhoto, float at_s, ImageRgbF& radianceLin) {
     ImageRgb8 turned;
     if (isPhoto) {
         auto photo = media::readPhoto(file);
@@ -41,7 +39,7 @@ Result<ImageRgb8> readCoded(const Path& file, bool isPhoto, float at_s, ImageRgb
     return environment::leftEyeOf(frame.pixelsBgr, frame.layout, turned, envFromFilm);
 }
 
-Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
+static Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     const bool asTheThesis = options.method == light::DiffuseMethod::Thesis;
     const light::FrameRadiance frames = asTheThesis && options.frames == light::FrameRadiance::Auto
                                             ? light::FrameRadiance::Thesis
@@ -73,7 +71,7 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
 }
 
 // Fills a lat-long map by a function of direction.
-template <class F> void fill(ImageRgbF& map, F&& radianceIn) {
+template <class F> static void fill(ImageRgbF& map, F&& radianceIn) {
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) {
             const glm::vec3 value = radianceIn(texelDirection<double>(x, y, map.width, map.height));
@@ -83,7 +81,7 @@ template <class F> void fill(ImageRgbF& map, F&& radianceIn) {
 
 // Replaces the diffuse map and the filtered glossy levels by the thesis' methods. Levels whose lobes are
 // narrower than a texel of the pyramid stay as they are.
-void makeAsTheThesis(light::EnvironmentLight& made) {
+static void makeAsTheThesis(light::EnvironmentLight& made) {
     light::BruteForceDiffuse().make(made.radiance, made.diffuse);
     for (light::GlossyLevel& level : made.glossy)
         fill(level.radianceLin, [&](const glm::dvec3& direction) {
@@ -91,7 +89,7 @@ void makeAsTheThesis(light::EnvironmentLight& made) {
         });
 }
 
-std::string harmonics(const light::EnvironmentLight& made) {
+static std::string harmonics(const light::EnvironmentLight& made) {
     const math::ShRgb radiance = math::shProject(made.radiance.levels.front());
     nlohmann::ordered_json json;
     json["about"] = "Radiance on real orthonormal spherical harmonics, index l (l + 1) + m, without the "
@@ -103,7 +101,7 @@ std::string harmonics(const light::EnvironmentLight& made) {
 }
 
 // Returns a level's name: its roughness with two digits, or as many as tell it from the level before.
-std::string glossyName(const std::vector<light::GlossyLevel>& levels, size_t k) {
+static std::string glossyName(const std::vector<light::GlossyLevel>& levels, size_t k) {
     const auto name = [&](size_t level, int digits) {
         return fmt::format("glossy_{:.{}f}", levels[level].roughness, digits);
     };
@@ -112,7 +110,7 @@ std::string glossyName(const std::vector<light::GlossyLevel>& levels, size_t k) 
     return name(k, digits);
 }
 
-Status writeAll(const LightOptions& options, const light::EnvironmentLight& made) {
+static Status writeAll(const LightOptions& options, const light::EnvironmentLight& made) {
     std::vector<NamedBytes> files;
     const auto put = [&](const std::string& stem, const ImageRgbF& image) -> Status {
         const std::string name = stem + "." + enumName(options.format);
@@ -129,8 +127,6 @@ Status writeAll(const LightOptions& options, const light::EnvironmentLight& made
     files.push_back({"sh.json", harmonics(made)});
     return writeFolderWhole(options.out, files);
 }
-
-} // namespace
 
 Status light(const LightOptions& options) {
     auto made = makeLight(options);

@@ -12,11 +12,9 @@
 
 namespace shoal::app {
 
-namespace {
-
 template <class Picture, class Write>
-Status convert(const PanoramaOptions& options, Picture photo, const media::PhotoMetadata& metadata,
-               Write&& write) {
+static Status convert(const PanoramaOptions& options, Picture photo, const media::PhotoMetadata& metadata,
+                      Write&& write) {
     auto made =
         environment::environmentFrom(options.photo, std::move(photo), metadata, {.fov_deg = options.fov_deg});
     if (!made) return made.error();
@@ -32,8 +30,6 @@ Status convert(const PanoramaOptions& options, Picture photo, const media::Photo
                 made->what.c_str());
     return Done{};
 }
-
-} // namespace
 
 Status panorama(const PanoramaOptions& options) {
     // Outputs are checked before the work, which takes seconds.

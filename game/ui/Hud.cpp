@@ -14,11 +14,9 @@
 
 namespace shoal::app {
 
-namespace {
-
 using namespace colour;
 
-void drawScore(const Pen& pen, const HudInfo& info) {
+static void drawScore(const Pen& pen, const HudInfo& info) {
     const game::Snapshot& s = *info.snapshot;
     if (s.freeSwim) return; // no score in free swim
     const float margin = pen.line;
@@ -38,14 +36,14 @@ void drawScore(const Pen& pen, const HudInfo& info) {
 }
 
 // Projects a place in the world to pixels; false behind the viewer.
-bool project(const Pen& pen, const render::View& view, const glm::vec3& world, ImVec2& out) {
+static bool project(const Pen& pen, const render::View& view, const glm::vec3& world, ImVec2& out) {
     const glm::vec4 clip = view.clipFromWorld() * glm::vec4(world, 1);
     if (clip.w <= 0.01f) return false;
     out = ImVec2((clip.x / clip.w * 0.5f + 0.5f) * pen.size.x, (0.5f - clip.y / clip.w * 0.5f) * pen.size.y);
     return true;
 }
 
-void drawHold(const Pen& pen, const HudInfo& info) {
+static void drawHold(const Pen& pen, const HudInfo& info) {
     for (const game::HandView& hand : info.snapshot->hands) {
         ImVec2 at;
         if (!hand.visible || hand.holds < 0 || hand.holdProgress <= 0 ||
@@ -61,7 +59,7 @@ void drawHold(const Pen& pen, const HudInfo& info) {
 }
 
 // Darkens the edges in proportion to the view's turning speed, up to a limit.
-void drawVignette(const Pen& pen, float turning_radps) {
+static void drawVignette(const Pen& pen, float turning_radps) {
     constexpr float kFull_radps = 1.2f, kWidth = 0.3f; // share of the picture's size
     const float strength = std::min(turning_radps / kFull_radps, 1.0f);
     if (strength < 0.02f) return;
@@ -74,7 +72,7 @@ void drawVignette(const Pen& pen, float turning_radps) {
     pen.list->AddRectFilledMultiColor(ImVec2(0, high.y - y), high, none, none, dark, dark);
 }
 
-void drawPopups(const Pen& pen, const HudInfo& info) {
+static void drawPopups(const Pen& pen, const HudInfo& info) {
     for (const Popup& popup : info.popups) {
         ImVec2 at;
         if (!project(pen, *info.view, popup.position, at)) continue;
@@ -88,7 +86,7 @@ void drawPopups(const Pen& pen, const HudInfo& info) {
 }
 
 // Draws captions of sounds; an arrow points to a sound that is out of view.
-void drawCaptions(const Pen& pen, const HudInfo& info) {
+static void drawCaptions(const Pen& pen, const HudInfo& info) {
     constexpr std::array kSizes = {TextSize::Small, TextSize::Body, TextSize::Heading}; // by CaptionSize
     const TextSize size = kSizes[static_cast<size_t>(info.text.captionSize)];
     const float step = pen.fonts->pixels(size) * 1.55f;
@@ -109,7 +107,7 @@ constexpr ImGuiWindowFlags kPanelFlags = ImGuiWindowFlags_NoDecoration | ImGuiWi
                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs;
 
 // Draws a hand tracker's camera image at the lower left.
-void drawCamera(const Pen& pen, const Pictures::Picture& camera) {
+static void drawCamera(const Pen& pen, const Pictures::Picture& camera) {
     const float scale = std::min(1.0f, pen.size.y / 3 / camera.size.y);
     ImGui::SetNextWindowPos(ImVec2(12, pen.size.y - 12), ImGuiCond_Always, ImVec2(0, 1));
     ImGui::SetNextWindowBgAlpha(0.85f);
@@ -120,7 +118,7 @@ void drawCamera(const Pen& pen, const Pictures::Picture& camera) {
     ImGui::End();
 }
 
-void drawTimes(const Pen& pen, const HudInfo& info) {
+static void drawTimes(const Pen& pen, const HudInfo& info) {
     const Statistics& statistics = *info.statistics;
     const Environment& environment = *info.environment;
     // At the right, beside the menus.
@@ -152,16 +150,16 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
     ImGui::End();
 }
 
-void drawText(const Pen& pen, const HudInfo& info) {
+static void drawText(const Pen& pen, const HudInfo& info) {
     if (info.inDive) {
         drawScore(pen, info);
         if (!info.snapshot->paused) drawCaptions(pen, info);
     }
     if (info.overlay) info.overlay(pen);
     const float x = pen.size.x / 2;
-    if (info.showVolume)
+    if (info.volume)
         pen.label(x, pen.line, 0.5f, TextSize::Body, kWhite,
-                  fmt::format(fmt::runtime(pen.in("Sound {} %")), std::lround(info.volume * 100)));
+                  fmt::format(fmt::runtime(pen.in("Sound {} %")), std::lround(*info.volume * 100)));
     if (info.notice)
         pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Small, kGold, info.notice->in(pen.language));
     if (info.finger)
@@ -169,8 +167,6 @@ void drawText(const Pen& pen, const HudInfo& info) {
     if (info.showTimes) drawTimes(pen, info);
     if (info.showTimes && info.camera) drawCamera(pen, *info.camera);
 }
-
-} // namespace
 
 void Hud::destroy(ImGuiContext* context) {
     ImGui::SetCurrentContext(context);

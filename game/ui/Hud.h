@@ -68,8 +68,7 @@ struct HudInfo {
     const Environment* environment = nullptr;
     const Pictures::Picture* camera = nullptr; // image of a hand tracker's camera to show; null: none
     const game::Notice* notice = nullptr;      // null: none
-    float volume = 0;
-    bool showVolume = false;
+    std::optional<float> volume;               // empty: not shown
 };
 
 class Hud {

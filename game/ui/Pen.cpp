@@ -15,15 +15,13 @@
 
 namespace shoal::app {
 
-namespace {
-
 // Western European letters, punctuation, and the arrows of captions and menus.
 constexpr ImWchar kRanges[] = {0x20,   0x17F,  0x2010, 0x203A, 0x20AC, 0x20AC, 0x2190, 0x2193,
                                0x25A0, 0x25CF, 0x2605, 0x2606, 0x2713, 0x2713, 0};
 constexpr float kMinPixels = 11; // letters smaller than this run into one another
 
 // Returns the file of DejaVu Sans, or of fontconfig's substitute; empty: none.
-std::string findFont() {
+static std::string findFont() {
     std::string file;
     FcPattern* wanted = FcNameParse(reinterpret_cast<const FcChar8*>("DejaVu Sans:style=Book:scalable=true"));
     FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
@@ -39,9 +37,7 @@ std::string findFont() {
     return file;
 }
 
-ImVec2 imVec(glm::vec2 v) { return {v.x, v.y}; }
-
-} // namespace
+static ImVec2 imVec(glm::vec2 v) { return {v.x, v.y}; }
 
 void Fonts::fit(float line_px) {
     std::array<float, kTextScale.size()> pixels;

@@ -9,8 +9,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 // Position of the right shoulder from the eyes, yawed frame (+x right, +y up, +z behind), metres: for a
 // person of 1.75 m.
 constexpr glm::vec3 kShoulder{0.21f, -0.29f, 0.06f};
@@ -21,12 +19,12 @@ constexpr glm::vec3 kElbowHint{0.60f, -0.72f, 0.35f};
 // The same direction in the model's arm at rest: arms.py's POINT.
 constexpr glm::vec3 kElbowAtRest{0.6f, -0.8f, 0};
 
-glm::vec3 ofSide(hands::Side side, const glm::vec3& right) {
+static glm::vec3 ofSide(hands::Side side, const glm::vec3& right) {
     return side == hands::Side::Left ? glm::vec3(-right.x, right.y, right.z) : right;
 }
 
 // Returns the yaw about the world's up; ahead stays ahead as seen from above, however the head tilts.
-glm::quat yawOf(const glm::quat& worldFromView) {
+static glm::quat yawOf(const glm::quat& worldFromView) {
     const glm::vec3 ahead = worldFromView * glm::vec3(0, 0, -1), up = worldFromView * glm::vec3(0, 1, 0);
     const glm::vec3 level = ahead - up * ahead.y; // the up of a head that looks down is ahead of it
     return glm::angleAxis(std::atan2(-level.x, -level.z), glm::vec3(0, 1, 0));
@@ -34,7 +32,7 @@ glm::quat yawOf(const glm::quat& worldFromView) {
 
 // Returns the normalised component of v perpendicular to the axis, which may be 0; that of `otherwise` if v
 // is parallel to the axis.
-glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& otherwise) {
+static glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& otherwise) {
     glm::vec3 part = v - axis * glm::dot(v, axis);
     if (glm::dot(part, part) < 1e-6f) part = otherwise - axis * glm::dot(otherwise, axis);
     return glm::normalize(part);
@@ -42,8 +40,8 @@ glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& oth
 
 // Returns the unit direction, perpendicular to the unit vector `back`, in which the elbow bends. `given` has
 // no weight where it is close to that line, as its direction around the line is noise there.
-glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::vec3& back,
-                     const glm::vec3& aside) {
+static glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::vec3& back,
+                            const glm::vec3& aside) {
     constexpr float kNone = 0.05f, kFull = 0.2f; // sines: 3 and 12 degrees
     const glm::vec3 loose = across(hint, back, aside);
     const float sine = glm::length(given - back * glm::dot(given, back));
@@ -53,7 +51,7 @@ glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::v
 
 // Returns the rotation that takes +Z to `axis` and kElbowAtRest of this side to `point`, which is
 // perpendicular to `axis`.
-glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& point) {
+static glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& point) {
     const glm::vec3 rest = ofSide(side, kElbowAtRest);
     const glm::mat3 from(rest, glm::cross(glm::vec3(0, 0, 1), rest), glm::vec3(0, 0, 1));
     const glm::mat3 to(point, glm::cross(axis, point), axis);
@@ -61,13 +59,11 @@ glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& poin
 }
 
 // Returns the shortest turn between unit vectors (Lengyel 2011, "Mathematics for 3D Game Programming").
-glm::quat swing(const glm::vec3& from, const glm::vec3& to) {
+static glm::quat swing(const glm::vec3& from, const glm::vec3& to) {
     const float cosine = glm::dot(from, to);
     if (cosine < -0.9999f) return glm::angleAxis(glm::pi<float>(), across({0, 1, 0}, from, {1, 0, 0}));
     return glm::normalize(glm::quat(1 + cosine, glm::cross(from, to)));
 }
-
-} // namespace
 
 glm::vec3 shoulderWorld(hands::Side side, const Head& head) {
     const glm::vec3 fromHead = yawOf(head.worldFromView) * ofSide(side, kShoulder);

@@ -12,8 +12,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
 constexpr std::array kHandModels = {"models/hand_left.glb", "models/hand_right.glb"};
 constexpr std::array kArmModels = {"models/arm_left.glb", "models/arm_right.glb"};
@@ -23,20 +21,20 @@ constexpr float kMinSwing =
 constexpr float kMaxScale = 2.5f; // largest scale of that wave: more would fold the body
 
 // Returns the clip's time at this phase: clips loop.
-float clipTime(const scene::Animation& clip, float phase_s) {
+static float clipTime(const scene::Animation& clip, float phase_s) {
     if (clip.duration_s <= 0) return 0;
     const float wrapped = std::fmod(phase_s, clip.duration_s);
     return wrapped < 0 ? wrapped + clip.duration_s : wrapped;
 }
 
-void placeJoints(std::span<const hands::Joint> joints, std::span<const int> nodes, scene::Pose& pose) {
+static void placeJoints(std::span<const hands::Joint> joints, std::span<const int> nodes, scene::Pose& pose) {
     for (size_t k = 0; k < joints.size(); ++k)
         pose.modelFromNode[static_cast<size_t>(nodes[k])] =
             glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
 }
 
 // Returns one ellipsoid that fills the bounds, for a model whose ellipsoids could not be made.
-std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const scene::Bounds& bounds) {
+static std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const scene::Bounds& bounds) {
     if (model.order.empty()) return {};
     return {{{0.5f * (bounds.low + bounds.high), glm::mat3(1),
               glm::max(0.5f * (bounds.high - bounds.low), glm::vec3(1e-4f))},
@@ -44,7 +42,7 @@ std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const sc
 }
 
 // Returns nothing if the file is missing or is another model's.
-std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& model) {
+static std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& model) {
     const auto baked = render::readBakedOcclusion(file);
     return baked && render::applyBakedOcclusion(*baked, model) ? std::optional(*baked) : std::nullopt;
 }
@@ -52,8 +50,6 @@ std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& mod
 constexpr size_t kEachTime = 4;    // animals whose light is looked up for each picture: 35 take nine pictures
 constexpr float kFollow_s = 0.25f; // time constant of that light
 constexpr float kJump_m = 0.5f;    // movement between two pictures from which it counts as another animal
-
-} // namespace
 
 void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
                          const glm::mat3& envFromWorld) {

@@ -30,12 +30,6 @@ Result<std::unique_ptr<Environment>> Environment::open(const EnvironmentSetup& s
     return environment;
 }
 
-bool Environment::update(double time_s, bool exact) {
-    if (!player_->update(time_s, exact)) return false;
-    upload();
-    return true;
-}
-
 void Environment::upload() {
     const auto began = std::chrono::steady_clock::now();
     const environment::Frame& frame = player_->frame();

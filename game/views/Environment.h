@@ -39,7 +39,11 @@ class Environment {
                                                      const environment::Wait& wait = {});
 
     // As environment::Player::update().
-    bool update(double time_s, bool exact);
+    bool update(double time_s, bool exact) {
+        if (!player_->update(time_s, exact)) return false;
+        upload();
+        return true;
+    }
 
     const environment::Player& player() const { return *player_; }
     const EnvironmentSetup& setup() const { return setup_; }

@@ -150,19 +150,6 @@ Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::
     return Done{};
 }
 
-Status SceneRenderer::drawObjectsAlone(const Eye& eye) {
-    eye.canvas.bind();
-    glDepthMask(GL_TRUE);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    return drawObjects(pictureOf(eye));
-}
-
-// Returns the water around the eye: none in the player's room.
-water::Water SceneRenderer::waterAround(const render::EyePicture& picture) const {
-    return picture.surroundings == render::Surroundings::Room ? water::Water()
-                                                              : environment_->player().water();
-}
-
 Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
     {
@@ -202,11 +189,6 @@ std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View&
         spheres_.insert(spheres_.end(), shadows.begin(), shadows.end());
     }
     return spheres_;
-}
-
-int SceneRenderer::drawCount() const {
-    return passes_.objects.drawCount() + 1 + (look_.particles ? 1 : 0) +
-           (passes_.floorShadows && !passes_.floorShadows->empty() ? 1 : 0);
 }
 
 } // namespace shoal::app

@@ -69,11 +69,19 @@ class SceneRenderer final : private render::CompositorScene {
     }
 
     // Draws the objects over the canvas, which has depth: no background, no shadows.
-    Status drawObjectsAlone(const Eye& eye);
+    Status drawObjectsAlone(const Eye& eye) {
+        eye.canvas.bind();
+        glDepthMask(GL_TRUE);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        return drawObjects(pictureOf(eye));
+    }
 
     const SceneRendererSetup& setup() const { return setup_; }
     gl::PassTimers& timers() override { return timers_; }
-    int drawCount() const;
+    int drawCount() const {
+        return passes_.objects.drawCount() + 1 + (look_.particles ? 1 : 0) +
+               (passes_.floorShadows && !passes_.floorShadows->empty() ? 1 : 0);
+    }
     int triangleCount() const { return passes_.objects.triangleCount(); }
 
   private:
@@ -91,7 +99,10 @@ class SceneRenderer final : private render::CompositorScene {
     void castOnFloor(std::optional<float> floor_m);
     glm::vec3 eyeInFilm(const render::View& view) const;
     render::EyePicture pictureOf(const Eye& eye) const;
-    water::Water waterAround(const render::EyePicture& picture) const;
+    water::Water waterAround(const render::EyePicture& picture) const { // none in the player's room
+        return picture.surroundings == render::Surroundings::Room ? water::Water()
+                                                                  : environment_->player().water();
+    }
     render::View filmedFrom(const render::EyePicture& picture) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) override;

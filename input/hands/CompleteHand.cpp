@@ -10,21 +10,17 @@
 
 namespace shoal::hands {
 
-namespace {
-
 constexpr float kSizeMin = 0.6f, kSizeMax = 1.5f; // a child's, a giant's, relative to the rig's, a man's
 constexpr float kBentWhenUnseen = 0.9f;           // curl of a finger that an old service does not show
 
-glm::quat frameOf(glm::vec3 direction, glm::vec3 normal) {
+static glm::quat frameOf(glm::vec3 direction, glm::vec3 normal) {
     return glm::normalize(glm::quatLookAt(glm::normalize(direction), glm::normalize(-normal)));
 }
 
 // Returns the smallest rotation from one direction to another.
-glm::quat rotationBetween(const glm::vec3& from, const glm::vec3& to) {
+static glm::quat rotationBetween(const glm::vec3& from, const glm::vec3& to) {
     return {glm::normalize(from), glm::normalize(to)};
 }
-
-} // namespace
 
 bool agreesWithJoints(PartialHand& hand) {
     const auto &index = hand.joints[kFingerJoints[1].proximal],
@@ -57,9 +53,6 @@ bool agreesWithJoints(PartialHand& hand) {
     if (byNormal != byBend) hand.normal = -hand.normal;
     return true;
 }
-
-HandCompleter::HandCompleter(const HandRig& rig)
-    : rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {}
 
 float HandCompleter::sizeOf(const PartialHand& hand) const {
     const JointPositions& at = hand.joints;

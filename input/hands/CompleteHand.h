@@ -33,7 +33,8 @@ bool agreesWithJoints(PartialHand& hand);
 
 class HandCompleter {
   public:
-    explicit HandCompleter(const HandRig& rig);
+    explicit HandCompleter(const HandRig& rig)
+        : rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {}
 
     // Returns the whole hand, in the same frame. Joints that were sent stay where they are; the others are
     // placed by the rig in the hand's own size. A finger of which nothing was sent is as bent as the grip.

@@ -7,15 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shoal::hands {
 
-namespace {
-
 // Returns the displacement from a to b; for quaternions the shorter rotation, axis times angle in a's frame.
-glm::vec3 wayBetween(const glm::vec3& a, const glm::vec3& b) { return b - a; }
-glm::vec3 wayBetween(const glm::quat& a, const glm::quat& b) {
+static glm::vec3 wayBetween(const glm::vec3& a, const glm::vec3& b) { return b - a; }
+static glm::vec3 wayBetween(const glm::quat& a, const glm::quat& b) {
     glm::quat d = glm::conjugate(a) * b;
     if (d.w < 0) d = -d;
     const glm::vec3 v(d.x, d.y, d.z);
@@ -24,21 +21,14 @@ glm::vec3 wayBetween(const glm::quat& a, const glm::quat& b) {
     return v * (2 * std::atan2(sine, d.w) / sine);
 }
 
-glm::vec3 moved(const glm::vec3& from, const glm::vec3& way) { return from + way; }
-glm::quat moved(const glm::quat& from, const glm::vec3& way) {
+static glm::vec3 moved(const glm::vec3& from, const glm::vec3& way) { return from + way; }
+static glm::quat moved(const glm::quat& from, const glm::vec3& way) {
     const float angle = glm::length(way);
     if (angle < 1e-7f) return from;
     return glm::normalize(from * glm::angleAxis(angle, way / angle));
 }
 
-} // namespace
-
 using namespace tuning;
-
-float smoothing(float cutoff_Hz, float dt_s) {
-    const float r = 2 * std::numbers::pi_v<float> * cutoff_Hz * dt_s;
-    return r / (r + 1);
-}
 
 template <class Value> void OneEuro<Value>::reset(const Value& value) {
     value_ = raw_ = value;

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <numbers>
 #include <vector>
 
 namespace shoal::hands {
@@ -66,7 +67,10 @@ constexpr float kStrengthTau_s = 0.01f; // smoothing of the strengths, time cons
 
 // Returns the share of the way to a new value that a first-order low-pass goes in dt_s: equations 3 to 5 of
 // the paper below.
-float smoothing(float cutoff_Hz, float dt_s);
+constexpr float smoothing(float cutoff_Hz, float dt_s) {
+    const float r = 2 * std::numbers::pi_v<float> * cutoff_Hz * dt_s;
+    return r / (r + 1);
+}
 
 // The one-euro filter: a low-pass whose cut-off grows with speed, so that a still hand does not tremble and a
 // moving one does not lag. Casiez, Roussel, Vogel 2012, "1 Euro Filter: A Simple Speed-based Low-pass Filter

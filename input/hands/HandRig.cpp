@@ -124,8 +124,6 @@ HandPose HandRig::pose(Side side, const HandShape& shape, const JointPose& wrist
     return hand;
 }
 
-float HandRig::boneLength(int joint) const { return glm::length(parentFromJointOffset_[joint]); }
-
 float gripOf(const std::array<Joint, kJointCount>& joints) {
     // Sum of the three knuckles' bends, averaged over the fingers: 30 degrees is a relaxed open hand, 200 a
     // fist.

@@ -34,7 +34,7 @@ class HandRig {
     HandPose pose(Side, const HandShape&, const JointPose& wrist) const;
 
     // Returns the length of the bone from kJointParent[joint] to the joint, metres; 0 for the wrist.
-    float boneLength(int joint) const;
+    float boneLength(int joint) const { return glm::length(parentFromJointOffset_[joint]); }
 
   private:
     std::array<glm::vec3, kJointCount> parentFromJointOffset_{};

@@ -6,12 +6,8 @@
 
 namespace shoal::hands {
 
-namespace {
-
 constexpr std::chrono::milliseconds kPatience{2000};
 constexpr int kMouse = -1; // stretch of the mouse's hands: differs from those of every tracker
-
-} // namespace
 
 using namespace tuning;
 

@@ -5,13 +5,10 @@
 
 namespace shoal::hands {
 
-Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
-Path handModelFolder() { return scoreFolder() / "models"; }
-
 void HandStream::push(HandFrame frame) {
     if (frame.seenAt == Clock::time_point()) frame.seenAt = Clock::now();
     std::unique_lock lock(mutex_);
-    if (full_ == Full::Wait) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
+    if (waits_) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
     if (frames_.size() >= capacity_) frames_.pop_front();
     frames_.push_back(std::move(frame));
     changed_.notify_all();
@@ -20,7 +17,7 @@ void HandStream::push(HandFrame frame) {
 bool HandStream::take(HandFrame& out, std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     const auto ready = [&] { return closed_ || !frames_.empty(); };
-    if (full_ == Full::Wait && patience.count() > 0)
+    if (waits_ && patience.count() > 0)
         changed_.wait(lock, ready);
     else
         changed_.wait_for(lock, patience, ready);
@@ -29,22 +26,6 @@ bool HandStream::take(HandFrame& out, std::chrono::milliseconds patience) {
     frames_.pop_front();
     changed_.notify_all();
     return true;
-}
-
-void HandStream::close() {
-    const std::lock_guard lock(mutex_);
-    closed_ = true;
-    changed_.notify_all();
-}
-
-void HandStream::setState(DeviceState state) {
-    const std::lock_guard lock(mutex_);
-    state_ = std::move(state);
-}
-
-DeviceState HandStream::state() const {
-    const std::lock_guard lock(mutex_);
-    return state_;
 }
 
 float spanOf(const HandPose& hand) {
@@ -78,6 +59,52 @@ void HandPlacement::apply(std::array<HandPose, 2>& hands, int64_t time_us) {
         mount_.apply(hands[i]);
         for (Joint& joint : hands[i].joints) joint.position += shifts_[i] * share_;
     }
+}
+
+void resize(HandPose& hand, float size) {
+    for (Joint& joint : hand.joints) {
+        joint.position *= size;
+        joint.radius *= size;
+    }
+}
+
+void HandSizing::begin(float asRig_m) {
+    held_s_ = 0;
+    seen_ = 0;
+    sum_m_ = 0;
+    least_m_ = most_m_ = asRig_m;
+}
+
+void HandSizing::see(std::optional<float> asRig_m, float dt_s) {
+    if (state_ == State::Done) return;
+    if (!asRig_m) {
+        missing_s_ += dt_s;
+        if (missing_s_ < kMissing_s) return;
+        begin(0);
+        state_ = State::Waiting;
+        return;
+    }
+    missing_s_ = 0;
+    const auto size = static_cast<double>(kAt_m / std::max(*asRig_m, 1e-3f));
+    if (size < kHandSizeMin || size > kHandSizeMax) {
+        begin(0);
+        state_ = State::Elsewhere;
+        return;
+    }
+    if (state_ != State::Holding) begin(*asRig_m);
+    state_ = State::Holding;
+    least_m_ = std::min(least_m_, *asRig_m);
+    most_m_ = std::max(most_m_, *asRig_m);
+    if (most_m_ - least_m_ > kSpread * least_m_) begin(*asRig_m); // it moves
+    sum_m_ += *asRig_m;
+    ++seen_;
+    held_s_ += dt_s;
+    if (held_s_ >= kHold_s) state_ = State::Done;
+}
+
+std::optional<float> HandSizing::size() const {
+    if (state_ != State::Done) return std::nullopt;
+    return kAt_m * static_cast<float>(seen_) / sum_m_;
 }
 
 } // namespace shoal::hands

@@ -27,7 +27,7 @@ struct HandFrame {
     std::array<int64_t, 2> identity{}; // changes when the device no longer knows that it is the same hand
     // Unit vector from the wrist to the elbow, viewer's frame; 0 if no elbow is seen. Used for drawing only.
     std::array<glm::vec3, 2> towardsElbow{};
-    // Distance from the camera to the palm if the hand had the rig's size (HandSize.h), metres; 0 if the
+    // Distance from the camera to the palm if the hand had the rig's size (HandSizing), metres; 0 if the
     // device measures distances.
     std::array<float, 2> asRig_m{};
 };
@@ -42,25 +42,33 @@ struct DeviceState {
 // A queue of frames with one writer, the tracker's thread, and one reader.
 class HandStream {
   public:
-    // Action of push() when the queue is full: drop the oldest frame, or wait for room.
-    enum class Full { Drop, Wait };
-    explicit HandStream(size_t capacity = 1024, Full full = Full::Drop) : capacity_(capacity), full_(full) {}
+    // waits: push() waits for room when the queue is full; else the oldest frame is dropped.
+    explicit HandStream(size_t capacity = 1024, bool waits = false) : capacity_(capacity), waits_(waits) {}
 
     void push(HandFrame frame); // a frame without seenAt counts as seen now
     // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time;
     // if it is not 0, a clip, which waits for its reader, is waited for until its next frame or its end.
     bool take(HandFrame& out, std::chrono::milliseconds patience = {});
-    void close(); // calls no longer wait
-
-    void setState(DeviceState state);
-    DeviceState state() const;
+    void close() { // calls no longer wait
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+        changed_.notify_all();
+    }
+    void setState(DeviceState state) {
+        const std::lock_guard lock(mutex_);
+        state_ = std::move(state);
+    }
+    DeviceState state() const {
+        const std::lock_guard lock(mutex_);
+        return state_;
+    }
 
   private:
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<HandFrame> frames_;
     const size_t capacity_;
-    const Full full_;
+    const bool waits_;
     bool closed_ = false;
     DeviceState state_;
 };
@@ -111,9 +119,8 @@ class HandTracker {
     virtual void setHandSize(float) {} // the player's, in times of the rig's; for trackers that use a camera
 
   protected:
-    explicit HandTracker(const char* name, size_t capacity = 1024,
-                         HandStream::Full full = HandStream::Full::Drop)
-        : name_(name), stream_(capacity, full) {}
+    explicit HandTracker(const char* name, size_t capacity = 1024, bool waits = false)
+        : name_(name), stream_(capacity, waits) {}
 
   private:
     const char* name_;
@@ -135,8 +142,8 @@ constexpr int kNewestLeapVersion = 6;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
 // The script that fetches the models of hands, once, and the folder that it puts them into.
-Path handModelScript();
-Path handModelFolder();
+inline Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
+inline Path handModelFolder() { return scoreFolder() / "models"; }
 
 // A webcam, or a clip of one.
 struct WebcamOptions {
@@ -213,5 +220,38 @@ const inline Mount kDeskMount{{1, 0, 0, 0}, {0, 0.20f, 0}, {0, -0.12f, -0.75f}, 
 const inline Mount kHeadMount{{0, 0, 0.70710678f, -0.70710678f}, glm::vec3(0), {0, 0, -0.08f}, 1};
 // (x, y, z) to (-x, y, -z): half a turn about y. The middle is half a metre before the camera.
 const inline Mount kCameraMount{{0, 0, 1, 0}, {0, -0.05f, -0.50f}, {0, -0.12f, -0.75f}, kReach};
+
+// Size of a player's hand relative to the rig's. One camera cannot tell it, because a hand looks like a
+// larger one that is farther away in proportion. So a player may have it measured at a known distance.
+constexpr double kHandSizeMin = 0.7, kHandSizeMax = 1.4; // a child's, a giant's; also the setting's range
+
+// Scales a hand of the rig's size, in the camera's frame, to the one of this size that looks the same.
+void resize(HandPose& hand, float size);
+
+// Measures the size of a hand that is held open and still at kAt_m from the camera.
+class HandSizing {
+  public:
+    static constexpr float kAt_m = 0.3f;      // distance of the palm: the length of a sheet of A4 paper
+    static constexpr float kHold_s = 1.5f;    // time for which it is held
+    static constexpr float kSpread = 0.06f;   // greatest change of its distance, as a share
+    static constexpr float kMissing_s = 0.2f; // a hand that is not seen for this long has gone
+
+    enum class State { Waiting, Elsewhere, Holding, Done }; // Elsewhere: the hand is not at kAt_m
+
+    // Takes a frame. asRig_m: HandFrame::asRig_m, if just one hand is seen and it is open; else empty.
+    void see(std::optional<float> asRig_m, float dt_s);
+
+    State state() const { return state_; }
+    float progress() const { return state_ == State::Done ? 1.0f : held_s_ / kHold_s; }
+    std::optional<float> size() const; // once it is done
+
+  private:
+    void begin(float asRig_m);
+
+    State state_ = State::Waiting;
+    float held_s_ = 0, missing_s_ = 0;
+    float least_m_ = 0, most_m_ = 0, sum_m_ = 0;
+    int seen_ = 0; // frames in sum_m_
+};
 
 } // namespace shoal::hands

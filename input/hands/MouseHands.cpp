@@ -10,8 +10,6 @@
 
 namespace shoal::hands {
 
-namespace {
-
 constexpr float kCloseTime_s = 0.12f;
 constexpr float kFollow_s = 0.025f;   // the hand lags the cursor by about this: no jitter, no felt delay
 constexpr float kSwap_s = 0.09f;      // time constant of the other hand's way to its place
@@ -22,20 +20,18 @@ constexpr float kWheelRest_s = 1.2f;  // time for which the wheel's choice stand
 constexpr float kWheelFades_s = 1;    // ...and in which it fades then
 constexpr float kNotch = 1.06f;       // reach per notch
 
-glm::vec3 restingPlace(Side side, float tanX, float tanY) {
+static glm::vec3 restingPlace(Side side, float tanX, float tanY) {
     const float sign = side == Side::Left ? -1.0f : 1.0f;
     const float z = 0.5f;
     return {sign * z * std::min(0.62f * tanX, 0.6f), -z * 0.88f * tanY, -z};
 }
 
 // Returns the upper right corner of the picture at a metre's distance.
-glm::vec2 cornerOf(const MouseInput& input) {
+static glm::vec2 cornerOf(const MouseInput& input) {
     const float half = 0.5f * std::clamp(input.fovY, 0.2f, 2.6f);
     const float tanY = math::sine(half) / math::cosine(half);
     return {tanY * std::clamp(input.aspect, 0.1f, 10.0f), tanY};
 }
-
-} // namespace
 
 glm::vec3 rayThroughCursor(const MouseInput& input) {
     const glm::vec2 at = glm::clamp(input.cursor, glm::vec2(-1), glm::vec2(1)) * cornerOf(input);

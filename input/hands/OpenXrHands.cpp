@@ -6,19 +6,15 @@
 
 namespace shoal::hands {
 
-namespace {
-
 // OpenXR's grip pose has -Z along the handle, from the little finger to the thumb, and +X across the palm to
 // the right for both hands; so +Y points to the wrist. A joint has -Z to the fingertips and +Y out of the
 // back of the hand, which on the right hand is to the right, on the left to the left.
-glm::quat gripFromWrist(Side side) {
+static glm::quat gripFromWrist(Side side) {
     const glm::vec3 back(side == Side::Right ? 1.0f : -1.0f, 0, 0), toWrist(0, 1, 0);
     return glm::quat_cast(glm::mat3(glm::cross(back, toWrist), back, toWrist));
 }
 
 constexpr float kRelaxed = 0.12f; // bend of a finger that presses nothing
-
-} // namespace
 
 HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead) {
     if (!inWorld.tracked) return {};

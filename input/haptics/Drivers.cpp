@@ -1,4 +1,4 @@
-// Drivers of haptic devices.
+// Drivers of haptic devices, and the distribution of a frame to their motors.
 #include "input/haptics/DeviceTable.h"
 #include "input/haptics/GloveReport.h"
 
@@ -10,14 +10,68 @@ namespace shoal::haptics {
 
 static_assert(glove::kActuators == kActuatorCount);
 
-namespace {
+constexpr float kLow_Hz = 60, kHigh_Hz = 200;
+constexpr float kMinFelt = 0.2f; // share of a motor's range at which it starts
 
-uint8_t scaled(float amplitude, float full) {
+Motors motorsOf(std::span<const Actuation> actuations) {
+    Motors motors;
+    for (const Actuation& each : actuations) {
+        const float quick = std::clamp((each.frequency_Hz - kLow_Hz) / (kHigh_Hz - kLow_Hz), 0.0f, 1.0f);
+        motors.strong = std::max(motors.strong, each.amplitude * (1 - quick)); // this order drops NaN
+        motors.weak = std::max(motors.weak, each.amplitude * quick);
+    }
+    return motors;
+}
+
+Motors motorsOf(const HapticFrame& frame) {
+    const Motors hands = motorsOf(frame.actuators), body = motorsOf({&frame.body, 1});
+    return {std::max(hands.strong, body.strong), std::max(hands.weak, body.weak)};
+}
+
+std::span<const Actuation> handOf(const HapticFrame& frame, int hand) {
+    return std::span(frame.actuators)
+        .subspan(static_cast<size_t>(hand) * kActuatorsPerHand, kActuatorsPerHand);
+}
+
+Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz, float limit_Hz) {
+    Actuation best;
+    const auto compare = [&](const Actuation& each) {
+        if (each.frequency_Hz >= min_Hz && each.frequency_Hz < limit_Hz) best = stronger(best, each);
+    };
+    std::ranges::for_each(handOf(frame, hand), compare);
+    compare(frame.body);
+    return best;
+}
+
+float driveOf(float amplitude) {
+    if (!(amplitude > 1.0f / 512)) return 0; // NaN too
+    return kMinFelt + (1 - kMinFelt) * std::min(amplitude, 1.0f);
+}
+
+Actuation vibrationOf(const HapticFrame& frame, int hand) {
+    Actuation strongest = strongestOf(frame, hand);
+    strongest.amplitude = std::min(strongest.amplitude, 1.0f);
+    return strongest;
+}
+
+bool VibrationTimer::due(const Actuation& now, double now_s) {
+    constexpr float kAmplitudeStep = 0.04f, kFrequencyStep_Hz = 8; // smaller steps are not felt
+    const bool on = now.amplitude > 0, was = sent_.amplitude > 0;
+    const bool news =
+        on != was || (on && (std::abs(now.amplitude - sent_.amplitude) > kAmplitudeStep ||
+                             std::abs(now.frequency_Hz - sent_.frequency_Hz) > kFrequencyStep_Hz));
+    if (!news && !(on && now_s - sent_s_ >= kVibrationAgain_s)) return false;
+    sent_ = now;
+    sent_s_ = now_s;
+    return true;
+}
+
+static uint8_t scaled(float amplitude, float full) {
     return static_cast<uint8_t>(std::lround(driveOf(amplitude) * full));
 }
 
 // Adds the CRC-32 that Sony wants over Bluetooth, of the whole packet; 0xA2 is an output report's header.
-void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
+static void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
     constexpr uint8_t kHeader = 0xA2;
     constexpr size_t kAt = 74;
     uLong crc = crc32(0, &kHeader, 1);
@@ -27,7 +81,7 @@ void addSonyChecksum(Report& report, uint8_t /*sequence*/) {
 
 // Returns whether the newer bit enables vibration: from firmware 2.21 on, and on every DualSense Edge.
 // Feature report 0x20 holds the firmware's version.
-bool hasNewVibration(const HidInfo& info, HidDevice& device) {
+static bool hasNewVibration(const HidInfo& info, HidDevice& device) {
     constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
     constexpr size_t kVersionAt = 44;
     if (info.product == kEdge) return true;
@@ -36,14 +90,14 @@ bool hasNewVibration(const HidInfo& info, HidDevice& device) {
            (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
 }
 
-void sealDualSenseBluetooth(Report& report, uint8_t sequence) {
+static void sealDualSenseBluetooth(Report& report, uint8_t sequence) {
     report.bytes[1] = static_cast<uint8_t>(sequence << 4);
     addSonyChecksum(report, sequence);
 }
 
 // Bytes: id; motors to enable (all four); left trigger, right trigger, strong and weak motor, in per cent; on
 // for 2.55 s; no pause; repeats, so that it runs until the next report. Each trigger serves a hand's fingers.
-Report xbox(const HapticFrame& frame) {
+static Report xbox(const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     return {{0x03, 0x0F, scaled(motorsOf(handOf(frame, 0)).weak, 100),
              scaled(motorsOf(handOf(frame, 1)).weak, 100), scaled(motors.strong, 100),
@@ -52,7 +106,7 @@ Report xbox(const HapticFrame& frame) {
 }
 
 // Appends the strengths of the strong and of the weak motor, 16 bits each, little-endian.
-Report withMotors16(Report report, const HapticFrame& frame) {
+static Report withMotors16(Report report, const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     for (const float amplitude : {motors.strong, motors.weak}) {
         const auto value = static_cast<uint16_t>(std::lround(driveOf(amplitude) * 65535));
@@ -62,20 +116,20 @@ Report withMotors16(Report report, const HapticFrame& frame) {
     return report;
 }
 
-Report stadia(const HapticFrame& frame) { return withMotors16({{0x05}, 1}, frame); }
-Report forceFeedback(const HapticFrame& frame) { return withMotors16({}, frame); }
+static Report stadia(const HapticFrame& frame) { return withMotors16({{0x05}, 1}, frame); }
+static Report forceFeedback(const HapticFrame& frame) { return withMotors16({}, frame); }
 
 // Nintendo's controllers have a voice coil in each hand that plays two tones at a time.
 
 constexpr float kHighFrom_Hz = 160; // least frequency of the high tone
 constexpr int kSafeIndex = 100;     // the tables warn of damage beyond it
 
-int frequencyIndex(float frequency_Hz) {
+static int frequencyIndex(float frequency_Hz) {
     return static_cast<int>(std::lround(32 * std::log2(frequency_Hz / 10)));
 }
 
 // The first four bytes are for the left hand, the last for the right; a single Joy-Con takes its own half.
-Report tones(const HapticFrame& frame, size_t size) {
+static Report tones(const HapticFrame& frame, size_t size) {
     Report report{.size = size};
     report.bytes[0] = 0x10;
     for (int hand = 0; hand < 2; ++hand) {
@@ -87,7 +141,7 @@ Report tones(const HapticFrame& frame, size_t size) {
 }
 
 // Returns the report that enables vibration, which is off until then: subcommand 0x48.
-Report enable(size_t size) {
+static Report enable(size_t size) {
     Report report = tones({}, size);
     report.bytes[0] = 0x01; // a report with tones and a subcommand behind them
     report.bytes[10] = 0x48;
@@ -95,11 +149,11 @@ Report enable(size_t size) {
     return report;
 }
 
-void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
+static void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
 
 // Bytes of the fingertip glove: 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The
 // body's vibration, for which a glove has no actuator, goes to both palms.
-Report gloveReport(const HapticFrame& frame) {
+static Report gloveReport(const HapticFrame& frame) {
     Report report{.size = 1 + glove::kReportBytes};
     for (size_t i = 0; i < kActuatorCount; ++i) {
         Actuation felt = frame.actuators[i];
@@ -112,9 +166,7 @@ Report gloveReport(const HapticFrame& frame) {
     return report;
 }
 
-void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
-
-} // namespace
+static void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
 
 // Bytes: id; over Bluetooth also sequence number and 0x10 (for the controller itself, not its audio); enable
 // 1 (bit 0: vibration, bit 1: haptics instead of audio); enable 2; right motor; left motor. Enable 3 (bit 2:

@@ -6,19 +6,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 namespace shoal::haptics {
-
-namespace {
 
 constexpr double kStopping_s = 0.1; // time limit for the last reports, each at its device's pace
 
-double secondsSince(std::chrono::steady_clock::time_point then) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-}
-
-std::string describe(const DeviceRow& row, const HidInfo& info) {
+static std::string describe(const DeviceRow& row, const HidInfo& info) {
     const bool named = info.transport == Transport::ForceFeedback && !info.name.empty();
     const char* way = info.transport == Transport::Bluetooth ? " over Bluetooth"
                       : info.transport == Transport::Usb     ? " on USB"
@@ -27,7 +19,7 @@ std::string describe(const DeviceRow& row, const HidInfo& info) {
 }
 
 // Returns what a person must do to get access, with the rule for this device.
-std::string notLetIn(const HidInfo& info) {
+static std::string notLetIn(const HidInfo& info) {
     if (info.transport == Transport::ForceFeedback) return "may not be opened";
     return fmt::format(
         "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev "
@@ -35,8 +27,6 @@ std::string notLetIn(const HidInfo& info) {
         "KERNEL==\"hidraw*\", KERNELS==\"*:{:04X}:{:04X}.*\", TAG+=\"uaccess\"",
         info.vendor, info.product);
 }
-
-} // namespace
 
 const DeviceRow* recognise(const HidInfo& info) {
     if (info.transport == Transport::ForceFeedback) return &kForceFeedback;
@@ -121,10 +111,6 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
     return std::max(next_s - now_s, 0.0);
 }
 
-bool HapticDevices::allStopped() const {
-    return std::ranges::all_of(devices_, [](const Device& each) { return each.sent == each.stopped; });
-}
-
 HapticDevices::~HapticDevices() {
     for (Device& device : devices_)
         if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
@@ -136,9 +122,6 @@ std::vector<HapticDevices::Listed> HapticDevices::list() const {
     all.insert(all.end(), refused_.begin(), refused_.end());
     return all;
 }
-
-HapticOutput::HapticOutput(HidBus bus)
-    : thread_([this, bus = std::move(bus)](const std::stop_token& ending) { run(ending, bus); }) {}
 
 void HapticOutput::submit(const HapticFrame& frame) {
     const std::lock_guard lock(mutex_);

@@ -3,6 +3,7 @@
 
 #include "input/haptics/DeviceTable.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -15,6 +16,10 @@
 namespace shoal::haptics {
 
 constexpr double kFindDevices_s = 1.0; // time between two searches for new devices
+
+inline double secondsSince(std::chrono::steady_clock::time_point then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
 
 class HapticDevices {
   public:
@@ -29,7 +34,9 @@ class HapticDevices {
     // next call, seconds. now_s: a monotonic clock, an argument so that tests need not wait.
     double step(const HapticFrame& frame, double now_s);
 
-    bool allStopped() const; // no motor runs
+    bool allStopped() const { // no motor runs
+        return std::ranges::all_of(devices_, [](const Device& each) { return each.sent == each.stopped; });
+    }
 
     struct Listed {
         std::string name, path;
@@ -73,7 +80,8 @@ constexpr double kFelt_s = 0.25;
 // destructor stops every motor, which takes the time of a few writes.
 class HapticOutput {
   public:
-    explicit HapticOutput(HidBus bus);
+    explicit HapticOutput(HidBus bus)
+        : thread_([this, bus = std::move(bus)](const std::stop_token& ending) { run(ending, bus); }) {}
 
     // Sets the vibration from now on; only the newest frame counts. Does not allocate, and waits at most for
     // the copy of a frame.

@@ -182,10 +182,6 @@ CrashStop::CrashStop(const std::string& file, std::span<const uint8_t> stop) {
     shell_.reset(popen(script.c_str(), "we")); // e: no other program inherits the pipe
 }
 
-CrashStop::~CrashStop() {
-    if (shell_) std::fputs("\n", shell_.get());
-}
-
 HidBus withForceFeedback(HidBus bus) {
     const auto list = [pads = DeviceList("/dev/input", findRumblingPads), other = bus.list]() mutable {
         std::vector<HidInfo> all = other();

@@ -56,7 +56,9 @@ class CrashStop {
     // Starts a shell that writes the report to the device's file, whose path has no single quote, when this
     // process has ended, unless this object was destroyed before. Without a shell nothing is guarded.
     CrashStop(const std::string& file, std::span<const uint8_t> stop);
-    ~CrashStop();
+    ~CrashStop() {
+        if (shell_) std::fputs("\n", shell_.get());
+    }
 
   private:
     std::unique_ptr<FILE, int (*)(FILE*)> shell_{nullptr, pclose}; // its standard input; null: none

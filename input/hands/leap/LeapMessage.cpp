@@ -10,8 +10,6 @@
 
 namespace shoal::hands {
 
-namespace {
-
 using nlohmann::json;
 
 constexpr size_t kMaxHands = 8, kMaxPointables = 64;
@@ -19,42 +17,42 @@ constexpr double kMetresFromMillimetres = 1e-3;
 constexpr double kFarthest_m = 5; // far beyond the device's range, which is below a metre
 
 // Returns null where there is none, or `object` is another value.
-const json& member(const json& object, const char* key) {
+static const json& member(const json& object, const char* key) {
     static const json none;
     const auto found = object.find(key);
     return found == object.end() ? none : *found;
 }
 
 // Returns an array's first entries; none of another value.
-std::span<const json> entries(const json& object, const char* key, size_t most) {
+static std::span<const json> entries(const json& object, const char* key, size_t most) {
     const auto* array = member(object, key).get_ptr<const json::array_t*>();
     return array ? std::span(*array).first(std::min(array->size(), most)) : std::span<const json>();
 }
 
-std::optional<double> number(const json& object, const char* key) {
+static std::optional<double> number(const json& object, const char* key) {
     const json& value = member(object, key);
     return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
-std::optional<int64_t> whole(const json& object, const char* key) {
+static std::optional<int64_t> whole(const json& object, const char* key) {
     const auto v = number(object, key);
     if (!v || !isWithin(*v, -9e15, 9e15)) return std::nullopt; // beyond 2^53 doubles skip numbers
     return static_cast<int64_t>(*v);
 }
 
-std::optional<float> share(const json& object, const char* key) {
+static std::optional<float> share(const json& object, const char* key) {
     const auto v = number(object, key);
     return v ? std::optional(static_cast<float>(std::clamp(*v, 0.0, 1.0))) : std::nullopt;
 }
 
-bool yes(const json& object, const char* key) { return member(object, key) == true; }
+static bool yes(const json& object, const char* key) { return member(object, key) == true; }
 
-std::string words(const json& object, const char* key) {
+static std::string words(const json& object, const char* key) {
     const json& value = member(object, key);
     return value.is_string() ? value.get<std::string>().substr(0, 64) : "";
 }
 
-std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double maximum) {
+static std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double maximum) {
     const std::span<const json> array = entries(object, key, 4); // one more than it may have
     if (array.size() != 3) return std::nullopt;
     glm::vec3 v(0);
@@ -67,11 +65,11 @@ std::optional<glm::vec3> triple(const json& object, const char* key, double scal
     return v;
 }
 
-std::optional<glm::vec3> point(const json& object, const char* key) {
+static std::optional<glm::vec3> point(const json& object, const char* key) {
     return triple(object, key, kMetresFromMillimetres, kFarthest_m);
 }
 
-std::optional<PartialHand> readHand(const json& from) {
+static std::optional<PartialHand> readHand(const json& from) {
     const auto identity = whole(from, "id");
     const auto palm = point(from, "palmPosition");
     const auto normal = triple(from, "palmNormal", 1, 10), direction = triple(from, "direction", 1, 10);
@@ -94,7 +92,7 @@ std::optional<PartialHand> readHand(const json& from) {
 
 // Adds a pointable's joints to its hand; ignores tools. The thumb's metacarpal has no length in the service's
 // model: what it calls carp and mcp is one point, our metacarpal.
-void readPointable(const json& from, std::vector<PartialHand>& hands) {
+static void readPointable(const json& from, std::vector<PartialHand>& hands) {
     if (yes(from, "tool")) return;
     const auto hand = std::ranges::find(hands, whole(from, "handId"), &PartialHand::identity);
     if (hand == hands.end()) return;
@@ -118,7 +116,7 @@ void readPointable(const json& from, std::vector<PartialHand>& hands) {
     }
 }
 
-LeapFrame readFrame(const json& from) {
+static LeapFrame readFrame(const json& from) {
     LeapFrame frame;
     frame.time_us = whole(from, "timestamp");
     for (const json& entry : entries(from, "hands", kMaxHands))
@@ -129,15 +127,13 @@ LeapFrame readFrame(const json& from) {
 
 // Returns the unit vector from the wrist to the elbow, device's frame; 0 without an elbow at an arm's
 // distance.
-glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
+static glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
     constexpr float kShortest_m = 0.1f, kLongest_m = 0.5f;
     if (!hand.elbow) return glm::vec3(0);
     const glm::vec3 forearm = *hand.elbow - wrist;
     const float length = glm::length(forearm);
     return length > kShortest_m && length < kLongest_m ? forearm / length : glm::vec3(0);
 }
-
-} // namespace
 
 Result<LeapMessage> readLeapMessage(std::string_view text) {
     const Error tooLarge{"", "is larger or deeper than any frame of hands"};

@@ -3,7 +3,6 @@
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoSource.h"
-#include "input/hands/HandSize.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 
 #include <glm/geometric.hpp>
@@ -26,9 +25,7 @@ constexpr std::chrono::seconds kRetry{1};
 class WebcamTracker final : public HandTracker {
   public:
     WebcamTracker(const WebcamOptions& options, const HandRig& rig)
-        : HandTracker("Webcam", options.live ? 64 : 8,
-                      !options.live && !options.file.empty() ? HandStream::Full::Wait
-                                                             : HandStream::Full::Drop),
+        : HandTracker("Webcam", options.live ? 64 : 8, !options.live && !options.file.empty()),
           options_(options), rig_(rig), handSize_(options.handSize) {
         stream().setState({false, place() + " is being opened"});
         thread_ = std::jthread([this](const std::stop_token& ending) { run(ending); });

@@ -1,6 +1,6 @@
 #include "HandRows.h"
 
-#include "input/hands/HandSize.h"
+#include "input/hands/HandTracker.h"
 
 #include <glm/geometric.hpp>
 #include <opencv2/imgproc.hpp>

@@ -57,9 +57,20 @@ TEST_F(KeptFiles, FilmsAndPhotosAreListedByTheirContent) {
                                                  20));
     write("Downloads/sky.txt", "#?RADIANCE\n");
     write("Downloads/empty.png", "");
-    std::vector<std::string> names;
-    for (const Path& file : filmsAndPhotos()) names.push_back(file.filename().string());
-    EXPECT_THAT(names, testing::UnorderedElementsAre("photo", "grey.ppm", "sky.txt"));
+    const auto names = [] {
+        FilmList list;
+        list.look();
+        while (!list.found().complete) std::this_thread::yield();
+        std::vector<std::string> all;
+        for (const Path& file : list.found().files) all.push_back(file.filename().string());
+        return all;
+    };
+    EXPECT_THAT(names(), testing::UnorderedElementsAre("photo", "grey.ppm", "sky.txt"));
+    write("Downloads/empty.png", "\xff\xd8\xff\xe0");
+    const auto later = std::filesystem::file_time_type::clock::now() + std::chrono::hours(1);
+    std::filesystem::last_write_time(folder_ / "Pictures/grey.ppm", later);
+    EXPECT_THAT(names(), testing::AllOf(testing::SizeIs(4), testing::Contains("empty.png")));
+    EXPECT_EQ(names().front(), "grey.ppm"); // the newest comes first
 }
 
 // The ends of ranges are floats, which need not be what their decimals say.
@@ -120,30 +131,30 @@ TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
 }
 
 TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {
-    EXPECT_TRUE(readScores("reef").top.empty());
+    EXPECT_TRUE(readScores()["reef"].top.empty());
     for (const int score : {30, 120, 50, 10, 70, 60}) ASSERT_TRUE(addScore("reef", score));
     ASSERT_TRUE(addScore("wreck", 40));
-    EXPECT_EQ(readScores("reef").top, (std::vector<int>{120, 70, 60, 50, 30}));
-    EXPECT_EQ(readScores("reef").last, 60);
+    EXPECT_EQ(readScores()["reef"].top, (std::vector<int>{120, 70, 60, 50, 30}));
+    EXPECT_EQ(readScores()["reef"].last, 60);
     ASSERT_TRUE(addScore("wreck", 0)); // 0 is no top score
-    EXPECT_EQ(readScores("wreck").top, std::vector<int>{40});
-    EXPECT_EQ(readScores("wreck").last, 0);
+    EXPECT_EQ(readScores()["wreck"].top, std::vector<int>{40});
+    EXPECT_EQ(readScores()["wreck"].last, 0);
 }
 
 TEST_F(KeptFiles, ScoresOfEarlierVersionsAreRead) {
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/scores.json",
                                R"({"reef": 90, "wreck": "many", "kelp": {"top": [20, "many"]}})"));
-    EXPECT_EQ(readScores("reef").top, std::vector<int>{90});
-    EXPECT_TRUE(readScores("wreck").top.empty());
-    EXPECT_EQ(readScores("kelp").top, std::vector<int>{20});
+    EXPECT_EQ(readScores()["reef"].top, std::vector<int>{90});
+    EXPECT_TRUE(readScores()["wreck"].top.empty());
+    EXPECT_EQ(readScores()["kelp"].top, std::vector<int>{20});
     ASSERT_TRUE(addScore("reef", 40));
-    EXPECT_EQ(readScores("reef").top, (std::vector<int>{90, 40}));
+    EXPECT_EQ(readScores()["reef"].top, (std::vector<int>{90, 40}));
 }
 
 TEST_F(KeptFiles, ADamagedScoreFileIsLeftAlone) {
     const Path file = folder_ / "shoal/scores.json";
     ASSERT_TRUE(writeFileWhole(file, "[1, 2"));
-    EXPECT_TRUE(readScores("reef").top.empty());
+    EXPECT_TRUE(readScores()["reef"].top.empty());
     EXPECT_FALSE(addScore("reef", 1));
     EXPECT_EQ(readText(file).value(), "[1, 2");
 }

@@ -1,9 +1,9 @@
 // The menus: settings hold at once; every word has its translations; text can be read over white and black.
+#include "game/ui/Menu.h"
 #include "engine/gl/Target.h"
 #include "engine/platform/Window.h"
 #include "game/app/Screens.h"
 #include "game/ui/Hud.h"
-#include "game/ui/MenuControls.h"
 
 #include <GLFW/glfw3.h>
 

@@ -71,6 +71,30 @@ TEST(LeapHands, GoesThroughNoProxy) {
     unsetenv("http_proxy");
 }
 
+TEST(LeapHands, ConnectsToAnAddressInBrackets) {
+    const int listening = socket(AF_INET6, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in6 address{.sin6_family = AF_INET6, .sin6_addr = IN6ADDR_LOOPBACK_INIT};
+    auto* at = reinterpret_cast<sockaddr*>(&address);
+    socklen_t size = sizeof address;
+    if (bind(listening, at, size) != 0 || listen(listening, 8) != 0 ||
+        getsockname(listening, at, &size) != 0) {
+        close(listening);
+        GTEST_SKIP() << "needs IPv6: there is no ::1";
+    }
+    const uint16_t port = ntohs(address.sin6_port);
+    const auto hands = makeLeapTracker({"[::1]", port}, rig());
+    pollfd waiting{listening, POLLIN, 0};
+    EXPECT_EQ(poll(&waiting, 1, 600'000), 1);
+    const int client = accept(listening, nullptr, nullptr);
+    std::array<char, 4096> request{};
+    EXPECT_GT(read(client, request.data(), request.size() - 1), 0);
+    EXPECT_THAT(std::string(request.data()),
+                testing::AllOf(testing::StartsWith("GET /v6.json "),
+                               testing::HasSubstr(" [::1]:" + std::to_string(port) + "\r\n")));
+    close(client);
+    close(listening);
+}
+
 // A program that has the service's port cannot send the client elsewhere.
 TEST(LeapHands, FollowsNoRedirect) {
     media::test::HttpServer other, port;

@@ -192,11 +192,6 @@ HandPose fitted(const HandRig& rig, const Seen& seen, Side side) {
 
 } // namespace
 
-LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
-    : nets_(std::move(nets)), completer_(rig), rig_(rig) {
-    tracks_.reserve(2);
-}
-
 void LandmarkFinder::follow(const cv::Mat& bgr) {
     for (Track& track : tracks_) {
         track.hand = nets_.findLandmarks(bgr, cropAround(track.hand));
@@ -293,12 +288,6 @@ HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
         frame.identity[side] = track.identity;
     }
     return frame;
-}
-
-Result<LandmarkFinder> LandmarkFinder::load(const Path& folder, const HandRig& rig) {
-    auto nets = HandNets::load(folder);
-    if (!nets) return nets.error();
-    return LandmarkFinder(std::move(*nets), rig);
 }
 
 } // namespace shoal::hands

@@ -21,7 +21,11 @@ constexpr float kWebcamFov = 1.05f;
 class LandmarkFinder {
   public:
     // folder: where get_models puts the models.
-    static Result<LandmarkFinder> load(const Path& folder, const HandRig& rig);
+    static Result<LandmarkFinder> load(const Path& folder, const HandRig& rig) {
+        auto nets = HandNets::load(folder);
+        if (!nets) return nets.error();
+        return LandmarkFinder(std::move(*nets), rig);
+    }
 
     // Finds the hands in the next picture, blue first, of any size; camera's frame. time_s rises.
     HandFrame detect(const cv::Mat& bgr, double time_s);
@@ -29,7 +33,9 @@ class LandmarkFinder {
     std::span<const cv::Point2f> marks() const { return marks_; }
 
   private:
-    LandmarkFinder(HandNets nets, const HandRig& rig);
+    LandmarkFinder(HandNets nets, const HandRig& rig) : nets_(std::move(nets)), completer_(rig), rig_(rig) {
+        tracks_.reserve(2);
+    }
 
     struct Track {
         Landmarks hand;

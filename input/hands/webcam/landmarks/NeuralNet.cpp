@@ -152,20 +152,17 @@ class Builder {
         const Tensor &from = in(op, 0), &filter = in(op, 1), &bias = in(op, 2), &to = out(op);
         const Limits limits = limitsOf(options.activation());
         return xnnDefine(graph_, 0, 0, 0, 0, static_cast<uint32_t>(filter.shape[1]),
-                         static_cast<uint32_t>(filter.shape[2]), static_cast<uint32_t>(options.stride_h()),
-                         static_cast<uint32_t>(options.stride_w()), 1, 1, 1, from.shape[3], outChannels...,
-                         limits.low, limits.high, from.id, filter.id, bias.id, to.id,
-                         flagsOf(options.padding()));
+                         static_cast<uint32_t>(filter.shape[2]), options.stride_h(), options.stride_w(), 1, 1,
+                         1, from.shape[3], outChannels..., limits.low, limits.high, from.id, filter.id,
+                         bias.id, to.id, flagsOf(options.padding()));
     }
 
     xnn_status addMaxPool(const Operator& op) {
         const Tensor &from = in(op, 0), &to = out(op);
         const auto& options = *op.options_as_PoolOptions();
         const Limits limits = limitsOf(options.activation());
-        return xnn_define_max_pooling_2d(graph_, 0, 0, 0, 0, static_cast<uint32_t>(options.height()),
-                                         static_cast<uint32_t>(options.width()),
-                                         static_cast<uint32_t>(options.stride_h()),
-                                         static_cast<uint32_t>(options.stride_w()), 1, 1, limits.low,
+        return xnn_define_max_pooling_2d(graph_, 0, 0, 0, 0, options.height(), options.width(),
+                                         options.stride_h(), options.stride_w(), 1, 1, limits.low,
                                          limits.high, from.id, to.id, flagsOf(options.padding()));
     }
 
