@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <thread>
 
 namespace shoal::app {
@@ -92,12 +91,6 @@ Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& sho
     });
     if (!drawn) return drawn.error();
     return true;
-}
-
-MenuSurface FlatDisplay::menuSurface() const {
-    const int eyes = sideBySide() ? 2 : 1;
-    const glm::vec2 size = window_ ? window_->framebufferSize() : options_.look.size;
-    return {size / glm::vec2(eyes, 1), eyes};
 }
 
 std::array<Pointing, 2> FlatDisplay::pointing(const GameSession& session) const {
@@ -221,17 +214,6 @@ const game::Notice* HeadsetDisplay::notice() const {
     if (noRoom_s_ > 0) return &kNoRoom;
     const xr::Tracking& tracking = headset_.tracking();
     return tracking.headTracked && tracking.positionLost ? &kPositionLost : nullptr;
-}
-
-std::optional<float> HeadsetDisplay::eyesAboveFloor_m() const {
-    const xr::Tracking& tracking = headset_.tracking();
-    if (!tracking.headTracked || !tracking.floor_m) return std::nullopt;
-    return tracking.worldFromHead.position.y - *tracking.floor_m;
-}
-
-void HeadsetDisplay::recentre() {
-    headset_.recentre();
-    panel_ = {};
 }
 
 bool HeadsetDisplay::showRoom(bool wanted) {

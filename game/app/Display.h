@@ -92,7 +92,11 @@ class FlatDisplay : public Display {
     double period_s() const override { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;
     void present() override;
-    MenuSurface menuSurface() const override;
+    MenuSurface menuSurface() const override {
+        const int eyes = sideBySide() ? 2 : 1;
+        const glm::vec2 size = window_ ? window_->framebufferSize() : options_.look.size;
+        return {size / glm::vec2(eyes, 1), eyes};
+    }
     std::array<Pointing, 2> pointing(const GameSession& session) const override;
     std::span<const gl::Target> pictures() const override { return targets_; }
 
@@ -203,8 +207,15 @@ class HeadsetDisplay : public Display {
     bool lost() const override { return headset_.lost(); }
     const game::Notice* notice() const override;
     void feed(GameSession& session) override;
-    std::optional<float> eyesAboveFloor_m() const override;
-    void recentre() override;
+    std::optional<float> eyesAboveFloor_m() const override {
+        const xr::Tracking& tracking = headset_.tracking();
+        if (!tracking.headTracked || !tracking.floor_m) return std::nullopt;
+        return tracking.worldFromHead.position.y - *tracking.floor_m;
+    }
+    void recentre() override {
+        headset_.recentre();
+        panel_ = {};
+    }
     bool seesRoom() const override { return headset_.properties().seesRoom; }
     bool showRoom(bool wanted) override;
     Status vibrate(const haptics::HapticFrame& frame, bool paused) override;

@@ -70,12 +70,6 @@ GameSession::GameSession(const SessionConfig& config)
     shown = after;
 }
 
-void GameSession::track(const SessionConfig& config) {
-    tracked.reset();
-    if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
-        tracked.emplace(config.handSource, config.hands, config.rig, config.live);
-}
-
 void GameSession::tick(float share, float ago_s) {
     game::TickInput input;
     if (playedByAPerson(source)) {

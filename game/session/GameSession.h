@@ -44,7 +44,11 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options);
 struct GameSession {
     explicit GameSession(const SessionConfig& config);
     // Sets the tracking device, if a person plays with the mouse.
-    void track(const SessionConfig& config);
+    void track(const SessionConfig& config) {
+        tracked.reset();
+        if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
+            tracked.emplace(config.handSource, config.hands, config.rig, config.live);
+    }
 
     // Writes every tick to that file, from now on until endRecording().
     Status record(const Path& file);

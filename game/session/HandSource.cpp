@@ -162,20 +162,6 @@ std::optional<float> TrackedHands::openHand_m() const {
     return found;
 }
 
-std::array<hands::HandPose, 2> TrackedHands::seen() const {
-    std::array<hands::HandPose, 2> poses{};
-    for (int side = 0; side < 2; ++side)
-        if (hands_.notSeen_s(side) <= hands::kHandLost_s)
-            poses[static_cast<size_t>(side)] = hands_.hand(side).pose();
-    return poses;
-}
-
-std::optional<game::Notice> TrackedHands::needs() const {
-    if (!state_.lacksModels) return std::nullopt;
-    return game::Notice{"To find your hands before the webcam, run once: {}",
-                        hands::handModelScript().string()};
-}
-
 bool ReplaySource::next(game::TickInput& input) {
     if (atEnd()) return false;
     const auto tick = recording.next();

@@ -96,7 +96,13 @@ class TrackedHands {
     }
 
     // Returns the hands that the device sees now, viewer's frame; the others are not tracked.
-    std::array<hands::HandPose, 2> seen() const;
+    std::array<hands::HandPose, 2> seen() const {
+        std::array<hands::HandPose, 2> poses{};
+        for (int side = 0; side < 2; ++side)
+            if (hands_.notSeen_s(side) <= hands::kHandLost_s)
+                poses[static_cast<size_t>(side)] = hands_.hand(side).pose();
+        return poses;
+    }
 
     // Replaces `out` if the device's camera has a newer picture, and returns whether it has. To be called
     // once a frame while the picture is shown.
@@ -109,7 +115,11 @@ class TrackedHands {
     void setHandSize(float size) { tracker_->setHandSize(size); }
 
     // Returns the instruction that the player must follow before the device can find hands; empty: none.
-    std::optional<game::Notice> needs() const;
+    std::optional<game::Notice> needs() const {
+        if (!state_.lacksModels) return std::nullopt;
+        return game::Notice{"To find your hands before the webcam, run once: {}",
+                            hands::handModelScript().string()};
+    }
     // Returns the message to show now: the device in use, or why it is not. Null: none.
     const game::Notice* notice() const {
         constexpr double kShown_s = 4;

@@ -50,7 +50,6 @@ std::optional<int> scoreIn(const Json& entry) {
     return entry.is_number() ? parseNumber(entry.dump(), -kMaxScore, kMaxScore) : std::nullopt;
 }
 
-// Returns the scores of one dive.
 DiveScores scoresIn(const Json& entry) {
     DiveScores scores;
     // Earlier versions kept the best one alone.

@@ -29,12 +29,6 @@ Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup
     return passes;
 }
 
-Result<SceneRenderer> SceneRenderer::make(CreatureModels& creatureModels, const SceneRendererSetup& setup) {
-    auto passes = makePasses(setup);
-    if (!passes) return passes.error();
-    return SceneRenderer(creatureModels, setup, std::move(*passes));
-}
-
 Status SceneRenderer::reloadShaders() {
     auto passes = makePasses(setup_);
     if (!passes) return passes.error();

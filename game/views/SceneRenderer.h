@@ -43,7 +43,11 @@ Look lookOf(const PlayOptions& options, const Environment& environment, float di
 class SceneRenderer final : private render::CompositorScene {
   public:
     // The models must outlive this.
-    static Result<SceneRenderer> make(CreatureModels& creatureModels, const SceneRendererSetup& setup);
+    static Result<SceneRenderer> make(CreatureModels& creatureModels, const SceneRendererSetup& setup) {
+        auto passes = makePasses(setup);
+        if (!passes) return passes.error();
+        return SceneRenderer(creatureModels, setup, std::move(*passes));
+    }
 
     // Compiles all shaders again from their files, between two frames. If one is broken the error says so and
     // the last good ones stay, even if that shows only when an object first needs it.

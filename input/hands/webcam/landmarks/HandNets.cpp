@@ -12,7 +12,6 @@ extern "C" {
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string_view>
 
 namespace shoal::hands {

@@ -7,7 +7,6 @@
 
 #include <opencv2/core.hpp>
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
