@@ -17,6 +17,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -144,7 +145,7 @@ Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
         }
     }
     if (header.orientation != 1) {
-        const ImageRgbF stored = std::move(picture.radianceLin);
+        const ImageRgbF stored = std::exchange(picture.radianceLin, {}); // as empty as its size says
         makeUpright(stored, header.orientation, picture.radianceLin);
     }
     if (!isUniform || exposure[0] != 1) picture.notes.push_back("divided by its exposure " + stated);

@@ -76,9 +76,9 @@ TEST_F(ProgramStatesTest, LosingTheFocusPausesUntilThePlayerGoesOn) {
 TEST_F(ProgramStatesTest, ResultsKeepTheScoreAndLeadToTheTitle) {
     end(120);
     EXPECT_EQ(screens_.top(), Screen::Results);
-    EXPECT_EQ(readScores("reef").top, std::vector<int>{120});
+    EXPECT_EQ(readScores()["reef"].top, std::vector<int>{120});
     states_->update(); // counts once
-    EXPECT_EQ(readScores("reef").top, std::vector<int>{120});
+    EXPECT_EQ(readScores()["reef"].top, std::vector<int>{120});
     const auto request = back();
     ASSERT_TRUE(request);
     EXPECT_EQ(request->kind, Request::Kind::Title);
@@ -99,7 +99,7 @@ TEST_F(ProgramStatesTest, AReplayCannotBePausedOnlyLeft) {
     EXPECT_FALSE(session_.paused);
     EXPECT_TRUE(leaving_);
     end(500); // its score was not played by a person
-    EXPECT_TRUE(readScores("reef").top.empty());
+    EXPECT_TRUE(readScores()["reef"].top.empty());
 }
 
 TEST_F(ProgramStatesTest, TouchedSpeciesComeIntoTheGuide) {

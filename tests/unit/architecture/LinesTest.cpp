@@ -5,7 +5,7 @@ namespace shoal {
 namespace {
 
 // Lower them with the code. Raising one is a decision, not a repair.
-constexpr int kMaxProductLines = 46490, kMaxTestLines = 48280;
+constexpr int kMaxProductLines = 46330, kMaxTestLines = 48710;
 
 // Prints the lines of each folder that has any; returns their sum.
 int linesBelow(const std::set<std::string>& tops) {
