@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 
 Path settingsFile() { return configFolder() / "settings.json"; }
 // A JSON object of each dive's name to its scores, {"top": [...], "last": ...}.
-Path scoreFile() { return scoreFolder() / "scores.json"; }
-Path guideFile() { return scoreFolder() / "guide.json"; }
+Path scoreFile() { return dataFolder() / "scores.json"; }
+Path guideFile() { return dataFolder() / "guide.json"; }
 
 // Returns the JSON object in a file; an empty one if there is no file.
 Result<Json> readObject(const Path& file) {

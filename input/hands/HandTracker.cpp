@@ -6,7 +6,7 @@
 namespace shoal::hands {
 
 Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
-Path handModelFolder() { return scoreFolder() / "models"; }
+Path handModelFolder() { return dataFolder() / "models"; }
 
 void HandStream::push(HandFrame frame) {
     if (frame.seenAt == Clock::time_point()) frame.seenAt = Clock::now();
