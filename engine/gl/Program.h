@@ -42,7 +42,7 @@ class Program {
         glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0][0]);
     }
 
-    // Sets a uniform array of the program in use. name: with "[0]".
+    // Sets a uniform array of the program in use. name: that of the first element, such as "lights[0]".
     void setArray(const char* name, std::span<const float> values) const {
         glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
     }
