@@ -138,7 +138,10 @@ std::vector<std::string> readGuide() {
 }
 
 Status saveGuide(const std::vector<std::string>& species) {
-    return writeFileWhole(guideFile(), Json{{"met", species}}.dump(2) + "\n");
+    auto guide = readObject(guideFile());
+    if (!guide) return guide.error();
+    (*guide)["met"] = species;
+    return writeFileWhole(guideFile(), guide->dump(2) + "\n");
 }
 
 std::vector<Path> filmsAndPhotos() {
