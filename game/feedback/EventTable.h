@@ -82,7 +82,7 @@ constexpr std::array kEventRows = std::to_array<EventRow>({
     {EventKind::Startle, "startle", Text("a fish flees"), Sound::Startle},
     {EventKind::Grab, "grab", {}, Sound::Touch},
     {EventKind::Catch, "catch", Text("caught"), Sound::Catch, 1, 0, {HapticPulse::Where::Hand, 0, 0.8f, 0, 180, 0.18f}},
-    {EventKind::Release, "release", Text("let go"), Sound::Release},
+    {EventKind::Release, "release", {}, Sound::Release},
     {EventKind::Escape, "escape", Text("it slips away"), Sound::Escape},
     {EventKind::Miss, "miss", {}, Sound::Miss},
     {EventKind::MissTooFar, "miss_too_far", Text("too far"), Sound::MissTooFar},
