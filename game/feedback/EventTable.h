@@ -55,8 +55,8 @@ constexpr std::array kSounds = {SHOAL_SOUNDS(SHOAL_SOUND)};
 
 constexpr const SoundRow& rowOf(Sound sound) { return kSounds[static_cast<size_t>(sound)]; }
 
-// A haptic pulse that fades. For an event with a closing speed, amplitude and frequency grow from the first
-// value to the second at kFullSpeed_mps; for others the second counts.
+// A haptic pulse that fades. For an event at one part of a hand, amplitude and frequency grow from the first
+// value to the second at a closing speed of kFullSpeed_mps; for others the second counts.
 struct HapticPulse {
     enum class Where { Nowhere, Part, Hand, Body, HandAndBody };
     Where where = Where::Nowhere;
