@@ -188,10 +188,8 @@ void Audio::setVolume(float volume) {
 }
 
 void Audio::setPaused(bool paused) {
-    if (state_->paused == paused) return;
-    state_->paused = paused;
     State& s = *state_;
-    if (!s.makeCurrent()) return;
+    if (std::exchange(s.paused, paused) == paused || !s.makeCurrent()) return;
     s.setVolume();
     if (paused) {
         s.pausedAt_s = s.played_s();

@@ -71,9 +71,9 @@ class Audio {
     int add(Clip clip);
 
     // Starts, moves and ends sounds; call it once a frame. At most kSources play at once: a new one replaces
-    // the quietest, if that is quieter, else it is left out (an emitter until there is room). Emitters end
-    // with a short fade. An unplugged device is replaced when there is another; meanwhile all is silent. Does
-    // not allocate.
+    // the quietest if it is 1.3 times as loud, else it is left out (an emitter until there is room). Emitters
+    // end with a short fade. An unplugged device is replaced when there is another; meanwhile all is silent.
+    // Allocates only when it opens a device.
     void update(const Listener& listener, std::span<const Sound> emitters, std::span<const Sound> shots);
     static constexpr int kSources = 32;
 
@@ -91,7 +91,7 @@ class Audio {
     void setPaused(bool paused);
 
     // Closes the device and opens the present default one; shots end, emitters start again. On failure all is
-    // silent and update() goes on trying every other second.
+    // silent and update() tries again every two seconds.
     Status reopen();
 
     bool headphones() const; // HRTF is on

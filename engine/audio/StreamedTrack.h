@@ -25,7 +25,7 @@ inline double rateFor(double ahead_s) {
 
 class StreamedTrack {
   public:
-    // Begins in a new context, with which source and buffers end.
+    // Makes the source and its buffers in a new context; they end with it.
     void setUp() {
         source_ = 0; // stays so if the device has no more
         alGenSources(1, &source_);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace shoal::camera {
 
@@ -140,7 +141,7 @@ void CameraResponseEstimator::measureNoise(CameraResponseEstimate& out) {
             std::clamp(static_cast<int>(mean * static_cast<float>(kBrightnesses)), 0, kBrightnesses - 1));
         blocks_[band].fine.push_back(std::sqrt(laplacianSquare(kBlock, luma) / 36));
         blocks_[band].coarse.push_back(std::sqrt(laplacianSquare(kBlock / 2, half) / 36));
-        ++out.flatBlocks[band];
+        ++out.unclippedBlocks[band];
     }
 }
 
@@ -189,7 +190,7 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
     measureLevels(frame, out.response);
 
     for (size_t band = 0; band < kBrightnesses; ++band) {
-        if (out.flatBlocks[band] < kFewBlocks) continue;
+        if (out.unclippedBlocks[band] < kFewBlocks) continue;
         const float fine = std::max(math::quantile(blocks_[band].fine, kFlattest) / kFineLuck, 0.0f);
         const float coarse = std::max(math::quantile(blocks_[band].coarse, kFlattest) / kCoarseLuck, 0.0f);
         const float fineVariance = std::max(fine * fine - kRounding, 0.0f);
@@ -199,7 +200,7 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
     }
     // Bands with too few blocks take the values of the nearest that has enough.
     const auto enough = [&](int band) {
-        return band >= 0 && band < kBrightnesses && out.flatBlocks[band] >= kFewBlocks;
+        return band >= 0 && band < kBrightnesses && out.unclippedBlocks[band] >= kFewBlocks;
     };
     for (int band = 0; band < kBrightnesses; ++band)
         for (int away = 1; !enough(band) && away < kBrightnesses; ++away) {
@@ -287,18 +288,16 @@ void GlareFilter::make(const light::FrameView& frame, Glare& out) {
 void CameraResponseOverTime::follow(const CameraResponseEstimate& estimate, float dt_s) {
     const auto shareIf = [&](bool known) { return known ? math::followShare(dt_s, kFollow_s) : 1.0f; };
     const CameraResponse& seen = estimate.response;
-    const float all = shareIf(begun_);
-    begun_ = true;
+    const float all = shareIf(std::exchange(begun_, true));
     for (size_t band = 0; band < kBrightnesses; ++band) {
         response_.fineNoise[band] += (seen.fineNoise[band] - response_.fineNoise[band]) * all;
         response_.coarseNoise[band] += (seen.coarseNoise[band] - response_.coarseNoise[band]) * all;
     }
     response_.black = glm::mix(response_.black, seen.black, all);
     response_.white = glm::mix(response_.white, seen.white, all);
-    if (estimate.edges >= kFewEdges) {
-        response_.blur_texels += (seen.blur_texels - response_.blur_texels) * shareIf(edgesSeen_);
-        edgesSeen_ = true;
-    }
+    if (estimate.edges >= kFewEdges)
+        response_.blur_texels +=
+            (seen.blur_texels - response_.blur_texels) * shareIf(std::exchange(edgesSeen_, true));
     response_.chromaTexels = seen.chromaTexels;
 }
 

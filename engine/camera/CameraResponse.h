@@ -1,7 +1,7 @@
 // Response of a video's camera and codec, estimated from its frames: blur, noise, levels, glare and chroma
 // subsampling. Values are display-coded, 0 to 1; lengths are texels of the frame at its equator.
 //
-// The estimators allocate nothing after the first frame of a size. One thread at a time.
+// Buffers stay; a frame with more edges or blocks than any before it enlarges them. One thread at a time.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -35,19 +35,19 @@ struct CameraResponse {
 
 // Estimated response; the counts tell how reliable it is.
 struct CameraResponseEstimate {
-    CameraResponse response{.chromaTexels = glm::ivec2(2)}; // not estimated: 4:2:0, unless the decoder knows
+    CameraResponse response{.chromaTexels = glm::ivec2(2)}; // chroma is not estimated: the caller sets it
     int edges = 0;                                          // edges measured; below kFewEdges blur is 0
-    std::array<int, kBrightnesses> flatBlocks{}; // blocks measured for noise; a band without any takes its
-                                                 // neighbour's noise
+    // Blocks without clipped texels; a band with fewer than kFewBlocks takes the noise of the nearest other.
+    std::array<int, kBrightnesses> unclippedBlocks{};
 };
 
 constexpr int kFewEdges = 12;
-constexpr int kFewBlocks = 8; // of a band: fewer probably contain texture
+constexpr int kFewBlocks = 8; // least blocks of a band: of fewer, even the flattest probably shows texture
 
 class CameraResponseEstimator {
   public:
-    // Reads stripes of the frame's middle half, where texels are nearly square (8 % of 2048 x 1024), and for
-    // the levels one texel in 64.
+    // Reads five stripes of the frame's middle half, where a texel is at most 1.4 times as high as it is wide
+    // (8 % of 2048 x 1024), and for the levels one texel in 64 of the middle three quarters.
     CameraResponseEstimate estimate(const light::FrameView& frame);
 
   private:
@@ -100,7 +100,8 @@ class GlareFilter {
 class CameraResponseOverTime {
   public:
     // Takes the estimate of the frame now shown; dt_s: since the last call. The first is used directly, later
-    // ones with a time constant of 2.2 seconds: cameras are not changed in mid-dive. Unknown values stay.
+    // ones with a time constant of 2.2 seconds: cameras are not changed in mid-dive. A frame with fewer than
+    // kFewEdges edges leaves the blur as it is; noise and levels follow every frame.
     void follow(const CameraResponseEstimate& estimate, float dt_s);
 
     // Upper bound of the glare from one frame: the minimum of all frames counts. While no frame gives a

@@ -36,7 +36,7 @@ static Path xdgFolder(const char* variable, const char* fallbackBelowHome) {
 }
 
 Path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config") / "shoal"; }
-Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share") / "shoal"; }
+Path dataFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share") / "shoal"; }
 Path cacheFolder() { return xdgFolder("XDG_CACHE_HOME", ".cache") / "shoal"; }
 
 Path userFolder(UserFolder which) {

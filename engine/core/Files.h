@@ -23,7 +23,7 @@ const Path& dataRoot();
 // $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal, $XDG_CACHE_HOME/shoal; relative values are ignored, as the
 // XDG Base Directory Specification asks. Not created here.
 Path configFolder();
-Path scoreFolder();
+Path dataFolder();
 Path cacheFolder();
 
 // Returns one of the user's folders, whatever its name in their language: from xdg-user-dirs' file
@@ -37,7 +37,7 @@ std::string extensionOf(const Path& file);
 // Reads the whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before
 // memory is taken).
 Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes);
-// Reads at most its first maxBytes.
+// Reads the file's first maxBytes, or all of a smaller file.
 Result<std::vector<uint8_t>> readFileBegin(const Path& file, uint64_t maxBytes);
 Result<std::string> readText(const Path& file, uint64_t maxBytes = 16u << 20);
 

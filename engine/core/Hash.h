@@ -14,7 +14,7 @@ class Hash {
         for (size_t i = 0; i < size; ++i) value_ = (value_ ^ byte[i]) * 0x100000001b3ull;
     }
 
-    // Takes only types without padding, so that equal values hash equally.
+    // Takes only types without padding, so that equal values hash equally, but for 0 and -0.
     template <class T> void add(const T& value) {
         static_assert(std::is_floating_point_v<T> || std::has_unique_object_representations_v<T>);
         bytes(&value, sizeof value);

@@ -10,7 +10,7 @@
 namespace shoal {
 
 struct JsonBounds {
-    int depth;       // depth of nesting: stack
+    int depth;       // levels of nesting: a parser's stack grows with them
     uint64_t values; // a parsed value costs up to some 100 bytes
     uint64_t objects;
 };

@@ -13,8 +13,8 @@ class ThreadPool {
     explicit ThreadPool(int helpers); // threads besides the calling one; may be 0
     ~ThreadPool();                    // finishes the parts in progress, drops those not yet begun
 
-    // The helpers begin to call part(0) to part(parts - 1), each once, in any order. `part` must live until
-    // finish(). Allocates nothing. One loop at a time.
+    // Begins a loop: the helpers, and then finish(), call part(0) to part(parts - 1), each once, in any
+    // order. `part` must live until finish() returns. Allocates nothing. One loop at a time.
     template <class Part> void start(int parts, Part& part) {
         start(
             parts, [](void* context, int k) { (*static_cast<Part*>(context))(k); }, &part);

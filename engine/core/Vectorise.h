@@ -12,8 +12,8 @@
 #define SHOAL_VECTORISE
 #endif
 
-// SHOAL_AVX2 marks functions with AVX2 intrinsics; callers must have checked the processor. Compilers for
-// which it is defined have operators on vectors too. Undefined elsewhere.
+// SHOAL_AVX2 marks functions with AVX2 intrinsics; callers must have checked the processor. Where it is
+// defined, __m256 and its like have operators too, such as +.
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #define SHOAL_AVX2 __attribute__((target("avx2")))

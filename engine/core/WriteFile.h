@@ -3,7 +3,7 @@
 // A file is written under a temporary name in the same folder, synchronised to the disk, then renamed: a
 // reader, a crash or a full disk finds the old file or the new one, never half of one. The temporary name of
 // NAME is .NAME.PID.part; a process that is killed in between leaves that file. Symbolic links are followed
-// and kept; devices, FIFOs and sockets are written to directly.
+// and kept; devices and FIFOs are written to directly.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -25,14 +25,14 @@ struct NamedBytes {
     std::string bytes;
 };
 
-// Writes all files, or none if writing fails: they are renamed only after all have been written under
-// temporary names. Creates the folder.
+// Writes all files under temporary names before it renames the first, so that a full disk replaces none. If a
+// rename fails, the files before it stay replaced. Creates the folder.
 Status writeFolderWhole(const Path& folder, std::span<const NamedBytes> files);
 
 // A file that grows while the program runs, under its final name, so that it survives a crash.
 class GrowingFile {
   public:
-    // Replaces the file, or cuts it to its first `kept` bytes, if above 0, and continues it.
+    // Replaces the file; if kept > 0, keeps that many of its first bytes and appends to them.
     static Result<GrowingFile> open(const Path& file, uint64_t kept = 0);
 
     Status write(std::string_view bytes);
@@ -45,7 +45,7 @@ class GrowingFile {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> out_;
 };
 
-// A file that the user has named, and the option by which.
+// A file that the user names, and the option that names it.
 struct NamedFile {
     std::string option;
     Path file; // empty: not given

@@ -2,21 +2,19 @@
 
 #include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
-#include "shaders/render/Attributes.glsl"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shoal::depth {
 
 namespace {
 
-// Inverse distances of neighbouring texels of a track that differ by more than this are an edge: a slope seen
-// at a small angle differs less.
+// Least difference, in DepthMap's steps, between the inverse distances of two sides of an edge: those of
+// neighbours on a slope seen at a small angle differ less.
 constexpr int kEdge = 8;
 
 // Colours of one surface differ by about this much (of 255, all channels together) due to grain, caustics and
@@ -25,7 +23,7 @@ constexpr float kSameColour = 16;
 
 constexpr size_t kLanes = 16;   // texels of the map that are processed at once
 constexpr float kReach = 1.3f;  // reach of a texel's vote, in texels of the track
-constexpr float kSharpness = 3; // the vote turns while the near side's share changes by 1 / kSharpness
+constexpr float kSharpness = 3; // depth goes from far to near while the near share grows by 1 / kSharpness
 
 // Confidence up to which a distance is ignored, and confidence from which on it counts in full.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
@@ -122,8 +120,8 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
 
 // The ray's point s metres from the eye lies towards dir + eye / s from the camera: the search varies w = 1 /
 // s, which is 0 at infinity. It goes from near to far, each time to where the ray would meet the surface that
-// the film shows towards the point, in steps that miss little. A point a little behind that surface is moved
-// back to it; one far behind it has passed an edge.
+// the film shows towards the point, by FILM_STEP_RAD at most, so that it passes over no wide surface. A point
+// a little behind that surface is moved back to it; one far behind it has passed an edge.
 Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
     struct Point {
         float inverse; // inverse distance from the eye

@@ -12,7 +12,7 @@ namespace shoal::gl {
 
 class PassTimers {
   public:
-    // Attributes all draws during its life to a pass. Scopes may nest. pass: a string literal.
+    // Times all draws during its life, those of scopes inside it too, as a pass. pass: a string literal.
     class Scope {
       public:
         Scope(PassTimers& timers, const char* pass);

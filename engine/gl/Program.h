@@ -42,7 +42,7 @@ class Program {
         glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0][0]);
     }
 
-    // Sets a uniform array of the program in use. name: with "[0]".
+    // Sets a uniform array of the program in use. name: that of the first element, such as "lights[0]".
     void setArray(const char* name, std::span<const float> values) const {
         glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
     }
@@ -75,7 +75,6 @@ class Program {
 
 // GLSL text of one shader stage: the file with its includes resolved, below the version and the defines.
 // Needs no context.
-
 struct ShaderSource {
     std::string text;
     std::vector<std::string> files; // in the order of #line's numbers
@@ -88,7 +87,6 @@ Result<ShaderSource> readShader(const std::string& name, const std::vector<std::
 // One shader pair compiled with different sets of features. Software renderers run both sides of every
 // branch, and graphics cards reserve registers for both, so the preprocessor makes the choices that are known
 // before a draw.
-
 class Variants {
   public:
     Variants() = default;

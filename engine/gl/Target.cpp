@@ -70,7 +70,6 @@ void Target::blitTo(GLuint destination, int x, int width, int height) const {
 void Target::readBgra(std::vector<uint32_t>& pixels) const {
     pixels.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_, height_, GL_BGRA, GL_UNSIGNED_BYTE, pixels.data());
 }
 
@@ -78,7 +77,6 @@ ImageRgba8 Target::read() const {
     resolve();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     ImageRgba8 image(width_, height_);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     const size_t row = static_cast<size_t>(width_) * 4;
     for (int y = 0; y < height_ / 2; ++y)

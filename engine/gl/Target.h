@@ -12,7 +12,7 @@ namespace shoal::gl {
 class Target {
   public:
     Target() = default;
-    // samples: 1 or more, at most what the driver supports.
+    // samples: limited to 1 and to the driver's maximum.
     Target(int width, int height, int samples);
 
     int width() const { return width_; }
@@ -25,8 +25,8 @@ class Target {
     void bindColour() const;
     GLuint framebuffer() const { return drawn_.name(); }
 
-    // Returns the colour texture: linear filter, clamped to its edges. Contains the drawing after resolve(),
-    // which leaves another framebuffer bound.
+    // Returns the colour texture: linear filter, clamped to its edges. With several samples it contains the
+    // drawing only after resolve(), which leaves another framebuffer bound.
     GLuint texture() const { return texture_.name(); }
     void resolve() const;
 
@@ -38,7 +38,7 @@ class Target {
     // are drawn.
     void readBgra(std::vector<uint32_t>& pixels) const;
 
-    // Reads the resolved picture, top row first, premultiplied by alpha.
+    // Resolves, then reads the picture: top row first, premultiplied by alpha.
     ImageRgba8 read() const;
 
   private:

@@ -22,13 +22,13 @@ enum class BlockLoop {
 bool canRun(BlockLoop loop); // on this processor
 BlockLoop fastestBlockLoop();
 
-// Thesis: decodes by radianceFromDisplay() to a relative 2e-4; a step of 8 bits is at least twenty times
-// that. Linear and Auto: decode sRGB. The error is at most 2e-4 of white; relative to the value it is at most
-// 1 % from coded 10 on, where an 8-bit step is 10 %, and 6 % below.
+// Thesis: decodes as radianceFromDisplay() does, with a relative error of at most 2e-4; neighbouring coded
+// values differ by 0.4 % or more. Linear and Auto: decode sRGB. The error is at most 2e-4 of white; relative
+// to the value it is at most 1 % from coded 10 on, where an 8-bit step is 10 %, and 6 % below.
 //
-// out: frame.width / 4 x frame.height / 4, linear radiance. rowWeights: one for each row of the frame, each
-// above 0; the four of a block sum to 1, and are rounded to 2^-15 of the largest. Width and height of the
-// frame: multiples of 4.
+// out: frame.width / 4 x frame.height / 4, linear radiance. rowWeights: one for each row of the frame,
+// above 0. The weights of the four rows of a block count relative to their sum; each is rounded to 2^-15 of
+// the largest. Width and height of the frame: multiples of 4.
 //
 // clipped: for Auto, of the same size as `out`; gets each block's mean of clippedSteps() / kClippedSteps
 // times the row's weight in clippedWeights, 0 to 1 (ClippedLight.h). Rows of blocks whose clippedWeights are

@@ -40,8 +40,9 @@ class CentroidChain {
     const ImageRgbF* base_ = nullptr;
     std::vector<Sampling> samplings_; // widest first
     std::vector<ImageRgbF> levels_;   // of samplings_[1 ..]
-    std::vector<float> row_;          // a row with one texel of its other end on both sides, plus one float
-    std::vector<float> overPole_;     // the row beyond a pole
+    // Scratch: a row, with its last texel before it, and its first and one float behind it for halveRow().
+    std::vector<float> row_;
+    std::vector<float> overPole_; // the row beyond a pole
 };
 
 } // namespace shoal::light

@@ -14,8 +14,9 @@ namespace shoal::light {
 
 namespace {
 
-constexpr float kFullHeight = 0.15f;   // sine of the elevation from which clippedShare() is 1
-constexpr float kGroundNeeded = 0.25f; // cosine-weighted share of the lower hemisphere
+constexpr float kFullHeight = 0.15f; // sine of the elevation from which clippedShare() is 1
+// Cosine-weighted share of the lower hemisphere that must show ground for the ground's gain to count in full.
+constexpr float kGroundNeeded = 0.25f;
 
 // Coded values of a texel's largest channel: up to kLastBlack it shows a covered lens, a tripod's patch or
 // bars; from kFirstSeen on it shows ground.
@@ -23,8 +24,8 @@ constexpr int kLastBlack = 4, kFirstSeen = 12;
 
 constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
-// Exponent of the ground's gain for clipped light at the horizon; it rises to 1 at the zenith. 1 minus it is
-// the exponent of the usual gain.
+// Exponent of the ground's gain for clipped light at the horizon, if enough ground is seen; it rises to 1 at
+// the zenith. ClippedGain::seen multiplies both. The usual gain's exponent is 1 minus the product.
 constexpr float kMinTrust = 0.1f;
 
 // Irradiance added to that of clipped pixels, so that the gain does not jump where few of them are left.
@@ -36,7 +37,7 @@ inline float luminance(float red, float green, float blue) {
     return 0.2126f * red + 0.7152f * green + 0.0722f * blue; // Rec. 709
 }
 
-// Returns each channel's sum over interleaved values. 16 partial sums let compilers vectorise the loop.
+// Returns each channel's sum over interleaved values. 16 partial sums a channel let compilers vectorise.
 template <size_t kChannels> std::array<float, kChannels> sumsOf(const float* values, size_t count) {
     std::array<float, 16 * kChannels> parts{};
     size_t at = 0;
@@ -64,12 +65,13 @@ struct Ground {
     float seen = 0, light = 0;
 };
 
-// Linear values: from `first` on the largest channel makes a texel count, at `white` a channel is clipped.
+// Two ramps of a channel's linear value, 0 to 1: the first rises from 0 at `first` by `perRise` for each
+// unit, the second falls to 0 at `white` by `perFall`.
 struct Ramps {
     float first, perRise, white, perFall;
 };
 
-// Returns the ramps that rise between two coded values and fall from the last unclipped one on.
+// Rise: 0 at the coded value lastWithout, 1 at firstWhole. Fall: 1 at kLastUnclipped, 0 at white.
 Ramps rampsOf(int lastWithout, int firstWhole) {
     const std::array<float, 256>& linear = math::linearOfByte();
     const float first = linear[lastWithout];
@@ -131,7 +133,7 @@ SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Ramps& b
     return colours;
 }
 
-// Every second row of a large picture gives means over half of it that are accurate enough.
+// Returns the step between rows that are read: every second of 256 or more gives accurate enough means.
 int rowStep(int height) { return height >= 256 ? 2 : 1; }
 
 glm::dvec3 ofLuminanceOne(const glm::dvec3& colour) {
@@ -252,12 +254,12 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     };
     measure(1);
     measure(static_cast<float>(kMaxOfMean * radiance));
-    const double below = std::numbers::pi; // the maximum of `seen`
+    constexpr double wholeHemisphere = std::numbers::pi; // the maximum of `seen`
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
         std::clamp(missing / (clippedIrradiance + kFewClipped), 0.0, static_cast<double>(kMaxFromGround));
     return {1 + static_cast<float>(times),
-            static_cast<float>(std::min(1.0, seen / (static_cast<double>(kGroundNeeded) * below)))};
+            static_cast<float>(std::min(1.0, seen / (static_cast<double>(kGroundNeeded) * wholeHemisphere)))};
 }
 
 glm::vec3 clippedTintOf(const ImageRgbF& decoded) {

@@ -85,7 +85,7 @@ class ClippedDensity {
 // Gain of clipped pixels: their radiance, as a multiple of white.
 struct ClippedGain {
     float byGround = kUsualGain; // 1 to 1 + kMaxFromGround
-    float seen = 0;              // 0 to 1: how much ground is visible
+    float seen = 0;              // visible ground as a share of the ground needed, at most 1
 
     float at(float sine) const; // of the elevation
     float of(int row, int height) const;

@@ -185,7 +185,7 @@ FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float
 }
 
 // Computes the light's irradiance on a plane that faces it, beyond what the mean radiance of all other texels
-// would give. Texels at its edge are weighted by their excess over the sphere's mean.
+// would give. A texel counts less near the window's edge, and if it exceeds the sphere's mean by little.
 void LightFinder::weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const {
     const float cosReach = std::cos(reach);
     glm::vec3 bright(0), rest(0);

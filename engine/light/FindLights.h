@@ -3,8 +3,8 @@
 //
 // A texel counts as light if its luminance lies more than sqrt(3) standard deviations above the mean of the
 // sphere (a threshold as in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360
-// Panoramic Videos"), where a linear gradient ends. At most a quarter of any sphere lies above it (Cantelli's
-// inequality), so an overcast sky is no light. A window starts at the brightest texel, shifts to the mode
+// Panoramic Videos"). No part of a linear gradient does, and at most a quarter of any sphere (Cantelli's
+// inequality): an overcast sky is no light. A window starts at the texel with most flux, shifts to the mode
 // (mean shift: Cheng 1995) and adapts its size to the light in it (Bradski 1998, "Computer Vision Face
 // Tracking for Use in a Perceptual User Interface"); spherical moments give the light's position and size.
 //

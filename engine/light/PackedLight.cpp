@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint16_t kOne = 0x3c00; // 1 as a half float
 
-// Rounds a value of 0 .. 65504 to the nearest half float, ties to even. Without branches: loops vectorise.
+// Rounds a value of 0 .. 65504 to the nearest half float, ties to even. It has no branches: loops vectorise.
 inline uint16_t halfFromFloat(float value) {
     const uint32_t bits = std::bit_cast<uint32_t>(value);
     const uint32_t normal = (bits - (112u << 23) + 0xfffu + ((bits >> 13) & 1u)) >> 13;
@@ -40,7 +40,7 @@ void packBordered(const ImageRgbF& map, float factor, int top, HalfImage& atlas)
     const auto texels = [&](int x, int y) { return atlas.at(x + 1, top + 1 + y); };
     for (int y = 0; y < map.height; ++y) packRow(map.at(0, y), map.width, factor, texels(0, y));
     const int half = map.width / 2;
-    for (const int y : {0, map.height - 1}) { // beyond a pole lies its other side
+    for (const int y : {0, map.height - 1}) { // the row beyond a pole is the same row, half a turn on
         const int beyond = y == 0 ? -1 : map.height;
         std::copy_n(texels(0, y), half * 4, texels(half, beyond));
         std::copy_n(texels(half, y), half * 4, texels(0, beyond));
@@ -71,7 +71,7 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
     if (tooBright == TooBright::Scale) {
         float most = kMaxHalf;
         for (const GlossyLevel& level : light.glossy) most = std::max(most, brightest(level.radianceLin));
-        // Coarser levels are means of the first.
+        // The first level has the brightest texel: the others are means of it.
         if (!out.mirrors.empty()) most = std::max(most, brightest(light.radiance.levels[0]));
         out.scale = most / kMaxHalf;
     }

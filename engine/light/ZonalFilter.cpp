@@ -21,7 +21,7 @@ constexpr size_t kSignals = 6; // three channels at frequencies k and width - k,
 
 // Computes out[0 .. 15] for each signal in turn: the sum over `count` input rows of kernel row times signal.
 // step: from one input row to the next, 1, or -1 for the southern half, whose output also counts from the
-// south. Each register width has its own version, because compilers would keep the sums in memory.
+// south. Each register width has its own version: in one for all, compilers would keep the sums in memory.
 #ifdef SHOAL_VERSIONS
 #define SHOAL_TARGET __attribute__((target("arch=x86-64-v4")))
 #define SHOAL_FLOATS 16

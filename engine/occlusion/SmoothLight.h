@@ -19,7 +19,7 @@ struct SmoothLight {
     std::array<glm::vec3, kAxisCount> ahead{}, behind{};
     // All light, the dominant light included, in two bands of spherical harmonics: factors of 1, x, y, z.
     std::array<glm::vec3, 4> even{};
-    // The dominant light, a disc: the excess over twice the mean luminance, near its greatest values.
+    // The dominant light, as a disc: what exceeds twice the mean luminance within 45 degrees of its middle.
     glm::vec3 dominantTowards{0, 1, 0}; // unit
     float dominantShare = 0.1f;         // sin^2 of its half angle
     glm::vec3 dominantRadiance{0};

@@ -16,7 +16,7 @@ namespace shoal::occlusion {
 
 // One layer in one pixel: 64 bits.
 struct ThesisLayer {
-    float depth = 0;     // along the view's direction from the sphere's near side, in pixels
+    float depth = 0;     // along the view, in pixels, from half a pixel before the sphere's near side
     uint32_t normal = 0; // body frame, octahedral, 2 x 16 bits (Directions.h)
 };
 static_assert(sizeof(ThesisLayer) == 8);
@@ -24,11 +24,11 @@ static_assert(sizeof(ThesisLayer) == 8);
 // The views of a body: the faces of a cube around it are divided into cells x cells parts of equal angle;
 // each part has a view along its middle, whose resolution^2 pixels just contain the body's sphere.
 struct ThesisViews {
-    int cells = 5; // views = 6 cells^2: 54 (3), 150 (5), 486 (9)
+    int cells = 5; // number of views: 6 cells^2, so 54 for 3 cells, 150 for 5, 486 for 9
     int resolution = 64;
     Sphere sphere;
 
-    // Returns a scale at which the sphere leaves one pixel free, for points on its edge.
+    // Half a pixel stays free on each side of the sphere, so that points on its edge are inside.
     float pixelsPerMetre() const {
         return sphere.radius > 0 ? static_cast<float>(resolution - 1) / (2 * sphere.radius) : 1.0f;
     }

@@ -56,11 +56,10 @@ Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) 
     return drawCells(picture, layer);
 }
 
-// Uploads new shadows first.
+// Returns the texture of the shadows, uploaded anew if they have changed.
 GLuint BackgroundPass::textureOf(const FilmShadows& shadows) {
-    if (uploadedShadows_ != shadows.version())
+    if (std::exchange(uploadedShadows_, shadows.version()) != shadows.version())
         uploadTexels(shadowTexture_, frameOf(shadows.left()), shadowSize_);
-    uploadedShadows_ = shadows.version();
     return shadowTexture_.name();
 }
 

@@ -18,8 +18,8 @@ class ParticlePass {
         Picture     // the picture without depth: no object hides specks
     };
 
-    // Draws last. time_s places every speck, so equal times give equal pictures. Nearer parts of the film
-    // hide specks.
+    // Draws the specks, after all else. time_s places every speck, so equal times give equal pictures. Nearer
+    // parts of the film hide specks.
     Status draw(On on, const EyePicture& picture, const water::Water& water, double time_s);
 
   private:

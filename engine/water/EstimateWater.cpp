@@ -140,7 +140,8 @@ float WaterEstimator::redLoss(int firstRow, int lastRow) const {
 
 glm::vec3 attenuationFromVeil(const glm::vec3& veilLin) {
     constexpr float kMean_perM = 0.13f; // geometric mean of the channels
-    constexpr float kRed = 1.6f;        // times the mean: within a fifth for water clear enough to dive in
+    // Red's attenuation as a multiple of that mean, within a fifth for water clear enough to dive in.
+    constexpr float kRed = 1.6f;
     constexpr float kMaxGreenToBlue = 1.8f; // bound of their ratio and of its inverse
     const float greenToBlue = std::sqrt(std::max(veilLin.z, 1e-4f) / std::max(veilLin.y, 1e-4f));
     const float root = std::sqrt(std::clamp(greenToBlue, 1 / kMaxGreenToBlue, kMaxGreenToBlue));

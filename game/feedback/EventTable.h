@@ -55,8 +55,8 @@ constexpr std::array kSounds = {SHOAL_SOUNDS(SHOAL_SOUND)};
 
 constexpr const SoundRow& rowOf(Sound sound) { return kSounds[static_cast<size_t>(sound)]; }
 
-// A haptic pulse that fades. For an event with a closing speed, amplitude and frequency grow from the first
-// value to the second at kFullSpeed_mps; for others the second counts.
+// A haptic pulse that fades. For an event at one part of a hand, amplitude and frequency grow from the first
+// value to the second at a closing speed of kFullSpeed_mps; for others the second counts.
 struct HapticPulse {
     enum class Where { Nowhere, Part, Hand, Body, HandAndBody };
     Where where = Where::Nowhere;
@@ -82,7 +82,7 @@ constexpr std::array kEventRows = std::to_array<EventRow>({
     {EventKind::Startle, "startle", Text("a fish flees"), Sound::Startle},
     {EventKind::Grab, "grab", {}, Sound::Touch},
     {EventKind::Catch, "catch", Text("caught"), Sound::Catch, 1, 0, {HapticPulse::Where::Hand, 0, 0.8f, 0, 180, 0.18f}},
-    {EventKind::Release, "release", Text("let go"), Sound::Release},
+    {EventKind::Release, "release", {}, Sound::Release},
     {EventKind::Escape, "escape", Text("it slips away"), Sound::Escape},
     {EventKind::Miss, "miss", {}, Sound::Miss},
     {EventKind::MissTooFar, "miss_too_far", Text("too far"), Sound::MissTooFar},

@@ -133,10 +133,6 @@ void SoundCues::happened(const Event& event) {
     const glm::vec3 position = event.position.value_or(glm::vec3(0));
     play(row.sound, position, gain, !event.position, pitch);
     if (event.kind == EventKind::DiveStart) captions_.clear(); // captions of the last dive
-    // Letting go after the fish was counted needs no caption.
-    if (event.kind == EventKind::Grab) counted_ = false;
-    if (event.kind == EventKind::Catch) counted_ = true;
-    if (event.kind == EventKind::Release && counted_) return;
     if (row.caption) caption(*row.caption, position);
 }
 

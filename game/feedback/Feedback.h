@@ -55,11 +55,10 @@ class SoundCues {
     std::vector<Caption> captions_;
     std::vector<float> quiet_s_; // seconds before each creature may be heard passing again
     float volume_ = 1, touchQuiet_s_ = 0;
-    bool counted_ = false; // the last grab has become a catch
-    float breath_s_;       // seconds until the next breath
-    float enclosure_ = 0;  // follows the snapshot's enclosure without steps
-    int countedDown_ = 0;  // last second counted
-    Random random_;        // random pitches and breaths, apart from the simulation's
+    float breath_s_;      // seconds until the next breath
+    float enclosure_ = 0; // follows the snapshot's enclosure without steps
+    int countedDown_ = 0; // last second counted
+    Random random_;       // random pitches and breaths, apart from the simulation's
 };
 
 // Actuation of every haptic actuator: a fading pulse for each event; and pressing, stroking and the struggle

@@ -26,7 +26,7 @@ struct Route {
     int leader = -1; // index of the fish whose route it follows; its own index if it leads
     float radius = 1, height = 0;
     float cruise_mps = 0.3f;
-    float direction = 1; // +1 circles to the left of looking outward, -1 to the right
+    float direction = 1; // +1: circles to the left for a player who looks at it, -1: to the right
     glm::vec3 wander{0}, wanderGoal{0};
     int wanderTicks = 0;   // ticks until it chooses another direction to wander
     int changeTicks = 0;   // ticks until it chooses another radius and height
@@ -111,7 +111,7 @@ struct Shark : Swimmer {
 
     bool present = false;
     int species = -1;
-    float direction = 1; // +1 circles to the left of looking outward, -1 to the right
+    float direction = 1; // +1: circles to the left for a player who looks at it, -1: to the right
     State state = State::Circle;
     float state_s = 0;      // seconds since the state changed
     float visit_s = 0;      // seconds left of the present visit

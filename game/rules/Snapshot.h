@@ -84,7 +84,7 @@ struct TouchView {
 
 struct HandView {
     bool visible = false;
-    float grip = 0;
+    float grip = 0;                                        // 0 open to 1 fist
     std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
     int holds = -1;                                        // creature id
     float holdProgress = 0;                                // share of kHoldToCatch_s that it has been held

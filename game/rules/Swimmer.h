@@ -175,8 +175,7 @@ inline void startCircling(Swimmer& s, glm::vec3 position, glm::vec3 outward, flo
 
 // Banks a swimmer into its turn: towards `gain` times the yaw rate, at most maxBank, at `rate` 1/s.
 inline void bankIntoTurn(Swimmer& s, float gain, float maxBank, float rate) {
-    const float goal = std::clamp(gain * glm::dot(s.spin, kUp), -maxBank, maxBank);
-    s.bank += (goal - s.bank) * (rate * kDt);
+    s.bank = eased(s.bank, std::clamp(gain * glm::dot(s.spin, kUp), -maxBank, maxBank), rate);
 }
 
 } // namespace shoal::game

@@ -20,8 +20,8 @@ using Json = nlohmann::ordered_json;
 
 Path settingsFile() { return configFolder() / "settings.json"; }
 // A JSON object of each dive's name to its scores, {"top": [...], "last": ...}.
-Path scoreFile() { return scoreFolder() / "scores.json"; }
-Path guideFile() { return scoreFolder() / "guide.json"; }
+Path scoreFile() { return dataFolder() / "scores.json"; }
+Path guideFile() { return dataFolder() / "guide.json"; }
 
 // Returns the JSON object in a file; an empty one if there is no file.
 Result<Json> readObject(const Path& file) {
@@ -154,7 +154,10 @@ std::vector<std::string> readGuide() {
 }
 
 Status saveGuide(const std::vector<std::string>& species) {
-    return writeFileWhole(guideFile(), Json{{"met", species}}.dump(2) + "\n");
+    auto guide = readObject(guideFile());
+    if (!guide) return guide.error();
+    (*guide)["met"] = species;
+    return writeFileWhole(guideFile(), guide->dump(2) + "\n");
 }
 
 void FilmList::look() {

@@ -1,6 +1,6 @@
 // The player's files. Kept between games are settings, in $XDG_CONFIG_HOME/shoal/settings.json, which the
-// command line overrides, and scores, in $XDG_DATA_HOME/shoal/scores.json. A file that cannot be used is left
-// alone.
+// command line overrides, scores, in scores.json of $XDG_DATA_HOME/shoal, and the field guide, in guide.json
+// there. A file that cannot be used is left alone.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -34,7 +34,7 @@ std::map<std::string, DiveScores> readScores();
 // Adds a score; the file is replaced as a whole or not at all, and keeps the other dives' scores.
 Status addScore(const std::string& dive, int score);
 
-// Names of the species that the player has touched, in $XDG_DATA_HOME/shoal/guide.json.
+// The field guide: names of the species that the player has touched.
 std::vector<std::string> readGuide();
 Status saveGuide(const std::vector<std::string>& species);
 

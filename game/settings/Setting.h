@@ -81,7 +81,6 @@ struct Setting {
     Setting& mustBeGiven() { return required = true, *this; }
     Setting& without(std::vector<std::string> others) { return excludes = std::move(others), *this; }
     Setting& with(std::vector<std::string> others) { return needs = std::move(others), *this; }
-
     Setting& offers(std::vector<std::string> some) { return suggestions = std::move(some), *this; }
 
     std::string key() const; // name in the settings file: the option's, without dashes and "no"

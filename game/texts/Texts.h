@@ -370,7 +370,6 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     // Captions
     {"a fish flees", "ein Fisch flieht", "un poisson s’enfuit"},
     {"caught", "gefangen", "attrapé"},
-    {"let go", "losgelassen", "relâché"},
     {"it slips away", "er entgleitet", "il s’échappe"},
     {"it struggles", "er zappelt", "il se débat"},
     {"something large passes", "etwas Großes zieht vorbei", "quelque chose de grand passe"},

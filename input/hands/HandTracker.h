@@ -143,7 +143,7 @@ std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const H
 
 // The script that fetches the models of hands, once, and the folder that it puts them into.
 inline Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
-inline Path handModelFolder() { return scoreFolder() / "models"; }
+inline Path handModelFolder() { return dataFolder() / "models"; }
 
 // A webcam, or a clip of one.
 struct WebcamOptions {

@@ -31,7 +31,7 @@ std::optional<Hit> OllfbThesis::trace(const glm::vec3& origin, const glm::vec3& 
     const int view = nearestCubeDirection(direction, views.cells);
     const glm::mat3& viewFromBody = viewsFromBody_[static_cast<size_t>(view)];
     const glm::vec3 from = views.pixelFromBody(viewFromBody, origin);
-    const glm::vec3 along = viewFromBody * direction; // per pixel's length of the ray
+    const glm::vec3 along = viewFromBody * direction; // per pixel of the ray's length
     const float scale = views.pixelsPerMetre();
     const auto size = static_cast<float>(views.resolution);
     float begin = nearest * scale, end = 4 * size + glm::distance(from, glm::vec3(size / 2));

@@ -65,7 +65,7 @@ TEST_F(XrProgram, TakingTheHeadsetOffPausesUntilAHandCloses) {
 }
 
 TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
-    // Stands elsewhere, turned; then leans to the right by 0.2 m and looks up.
+    // The player stands elsewhere, turned, then leans to the right by 0.2 m and looks up.
     const glm::quat start = glm::angleAxis(0.9f, glm::vec3(0, 1, 0));
     const glm::vec3 at(1, 0.4f, 2), leanView(0.2f, 0, 0);
     const auto put = [this, start, at](glm::vec3 lean, float pitch) {

@@ -24,7 +24,7 @@ const Path kSource = tests::sourceFolder(), kScratch = SHOAL_SCRATCH, kPrefix = 
 
 std::string quoted(const Path& path) { return "'" + path.string() + "'"; }
 
-// Its output ends in the test's own message, if it fails.
+// Runs a command of the shell. If it fails, the test's message holds its output.
 testing::AssertionResult run(const std::string& command) {
     const Path said = kScratch / "said.txt";
     fs::create_directories(kScratch);
@@ -45,8 +45,7 @@ testing::AssertionResult consumerBuilt(const Path& source, const std::string& na
 
 class LightPackage : public testing::Test {
   protected:
-    // Installs anew, so that nothing that a version before installed is found; compiled only where it
-    // changed.
+    // Installs anew, so that no file of an earlier version is found; compiles only what has changed.
     static void SetUpTestSuite() {
         fs::remove_all(kPrefix);
         ASSERT_TRUE(built(kSource / "engine/light", "library", "-DCMAKE_INSTALL_PREFIX=" + quoted(kPrefix)));
@@ -97,9 +96,9 @@ TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
     const double difference = rmse(theirs->picture, ours->picture);
     std::printf("OGRE's picture differs from shoal view's by %.4f root mean square\n", difference);
     RecordProperty("rmse", std::to_string(difference));
-    // 0.0063 here. 0.0043 of it, in squares: OpenCV, which the example reads its video with, decodes colours
-    // 1.1 of 255 off what the standard says. Surfaces agree to a step of 8 bits; the rest is edges and fine
-    // relief, which OGRE draws with 4 samples a pixel and shoal view with 16, and the background's
+    // It was 0.0063. 0.0043 of it (squares add up) is due to OpenCV, with which the example reads its video:
+    // it decodes colours 1.1 of 255 off the standard. Surfaces agree to a step of 8 bits; the rest is edges
+    // and fine relief, which OGRE draws with 4 samples a pixel and shoal view with 16, and the background's
     // coordinates, which are linear in cells there.
     EXPECT_LT(difference, 0.0075);
 }

@@ -163,6 +163,10 @@ TEST_F(KeptFiles, TheFieldGuideRemembers) {
     EXPECT_TRUE(readGuide().empty());
     ASSERT_TRUE(saveGuide({"snapper", "ray"}));
     EXPECT_EQ(readGuide(), (std::vector<std::string>{"snapper", "ray"}));
+    const Path damaged = folder_ / "shoal/guide.json"; // is left alone
+    ASSERT_TRUE(writeFileWhole(damaged, "[1, 2"));
+    EXPECT_FALSE(saveGuide({"ray"}));
+    EXPECT_EQ(readText(damaged).value(), "[1, 2");
 }
 
 // Suggestions for mistyped words.

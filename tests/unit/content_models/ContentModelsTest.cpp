@@ -59,8 +59,8 @@ TEST_P(Animals, FaceForwardAtTheirRealSizeCentredOnTheBody) {
     EXPECT_NEAR(bounds.high.x, -bounds.low.x, 1e-4f * animal.length_m);
 }
 
-// A dive draws some 35 of them on two cores, vertices on one: each is one opaque body and at most one more
-// draw of translucent fins, whose two skins are culled and not both drawn.
+// A dive draws some 35 of them on two cores, vertices on one. So each is one opaque body and at most one more
+// draw of translucent fins, whose two sides are separate skins: culling leaves the one that faces the eye.
 TEST_P(Animals, AreFewAndLeanDraws) {
     const AnimalCase& animal = GetParam();
     const Model model = load(animal.name);
@@ -94,8 +94,8 @@ TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
     ASSERT_GE(lods.size(), 2u);
     EXPECT_LE(lods[0].indices.size(), body.indices.size() * 6 / 10);
     EXPECT_LE(lods[1].indices.size(), body.indices.size() * 35 / 100);
-    // Half the triangles must not show: less than a pixel at 0.6 m (1000 pixels a metre there), for one of
-    // 0.2 m.
+    // The loss of half the triangles must not show: it moves the surface of an animal of 0.2 m by less than a
+    // pixel at 0.6 m, where a metre has 1000 pixels.
     EXPECT_LT(lods[0].error, 0.005f * GetParam().length_m);
     // meshoptimizer 0.22 can give the eyes alone for a small error.
     const auto longest = [&](const std::vector<uint32_t>& vertices) {
@@ -287,9 +287,8 @@ struct HandPoseCase {
 class HandPoses : public testing::TestWithParam<HandPoseCase> {};
 
 // Linear blending squeezes the inside of a bent joint, stretches the webs between fingers and thins what
-// bends. Of the edges, few may go below a quarter or beyond twice their length; measured on these poses: at
-// most 0.22 and 0.32 per cent, and a volume of 0.948 (fist) to 1.024 (fanned) of that at rest: the flesh that
-// went missing in hands that had a sleeve, which does not bend, and were 0.957 of their volume.
+// bends. Few edges may shrink below a quarter of their length or stretch beyond twice it. In these poses at
+// most 0.22 and 0.32 % did, and the volume was 0.948 (fist) to 1.024 (fanned) of that at rest.
 TEST_P(HandPoses, KeepTheFleshOnTheBones) {
     const Model model = load("hand_right");
     const auto rig = tests::valueOf(hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json"));

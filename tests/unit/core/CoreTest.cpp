@@ -302,9 +302,9 @@ TEST_F(Files, SaysWhyItCannotRead) {
 TEST_F(Files, RelativeXdgFoldersAreIgnored) {
     ::setenv("HOME", "/home/diver", 1);
     ::setenv("XDG_DATA_HOME", "relative", 1);
-    EXPECT_EQ(scoreFolder(), "/home/diver/.local/share/shoal");
+    EXPECT_EQ(dataFolder(), "/home/diver/.local/share/shoal");
     ::setenv("XDG_DATA_HOME", "/data", 1);
-    EXPECT_EQ(scoreFolder(), "/data/shoal");
+    EXPECT_EQ(dataFolder(), "/data/shoal");
     ::unsetenv("XDG_DATA_HOME");
 }
 

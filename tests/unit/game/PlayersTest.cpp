@@ -7,8 +7,7 @@
 namespace shoal::player {
 namespace {
 
-// A few of the dives of tests/bench/players: people at a mouse or with tracked hands catch what a game should
-// let them catch. Goals are for 9 of 10 dives; six seeds may miss once.
+// People at a mouse or with tracked hands catch what a game should let them catch.
 
 struct Case {
     const char* name;
@@ -32,7 +31,8 @@ TEST_P(Players, CatchAsManyAsTheyShould) {
         inTime += dive.firstCatch_s <= kind.firstBefore_s;
     }
     // The goal is nine of ten; practised hands reach it in 92 and 93 % of 60 dives from seeds 201 and 5001.
-    // With such chances two of six dives fail in one run of ten, and three in one run of a hundred.
+    // With such chances two or more of six dives fail in one run of ten, three or more in one run of a
+    // hundred.
     EXPECT_GE(met, 4);
     EXPECT_GE(inTime, 5);
 }
@@ -49,8 +49,6 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"PractisedWithHands", {Skill::Practised, Device::Hands, kNormal}, 10, 18, 90},
         Case{"PractisedWithHandsUnassisted", {Skill::Practised, Device::Hands, kNone}, 4, 100, 90}),
     tests::byName);
-
-// The shark in the rooms that the films leave: a few of the dives of tests/bench/player/Shark.cpp.
 
 TEST(SharkRoom, ItStealsKeepsItsDistanceAndSwimsFartherOutThanFish) {
     auto script = tests::valueOf(game::loadScript(dataRoot() / "tests/playthrough/shark_steals.toml"));

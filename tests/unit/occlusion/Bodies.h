@@ -151,7 +151,7 @@ inline glm::vec3 towardsOrigin(const glm::vec3& outwards, const glm::vec3& direc
     return away > 0 ? glm::normalize(n - away * direction) : n;
 }
 
-// Moeller and Trumbore 1997 in double precision, from either side; the nearest beyond `nearest`.
+// A ray's first hit beyond `nearest`, from either side, in double precision: Moeller and Trumbore 1997.
 struct TrueHit {
     double distance = INFINITY;
     glm::vec3 normal{0}; // of the vertices, blended, towards the origin

@@ -9,7 +9,7 @@ namespace {
 
 using tests::filmOf, tests::kGround_m, tests::levelGround, tests::lightAt, tests::toPlane;
 
-// Returns the share of squares of display values that comes through so much water.
+// Returns the share of light that so much water lets through.
 glm::vec3 through(const water::Water& water, float distance_m) {
     return glm::exp(-water.attenuation_perM * distance_m);
 }
@@ -90,8 +90,8 @@ TEST(FilmShadows, OnPlanesAreTheClosedForm) {
         });
         EXPECT_GT(darkest, 0.1);
         ASSERT_GT(counted, 2000);
-        // Steps of the map tilt the normal by 0.05 on average, which is a few hundredths of the share, of
-        // which display values show half; where it tilts it by 0.2, a tenth of it.
+        // The map's rounding tilts the normal by 0.05 on average, which changes the share by a few
+        // hundredths and display values by half of that; where it tilts it by 0.2, the share by a tenth.
         EXPECT_LT(error / (3.0 * counted), 0.004);
         EXPECT_LT(worst, 0.045);
     }
@@ -149,8 +149,8 @@ TEST(FilmShadows, NothingIsShadedBesideTheTiles) {
     }
 }
 
-// Ground 1 m below the camera ends 1.6 m ahead of it; beyond it lies 0.4 m lower. Both are dimmed, each as
-// the closed form has it at its own places: no texel is of neither.
+// Ground 1 m below the camera ends 1.6 m ahead of it; the ground beyond lies 0.4 m lower. Both are dimmed,
+// and no texel by more than the closed form says for its place.
 TEST(FilmShadows, OverAStepFallOnBothSides) {
     const auto distance = [](const glm::vec3& dir) {
         const float near_m = toPlane(dir, {0, 1, 0}, 1), far_m = toPlane(dir, {0, 1, 0}, 1.4f);
@@ -184,7 +184,7 @@ TEST(FilmShadows, DoNotFallThroughWhatTheyFallOn) {
         const float ledge_m = toPlane(dir, {0, 1, 0}, 0.8f);
         return isLedge(ledge_m * dir) ? ledge_m : toPlane(dir, {0, 1, 0}, 1.7f);
     };
-    // Seen below the ledge, at its own distance, is ground that lies under it: 0.9 m lower, up to z = -1.9.
+    // The film shows the lower ground up to z = -1.9, past the ledge's edge at z = -0.9.
     const auto map = filmOf(distance);
     const occlusion::Ellipsoid fish{{0, -0.3f, -1.5f}, glm::mat3(1), {0.1f, 0.1f, 0.2f}};
     const CastingLight light = lightAt(90, 8);
@@ -242,8 +242,9 @@ TEST(FilmShadows, BodiesMultiplyAndFramesBeginAnew) {
 }
 
 struct Steps {
-    float comingIn = 0, ever = 0,
-          most = 0; // largest change while little is taken, at all; most that is taken
+    float comingIn = 0; // largest change in a step while less than 0.025 is taken
+    float ever = 0;     // largest change in any step
+    float most = 0;     // most that is taken
 };
 
 // Measures the share of display values taken in the middle of a body's shadow as it sinks, in 1000 steps.
@@ -393,7 +394,8 @@ struct Patch {
 };
 
 struct Difference {
-    float maximum = 0, light = 0, rays = 0; // of what is hidden; over the ground, square metres
+    float maximum = 0;         // largest difference of the hidden share
+    float light = 0, rays = 0; // hidden share by the closed form and by rays, summed over square metres
 };
 
 Difference compare(const Ellipsoid& body, const CastingLight& light) {
@@ -415,9 +417,8 @@ Difference compare(const Ellipsoid& body, const CastingLight& light) {
     return all;
 }
 
-// The light's disc is not a square, and a product of strips is not a rectangle's share of a disc. This error
-// is largest for a sphere about as large as the light. The steps from slice to slice of a shark show where
-// the light is narrow.
+// The closed form takes the product of two strips' shares of the light's disc for a rectangle's share. The
+// error is largest for a sphere about as large as the light, and for a shark's slices under a narrow light.
 TEST(CastShadow, ASphereAndASharkUnderACapShadeAsRaysFindIt) {
     const Ellipsoid sphere{.half = glm::vec3(0.12f)},
         shark{.centre = {1, 0, -2},

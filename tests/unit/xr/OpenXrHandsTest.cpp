@@ -6,14 +6,14 @@
 namespace shoal::hands {
 namespace {
 
-// Sums and products of a few floats below 3.
+// Rounding of sums and products of a few floats below 3.
 constexpr float kTol = 3e-6f;
 
 using tests::rig;
 
 const xr::Pose kHead{{0.4f, -0.1f, 0.7f}, glm::normalize(glm::quat(0.8f, 0.2f, -0.5f, 0.1f))};
 
-// The hand as a headset would report it: our own, carried into the world.
+// Returns a hand as a headset would report it: with joints in the world frame, without grip and pinch.
 HandPose reported(const HandPose& inView, const xr::Pose& head) {
     HandPose hand = inView;
     for (Joint& joint : hand.joints) {
@@ -69,7 +69,7 @@ TEST(OpenXrHands, AControllerIsHeldAsOpenXrSays) {
         EXPECT_GT(glm::dot(fingers, glm::vec3(0, 0, -1)), 0.95f);
         EXPECT_GT(glm::dot(back, glm::vec3(side == Side::Right ? 1 : -1, 0, 0)), 0.95f);
         EXPECT_GT(hand.joints[5].position.y, hand.joints[25].position.y + 0.05f);
-        // The palm's surface at the grip.
+        // The palm's surface touches the grip.
         const glm::vec3 surface = palm.position - back * palm.radius;
         EXPECT_LT(glm::distance(surface, heldUpright().worldFromGrip->position), kTol);
     }
