@@ -60,7 +60,7 @@ void limitFiles(uint64_t bytes) {
 TEST_F(Faults, SignalsEndADiveInOrder) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const pid_t child = start(draw(
-            {"--hands", script(), "--fps", "30", "--record", file("a.replay"), "--stats", file("s.json")}));
+            {"--hands", script(), "--fps", "10", "--record", file("a.replay"), "--stats", file("s.json")}));
         awaitRecording(child, 2);
         ::kill(child, signal);
         EXPECT_EQ(end(child), 128 + signal) << err();
@@ -75,7 +75,7 @@ TEST_F(Faults, SignalsEndADiveInOrder) {
 
 // A recording up to a crash shows the way to it.
 TEST_F(Faults, AKilledDiveLeavesItsRecording) {
-    const pid_t child = start(draw({"--hands", script(), "--fps", "30", "--record", file("a.replay")}));
+    const pid_t child = start(draw({"--hands", script(), "--fps", "10", "--record", file("a.replay")}));
     awaitRecording(child, 3);
     ::kill(child, SIGKILL);
     EXPECT_EQ(end(child), -SIGKILL);

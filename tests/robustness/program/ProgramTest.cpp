@@ -484,7 +484,8 @@ TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
     const size_t at = bytes.find("\"dart\"");
     ASSERT_NE(at, std::string::npos);
     const std::string model = write("m.glb", bytes.replace(at, 6, "\"a@9\" ")).string();
-    const std::string view = "view " + model + " --out " + (folder_ / "out.png").string() + " --animation ";
+    const std::string view =
+        "view " + model + " --size 64x64 --out " + (folder_ / "out.png").string() + " --animation ";
     EXPECT_EQ(run(view + "a@9").status, 0);
     EXPECT_EQ(run(view + "a@9@0.1").status, 0);
     EXPECT_EQ(run(view + "swim@0.1").status, 0);
