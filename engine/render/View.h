@@ -54,6 +54,21 @@ inline bool sees(const View& view, const Sphere& sphere) {
              beyond(inEye.y, half.y + view.shift.y) || beyond(-inEye.y, half.y - view.shift.y));
 }
 
+// Returns whether the pyramid of `wide` holds that of `view`, where an eye up to 1 cm away counts as the
+// same.
+inline bool holds(const View& wide, const View& view) {
+    constexpr float kSamePlace_m = 0.01f;
+    if (glm::distance(wide.eyeWorld, view.eyeWorld) > kSamePlace_m) return false;
+    const glm::quat wideFromEye = glm::conjugate(wide.worldFromEye) * view.worldFromEye;
+    for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+        const glm::vec3 ray = wideFromEye * glm::vec3(corner * view.halfExtent() + view.shift, -1);
+        if (ray.z >= 0) return false;
+        const glm::vec2 off = glm::abs(glm::vec2(ray) / -ray.z - wide.shift) - wide.halfExtent();
+        if (off.x > 0 || off.y > 0) return false;
+    }
+    return true;
+}
+
 // Decoding of a video's coded values to radiance.
 enum class FrameCoding {
     Srgb,

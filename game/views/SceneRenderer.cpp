@@ -1,6 +1,7 @@
 #include "game/views/SceneRenderer.h"
 
 #include "engine/core/Log.h"
+#include "engine/render/LayerPass.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -82,8 +83,12 @@ void SceneRenderer::castShadows() {
     for (size_t eye = 0; eye < pictures_.size(); ++eye)
         pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
     const uint64_t frame = pictures_[0].environment.frameNumber();
-    // Shadows are made again only for a new frame of the film or another view.
-    if (shadowsOn_.map == map && shadowsOn_.frame == frame && shadowsOn_.from == filmed_) return;
+    // Shadows are made once for a frame of the film, for wider views, within which the head may turn.
+    constexpr float kWider = 1.2f; // 3 to 4 degrees on each side
+    if (shadowsOn_.map == map && shadowsOn_.frame == frame &&
+        std::ranges::equal(shadowsOn_.from, filmed_, render::holds))
+        return;
+    for (render::View& view : filmed_) view = render::widened(view, kWider);
     shadowsOn_.map = map, shadowsOn_.frame = frame, shadowsOn_.from = filmed_;
     const render::NearBodies& bodies = passes_.objects.bodies();
     for (size_t film = 0; film < films; ++film) {
