@@ -65,7 +65,7 @@ void setFile(Source& source, const std::string& file) {
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {
     const Source& source = setup.source;
     if (!source.layer.empty() && source.env.empty())
-        return Error{source.photo + source.video, "has no layers; leave --layer out"};
+        return Error{source.photo + source.video, media::kNoLayers};
     std::unique_ptr<Player> player(new Player(setup));
     const Status opened = !source.photo.empty() ? player->openPhoto(wait)
                           : source.isHdr()      ? player->openHdr()

@@ -4,6 +4,7 @@
 #include "engine/media/MediaKind.h"
 #include "engine/media/PictureHeader.h"
 #include "engine/media/Pictures.h"
+#include "engine/media/SoundTrack.h"
 #include "engine/media/VideoSource.h"
 
 #include <fmt/core.h>
@@ -40,6 +41,13 @@ static std::string depthNote(const Path& film) {
     return fmt::format("; with depth, {}x{}", track->info().width, track->info().height);
 }
 
+// Returns checkVideo()'s clause about a film's sound.
+static std::string soundNote(const Path& film) {
+    const auto sound = SoundTrack::open(film, 0);
+    if (!sound) return "; " + sound.error().reason;
+    return sound->channels() == 2 ? "; sound in stereo" : "; sound of all directions (ambisonics)";
+}
+
 constexpr const char* kTransferNotes[] = {"", " in PQ, lit as measured", " in HLG, lit as measured"};
 
 Result<std::string> checkVideo(const Path& file) {
@@ -68,7 +76,7 @@ Result<std::string> checkVideo(const Path& file) {
         kTransferNotes[static_cast<size_t>(info.transfer)], enumName(info.layout), info.layoutSource);
     message += info.metadata.note();
     if (!info.metadata.isStated()) message += "; does not say that it is a 360-degree video";
-    return message + depthNote(file);
+    return message + soundNote(file) + depthNote(file);
 }
 
 Result<std::string> checkDepthTrack(const Path& file) {

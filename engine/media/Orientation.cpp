@@ -1,5 +1,6 @@
 #include "engine/media/Orientation.h"
 
+#include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -26,6 +27,10 @@ template <class Picture> void makeUpright(const Picture& stored, int orientation
     across ? cv::transpose(from, to) : from.copyTo(to);
     constexpr int kFlips[] = {1, -1, 0}; // after the transposition: left and right, both, upside down
     if (const int step = (known - 1) % 4; step > 0) cv::flip(to, to, kFlips[step - 1]);
+}
+
+std::string uprightNote(int orientation) {
+    return fmt::format("; turned upright from its orientation {}", orientation);
 }
 
 int orientationOf(std::span<const int32_t, 9> matrix) {

@@ -9,10 +9,12 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace shoal::media {
 
 constexpr bool swapsSides(int orientation) { return orientation >= 5; }
+std::string uprightNote(int orientation); // the clause for the person, after "; "
 
 // Makes a stored picture upright; `upright` takes its size. Any number but 1 to 8 counts as 1.
 template <class Picture> void makeUpright(const Picture& stored, int orientation, Picture& upright);

@@ -3,6 +3,7 @@
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
 #include "engine/media/ColourProfile.h"
+#include "engine/media/Orientation.h"
 #include "engine/media/PictureHeader.h"
 
 #include <fmt/core.h>
@@ -128,7 +129,7 @@ void readGPano(std::string_view xmp, PhotoMetadata& m) {
     m.pitch_deg = degrees("PosePitchDegrees");
     m.roll_deg = degrees("PoseRollDegrees");
     m.placement = placementIn(xmp, space);
-    constexpr double kLeastShare = 1.0 / 64; // as of films
+    constexpr double kLeastShare = 1.0 / 64; // of each side: a small photo may not ask for gigabytes
     if (m.placement && (m.placement->width < m.placement->fullWidth * kLeastShare ||
                         m.placement->height < m.placement->fullHeight * kLeastShare))
         m.placement.reset();
@@ -144,7 +145,7 @@ glm::quat PhotoMetadata::envFromPhoto() const {
 
 std::string PhotoMetadata::note() const {
     std::string text;
-    if (orientation != 1) text += fmt::format("; turned upright from its orientation {}", orientation);
+    if (orientation != 1) text = uprightNote(orientation);
     if (placementIgnored)
         text += "; its place in a panorama contradicts itself or is too small, and is ignored";
     if (pitch_deg != 0 || roll_deg != 0)

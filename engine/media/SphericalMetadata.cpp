@@ -3,6 +3,7 @@
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
 #include "engine/media/Decoder.h"
+#include "engine/media/Orientation.h"
 #include "engine/media/PictureHeader.h"
 
 extern "C" {
@@ -146,6 +147,8 @@ SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream
     const bool matroska = std::string_view(input.iformat->name).starts_with("matroska");
     SphericalMetadata m;
     if (stream.codecpar->codec_type != AVMEDIA_TYPE_VIDEO) return m;
+    if (const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9))
+        m.orientation = orientationOf(std::span<const int32_t, 9>(matrix, 9));
     const std::vector<uint8_t> header = headerOf(file, matroska);
     const ByteSpan box = matroska ? ByteSpan() : boxOfSecondVersion(header);
     const auto holds = [&](std::string_view text) { return asText(header).find(text) != text.npos; };
@@ -184,7 +187,8 @@ glm::quat filmFromWorld(const glm::quat& envFromFilm, float yaw) {
 
 std::string SphericalMetadata::note() const {
     std::string text;
-    if (boundsIgnored) text = "; its bounds make no sense, or too large a picture, and are ignored";
+    if (orientation != 1) text = uprightNote(orientation);
+    if (boundsIgnored) text += "; its bounds make no sense, or too large a picture, and are ignored";
     if (!bounds.isWhole())
         text += fmt::format("; covers {:.0f} x {:.0f} of 360 x 180 degrees, and the rest mirrors it",
                             360 * bounds.width(), 180 * bounds.height());

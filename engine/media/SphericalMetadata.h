@@ -35,10 +35,11 @@ struct SphericalMetadata {
     SphereBounds bounds;
     bool boundsIgnored = false;        // the bounds were such that no picture could be placed in them
     glm::quat envFromFilm{1, 0, 0, 0}; // turns the film's sphere as it demands; both have the axes of env
+    int orientation = 1;               // of the stored pictures: see Orientation.h
 
     bool isStated() const { return projection != Projection::Unknown || layout != Layout::Auto; }
-    // Returns what is done to the picture for its bounds and its pose, a clause each after "; "; empty:
-    // nothing.
+    // Returns what is done to the picture for its orientation, bounds and pose, a clause each after "; ";
+    // empty: nothing.
     std::string note() const;
 };
 

@@ -110,9 +110,7 @@ Status VideoSource::reopen() {
 void VideoSource::readInfo() {
     const AVStream& stream = in_.opened();
     const AVCodecParameters& coded = *stream.codecpar;
-    if (const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9))
-        orientation_ = orientationOf(std::span<const int32_t, 9>(matrix, 9));
-    const bool across = swapsSides(orientation_);
+    const bool across = swapsSides(info_.metadata.orientation);
     storedWidth_ = coded.width, storedHeight_ = coded.height;
     info_.width = across ? coded.height : coded.width;
     info_.height = across ? coded.width : coded.height;
@@ -214,12 +212,14 @@ bool VideoSource::retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     constexpr int kMaxLightSide = 1024; // of light that is placed, as of other light
     const int side = std::max(info_.width, info_.height);
     const auto place = [&](auto& stored, auto& upright, auto& whole, int wholeSide) {
-        if (orientation_ != 1) makeUpright(stored, orientation_, isPlaced_ ? upright : whole);
+        if (info_.metadata.orientation != 1)
+            makeUpright(stored, info_.metadata.orientation, isPlaced_ ? upright : whole);
         if (!isPlaced_) return;
         whole.fit(std::max(info_.width * wholeSide / side, 2), std::max(info_.height * wholeSide / side, 2));
-        placeInSphere(orientation_ != 1 ? upright : stored, info_.layout, info_.metadata.bounds, whole);
+        placeInSphere(info_.metadata.orientation != 1 ? upright : stored, info_.layout, info_.metadata.bounds,
+                      whole);
     };
-    if (orientation_ == 1 && !isPlaced_) return in_.decoder.convert(bgr, radianceLin).ok();
+    if (info_.metadata.orientation == 1 && !isPlaced_) return in_.decoder.convert(bgr, radianceLin).ok();
     if (!in_.decoder.convert(stored_, radianceLin ? &storedLin_ : nullptr)) return false;
     place(stored_, upright_, bgr, side);
     if (!radianceLin) return true;

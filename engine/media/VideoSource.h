@@ -36,7 +36,7 @@ class VideoSource {
 
     // Makes `out` hold the planes of the frame grabbed last, if retrieve() neither turns nor places it.
     void share(VideoFrame& out) {
-        if (orientation_ == 1 && !isPlaced_) in_.decoder.share(out);
+        if (info_.metadata.orientation == 1 && !isPlaced_) in_.decoder.share(out);
     }
 
     glm::ivec2 chromaTexels() const { return in_.decoder.chromaTexels(); } // of the frame grabbed last
@@ -60,7 +60,7 @@ class VideoSource {
     Path file_;
     FileDecoder in_; // its frame is shown
     VideoInfo info_;
-    int storedWidth_ = 0, storedHeight_ = 0, orientation_ = 1;
+    int storedWidth_ = 0, storedHeight_ = 0;
     double pixelAspect_ = 1;     // width of an upright pixel by its height
     bool isPlaced_ = false;      // frames are placed in their bounds
     ImageRgb8 stored_, upright_; // scratch

@@ -117,6 +117,7 @@ static Status playUnseen(const PlayOptions& options) {
     const Path film =
         environment.video.empty() ? dataRoot() / "content" / config.dive.video : Path(environment.video);
     const bool still = !environment.photo.empty() || !environment.env.empty();
+    if (!still && !environment.layer.empty()) return Error{film.string(), media::kNoLayers};
     const auto usable = still ? media::checkPicture(environment.photo + environment.env, environment.layer)
                         : !environment.isOwnVideo() ? media::checkVideo(film)
                                                     : Result<std::string>("");

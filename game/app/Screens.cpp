@@ -325,7 +325,8 @@ MenuPage Screens::howToPlayPage() {
                "your hand."),
             in("Esc, the middle mouse button or Start on a gamepad pauses. All keys: Settings, Keys and "
                "buttons."),
-            in("Different species one after the other count two, three and four times. Each dive has three "
+            in("Different species one after the other count two, three, four and five times. Each dive has "
+               "three "
                "goals. Jellyfish sting the hand that closes on them."),
             in("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their way."),
             in("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "

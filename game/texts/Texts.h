@@ -191,11 +191,13 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Tasten und Knöpfe.",
      "Échap, le bouton central de la souris ou Start à la manette met en pause. Toutes les touches : "
      "Réglages, Touches et boutons."},
-    {"Different species one after the other count two, three and four times. Each dive has three goals. "
+    {"Different species one after the other count two, three, four and five times. Each dive has three "
+     "goals. "
      "Jellyfish sting the hand that closes on them.",
-     "Verschiedene Arten nacheinander zählen zwei-, drei- und vierfach. Jeder Tauchgang hat drei Ziele. "
+     "Verschiedene Arten nacheinander zählen zwei-, drei-, vier- und fünffach. Jeder Tauchgang hat drei "
+     "Ziele. "
      "Quallen brennen die Hand, die sich um sie schließt.",
-     "Des espèces différentes à la suite comptent deux, trois et quatre fois. Chaque plongée a trois "
+     "Des espèces différentes à la suite comptent deux, trois, quatre et cinq fois. Chaque plongée a trois "
      "objectifs. Les méduses piquent la main qui se ferme sur elles."},
     {"Close a hand: go on", "Hand schließen: weiter", "Ferme une main : continuer"},
     {"Close both hands: dive again", "Beide Hände schließen: noch einmal tauchen",

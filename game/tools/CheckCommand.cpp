@@ -3,6 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/media/Check.h"
+#include "engine/media/Pictures.h"
 #include "engine/media/live/LivePlayer.h"
 #include "engine/scene/Model.h"
 #include "engine/sim/Recording.h"
@@ -98,6 +99,7 @@ static bool isToml(const std::string& begin) {
 static Verdict checkFile(const Path& file, const std::string& layer) {
     const auto live = media::liveAddress(file.string());
     if (!live) return live.error();
+    if (*live && !layer.empty()) return Error{file.string(), media::kNoLayers};
     if (*live) return media::checkLive(**live);
     if (!layer.empty()) return media::checkMedia(file, layer);
     const auto bytes = readFileBegin(file, 64 << 10);

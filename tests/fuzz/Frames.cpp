@@ -19,13 +19,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             plane->data[i] = data[kHead + at++ % (size - kHead)];
     const media::StatedColour stated{static_cast<AVColorSpace>(data[4] % AVCOL_SPC_NB),
                                      static_cast<AVColorPrimaries>(data[5] % AVCOL_PRI_NB),
-                                     static_cast<AVColorTransferCharacteristic>(data[6] % AVCOL_TRC_NB)};
+                                     static_cast<AVColorTransferCharacteristic>(data[6] % AVCOL_TRC_NB),
+                                     static_cast<AVColorRange>((data[7] >> 2) % AVCOL_RANGE_NB),
+                                     static_cast<AVPixelFormat>(frame->format)};
     const auto colour = media::colourOf(AV_CODEC_ID_AV1, stated, frame->width, frame->height);
     static media::FrameConverter converter;
     ImageRgb8 bgr;
     ImageRgbF light;
-    if (!converter.convert(*frame, colour, (data[7] & 1) != 0, bgr, (data[7] & 2) != 0 ? &light : nullptr))
-        return 0;
+    if (!converter.convert(*frame, colour, bgr, (data[7] & 1) != 0 ? &light : nullptr)) return 0;
     fuzz::expect(bgr.width == frame->width && bgr.height == frame->height);
     for (const float value : light.pixels) fuzz::expect(value >= 0 && value < 1e4f);
     return 0;

@@ -27,8 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         break;
     case 1:
         here(scores), scores(bytes);
-        fuzz::expect(app::readScores("reef").top.size() <= app::DiveScores::kKept);
-        if (app::addScore("reef", 40)) fuzz::expect(app::readScores("reef").last == 40);
+        fuzz::expect(app::readScores()["reef"].top.size() <= app::DiveScores::kKept);
+        if (app::addScore("reef", 40)) fuzz::expect(app::readScores()["reef"].last == 40);
         break;
     default:
         here(guide), guide(bytes);

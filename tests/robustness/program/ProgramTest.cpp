@@ -260,7 +260,8 @@ TEST_F(Program, CheckSaysThatNothingOfAModelWillBeSeen) {
 TEST_F(Program, LayersOfWhatHasNoneAreRefused) {
     const std::string photo = write("photo.ppm", "P6\n2 1\n255\n" + std::string(6, 'x')).string();
     for (const std::string& words :
-         {"check " + photo, "play --headless --photo " + photo, "panorama " + photo + " -o " + photo + ".png",
+         {"check " + photo, std::string("check camera:0"), "play --headless --video " + photo,
+          "play --headless --photo " + photo, "panorama " + photo + " -o " + photo + ".png",
           "light " + photo + " -o " + photo + ".light",
           "check " + (dataRoot() / "content/species.toml").string()})
         expectOneMessage(run(words + " --layer a"), "has no layers; leave --layer out", 1);

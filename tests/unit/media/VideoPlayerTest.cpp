@@ -217,6 +217,9 @@ TEST_F(VideoPlayers, AClipIsTurnedUpright) {
         auto player = opened(file, {.keepPlanes = true});
         const bool isUpright = m == std::array{1, 0, 0, 1};
         EXPECT_EQ(player.waitFor(0)->planes.codes[0] != nullptr, isUpright);
+        const std::string checked = tests::valueOf(checkVideo(file));
+        EXPECT_EQ(checked.find("turned upright") == checked.npos, isUpright) << checked;
+        EXPECT_NE(checked.find("; has no sound"), checked.npos) << checked;
         const ImageRgb8& picture = player.waitFor(0)->pixelsBgr;
         const std::string what = fmt::format("{}", fmt::join(m, " "));
         ASSERT_EQ(std::pair(picture.width, picture.height), m[0] ? std::pair(96, 32) : std::pair(32, 96))

@@ -1,6 +1,7 @@
 // Tests of the samples that are read from a video's sound, and of their place in time.
 #include "engine/media/SoundTrack.h"
 #include "engine/audio/Audio.h"
+#include "engine/media/Check.h"
 #include "tests/Test.h"
 #include "tests/unit/Wav.h"
 
@@ -129,6 +130,7 @@ TEST(SoundTrack, AVideosSoundBeginsWithItsPicture) {
         "\"aevalsrc='if(gte(t,1),0.5*sin(2*PI*1000*t),0)':s=44100:d=4\" -c:v mpeg4 -c:a aac -b:a 96k '" +
         file.path.string() + "' 2>/dev/null";
     if (std::system(command.c_str()) != 0) GTEST_SKIP() << "this ffmpeg cannot make the video";
+    EXPECT_NE(tests::valueOf(checkVideo(file.path)).find("; sound in stereo"), std::string::npos);
     auto track = tests::valueOf(SoundTrack::open(file.path, 4));
     for (const int64_t from : {int64_t{0}, 3 * kSecond / 4}) {
         track.seek(from);
