@@ -113,16 +113,13 @@ static bool isSeen(const PlayOptions& options) {
 static Status playUnseen(const PlayOptions& options) {
     SessionConfig config;
     if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;
-    const EnvironmentOptions& environment = options.environment;
-    const Path film =
-        environment.video.empty() ? dataRoot() / "content" / config.dive.video : Path(environment.video);
-    const bool still = !environment.photo.empty() || !environment.env.empty();
-    if (!still && !environment.layer.empty()) return Error{film.string(), media::kNoLayers};
-    const auto usable = still ? media::checkPicture(environment.photo + environment.env, environment.layer)
-                        : !environment.isOwnVideo() ? media::checkVideo(film)
-                                                    : Result<std::string>("");
+    const environment::Source source = options.environment.orOwn(dataRoot() / "content" / config.dive.video);
+    if (Status s = environment::checkLayer(source); !s) return s;
+    const auto usable = source.video.empty() ? media::checkPicture(source.photo + source.env, source.layer)
+                        : !options.environment.isOwnVideo() ? media::checkVideo(source.video)
+                                                            : Result<std::string>("");
     if (!usable) return usable.error();
-    if (Status s = findFilmSpace(still ? Path() : film, environment, config); !s) return s;
+    if (Status s = findFilmSpace(source.video, options.environment, config); !s) return s;
     DiveRunner runner(config, options, FrameClock::Mode::FixedStep);
     if (!options.record.empty())
         if (Status s = runner.session.record(options.record); !s) return s;
