@@ -232,8 +232,10 @@ struct PlayOptions {
                  "Writes frame times (milliseconds; of pictures, where some are drawn), counts and the state "
                  "hash")
             .takes("FILE.json");
-        table.add("--timedemo", &timedemo,
-                  "Draws as fast as it can, first five seconds to warm up; the video keeps its own rate");
+        table.add(
+            "--timedemo", &timedemo,
+            "Draws as fast as it can, first five seconds to warm up; the video keeps its own rate. Prints "
+            "the time of each part of a frame");
     }
 };
 
