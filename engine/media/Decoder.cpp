@@ -151,7 +151,7 @@ bool FileDecoder::next(int maxPackets) {
         av_packet_unref(packet.get());
         drained = av_read_frame(input.get(), packet.get()) < 0; // the decoder may hold frames still
         if (!drained && packet->stream_index != stream) continue;
-        decoder.send(drained ? nullptr : packet.get());
+        decoder.send(drained ? nullptr : packet.get(), hurries);
         ++sent;
     }
     return true;

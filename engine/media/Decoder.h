@@ -67,6 +67,7 @@ struct FileDecoder {
     Decoder decoder;
     Packet packet = makePacket();
     bool drained = false; // whether the end of the file was sent to the decoder
+    bool hurries = false; // whether next() leaves out pictures that no others refer to
 
     const AVStream& opened() const { return *input->streams[stream]; }
     // Returns the length that the file states; 0 if it does not.

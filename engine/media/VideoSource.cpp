@@ -26,6 +26,9 @@ constexpr int kMaxBadPackets = 4096;      // in a row, without a picture
 constexpr double kLongestPicture_s = 600; // beyond the stated length, a longer step of the stamps is an error
 
 constexpr double kLate = 0.25; // share of a frame by which a picture may come late
+// Near the stated end a seek could land after the real end, and what is left out could be the last picture.
+constexpr int64_t kShortOfEnd = 16;
+constexpr double kKeyFrames_s = 5; // distance of key frames that are not known
 
 static double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
 
@@ -197,7 +200,8 @@ void VideoSource::showAhead() {
     decodeAhead();
 }
 
-bool VideoSource::grab() {
+bool VideoSource::grab(bool hurries) {
+    in_.hurries = hurries && position_ + kShortOfEnd + kMaxThreads < info_.frameCount;
     const double due_s = (static_cast<double>(position_) + kLate) / info_.fps;
     if (!isShowing_ && !hasAhead_) decodeAhead();
     while (hasAhead_ && (!isShowing_ || ahead_s_ <= due_s)) showAhead();
@@ -230,15 +234,37 @@ bool VideoSource::retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     return true;
 }
 
+double VideoSource::stampOf(double number) const {
+    return static_cast<double>(begins_) + std::floor(number / info_.fps / av_q2d(in_.opened().time_base));
+}
+
+int64_t VideoSource::keyFrameBefore(int64_t number) const {
+    AVStream* stream = in_.input->streams[in_.stream];
+    // The index may have times of decoding, so many frames before those of showing, and a seek asks for a
+    // time as much earlier.
+    const int64_t delay = 2 * stream->codecpar->video_delay;
+    const double stamp = stampOf(static_cast<double>(number - delay) + kLate);
+    if (!seekable_ || !(std::abs(stamp) < kMaxStamp)) return 0;
+    const auto entryAt = [&](int flags) {
+        return avformat_index_get_entry_from_timestamp(stream, static_cast<int64_t>(stamp), flags);
+    };
+    int64_t known = 0;
+    if (const AVIndexEntry* key = entryAt(AVSEEK_FLAG_BACKWARD))
+        known = std::lround(static_cast<double>(key->timestamp - begins_) * av_q2d(stream->time_base) *
+                            info_.fps) +
+                delay;
+    const bool isCertain = entryAt(AVSEEK_FLAG_ANY); // the index goes on
+    const int64_t usual = isCertain ? 0 : number - static_cast<int64_t>(kKeyFrames_s * info_.fps);
+    return std::clamp(std::max(known, usual), int64_t{0}, number);
+}
+
 // Seeks to the last key frame at or before this frame; starts further back each time that the container's own
 // search lands after it.
 bool VideoSource::jump(int64_t number) {
-    const double unit_s = av_q2d(in_.opened().time_base);
-    if (!begun_ || begins_ == AV_NOPTS_VALUE || !(unit_s > 0)) return false;
+    if (!begun_ || begins_ == AV_NOPTS_VALUE || !(av_q2d(in_.opened().time_base) > 0)) return false;
     for (int64_t before = 0;; before = 2 * before + 16) {
         const int64_t aim = std::max(int64_t{0}, number - before);
-        const double aim_s = (static_cast<double>(aim) + kLate) / info_.fps;
-        const double stamp = static_cast<double>(begins_) + std::floor(aim_s / unit_s);
+        const double stamp = stampOf(static_cast<double>(aim) + kLate);
         if (!(std::abs(stamp) < kMaxStamp)) return false;
         if (!in_.seek(static_cast<int64_t>(stamp))) return false;
         isShowing_ = false;
@@ -257,8 +283,7 @@ bool VideoSource::jump(int64_t number) {
 
 bool VideoSource::seek(int64_t number) {
     if (number == position_) return true;
-    // Near the stated end a seek could land after the real end, so it stops short and the caller grabs on.
-    constexpr int64_t kShortOfEnd = 16;
+    // It stops short of the end, and the caller grabs on.
     const int64_t safe = std::clamp(number, int64_t{0}, std::max(int64_t{0}, info_.frameCount - kShortOfEnd));
     if (number >= position_ && safe <= position_) return true;
     // All other time stamps count from the first frame's.

@@ -26,8 +26,9 @@ class VideoSource {
     // Number of the frame that the next grab() gives, from 0.
     int64_t position() const { return position_; }
 
-    // Decodes the next frame. Returns false at the end, or if nothing more can be decoded.
-    bool grab();
+    // Decodes the next frame. Returns false at the end, or if nothing more can be decoded. hurries: leaves
+    // out pictures that no others refer to, and gives the one before again.
+    bool grab(bool hurries = false);
 
     // Converts the frame grabbed last, blue first, upright and placed in its bounds, into the image's memory.
     // Returns false if it cannot be converted or has another size than the first. radianceLin: as for
@@ -45,6 +46,10 @@ class VideoSource {
     // position(). Returns false if the file cannot be opened again.
     bool seek(int64_t number);
 
+    // Returns the last key frame at or before this frame, by the file's index, or a frame soon after it;
+    // where the index is not complete, one a few seconds before the frame.
+    int64_t keyFrameBefore(int64_t number) const;
+
   private:
     VideoSource() = default;
     Status reopen(); // errors lack the file's name
@@ -52,6 +57,7 @@ class VideoSource {
     double timeOfAhead() const; // seconds
     void showAhead();
     bool jump(int64_t number);
+    double stampOf(double number) const; // time stamp of a frame
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
     Status readColour();
