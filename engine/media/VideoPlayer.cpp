@@ -189,7 +189,7 @@ struct VideoPlayer::Impl {
 };
 
 Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
-    auto source = VideoSource::open(file, options.layout);
+    auto source = VideoSource::open(file, options.layout, options.decoding);
     if (!source) return source.error();
     auto impl = makeHidden<Impl>(std::move(*source));
     impl->file = file;

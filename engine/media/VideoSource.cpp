@@ -1,5 +1,6 @@
 #include "engine/media/VideoSource.h"
 
+#include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/MediaKind.h"
@@ -20,7 +21,7 @@ namespace shoal::media {
 // Pixels that one thread decodes at least per second, H.264 of a few Mbit/s; each thread needs memory for
 // some pictures.
 constexpr double kPixelsPerThread = 64e6;
-constexpr int kMaxThreads = 8;
+constexpr int kMaxThreads = 16;
 constexpr double kMaxStamp = 9e15;        // exact in double
 constexpr int kMaxBadPackets = 4096;      // in a row, without a picture
 constexpr double kLongestPicture_s = 600; // beyond the stated length, a longer step of the stamps is an error
@@ -73,7 +74,7 @@ static double statedLength(const FileDecoder& in) {
     return read ? static_cast<double>(microseconds) * 1e-6 : in.length_s();
 }
 
-Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
+Result<VideoSource> VideoSource::open(const Path& file, Layout request, Decoding decoding) {
     setUpDecoders();
     const auto kind = mediaKind(file); // a better reason than the decoder's
     if (!kind) return kind.error();
@@ -84,6 +85,7 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
                                         (*kind == MediaKind::Hdr ? "--env" : "--photo")};
     VideoSource source;
     source.file_ = file;
+    source.decoding_ = decoding;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
     SphericalMetadata& stated = source.info_.metadata;
     stated = sphericalMetadata(*source.in_.input, source.in_.opened(), file);
@@ -104,10 +106,12 @@ Status VideoSource::reopen() {
     if (Status opened = in_.openFilm(file_); !opened) return opened;
     const AVCodecParameters& coded = *in_.opened().codecpar;
     const double pixelRate = 1.0 * coded.width * coded.height * rateOf(in_.opened().avg_frame_rate);
-    const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
-    const int threads = static_cast<int>(
-        std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMaxThreads)));
-    return in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads);
+    const bool isSparing = decoding_ == Decoding::Sparing;
+    const double needed = isSparing ? std::min(pixelRate / kPixelsPerThread, 8.0) : kMaxThreads;
+    const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
+                                   std::max(static_cast<int>(std::ceil(needed)), 1));
+    return in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads, kMaxVideoPixels,
+                            decoding_ == Decoding::Card);
 }
 
 void VideoSource::readInfo() {
@@ -175,9 +179,21 @@ void VideoSource::decodeAhead() {
     in_.decoder.exchange(ahead_);
     hasAhead_ = in_.next(kMaxBadPackets);
     in_.decoder.exchange(ahead_);
+    if (in_.decoder.cardFailed()) return leaveCard();
     if (!hasAhead_) return;
     if (!std::exchange(begun_, true)) begins_ = ahead_->best_effort_timestamp;
     ahead_s_ = timeOfAhead();
+}
+
+void VideoSource::leaveCard() {
+    log::info("{}: decoded without a graphics card from here on", file_.string());
+    const int64_t position = position_;
+    decoding_ = Decoding::AllThreads;
+    if (!reopen()) return;
+    if (position == 0) return decodeAhead();
+    seek(position - 1);
+    while (position_ < position && grab()) {
+    }
 }
 
 double VideoSource::timeOfAhead() const {
@@ -239,23 +255,19 @@ double VideoSource::stampOf(double number) const {
 }
 
 int64_t VideoSource::keyFrameBefore(int64_t number) const {
+    if (!seekable_ || !begun_ || begins_ == AV_NOPTS_VALUE) return 0;
     AVStream* stream = in_.input->streams[in_.stream];
     // The index may have times of decoding, so many frames before those of showing, and a seek asks for a
     // time as much earlier.
     const int64_t delay = 2 * stream->codecpar->video_delay;
     const double stamp = stampOf(static_cast<double>(number - delay) + kLate);
-    if (!seekable_ || !(std::abs(stamp) < kMaxStamp)) return 0;
-    const auto entryAt = [&](int flags) {
-        return avformat_index_get_entry_from_timestamp(stream, static_cast<int64_t>(stamp), flags);
-    };
-    int64_t known = 0;
-    if (const AVIndexEntry* key = entryAt(AVSEEK_FLAG_BACKWARD))
-        known = std::lround(static_cast<double>(key->timestamp - begins_) * av_q2d(stream->time_base) *
-                            info_.fps) +
-                delay;
-    const bool isCertain = entryAt(AVSEEK_FLAG_ANY); // the index goes on
+    const auto at = static_cast<int64_t>(std::clamp(stamp, -kMaxStamp, kMaxStamp));
+    const AVIndexEntry* key = avformat_index_get_entry_from_timestamp(stream, at, AVSEEK_FLAG_BACKWARD);
+    const double frames =
+        (key ? static_cast<double>(key->timestamp - begins_) : 0) * av_q2d(stream->time_base) * info_.fps;
+    const bool isCertain = avformat_index_get_entry_from_timestamp(stream, at, AVSEEK_FLAG_ANY); // it goes on
     const int64_t usual = isCertain ? 0 : number - static_cast<int64_t>(kKeyFrames_s * info_.fps);
-    return std::clamp(std::max(known, usual), int64_t{0}, number);
+    return std::clamp(std::max(std::lround(frames) + delay, usual), int64_t{0}, number);
 }
 
 // Seeks to the last key frame at or before this frame; starts further back each time that the container's own

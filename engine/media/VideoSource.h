@@ -19,7 +19,7 @@ class VideoSource {
   public:
     // Checks the kind of file and its stated size before any decoder sees it. Layout::Auto is detected from
     // the metadata, else the frame's shape, else the first frame.
-    static Result<VideoSource> open(const Path& file, Layout request);
+    static Result<VideoSource> open(const Path& file, Layout request, Decoding decoding = Decoding::Sparing);
 
     const VideoInfo& info() const { return info_; }
 
@@ -50,6 +50,9 @@ class VideoSource {
     // where the index is not complete, one a few seconds before the frame.
     int64_t keyFrameBefore(int64_t number) const;
 
+    // Gives the same frames as before, without a graphics card: what follows its failure.
+    void leaveCard();
+
   private:
     VideoSource() = default;
     Status reopen(); // errors lack the file's name
@@ -64,6 +67,7 @@ class VideoSource {
     void findPlace();
 
     Path file_;
+    Decoding decoding_ = Decoding::Sparing;
     FileDecoder in_; // its frame is shown
     VideoInfo info_;
     int storedWidth_ = 0, storedHeight_ = 0;
