@@ -62,10 +62,14 @@ void setFile(Source& source, const std::string& file) {
                                                 : source.video) = file;
 }
 
+Status checkLayer(const Source& source) {
+    if (source.layer.empty() || source.isHdr()) return Done{};
+    return Error{source.photo + source.video, media::kNoLayers};
+}
+
 Result<std::unique_ptr<Player>> Player::open(const Setup& setup, const Wait& wait) {
     const Source& source = setup.source;
-    if (!source.layer.empty() && source.env.empty())
-        return Error{source.photo + source.video, media::kNoLayers};
+    if (const Status s = checkLayer(source); !s) return s.error();
     std::unique_ptr<Player> player(new Player(setup));
     const Status opened = !source.photo.empty() ? player->openPhoto(wait)
                           : source.isHdr()      ? player->openHdr()

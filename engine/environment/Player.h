@@ -43,6 +43,9 @@ struct Source {
 // leaves all three empty.
 void setFile(Source& source, const std::string& file);
 
+// Returns an error if a layer is named for a film or a photo, which have none.
+Status checkLayer(const Source& source);
+
 struct Setup {
     Source source;
     bool drawsDepth = true;     // false: only the game's rules use the video's distances

@@ -10,10 +10,11 @@ namespace {
 constexpr size_t kNone = std::numeric_limits<size_t>::max();
 }
 
-PassTimers::Scope::Scope(PassTimers& timers, const char* pass) : timers_(timers), span_(kNone) {
-    if (timers.groups_) glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass);
-    if (!timers.measured_) return;
-    Frame& frame = timers.frames_[timers.current_];
+PassTimers::Scope::Scope(PassTimers* timers, const char* pass)
+    : timers_(timers), span_(kNone), onThread_(timers ? &timers->onThread_ : nullptr, pass) {
+    if (timers && timers->groups_) glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass);
+    if (!timers || !timers->measured_) return;
+    Frame& frame = timers->frames_[timers->current_];
     span_ = frame.used++;
     if (span_ == frame.spans.size()) frame.spans.push_back({pass, Query::make(), Query::make()});
     frame.spans[span_].pass = pass;
@@ -22,8 +23,8 @@ PassTimers::Scope::Scope(PassTimers& timers, const char* pass) : timers_(timers)
 
 PassTimers::Scope::~Scope() {
     if (span_ != kNone)
-        glQueryCounter(timers_.frames_[timers_.current_].spans[span_].end.name(), GL_TIMESTAMP);
-    if (timers_.groups_) glPopDebugGroup();
+        glQueryCounter(timers_->frames_[timers_->current_].spans[span_].end.name(), GL_TIMESTAMP);
+    if (timers_ && timers_->groups_) glPopDebugGroup();
 }
 
 void PassTimers::read(Frame& frame) {
@@ -49,6 +50,7 @@ void PassTimers::read(Frame& frame) {
 void PassTimers::beginFrame(bool measured) {
     if (!known_) groups_ = epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug");
     known_ = true;
+    onThread_.beginFrame();
     measured_ = measured;
     current_ = (current_ + 1) % frames_.size();
     read(frames_[current_]); // the oldest

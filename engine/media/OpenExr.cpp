@@ -181,15 +181,21 @@ std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Laye
     return notes;
 }
 
-// Returns whether OpenEXRCore reads the headers. Its parser compares each stated size with the file's and its
-// type's, where the classes of C++ take memory for any.
+// Returns whether OpenEXRCore reads the headers without an error. Its parser compares each stated size with
+// the file's and its type's, where the classes of C++ take memory for any. It reports attributes of a wrong
+// size to the handler alone, and leaves them out.
 bool hasSoundHeaders(const Path& file) {
+    bool sound = true;
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    setup.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+    setup.user_data = &sound;
+    setup.error_handler_fn = [](exr_const_context_t context, exr_result_t, const char*) {
+        void* found = nullptr;
+        if (exr_get_user_data(context, &found) == EXR_ERR_SUCCESS) *static_cast<bool*>(found) = false;
+    };
     exr_context_t context = nullptr;
     const bool read = exr_start_read(&context, file.c_str(), &setup) == EXR_ERR_SUCCESS;
     exr_finish(&context);
-    return read;
+    return read && sound;
 }
 
 } // namespace

@@ -53,10 +53,14 @@ bool Compositor::usesLayer(const EyePicture& picture) const {
             layerSize(picture) != picture.size());
 }
 
-void Compositor::chooseTiles(const EyePicture& picture, CompositorScene& scene) {
+// Chooses the tiles with objects, and begins the background.
+void Compositor::prepareBackground(const EyePicture& picture, CompositorScene& scene) {
+    const PartTimes::Scope part(picture.partTimes(), "background");
     const DisplayFrame& frame = picture.environment.displayFrame();
-    tiles_.choose({frame.width, frame.height}, picture.envFromWorld,
-                  scene.visibleSpheres(widened(picture.view, kLayerWidth)), picture.view.eyeWorld);
+    if (drawsIntoTexels(picture))
+        tiles_.choose({frame.width, frame.height}, picture.envFromWorld,
+                      scene.visibleSpheres(widened(picture.view, kLayerWidth)), picture.view.eyeWorld);
+    if (drawsFilm(picture)) background_->prepare(picture, drawsIntoTexels(picture) ? &tiles_ : nullptr);
 }
 
 // Draws objects, and particles in front of them, into the eye's layer.
@@ -71,18 +75,24 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     if (Status s = scene.drawObjects(picture); !s) return s;
     if (Status s = scene.drawParticles(ParticlePass::On::Objects, picture); !s) return s;
     layerOf(picture).end();
-    if (samples_ == 1) layerOf(picture).smoothOutlines();
+    if (samples_ != 1) return Done{};
+    {
+        const PartTimes::Scope part(picture.partTimes(), "wait for the layer");
+        layerOf(picture).pixels();
+    }
+    const PartTimes::Scope part(picture.partTimes(), "outlines");
+    layerOf(picture).smoothOutlines();
     return Done{};
 }
 
-Status Compositor::drawBackground(const EyePicture& picture, CompositorScene& scene) {
+Status Compositor::drawBackground(const EyePicture& picture) {
     if (!drawsFilm(picture)) {
         glClearColor(0, 0, 0, showsFilm(picture) ? 1 : 0);
         glClear(GL_COLOR_BUFFER_BIT);
         return Done{};
     }
     const TexelLayer layer{layerOf(picture), widened(picture.view, kLayerWidth), tiles_, filmed()};
-    const gl::PassTimers::Scope scope(scene.timers(), "background");
+    const gl::PassTimers::Scope scope(picture.timers, "background");
     return background_->draw(picture, drawsIntoTexels(picture) ? &layer : nullptr);
 }
 
@@ -91,8 +101,9 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
     if (usesLayer(picture)) {
         // These particles lie behind the layer's objects; the layer has the particles in front of them.
         if (Status s = scene.drawParticles(ParticlePass::On::Picture, picture); !s) return s;
-        if (!drawsIntoTexels(picture))
-            layerOf(picture).layOver(scene.visibleSpheres(picture.view), picture.view);
+        if (drawsIntoTexels(picture)) return Done{};
+        const PartTimes::Scope part(picture.partTimes(), "compositing");
+        layerOf(picture).layOver(scene.visibleSpheres(picture.view), picture.view);
         return Done{};
     }
     glFlush(); // the background's pixels are drawn while the objects' vertices are shaded
@@ -105,17 +116,17 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
 }
 
 Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye) {
-    if (drawsIntoTexels(eyes[0])) chooseTiles(eyes[0], scene);
-    if (drawsFilm(eyes[0])) background_->prepare(eyes[0], drawsIntoTexels(eyes[0]) ? &tiles_ : nullptr);
+    prepareBackground(eyes[0], scene);
     // Software renderers finish a framebuffer before they begin another, so layers come before all canvases.
     for (const EyePicture& eye : eyes)
         if (usesLayer(eye))
             if (Status s = drawLayer(eye, scene); !s) return s;
+    scene.finishShadows();
     for (const EyePicture& eye : eyes) {
         eye.canvas.bindColour();
-        if (&eye != eyes.data() && drawsIntoTexels(eye)) chooseTiles(eye, scene);
         // The background comes first, though objects hide some of it: testing all depths would cost more.
-        if (Status s = drawBackground(eye, scene); !s) return s;
+        if (Status s = drawBackground(eye); !s) return s;
+        if (&eye != &eyes.back()) prepareBackground((&eye)[1], scene);
         if (Status s = drawForeground(eye, scene); !s) return s;
         if (afterEye) afterEye(eye);
     }

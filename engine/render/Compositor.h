@@ -2,7 +2,6 @@
 // only.
 #pragma once
 
-#include "engine/gl/PassTimers.h"
 #include "engine/render/BackgroundPass.h"
 #include "engine/render/HeadsetPasses.h"
 #include "engine/render/ParticlePass.h"
@@ -21,7 +20,8 @@ class CompositorScene {
     // Draws with depth, which has been cleared. Colours are premultiplied by coverage.
     virtual Status drawObjects(const EyePicture& picture) = 0;
     virtual Status drawParticles(ParticlePass::On on, const EyePicture& picture) = 0;
-    virtual gl::PassTimers& timers() = 0;
+    // Completes the shadows of the pictures that are being drawn, which are cast while layers are drawn.
+    virtual void finishShadows() = 0;
     // Returns spheres that hold all objects in the view, world frame; valid until the next call.
     virtual std::span<const scene::Sphere> visibleSpheres(const View& view) = 0;
 
@@ -66,9 +66,9 @@ class Compositor {
     glm::ivec2 layerSize(const EyePicture& picture) const;
     bool usesLayer(const EyePicture& picture) const;
     LayerPass& layerOf(const EyePicture& picture) { return layers_[static_cast<size_t>(picture.eye)]; }
-    void chooseTiles(const EyePicture& picture, CompositorScene& scene);
+    void prepareBackground(const EyePicture& picture, CompositorScene& scene);
     Status drawLayer(EyePicture picture, CompositorScene& scene);
-    Status drawBackground(const EyePicture& picture, CompositorScene& scene);
+    Status drawBackground(const EyePicture& picture);
     Status drawForeground(const EyePicture& picture, CompositorScene& scene);
 
     Composition composition_ = Composition::BackgroundOnly;

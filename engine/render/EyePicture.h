@@ -1,6 +1,7 @@
 // The input that all passes of an eye's picture share.
 #pragma once
 
+#include "engine/gl/PassTimers.h"
 #include "engine/gl/Target.h"
 #include "engine/render/BackgroundCells.h"
 #include "engine/render/EnvironmentGpu.h"
@@ -30,7 +31,9 @@ struct EyePicture {
     const FilmShadows* shadows = nullptr; // shadows on the film, under the objects; null: none
     SkippedPass skip = SkippedPass::None;
     Surroundings surroundings = Surroundings::Film;
+    gl::PassTimers* timers = nullptr; // for the passes of this picture; null: nobody asks
 
+    PartTimes* partTimes() const { return timers ? &timers->onThread() : nullptr; }
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
     // Returns the shadows if there are any, else null.
     const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }

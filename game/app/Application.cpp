@@ -10,6 +10,8 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 #include <utility>
 #include <variant>
 
@@ -23,8 +25,11 @@ constexpr float kMaxResultsRest_s = 3;    // limit of that wait
 constexpr float kMet_s = 4;               // time for which a new animal in the field guide is named
 // Eye height above the floor that tells tall people who sit from small people who stand.
 constexpr float kStandingEyes_m = 1.35f;
-constexpr double kMinimisedWait_s = 0.25; // time between polls of a minimised window's input
-constexpr double kWarmUp_s = 5;           // length of the warm-up dive before a measured one
+constexpr double kHiddenPeriod_s = 0.25; // time between polls of a minimised window's input
+// Time between pictures behind a menu, and while nothing has been pressed for some time.
+constexpr double kMenuPeriod_s = 1 / 30.0, kQuietPeriod_s = 1 / 15.0;
+constexpr float kQuietAfter_s = 20;
+constexpr double kWarmUp_s = 5; // length of the warm-up dive before a measured one
 
 // Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
 static std::vector<DiveName> divesThereAre() {
@@ -228,8 +233,10 @@ Status Application::frame() {
     if (Status begun = display_->begin(); !begun) return begun;
     GameSession& session = play_->session;
     play_->beginFrame(display_->elapsed_s());
-    readInput();
-    simulate();
+    content_.renderer().timers().beginFrame(options_.frameTimes);
+    PartTimes& parts = content_.renderer().timers().onThread();
+    timed(parts, "input", [&] { readInput(); });
+    timed(parts, "ticks and sound", [&] { simulate(); });
     noteTracker();
     measureHand();
     if (Status done = display_->vibrate(soundAndHaptics_->hapticFrame(), session.paused); !done) return done;
@@ -237,21 +244,47 @@ Status Application::frame() {
     play_->states.update();
     noteMet(metBefore);
     // The video starts, pauses and restarts with the dive.
-    play_->freshVideo =
-        content_.environment().update(play_->clock.video_s(session.shown.time_s), play_->clock.exactVideo());
-    const Result<bool> drawn = draw();
+    play_->freshVideo = timed(parts, "film", [&] {
+        return content_.environment().update(play_->clock.video_s(session.shown.time_s),
+                                             play_->clock.exactVideo());
+    });
+    const bool hidden = window_ && !options_.timedemo && play_->controls.input.minimised &&
+                        display_->audience() != Audience::HeadsetPlayer;
+    pace_.begin();
+    const Result<bool> drawn = hidden ? Result<bool>(false) : draw();
     if (!drawn) return drawn.error();
     if (*drawn && quality_) { // adapts it before waiting for the display
-        glFinish();
-        quality_->frame(play_->clock.sinceBegin_ms());
+        quality_->frame(std::max(play_->clock.sinceBegin_ms(), pace_.card_ms()));
         content_.environment().setLightEvery(quality_->quality().lightEvery);
         statistics_.minScale = std::min(statistics_.minScale, quality_->quality().scale);
     }
-    if (*drawn) display_->present();
-    glFinish();
+    timed(parts, "display and card", [&] {
+        if (*drawn) display_->present();
+        pace_.end(content_.environment().player().live() != nullptr); // its latency is measured
+    });
     measure();
+    rest(hidden);
     if (measured_ && content_.environment().player().live()) play_->clock.waitForLiveVideo();
     return Done{};
+}
+
+// Waits for the next picture's time, if the display has not; a menu answers input at once.
+void Application::rest(bool hidden) {
+    if (!window_ || options_.timedemo || display_->audience() == Audience::HeadsetPlayer) return;
+    const bool menu = play_->states.byPerson() && play_->states.state() != ProgramStates::State::Diving;
+    const bool quiet = quiet_s_ > kQuietAfter_s && !play_->session.tracked;
+    // Displays that wait are a little late at times: then this wait must not cost the next picture.
+    constexpr double kEarly = 0.9;
+    const double period_s = hidden           ? kHiddenPeriod_s
+                            : menu           ? (quiet ? kQuietPeriod_s : kMenuPeriod_s)
+                            : options_.vsync ? kEarly * display_->period_s()
+                                             : 0;
+    const double left_s = period_s - 1e-3 * play_->clock.sinceBegin_ms();
+    if (left_s <= 0) return;
+    if (hidden || menu)
+        window_->wait(left_s);
+    else
+        std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
 }
 
 void Application::readInput() {
@@ -259,9 +292,7 @@ void Application::readInput() {
     ProgramStates& states = play_->states;
     leaving_ |= display_->leaving() || stopSignal != 0;
     if (window_) {
-        const bool still = states.state() != ProgramStates::State::Diving;
         const platform::WindowInput& input = play_->controls.input;
-        if (input.minimised && still) window_->wait(kMinimisedWait_s);
         play_->controls = readControls(*window_, bindings_);
         leaving_ |= input.closing;
         noteDevice();
@@ -298,10 +329,11 @@ void Application::readInput() {
 void Application::noteDevice() {
     const platform::WindowInput& input = play_->controls.input;
     const platform::Gamepad& pad = input.gamepad;
-    if (!input.keysPressed.empty() || input.leftPressed || input.cursorMoved != glm::dvec2(0))
-        byGamepad_ = false;
-    if (!pad.pressed.empty() || pad.leftStick != glm::vec2(0) || pad.rightStick != glm::vec2(0))
-        byGamepad_ = true;
+    const bool byHand = !input.keysPressed.empty() || input.leftPressed || input.cursorMoved != glm::dvec2(0);
+    const bool byPad =
+        !pad.pressed.empty() || pad.leftStick != glm::vec2(0) || pad.rightStick != glm::vec2(0);
+    if (byHand || byPad) byGamepad_ = byPad;
+    quiet_s_ = byHand || byPad ? 0 : quiet_s_ + static_cast<float>(play_->elapsed_s);
 }
 
 void Application::readMenuInput() {
@@ -433,14 +465,13 @@ Result<bool> Application::draw() {
     const bool wantsQuality = options_.quality == QualityControl::Auto && window_ && !options_.timedemo;
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
     const Quality quality = quality_ ? quality_->quality() : Quality();
-    content_.renderer().timers().beginFrame(options_.frameTimes);
     content_.renderer().set(shown, content_.environment(), look());
     const Result<bool> drawn = display_->draw(
         Painter::of(content_.renderer(),
                     [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
                         if (options_.look.skip == render::SkippedPass::Overlay) return;
                         if (photo_ && !photo_->notice) return;
-                        const gl::PassTimers::Scope scope(content_.renderer().timers(), "overlay");
+                        const gl::PassTimers::Scope scope(&content_.renderer().timers(), "overlay");
                         drawHud(part, audience, view, size);
                     }),
         shown, quality.scale);
@@ -451,7 +482,11 @@ Result<bool> Application::draw() {
 
 void Application::measure() {
     const bool first = play_->clock.frame() == 0;
-    if (!first) statistics_.frame_ms.push_back(static_cast<float>(play_->clock.sinceBegin_ms()));
+    if (!first) {
+        for (const PartTimes::Time& time : content_.renderer().timers().onThread().times())
+            statistics_.addPart(time.part, time.ms);
+        statistics_.frame_ms.push_back(static_cast<float>(play_->clock.sinceBegin_ms()));
+    }
     if (play_->freshVideo) {
         statistics_.light_ms.push_back(content_.environment().player().light_ms());
         statistics_.decode_ms.push_back(content_.environment().player().decode_ms());

@@ -2,6 +2,7 @@
 // screen and of dives. Main thread, which has the OpenGL context.
 #pragma once
 
+#include "engine/gl/FramePace.h"
 #include "engine/platform/Window.h"
 #include "game/app/ContentLoader.h"
 #include "game/app/Display.h"
@@ -71,6 +72,7 @@ class Application {
     Status endPlay();
 
     Status frame();
+    void rest(bool hidden);
     void readInput();
     void noteDevice();
     void noteTracker();
@@ -108,6 +110,7 @@ class Application {
     std::optional<Hud> hud_;
     ContentLoader content_{[this](float progress) { return drawLoading(progress); }};
     std::optional<SoundAndHaptics> soundAndHaptics_;
+    gl::FramePace pace_;
     std::optional<DynamicQuality> quality_; // only for a display whose quality may change
     std::optional<Play> play_;
     // While a dive is paused because its headset was lost: seconds until the runtime is asked for it again.
@@ -123,6 +126,7 @@ class Application {
     bool measured_ = true; // false: the present run only warms up
     double volumeShown_s_ = -10;
     bool byGamepad_ = false; // the player's last input came from a gamepad
+    float quiet_s_ = 0;      // seconds since that input
     bool leaving_ = false;
 };
 

@@ -245,15 +245,26 @@ Pointing HeadsetDisplay::pointingOf(size_t side, const hands::HandPose& hand) co
             !bare && headset_.tracking().controllers[side].trigger > kPulled};
 }
 
-Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windowSize) {
-    const auto i = static_cast<size_t>(eye);
-    const gl::Target& target = targets_[i];
+Status HeadsetDisplay::drawEyes(const Painter& painter, glm::ivec2 windowSize) {
+    std::vector<SceneRenderer::Eye> eyes;
+    for (int eye = 0; eye < 2; ++eye) {
+        const gl::Target& target = targets_[static_cast<size_t>(eye)];
+        render::View view = xr::viewOf(headset_.tracking().eyes[static_cast<size_t>(eye)]);
+        view.heightPixels = target.height();
+        eyes.push_back({eye, view, target, surroundings_, headset_.tracking().floor_m});
+    }
+    if (Status drawn = painter.scene(eyes, {}); !drawn) return drawn;
+    for (const SceneRenderer::Eye& eye : eyes)
+        if (Status shown = showEye(eye, painter, windowSize); !shown) return shown;
+    return Done{};
+}
+
+Status HeadsetDisplay::showEye(const SceneRenderer::Eye& drawnEye, const Painter& painter,
+                               glm::ivec2 windowSize) {
+    const int eye = drawnEye.eye;
+    const render::View& view = drawnEye.view;
+    const gl::Target& target = drawnEye.canvas;
     const glm::ivec2 size(target.width(), target.height());
-    render::View view = xr::viewOf(headset_.tracking().eyes[i]);
-    view.heightPixels = size.y;
-    target.bind();
-    const SceneRenderer::Eye toDraw{eye, view, target, surroundings_, headset_.tracking().floor_m};
-    if (Status drawn = painter.scene({&toDraw, 1}, {}); !drawn) return drawn;
     target.bind();
     painter.hud(HudPart::Marks, Audience::HeadsetPlayer, view, size);
     passes_.fade(surroundings_ == render::Surroundings::Room ? kClear : kDark, pause_.fade());
@@ -271,7 +282,7 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     const xr::Picture depth = eye == 0 ? xr::Picture::LeftDepth : xr::Picture::RightDepth;
     const auto depthBuffer = headset_.acquire(depth);
     if (!depthBuffer) return depthBuffer.error();
-    if (Status drawn = painter.depth(toDraw, *depthBuffer); !drawn) return drawn;
+    if (Status drawn = painter.depth(drawnEye, *depthBuffer); !drawn) return drawn;
     planes_ = {view.near_m, view.far_m};
     return headset_.release(depth);
 }
@@ -322,8 +333,7 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
         const glm::ivec2 size =
             glm::max(glm::vec2(headset_.properties().eyeSize) * scale + 0.5f, glm::vec2(16));
         resize(targets_, 2, size, samples_);
-        for (int eye = 0; eye < 2; ++eye)
-            if (Status done = drawEye(eye, painter, windowSize); !done) return done.error();
+        if (Status done = drawEyes(painter, windowSize); !done) return done.error();
         if (windowSize.x > 0 && windowSize.y > 0) {
             glBindFramebuffer(GL_FRAMEBUFFER, 0);
             glViewport(0, 0, windowSize.x, windowSize.y);

@@ -233,7 +233,9 @@ class HeadsetDisplay : public Display {
                    render::HeadsetPasses passes, int samples)
         : window_(&window), rig_(&rig), headset_(std::move(headset)), passes_(std::move(passes)),
           samples_(samples) {}
-    Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
+    Status drawEyes(const Painter& painter, glm::ivec2 windowSize);
+    // Completes an eye's picture and gives it, and its depth, to the headset.
+    Status showEye(const SceneRenderer::Eye& drawnEye, const Painter& painter, glm::ivec2 windowSize);
     Pointing pointingOf(size_t side, const hands::HandPose& hand) const;
     Status drawPanel(const Painter& painter);
     void mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,

@@ -44,11 +44,29 @@ static double quantile(Series series, double share) {
     return static_cast<double>(math::quantile(series, share));
 }
 
-// Prints the times for a person to read: one line, or two with a live video.
+// Prints each part's median time, and its mean in the slowest hundredth of the frames.
+static void printParts(const Statistics& s) {
+    const double slow_ms = quantile(s.frame_ms, 0.99);
+    for (const auto& [part, times_ms] : s.parts) {
+        double sum_ms = 0, count = 0;
+        for (size_t i = 0; i < times_ms.size(); ++i)
+            if (static_cast<double>(s.frame_ms[i]) >= slow_ms)
+                sum_ms += static_cast<double>(times_ms[i]), ++count;
+        std::printf("%24s %7.3f ms, %7.3f ms in the slowest hundredth\n", part, quantile(times_ms, 0.5),
+                    sum_ms / std::max(count, 1.0));
+    }
+    for (const auto& [part, times_ms] :
+         {std::pair("decoding, own thread", &s.decode_ms), {"light, own thread", &s.light_ms}})
+        std::printf("%24s %7.3f ms, %7.3f ms in the slowest hundredth of the film's frames\n", part,
+                    quantile(*times_ms, 0.5), quantile(*times_ms, 0.99));
+}
+
+// Prints the times for a person to read.
 static void printTimes(const Statistics& s, bool live) {
     std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",
                 s.renderer.c_str(), s.frame_ms.size(), quantile(s.frame_ms, 0.5), quantile(s.frame_ms, 0.99),
                 quantile(s.frame_ms, 1));
+    printParts(s);
     if (!live) return;
     std::printf("live: %lld frames shown, %lld passed over; from arrival to picture median %.1f ms, 99th "
                 "percentile %.1f ms; in pictures of the display %.0f and %.0f, at most %.0f\n",
@@ -113,16 +131,13 @@ static bool isSeen(const PlayOptions& options) {
 static Status playUnseen(const PlayOptions& options) {
     SessionConfig config;
     if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;
-    const EnvironmentOptions& environment = options.environment;
-    const Path film =
-        environment.video.empty() ? dataRoot() / "content" / config.dive.video : Path(environment.video);
-    const bool still = !environment.photo.empty() || !environment.env.empty();
-    if (!still && !environment.layer.empty()) return Error{film.string(), media::kNoLayers};
-    const auto usable = still ? media::checkPicture(environment.photo + environment.env, environment.layer)
-                        : !environment.isOwnVideo() ? media::checkVideo(film)
-                                                    : Result<std::string>("");
+    const environment::Source source = options.environment.orOwn(dataRoot() / "content" / config.dive.video);
+    if (Status s = environment::checkLayer(source); !s) return s;
+    const auto usable = source.video.empty() ? media::checkPicture(source.photo + source.env, source.layer)
+                        : !options.environment.isOwnVideo() ? media::checkVideo(source.video)
+                                                            : Result<std::string>("");
     if (!usable) return usable.error();
-    if (Status s = findFilmSpace(still ? Path() : film, environment, config); !s) return s;
+    if (Status s = findFilmSpace(source.video, options.environment, config); !s) return s;
     DiveRunner runner(config, options, FrameClock::Mode::FixedStep);
     if (!options.record.empty())
         if (Status s = runner.session.record(options.record); !s) return s;

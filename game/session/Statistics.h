@@ -3,8 +3,10 @@
 
 #include "engine/media/live/LivePlayer.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shoal::app {
@@ -15,7 +17,9 @@ struct Series : std::vector<float> { // in the order of arrival
 
 struct Statistics {
     std::string renderer;
-    Series frame_ms;                       // without the first frame
+    Series frame_ms; // without the first frame
+    std::vector<std::pair<const char*, Series>>
+        parts;                             // time of each part of a frame (PartTimes.h), as frame_ms
     Series light_ms, decode_ms, upload_ms; // per frame of the video
     // Latency of a live video, from the arrival of a frame's last byte until the picture that first shows it
     // is drawn; and LivePlayer::displayFrames().
@@ -26,6 +30,14 @@ struct Statistics {
     float minScale = 1; // least Quality::scale, see DynamicQuality.h
     int caught = 0, score = 0;
     uint64_t stateHash = 0, ticks = 0;
+
+    // Adds the time of a part of the frame that is measured, before its frame_ms.
+    void addPart(const char* part, float ms) {
+        auto known = std::ranges::find(parts, part, &decltype(parts)::value_type::first);
+        if (known == parts.end()) known = parts.insert(known, {part, {}});
+        known->second.resize(frame_ms.size(), 0); // frames before the part's first
+        known->second.push_back(ms);
+    }
 };
 
 } // namespace shoal::app

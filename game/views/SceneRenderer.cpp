@@ -44,7 +44,6 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     headWorld_ = snapshot.headWorld;
     passes_.objects.begin();
     if (passes_.floorShadows) passes_.floorShadows->begin();
-    floorIsShaded_ = false;
     if (!passes_.compositor.drawsObjects()) return;
     const bool bounces = setup_.skip != render::SkippedPass::Bounce;
     animalLight_.follow(
@@ -70,40 +69,60 @@ std::optional<render::CastingLight> SceneRenderer::castingLight() const {
     return light;
 }
 
-// Casts shadows on the film, but not on one without distances, where they would hang in the water.
+// Begins to cast shadows on the film, on their own thread, but not on a film without distances, where they
+// would hang in the water.
 void SceneRenderer::castShadows() {
     const depth::DepthMap* map = environment_->depth();
     if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room) return;
     const auto light = castingLight();
     if (!light) return;
-    const gl::PassTimers::Scope scope(timers_, "shadows");
+    const gl::PassTimers::Scope scope(&timers_, "shadows");
     filmed_.clear();
     for (const render::EyePicture& picture : pictures_) filmed_.push_back(filmedFrom(picture));
-    const size_t films = pictures_[0].sharesFrame ? 1 : pictures_.size();
-    for (size_t eye = 0; eye < pictures_.size(); ++eye)
-        pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
+    Shadows& to = *shadows_;
+    to.films = pictures_[0].sharesFrame ? 1 : static_cast<int>(pictures_.size());
     const uint64_t frame = pictures_[0].environment.frameNumber();
     // Shadows are made once for a frame of the film, for wider views, within which the head may turn.
     constexpr float kWider = 1.2f; // 3 to 4 degrees on each side
-    if (shadowsOn_.map == map && shadowsOn_.frame == frame &&
-        std::ranges::equal(shadowsOn_.from, filmed_, render::holds))
+    if (to.film.map == map && to.frame == frame && std::ranges::equal(to.from, filmed_, render::holds)) {
+        setShadows();
         return;
-    for (render::View& view : filmed_) view = render::widened(view, kWider);
-    shadowsOn_.map = map, shadowsOn_.frame = frame, shadowsOn_.from = filmed_;
-    const render::NearBodies& bodies = passes_.objects.bodies();
-    for (size_t film = 0; film < films; ++film) {
-        const glm::vec3 camera = films == 1 ? glm::vec3(0) : filmed_[film].eyeWorld;
-        shadows_[film].begin({map, environment_->envFromWorld(), camera}, look_.exposure.frames,
-                             environment_->player().water());
-        const auto eyes = films == 1 ? std::span<const render::View>(filmed_) : std::span(&filmed_[film], 1);
-        for (size_t body = 0; body < bodies.count(); ++body)
-            shadows_[film].add(bodies.ellipsoids(body), *light, eyes);
     }
+    for (render::View& view : filmed_) view = render::widened(view, kWider);
+    to.from = filmed_;
+    to.frame = frame;
+    to.film = {map, environment_->envFromWorld(), glm::vec3(0)};
+    to.coding = look_.exposure.frames;
+    to.water = environment_->player().water();
+    to.light = *light;
+    to.bodies = &passes_.objects.bodies();
+    to.isRunning = true;
+    to.thread.start(to.films, to);
+}
+
+void SceneRenderer::Shadows::operator()(int number) {
+    render::FilmShadows& on = cast[static_cast<size_t>(number)];
+    const std::span<const render::View> all(from), own = all.subspan(static_cast<size_t>(number), 1);
+    on.begin({film.map, film.envFromWorld, films == 1 ? glm::vec3(0) : own[0].eyeWorld}, coding, water);
+    for (size_t body = 0; body < bodies->count(); ++body)
+        on.add(bodies->ellipsoids(body), light, films == 1 ? all : own);
+}
+
+void SceneRenderer::finishShadows() {
+    if (!shadows_->isRunning) return;
+    const gl::PassTimers::Scope scope(&timers_, "wait for shadows");
+    shadows_->thread.finish();
+    shadows_->isRunning = false;
+    setShadows();
+}
+
+void SceneRenderer::setShadows() {
+    for (size_t eye = 0; eye < pictures_.size(); ++eye)
+        pictures_[eye].shadows = &shadows_->cast[shadows_->films == 1 ? 0 : eye];
 }
 
 // Casts the creatures' shadows on the room's floor; the player's hands cast their own.
 void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
-    if (std::exchange(floorIsShaded_, true)) return; // a headset's eyes are drawn one by one
     if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m) return;
     const auto light = castingLight();
     if (!light) return;
@@ -122,7 +141,7 @@ glm::vec3 SceneRenderer::eyeInFilm(const render::View& view) const {
     return environment_->envFromWorld() * view.eyeWorld * std::min(1.0f, kFurthest_m / away);
 }
 
-render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
+render::EyePicture SceneRenderer::pictureOf(const Eye& eye) {
     return {.environment = environment_->gpu(eye.eye),
             .envFromWorld = environment_->envFromWorld(),
             .view = eye.view,
@@ -133,7 +152,8 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
             .filmed = {environment_->player().cameraResponse(), environment_->player().frameIndex()},
             .eyeInFilm = eyeInFilm(eye.view),
             .skip = setup_.skip,
-            .surroundings = eye.surroundings};
+            .surroundings = eye.surroundings,
+            .timers = &timers_};
 }
 
 Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye) {
@@ -142,6 +162,7 @@ Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::
     castShadows();
     if (passes_.floorShadows) castOnFloor(eyes[0].floor_m);
     Status drawn = passes_.compositor.draw(pictures_, *this, afterEye);
+    finishShadows(); // if the drawing has failed before: the thread uses the frame's content
     if (drawn || !beforeReload_) return drawn;
     log::warn("{}", drawn.error().message());
     passes_ = std::move(*beforeReload_); // they draw from the next frame on
@@ -152,13 +173,13 @@ Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::
 Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
     {
-        const gl::PassTimers::Scope scope(timers_, "objects");
+        const gl::PassTimers::Scope scope(&timers_, "objects");
         if (Status drawn = passes_.objects.draw(picture, waterAround(picture), look_.glossy); !drawn)
             return drawn;
     }
     const bool inRoom = picture.surroundings == render::Surroundings::Room;
     if (inRoom && passes_.floorShadows && !passes_.floorShadows->empty()) {
-        const gl::PassTimers::Scope scope(timers_, "shadows");
+        const gl::PassTimers::Scope scope(&timers_, "shadows");
         passes_.floorShadows->draw(picture.view);
     }
     return Done{};
@@ -167,7 +188,7 @@ Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
 Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) {
     const water::Water water = waterAround(picture);
     if (!look_.particles || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
-    const gl::PassTimers::Scope scope(timers_, "particles");
+    const gl::PassTimers::Scope scope(&timers_, "particles");
     return passes_.particles.draw(on, picture, water, time_s_);
 }
 

@@ -2,6 +2,7 @@
 // composed with its picture. The thread of the OpenGL context only.
 #pragma once
 
+#include "engine/core/ThreadPool.h"
 #include "engine/render/Compositor.h"
 #include "engine/render/FilmShadows.h"
 #include "engine/render/FloorShadowPass.h"
@@ -12,6 +13,7 @@
 #include "game/views/Environment.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -81,7 +83,7 @@ class SceneRenderer final : private render::CompositorScene {
     }
 
     const SceneRendererSetup& setup() const { return setup_; }
-    gl::PassTimers& timers() override { return timers_; }
+    gl::PassTimers& timers() { return timers_; }
     int drawCount() const {
         return passes_.objects.drawCount() + 1 + (look_.particles ? 1 : 0) +
                (passes_.floorShadows && !passes_.floorShadows->empty() ? 1 : 0);
@@ -100,9 +102,11 @@ class SceneRenderer final : private render::CompositorScene {
         : creatureModels_(&creatureModels), setup_(setup), passes_(std::move(passes)) {}
     std::optional<render::CastingLight> castingLight() const;
     void castShadows();
+    void setShadows();
+    void finishShadows() override;
     void castOnFloor(std::optional<float> floor_m);
     glm::vec3 eyeInFilm(const render::View& view) const;
-    render::EyePicture pictureOf(const Eye& eye) const;
+    render::EyePicture pictureOf(const Eye& eye);
     water::Water waterAround(const render::EyePicture& picture) const { // none in the player's room
         return picture.surroundings == render::Surroundings::Room ? water::Water()
                                                                   : environment_->player().water();
@@ -122,15 +126,23 @@ class SceneRenderer final : private render::CompositorScene {
     Look look_;
     std::vector<render::EyePicture> pictures_; // scratch
     std::vector<render::View> filmed_;         // scratch: views in the film
-    // Shadows on the film, or on each eye's film.
-    std::array<render::FilmShadows, 2> shadows_;
-    struct Filmed { // the surfaces that shadows_ were cast on
-        const depth::DepthMap* map = nullptr;
+    // Shadows on the film, or on each eye's film, and the input of the thread that casts them.
+    struct Shadows {
+        void operator()(int number); // casts those on one film
+        bool isRunning = false;
+        std::array<render::FilmShadows, 2> cast;
+        int films = 1; // number of those that count
         uint64_t frame = 0;
-        std::vector<render::View> from;
-    } shadowsOn_;
-    std::vector<scene::Sphere> spheres_; // scratch
-    bool floorIsShaded_ = false;         // castOnFloor() has run in this frame
+        render::FilmSurface film;
+        std::vector<render::View> from; // widened
+        render::FrameCoding coding = render::FrameCoding::Srgb;
+        water::Water water;
+        render::CastingLight light;
+        const render::NearBodies* bodies = nullptr;
+        ThreadPool thread{1}; // last: it uses all of the above
+    };
+    std::unique_ptr<Shadows> shadows_ = std::make_unique<Shadows>(); // at an address that stays
+    std::vector<scene::Sphere> spheres_;                             // scratch
     double time_s_ = 0;
     glm::vec3 headWorld_{0};
 };

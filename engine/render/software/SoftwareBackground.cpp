@@ -49,25 +49,27 @@ SoftwareBackground::SoftwareBackground()
     : threadPool_(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4) - 1) {}
 
 void SoftwareBackground::SamplePart::operator()(int part) const {
-    const auto beginOf = [&](int k) { return static_cast<size_t>(k) * pass->states_.size() / kParts; };
+    Eye& eye = *pass->eye_;
+    const auto beginOf = [&](int k) { return static_cast<size_t>(k) * eye.states.size() / kParts; };
     for (size_t k = beginOf(part); k < beginOf(part + 1); ++k)
-        if (const State& state = pass->states_[k]; state.due)
-            sampleCell(state.painted ? pass->painted() : pass->film_.frame, state.sampled,
-                       pass->picture_.data(), pass->film_.size.x);
+        if (const State& state = eye.states[k]; state.due)
+            sampleCell(state.painted ? pass->painted() : eye.film.frame, state.sampled, eye.picture.data(),
+                       eye.film.size.x);
 }
 
-void SoftwareBackground::classify(const EyePicture& picture) {
-    grid_.make(picture.view, film_.envFromRay, film_.size, picture.filmParallax());
-    const glm::vec2 texels(film_.frame.width, film_.frame.height);
-    states_.clear();
-    for (const BackgroundCell& cell : grid_.all()) {
+void SoftwareBackground::classify(const EyePicture& picture, Eye& eye) {
+    const Sampled& film = eye.film;
+    eye.grid.make(picture.view, film.envFromRay, film.size, picture.filmParallax());
+    const glm::vec2 texels(film.frame.width, film.frame.height);
+    eye.states.clear();
+    for (const BackgroundCell& cell : eye.grid.all()) {
         const glm::vec2 right = cell.right * texels / static_cast<float>(cell.high.x - cell.low.x);
         const glm::vec2 up = cell.up * texels / static_cast<float>(cell.high.y - cell.low.y);
         const SampledCell sampled{cell.low, cell.high, cell.first * texels + 0.5f * (right + up) - 0.5f,
                                   right, up};
-        states_.push_back({sampled, !cell.polar && isWithin(film_.frame, sampled)});
+        eye.states.push_back({sampled, !cell.polar && isWithin(film.frame, sampled)});
     }
-    picture_.resize(static_cast<size_t>(film_.size.x) * static_cast<size_t>(film_.size.y));
+    eye.picture.resize(static_cast<size_t>(film.size.x) * static_cast<size_t>(film.size.y));
 }
 
 void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* tiles) {
@@ -80,13 +82,14 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
                        picture.envFromEye(),
                        picture.size(),
                        picture.filmParallax().eyeInFilm};
-    const bool same = !states_.empty() && film == film_;
-    film_ = film;
-    if (!same) classify(picture);
+    eye_ = &eyes_[static_cast<size_t>(picture.eye)];
+    const bool same = !eye_->states.empty() && film == eye_->film;
+    eye_->film = film;
+    if (!same) classify(picture, *eye_);
     const FilmShadows* shadows = picture.seenShadows();
-    for (size_t k = 0; k < states_.size(); ++k) {
-        const BackgroundCell& cell = grid_.all()[k];
-        State& state = states_[k];
+    for (size_t k = 0; k < eye_->states.size(); ++k) {
+        const BackgroundCell& cell = eye_->grid.all()[k];
+        State& state = eye_->states[k];
         state.painted = (shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh())) ||
                         (tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh()));
         state.due = state.here && !state.painted && !state.showsFrame;
@@ -99,27 +102,36 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
 Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* layer) {
     if (!canSample(picture)) return BackgroundPass::draw(picture, layer);
     if (!started_) prepare(picture, layer ? &layer->tiles : nullptr);
-    threadPool_.finish();
+    {
+        const PartTimes::Scope part(picture.partTimes(), "wait for the background");
+        threadPool_.finish();
+    }
     started_ = false;
     drawn_.clear();
     wanted_.assign(FrameTiles::kAll, false);
-    for (size_t k = 0; k < states_.size(); ++k) {
-        const BackgroundCell& cell = grid_.all()[k];
-        State& state = states_[k];
+    const FilmShadows* shadows = picture.seenShadows(); // may have been cast since prepare()
+    for (size_t k = 0; k < eye_->states.size(); ++k) {
+        const BackgroundCell& cell = eye_->grid.all()[k];
+        State& state = eye_->states[k];
+        state.painted |= shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh());
         if (!state.here)
             drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
         state.due = state.here && state.painted;
         if (!state.due) continue;
         state.showsFrame = false;
-        want(layer ? layer->tiles : picture.shadows->tiles(), cell);
+        want(layer ? layer->tiles : shadows->tiles(), cell);
     }
-    paintFrame(picture, layer);
-    threadPool_.parallelFor(kParts, samplePart_);
-    if (drawn_.size() < states_.size()) {
+    {
+        const PartTimes::Scope part(picture.partTimes(), "compositing");
+        paintFrame(picture, layer);
+        threadPool_.parallelFor(kParts, samplePart_);
+    }
+    if (drawn_.size() < eye_->states.size()) {
+        const PartTimes::Scope part(picture.partTimes(), "upload");
         glBindTexture(GL_TEXTURE_2D, picture.canvas.texture());
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, film_.size.x, film_.size.y, GL_BGRA, GL_UNSIGNED_BYTE,
-                        picture_.data());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, eye_->film.size.x, eye_->film.size.y, GL_BGRA,
+                        GL_UNSIGNED_BYTE, eye_->picture.data());
     }
     return drawCells(picture, layer);
 }
@@ -147,7 +159,7 @@ void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer*
     tiles_.clear();
     FrameTiles::eachOf(wanted_, [&](const glm::ivec2& tile) { tiles_.push_back(tile); });
     if (tiles_.empty()) return;
-    const DisplayFrame& frame = film_.frame;
+    const DisplayFrame& frame = eye_->film.frame;
     const glm::ivec2 size(frame.width, frame.height);
     if (size != texelsSize_) {
         texelsSize_ = size;

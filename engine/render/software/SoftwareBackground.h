@@ -7,6 +7,7 @@
 #include "engine/render/BackgroundPass.h"
 #include "engine/render/software/FrameSampler.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -20,8 +21,8 @@ class SoftwareBackground final : public BackgroundPass {
     SoftwareBackground();
 
     // Begins to sample the cells without objects and shadows, on helper threads, while OpenGL still draws the
-    // objects. Cells of an earlier picture of the same frame and view are kept: the second eye's picture, and
-    // pictures until the film's next frame, differ only by objects.
+    // objects. Cells of an eye's earlier picture of the same frame and view are kept: until the film's next
+    // frame, pictures at rest differ only by objects.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
     Status draw(const EyePicture& picture, const TexelLayer* layer) override;
 
@@ -38,26 +39,30 @@ class SoftwareBackground final : public BackgroundPass {
     struct State { // of a cell
         SampledCell sampled;
         bool here = false;       // whether it is sampled here; otherwise OpenGL draws it
-        bool showsFrame = false; // whether picture_ shows it without shadows and objects
+        bool showsFrame = false; // whether the picture shows it without shadows and objects
         bool painted = false;    // whether there may be shadows or objects in it
         bool due = false;        // whether it is sampled next
     };
     static constexpr int kParts = 32; // of the cells, for threads
-    struct SamplePart {               // samples the due cells of a part
+    struct Eye {
+        Sampled film;
+        BackgroundCells grid;
+        std::vector<State> states;     // of the grid's cells
+        std::vector<uint32_t> picture; // rows from the bottom
+    };
+    struct SamplePart { // samples the due cells of a part
         SoftwareBackground* pass;
         void operator()(int part) const;
     };
 
-    void classify(const EyePicture& picture);
+    static void classify(const EyePicture& picture, Eye& eye);
     TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer);
     void paintFrame(const EyePicture& picture, const TexelLayer* layer);
     DisplayFrame painted() const;
 
-    Sampled film_;
+    std::array<Eye, 2> eyes_;
+    Eye* eye_ = eyes_.data(); // the one whose picture is sampled
     bool started_ = false;
-    BackgroundCells grid_;
-    std::vector<State> states_;     // of the grid's cells
-    std::vector<uint32_t> picture_; // rows from the bottom
     // A copy of the frame with shadows and objects in its texels, of which only the wanted tiles are written.
     // Not a vector, which would touch all of its memory: objects are in few places.
     std::unique_ptr<uint32_t[]> texels_;
