@@ -89,8 +89,10 @@ Status Player::openVideo(const Wait& wait) {
         if (Status s = media::DepthTrack::open(track, name).moveTo(depthTrack_); !s)
             log::warn("{}; the film is shown without depth", s.error().message());
     prepareFor(setup_.quality, media::kFrameSlots);
-    media::PlayerOptions options{
-        .layout = setup_.source.layout, .keepPixels = false, .keepPlanes = setup_.planes};
+    media::PlayerOptions options{.layout = setup_.source.layout,
+                                 .decoding = setup_.decoding,
+                                 .keepPixels = false,
+                                 .keepPlanes = setup_.planes};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
     if (*address)
         return media::LivePlayer::open(media::feedFrom(**address), {options},

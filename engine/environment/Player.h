@@ -59,6 +59,7 @@ struct Setup {
     bool lights = false; // directions of the light sources, for shadows
     bool cameraResponse = false;
     bool planes = false; // a graphics card converts a film's frames, if it can read their planes
+    media::Decoding decoding = media::Decoding::Sparing;
 
     bool operator==(const Setup&) const = default;
 };

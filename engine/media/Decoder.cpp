@@ -104,13 +104,18 @@ Status checkPictureSize(int width, int height) {
     return Done{};
 }
 
-Status Decoder::open(const AVStream& stream, FrameThreading threading, int threads, int64_t maxPixels) {
+Status Decoder::open(const AVStream& stream, FrameThreading threading, int threads, int64_t maxPixels,
+                     bool onCard) {
+    cardFailed_ = false;
+    codec_ = onCard ? openOnCard(stream, maxPixels) : nullptr;
+    isOnCard_ = codec_ != nullptr;
+    stated_ = {stream.codecpar->color_space, stream.codecpar->color_primaries, stream.codecpar->color_trc};
+    if (isOnCard_) return Done{};
     const AVCodec* kind = avcodec_find_decoder(stream.codecpar->codec_id);
     codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
     if (!codec_ || avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0)
         return Error{"", "is of a codec that is not installed"};
     codec_->pkt_timebase = stream.time_base;
-    stated_ = {codec_->colorspace, codec_->color_primaries, codec_->color_trc}; // decoders write over these
     codec_->thread_count = threads;
     if (threading == FrameThreading::None) {
         codec_->thread_type = FF_THREAD_SLICE; // threads share a picture
@@ -123,10 +128,17 @@ Status Decoder::open(const AVStream& stream, FrameThreading threading, int threa
 
 void Decoder::send(const AVPacket* packet, bool hurry) {
     codec_->skip_frame = hurry ? AVDISCARD_NONREF : AVDISCARD_DEFAULT;
-    avcodec_send_packet(codec_.get(), packet);
+    const int sent = avcodec_send_packet(codec_.get(), packet);
+    cardFailed_ = cardFailed_ || (isOnCard_ && sent < 0 && sent != AVERROR_EOF);
 }
 
-bool Decoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
+bool Decoder::receive() {
+    const int received = avcodec_receive_frame(codec_.get(), frame_.get());
+    if (!isOnCard_) return received == 0;
+    const bool isEmpty = received == AVERROR(EAGAIN) || received == AVERROR_EOF;
+    cardFailed_ = cardFailed_ || (!isEmpty && (received < 0 || !card_.bringBack(*frame_)));
+    return received == 0 && !cardFailed_;
+}
 
 Status FileDecoder::openFilm(const Path& file) {
     const Error unreadable{"", "has no video that can be read: it is damaged, cut short or only sound"};
@@ -147,11 +159,11 @@ Status FileDecoder::openFilm(const Path& file) {
 
 bool FileDecoder::next(int maxPackets) {
     for (int sent = 0; !decoder.receive();) {
-        if (drained || sent == maxPackets) return false;
+        if (!input || drained || decoder.cardFailed() || sent == maxPackets) return false;
         av_packet_unref(packet.get());
         drained = av_read_frame(input.get(), packet.get()) < 0; // the decoder may hold frames still
         if (!drained && packet->stream_index != stream) continue;
-        decoder.send(drained ? nullptr : packet.get());
+        decoder.send(drained ? nullptr : packet.get(), hurries);
         ++sent;
     }
     return true;

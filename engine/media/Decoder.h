@@ -3,6 +3,7 @@
 
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
+#include "engine/media/CardDecoding.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/FrameConverter.h"
 #include "engine/media/VideoFrame.h"
@@ -13,6 +14,8 @@
 #include <array>
 
 namespace shoal::media {
+
+constexpr int64_t kMaxVideoPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
 
 // Fails if pictures of that size are not played.
 Status checkPictureSize(int width, int height);
@@ -31,9 +34,11 @@ enum class FrameThreading { None, ByThreads };
 class Decoder {
   public:
     // Fails if no such codec is installed or it does not start. threads: at least 1. maxPixels: larger
-    // pictures are skipped like damaged ones.
+    // pictures are skipped like damaged ones. onCard: by a graphics card, if there is one that can.
     Status open(const AVStream& stream, FrameThreading threading, int threads,
-                int64_t maxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide);
+                int64_t maxPixels = kMaxVideoPixels, bool onCard = false);
+    // Returns whether a graphics card failed: no more frames come.
+    bool cardFailed() const { return cardFailed_; }
 
     // Sends a packet; null drains the decoder. Skips damaged packets; hurry: non-reference pictures too.
     void send(const AVPacket* packet, bool hurry = false);
@@ -55,6 +60,8 @@ class Decoder {
 
   private:
     Codec codec_;
+    CardPictures card_;
+    bool isOnCard_ = false, cardFailed_ = false;
     Frame frame_ = makeFrame();
     StatedColour stated_; // by the stream
     FrameConverter converter_;
@@ -67,6 +74,7 @@ struct FileDecoder {
     Decoder decoder;
     Packet packet = makePacket();
     bool drained = false; // whether the end of the file was sent to the decoder
+    bool hurries = false; // whether next() leaves out pictures that no others refer to
 
     const AVStream& opened() const { return *input->streams[stream]; }
     // Returns the length that the file states; 0 if it does not.

@@ -80,10 +80,15 @@ struct VideoFrame {
     std::shared_ptr<AVFrame> planesOwner;
 };
 
+// How films are decoded: by no more threads than a film needs, because the processor draws as well; by as
+// many as there are cores; by a graphics card, or, where none can or once it fails, as before.
+enum class Decoding { Sparing, AllThreads, Card };
+
 constexpr size_t kFrameSlots = 3; // one is shown, the others are ready or being filled
 
 struct PlayerOptions {
     Layout layout = Layout::Auto;
+    Decoding decoding = Decoding::Sparing; // of a file
     // Called on the decode thread for each frame that may be shown, once it is in its slot; the caller keeps
     // its results by slot. No other thread uses that slot meanwhile, and it stays untouched for as long as
     // the frame is shown. Must not throw nor call the player.

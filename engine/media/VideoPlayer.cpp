@@ -1,12 +1,11 @@
 #include "engine/media/VideoPlayer.h"
 
-#include "engine/core/ThreadPool.h"
+#include "engine/media/FramePacing.h"
 #include "engine/media/VideoSource.h"
 
 #include <fmt/core.h>
 
 #include <condition_variable>
-#include <future>
 #include <limits>
 #include <mutex>
 #include <thread>
@@ -17,10 +16,10 @@ using Clock = std::chrono::steady_clock;
 using Slot = FrameSlots::Slot;
 using State = FrameSlots::State;
 
-// A jump ahead by more than this is a seek; for a shorter one, decoding all frames is about as quick.
-constexpr double kSeekAhead_s = 3;
-// While catching up, newest() shows at least one of this many frames.
-constexpr int64_t kMaxSkip = 16;
+// Decoding up to a key frame that is so many frames ahead is about as quick as a seek to it, after which each
+// of the decoder's threads starts anew.
+constexpr int64_t kSeekAhead = 8;
+constexpr double kLongestStep_s = 0.25; // of nextFrame()
 constexpr double kBackwardSlack_s = 0.5;
 
 struct VideoPlayer::Impl {
@@ -40,7 +39,12 @@ struct VideoPlayer::Impl {
     bool damaged = false;
     std::string message;
 
-    VideoSource source;  // used by the decode thread only, but for info(), which is constant
+    // Used by the decode thread only, but for source.info(), which is constant:
+    VideoSource source;
+    DecodingCost cost;
+    bool hurries = false; // see NextFrame
+    bool counted = false; // whether passLength was counted; else it is the stated one
+
     std::jthread thread; // last: it uses all of the above
 
     explicit Impl(VideoSource opened) : source(std::move(opened)) {}
@@ -68,12 +72,20 @@ struct VideoPlayer::Impl {
     // Returns the frame to make next; -1 if there is none.
     int64_t nextTarget() {
         if (broken) return -1;
-        const bool readsOn = !exact && due() <= made && made - due() <= slack();
-        int64_t next = readsOn ? made + 1 : due();
-        while (isThere(next)) ++next;
-        if (next > last) return -1;
-        const bool catchesUp = !exact && next > made + kMaxSkip && next - made <= framesIn(kSeekAhead_s);
-        return catchesUp ? made + kMaxSkip : next;
+        NextFrame next{due()};
+        if (!exact && made - due() <= slack()) {
+            const int64_t stated = passLength > 0 ? passLength : source.info().frameCount;
+            next = nextFrame(made, due(), cost, kLongestStep_s * source.info().fps, [&](int64_t index) {
+                const int64_t number = stated > 0 ? index % stated : index;
+                return index - number + source.keyFrameBefore(number);
+            });
+            next.index = std::min(next.index, std::max(last, made + 1));
+            // What is late is not counted to its end.
+            if (stated > 0 && next.index >= stated && next.index > made + 1) passLength = stated;
+        }
+        while (isThere(next.index)) ++next.index;
+        hurries = next.hurries;
+        return next.index > last ? -1 : next.index;
     }
 
     // Returns a free slot, or for a frame that is due already the slot of the ready frame furthest ahead.
@@ -87,7 +99,7 @@ struct VideoPlayer::Impl {
     }
 
     void run(const std::stop_token& ending) {
-        lowerThreadPriority();
+        // Runs at normal priority: at a lower one, a renderer that keeps all processors busy starves it.
         std::unique_lock lock(mutex);
         int64_t target = -1;
         Slot* slot = nullptr;
@@ -118,28 +130,35 @@ struct VideoPlayer::Impl {
     // frame.number on success, else at most that many (it ends before, or the thread is to stop).
     int64_t fill(Slot& slot, const std::stop_token& ending) {
         const int64_t number = slot.frame.number;
-        if (number < source.position() || number > source.position() + framesIn(kSeekAhead_s))
+        const auto began = Clock::now();
+        if (number < source.position() || source.keyFrameBefore(number) > source.position() + kSeekAhead)
             if (!source.seek(number)) return 0;
-        auto start = Clock::now();
+        const int64_t first = std::min(source.position(), number);
+        auto start = began;
         while (source.position() <= number) {
             if (ending.stop_requested()) return 0;
             start = Clock::now();
-            if (!source.grab()) return source.position();
+            if (!source.grab(hurries)) return source.position();
         }
+        const auto decoded = Clock::now();
         if (!source.retrieve(slots.pixelsOf(slot, options), &slot.frame.radianceLin)) return number;
         if (options.keepPlanes) source.share(slot.frame);
         slot.frame.chromaTexels = source.chromaTexels();
         slot.frame.decode_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         slots.prepare(slot, options);
+        const std::chrono::duration<double> decoding = decoded - began, showing = Clock::now() - decoded;
+        const double fps = source.info().fps;
+        cost.follow(number + 1 - first, decoding.count() * fps, showing.count() * fps);
         return number + 1;
     }
 
     // Handles the end of a pass that began at index `pass` and gave only `count` frames. Needs the lock.
     void ended(int64_t pass, int64_t count) {
         const int64_t stated = passLength > 0 ? passLength : source.info().frameCount;
-        // A known pass length was counted, so fewer frames mean that the file has changed.
-        if (made >= 0 && passLength == 0 && count >= leastFrames(stated)) {
+        // After they were counted, fewer frames mean that the file has changed.
+        if (made >= 0 && !counted && count >= leastFrames(stated)) {
             passLength = count;
+            counted = true;
             return;
         }
         // Gives up if there is no good frame, or if reading fails again before the last good one.
@@ -170,11 +189,7 @@ struct VideoPlayer::Impl {
 };
 
 Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
-    // Opened on a thread of low priority, because the decoder's threads inherit it.
-    auto source = std::async(std::launch::async, [&] {
-                      lowerThreadPriority();
-                      return VideoSource::open(file, options.layout);
-                  }).get();
+    auto source = VideoSource::open(file, options.layout, options.decoding);
     if (!source) return source.error();
     auto impl = makeHidden<Impl>(std::move(*source));
     impl->file = file;

@@ -1,5 +1,6 @@
 #include "engine/media/VideoSource.h"
 
+#include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/MediaKind.h"
@@ -20,12 +21,15 @@ namespace shoal::media {
 // Pixels that one thread decodes at least per second, H.264 of a few Mbit/s; each thread needs memory for
 // some pictures.
 constexpr double kPixelsPerThread = 64e6;
-constexpr int kMaxThreads = 8;
+constexpr int kMaxThreads = 16;
 constexpr double kMaxStamp = 9e15;        // exact in double
 constexpr int kMaxBadPackets = 4096;      // in a row, without a picture
 constexpr double kLongestPicture_s = 600; // beyond the stated length, a longer step of the stamps is an error
 
 constexpr double kLate = 0.25; // share of a frame by which a picture may come late
+// Near the stated end a seek could land after the real end, and what is left out could be the last picture.
+constexpr int64_t kShortOfEnd = 16;
+constexpr double kKeyFrames_s = 5; // distance of key frames that are not known
 
 static double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
 
@@ -70,7 +74,7 @@ static double statedLength(const FileDecoder& in) {
     return read ? static_cast<double>(microseconds) * 1e-6 : in.length_s();
 }
 
-Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
+Result<VideoSource> VideoSource::open(const Path& file, Layout request, Decoding decoding) {
     setUpDecoders();
     const auto kind = mediaKind(file); // a better reason than the decoder's
     if (!kind) return kind.error();
@@ -81,6 +85,7 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
                                         (*kind == MediaKind::Hdr ? "--env" : "--photo")};
     VideoSource source;
     source.file_ = file;
+    source.decoding_ = decoding;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
     SphericalMetadata& stated = source.info_.metadata;
     stated = sphericalMetadata(*source.in_.input, source.in_.opened(), file);
@@ -101,10 +106,12 @@ Status VideoSource::reopen() {
     if (Status opened = in_.openFilm(file_); !opened) return opened;
     const AVCodecParameters& coded = *in_.opened().codecpar;
     const double pixelRate = 1.0 * coded.width * coded.height * rateOf(in_.opened().avg_frame_rate);
-    const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
-    const int threads = static_cast<int>(
-        std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMaxThreads)));
-    return in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads);
+    const bool isSparing = decoding_ == Decoding::Sparing;
+    const double needed = isSparing ? std::min(pixelRate / kPixelsPerThread, 8.0) : kMaxThreads;
+    const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
+                                   std::max(static_cast<int>(std::ceil(needed)), 1));
+    return in_.decoder.open(in_.opened(), FrameThreading::ByThreads, threads, kMaxVideoPixels,
+                            decoding_ == Decoding::Card);
 }
 
 void VideoSource::readInfo() {
@@ -172,9 +179,21 @@ void VideoSource::decodeAhead() {
     in_.decoder.exchange(ahead_);
     hasAhead_ = in_.next(kMaxBadPackets);
     in_.decoder.exchange(ahead_);
+    if (in_.decoder.cardFailed()) return leaveCard();
     if (!hasAhead_) return;
     if (!std::exchange(begun_, true)) begins_ = ahead_->best_effort_timestamp;
     ahead_s_ = timeOfAhead();
+}
+
+void VideoSource::leaveCard() {
+    log::info("{}: decoded without a graphics card from here on", file_.string());
+    const int64_t position = position_;
+    decoding_ = Decoding::AllThreads;
+    if (!reopen()) return;
+    if (position == 0) return decodeAhead();
+    seek(position - 1);
+    while (position_ < position && grab()) {
+    }
 }
 
 double VideoSource::timeOfAhead() const {
@@ -197,7 +216,8 @@ void VideoSource::showAhead() {
     decodeAhead();
 }
 
-bool VideoSource::grab() {
+bool VideoSource::grab(bool hurries) {
+    in_.hurries = hurries && position_ + kShortOfEnd + kMaxThreads < info_.frameCount;
     const double due_s = (static_cast<double>(position_) + kLate) / info_.fps;
     if (!isShowing_ && !hasAhead_) decodeAhead();
     while (hasAhead_ && (!isShowing_ || ahead_s_ <= due_s)) showAhead();
@@ -230,15 +250,33 @@ bool VideoSource::retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     return true;
 }
 
+double VideoSource::stampOf(double number) const {
+    return static_cast<double>(begins_) + std::floor(number / info_.fps / av_q2d(in_.opened().time_base));
+}
+
+int64_t VideoSource::keyFrameBefore(int64_t number) const {
+    if (!seekable_ || !begun_ || begins_ == AV_NOPTS_VALUE) return 0;
+    AVStream* stream = in_.input->streams[in_.stream];
+    // The index may have times of decoding, so many frames before those of showing, and a seek asks for a
+    // time as much earlier.
+    const int64_t delay = 2 * stream->codecpar->video_delay;
+    const double stamp = stampOf(static_cast<double>(number - delay) + kLate);
+    const auto at = static_cast<int64_t>(std::clamp(stamp, -kMaxStamp, kMaxStamp));
+    const AVIndexEntry* key = avformat_index_get_entry_from_timestamp(stream, at, AVSEEK_FLAG_BACKWARD);
+    const double frames =
+        (key ? static_cast<double>(key->timestamp - begins_) : 0) * av_q2d(stream->time_base) * info_.fps;
+    const bool isCertain = avformat_index_get_entry_from_timestamp(stream, at, AVSEEK_FLAG_ANY); // it goes on
+    const int64_t usual = isCertain ? 0 : number - static_cast<int64_t>(kKeyFrames_s * info_.fps);
+    return std::clamp(std::max(std::lround(frames) + delay, usual), int64_t{0}, number);
+}
+
 // Seeks to the last key frame at or before this frame; starts further back each time that the container's own
 // search lands after it.
 bool VideoSource::jump(int64_t number) {
-    const double unit_s = av_q2d(in_.opened().time_base);
-    if (!begun_ || begins_ == AV_NOPTS_VALUE || !(unit_s > 0)) return false;
+    if (!begun_ || begins_ == AV_NOPTS_VALUE || !(av_q2d(in_.opened().time_base) > 0)) return false;
     for (int64_t before = 0;; before = 2 * before + 16) {
         const int64_t aim = std::max(int64_t{0}, number - before);
-        const double aim_s = (static_cast<double>(aim) + kLate) / info_.fps;
-        const double stamp = static_cast<double>(begins_) + std::floor(aim_s / unit_s);
+        const double stamp = stampOf(static_cast<double>(aim) + kLate);
         if (!(std::abs(stamp) < kMaxStamp)) return false;
         if (!in_.seek(static_cast<int64_t>(stamp))) return false;
         isShowing_ = false;
@@ -257,8 +295,7 @@ bool VideoSource::jump(int64_t number) {
 
 bool VideoSource::seek(int64_t number) {
     if (number == position_) return true;
-    // Near the stated end a seek could land after the real end, so it stops short and the caller grabs on.
-    constexpr int64_t kShortOfEnd = 16;
+    // It stops short of the end, and the caller grabs on.
     const int64_t safe = std::clamp(number, int64_t{0}, std::max(int64_t{0}, info_.frameCount - kShortOfEnd));
     if (number >= position_ && safe <= position_) return true;
     // All other time stamps count from the first frame's.

@@ -19,15 +19,16 @@ class VideoSource {
   public:
     // Checks the kind of file and its stated size before any decoder sees it. Layout::Auto is detected from
     // the metadata, else the frame's shape, else the first frame.
-    static Result<VideoSource> open(const Path& file, Layout request);
+    static Result<VideoSource> open(const Path& file, Layout request, Decoding decoding = Decoding::Sparing);
 
     const VideoInfo& info() const { return info_; }
 
     // Number of the frame that the next grab() gives, from 0.
     int64_t position() const { return position_; }
 
-    // Decodes the next frame. Returns false at the end, or if nothing more can be decoded.
-    bool grab();
+    // Decodes the next frame. Returns false at the end, or if nothing more can be decoded. hurries: leaves
+    // out pictures that no others refer to, and gives the one before again.
+    bool grab(bool hurries = false);
 
     // Converts the frame grabbed last, blue first, upright and placed in its bounds, into the image's memory.
     // Returns false if it cannot be converted or has another size than the first. radianceLin: as for
@@ -45,6 +46,13 @@ class VideoSource {
     // position(). Returns false if the file cannot be opened again.
     bool seek(int64_t number);
 
+    // Returns the last key frame at or before this frame, by the file's index, or a frame soon after it;
+    // where the index is not complete, one a few seconds before the frame.
+    int64_t keyFrameBefore(int64_t number) const;
+
+    // Gives the same frames as before, without a graphics card: what follows its failure.
+    void leaveCard();
+
   private:
     VideoSource() = default;
     Status reopen(); // errors lack the file's name
@@ -52,12 +60,14 @@ class VideoSource {
     double timeOfAhead() const; // seconds
     void showAhead();
     bool jump(int64_t number);
+    double stampOf(double number) const; // time stamp of a frame
     void readInfo();
     bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
     Status readColour();
     void findPlace();
 
     Path file_;
+    Decoding decoding_ = Decoding::Sparing;
     FileDecoder in_; // its frame is shown
     VideoInfo info_;
     int storedWidth_ = 0, storedHeight_ = 0;

@@ -29,6 +29,7 @@ static EnvironmentSetup environmentSetup(const PlayOptions& options, const game:
                                          bool seesRoom) {
     const bool own = options.environment.isOwnVideo();
     const bool inSoftware = gl::rendersInSoftware();
+    const bool cardDraws = !inSoftware && options.look.backend != render::Backend::Software;
     const bool slow = inSoftware || std::thread::hardware_concurrency() < 4;
     const Path film = filmFor(dataRoot() / "content" / dive.video, options.film, slow);
     return {.player = {.source = options.environment.orOwn(film),
@@ -40,7 +41,10 @@ static EnvironmentSetup environmentSetup(const PlayOptions& options, const game:
                                 (options.water == WaterChoice::Auto && (!own || dive.water)),
                        .lights = options.shadows == ShadowChoice::On,
                        .cameraResponse = compositionIn(options) == render::Composition::CameraResponse,
-                       .planes = !inSoftware && options.look.backend != render::Backend::Software},
+                       .planes = cardDraws,
+                       .decoding = !cardDraws                             ? media::Decoding::Sparing
+                                   : options.decode == DecodeChoice::Auto ? media::Decoding::Card
+                                                                          : media::Decoding::AllThreads},
             .yaw_deg = options.environment.envYaw_deg,
             .bothEyes = options.stereo == StereoOutput::SideBySide || options.xr};
 }

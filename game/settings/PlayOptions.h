@@ -124,6 +124,7 @@ struct PlayOptions {
     WaterChoice water = WaterChoice::Auto;
     bool snow = true; // specks that drift in the water
     FilmChoice film = FilmChoice::Auto;
+    DecodeChoice decode = DecodeChoice::Auto;
     ShadowChoice shadows = ShadowChoice::On; // shadows on the surfaces of a film with distances
 
     void addTo(SettingsTable& table) {
@@ -194,6 +195,9 @@ struct PlayOptions {
         table.addShown(Picture, "Version of the film", "--film", choice(film),
                        "Which version of a dive's film: best; small, for slow machines; auto: small without "
                        "a graphics card or with fewer than four processor cores");
+        table.addKept("--decode", choice(decode),
+                      "Decodes films by the graphics card that draws, where it can (VAAPI, CUDA): auto; "
+                      "software, on the processor");
         table.addKept("--shadows", choice(shadows),
                       "Shadows of animals and of your hands on what the film shows, where it has a track of "
                       "distances; of what swims, on the floor of your own room, where the headset knows it");

@@ -30,6 +30,7 @@ enum class QualityControl { Auto, Fixed };
 enum class WaterChoice { Auto, On, Off };
 enum class ShadowChoice { On, Off };
 enum class FilmChoice { Auto, Best, Small };
+enum class DecodeChoice { Auto, Software };
 enum class Skin { Light, Medium, Dark, Glove };
 enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
 enum class Closing { Hold, Toggle }; // how a button closes the hand
@@ -66,6 +67,7 @@ template <> inline constexpr std::array kEnumNames<app::QualityControl> = {"auto
 template <> inline constexpr std::array kEnumNames<app::WaterChoice> = {"auto", "on", "off"};
 template <> inline constexpr std::array kEnumNames<app::ShadowChoice> = {"on", "off"};
 template <> inline constexpr std::array kEnumNames<app::FilmChoice> = {"auto", "best", "small"};
+template <> inline constexpr std::array kEnumNames<app::DecodeChoice> = {"auto", "software"};
 // Variants of the hands' models
 template <> inline constexpr std::array kEnumNames<app::Skin> = {"light", "medium", "dark", "glove"};
 template <>

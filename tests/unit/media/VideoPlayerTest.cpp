@@ -3,6 +3,7 @@
 #include "engine/media/Check.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/Pictures.h"
+#include "engine/media/VideoSource.h"
 #include "tests/unit/media/TestFiles.h"
 
 #include <fmt/ranges.h>
@@ -333,6 +334,32 @@ TEST_F(VideoPlayers, RefusesWhatStatesAPictureTooLarge) {
     EXPECT_NE(player.error().reason.find("30000x30000"), std::string::npos) << player.error().reason;
 }
 
+// Seeks to what the index names. Returns how many key frames there are. reordered: pictures come so many
+// frames later in the file than they are shown.
+int64_t checkKeyFrames(const Path& file, int reordered = 0) {
+    auto source = tests::valueOf(VideoSource::open(file, Layout::Mono));
+    EXPECT_TRUE(source.grab());
+    int64_t keyFrames = 0;
+    for (int64_t number = source.info().frameCount - 20; number > 0; ++keyFrames) {
+        const int64_t key = source.keyFrameBefore(number);
+        EXPECT_LE(key, number);
+        EXPECT_EQ(source.keyFrameBefore(key), key);
+        EXPECT_TRUE(source.seek(key));
+        EXPECT_NEAR(static_cast<double>(source.position()), static_cast<double>(key), 2 * reordered)
+            << number;
+        number = std::min(key, source.position()) - 1;
+    }
+    return keyFrames;
+}
+
+TEST_F(VideoPlayers, TheIndexTellsKeyFrames) {
+    const Path file = folder / "film.mp4";
+    writeMp4(file, 100, cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(99)));
+    EXPECT_EQ(checkKeyFrames(file), 7) << "one in 12 of the first 80";
+    writeGreyVideo(folder / "grey.avi", 40);
+    EXPECT_EQ(checkKeyFrames(folder / "grey.avi"), 20) << "all";
+}
+
 TEST_F(VideoPlayers, EndsWhileBusy) {
     for (int i = 0; i < 20; ++i) greyFilm(40).newest(i);
 }
@@ -399,6 +426,19 @@ TEST_P(SharedVideo, HasItsFacts) {
     EXPECT_NEAR(static_cast<double>(info.frameCount), facts.frames, 0.01 * facts.frames);
     const auto check = checkVideo(file);
     EXPECT_TRUE(check) << check.error().message();
+}
+
+TEST_P(SharedVideo, TellsItsKeyFrames) {
+    const bool isInFragments = GetParam().frames > 1000; // which have no index before they are read
+    EXPECT_TRUE(isInFragments || checkKeyFrames(file, 1) > 0);
+}
+
+// A decoder that hurries leaves pictures out, but counts the same frames.
+TEST_P(SharedVideo, HurriesToItsEnd) {
+    auto source = tests::valueOf(VideoSource::open(file, Layout::Mono));
+    while (source.grab(true)) {
+    }
+    EXPECT_EQ(source.position(), GetParam().frames);
 }
 
 // Played in order, over the loop; then the same pictures by jumps in a fresh player.
