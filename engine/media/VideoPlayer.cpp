@@ -1,11 +1,13 @@
 #include "engine/media/VideoPlayer.h"
 
+#include "engine/core/ThreadPool.h"
 #include "engine/media/FramePacing.h"
 #include "engine/media/VideoSource.h"
 
 #include <fmt/core.h>
 
 #include <condition_variable>
+#include <future>
 #include <limits>
 #include <mutex>
 #include <thread>
@@ -99,7 +101,7 @@ struct VideoPlayer::Impl {
     }
 
     void run(const std::stop_token& ending) {
-        // Runs at normal priority: at a lower one, a renderer that keeps all processors busy starves it.
+        lowerThreadPriority();
         std::unique_lock lock(mutex);
         int64_t target = -1;
         Slot* slot = nullptr;
@@ -189,7 +191,11 @@ struct VideoPlayer::Impl {
 };
 
 Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
-    auto source = VideoSource::open(file, options.layout, options.decoding);
+    // Opened on a thread of low priority, because the decoder's threads inherit it.
+    auto source = std::async(std::launch::async, [&] {
+                      lowerThreadPriority();
+                      return VideoSource::open(file, options.layout, options.decoding);
+                  }).get();
     if (!source) return source.error();
     auto impl = makeHidden<Impl>(std::move(*source));
     impl->file = file;

@@ -28,7 +28,6 @@ TEST_F(FramePaceGL, WaitsForTheFrameBefore) {
     waits = 0;
     for (int frame = 1; frame <= 3; ++frame) {
         pace.begin();
-        glClear(GL_COLOR_BUFFER_BIT);
         pace.end();
         EXPECT_EQ(waits, frame);
         EXPECT_GE(pace.card_ms(), 0);

@@ -106,6 +106,7 @@ struct LivePlayer::Impl {
     }
 
     void run() {
+        // Runs at normal priority, unlike a file's thread: live pictures are not ready before they are due.
         double delay_s = options.retryFirst_s;
         std::unique_lock lock(mutex);
         while (!stop) {
