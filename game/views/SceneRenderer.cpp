@@ -110,7 +110,7 @@ void SceneRenderer::Shadows::operator()(int number) {
 
 void SceneRenderer::finishShadows() {
     if (!shadows_->isRunning) return;
-    const gl::PassTimers::Scope scope(&timers_, "wait for shadows");
+    const PartTimes::Scope part(&timers_.onThread(), "wait for shadows");
     shadows_->thread.finish();
     shadows_->isRunning = false;
     setShadows();
