@@ -8,7 +8,7 @@
 
 namespace shoal::media {
 
-// What a picture has cost lately.
+// Cost of recent pictures.
 struct DecodingCost {
     double decode = 0; // of each picture
     double show = 0;   // besides, of one that is shown: conversion and analysis

@@ -82,7 +82,7 @@ struct VideoPlayer::Impl {
                 return index - number + source.keyFrameBefore(number);
             });
             next.index = std::min(next.index, std::max(last, made + 1));
-            // What is late is not counted to its end.
+            // A late film goes on by its stated length; counting its frames would decode it to the end.
             if (stated > 0 && next.index >= stated && next.index > made + 1) passLength = stated;
         }
         while (isThere(next.index)) ++next.index;

@@ -56,7 +56,7 @@ TEST(CardPictures, AreThoseOfSoftwareInPlanes) {
         }
 }
 
-// What else a card gives is left to decoders in software.
+// Decoders in software take over pictures of any other form.
 TEST(CardPictures, OfOtherFormsAreRefused) {
     const Frame other = picture(AV_PIX_FMT_YUV444P, 32, 16), inMemory = picture(AV_PIX_FMT_NV12, 32, 16);
     const Frame copy = makeFrame();
