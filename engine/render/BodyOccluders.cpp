@@ -13,7 +13,8 @@ namespace shoal::render {
 namespace {
 
 // Least share of the cosine-weighted hemisphere that counts; twice as much counts in full.
-constexpr float kMinShare = 0.01f;
+// Pictures of the dives differ from those with 0.01 by at most 0.9 of 255, root mean square over objects.
+constexpr float kMinShare = 0.015f;
 
 PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFromWorld, float strength,
                     const glm::vec3& albedo) {

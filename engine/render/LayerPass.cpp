@@ -1,5 +1,6 @@
 #include "engine/render/LayerPass.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/render/software/SmoothOutlines.h"
 
 #include <algorithm>
@@ -14,6 +15,18 @@ namespace {
 constexpr glm::ivec2 kCells(40, 24);
 // Greatest share of the picture's width that pays: laying a larger layer over takes more time than it saves.
 constexpr float kWorthIt = 0.85f;
+constexpr int kBlock = 8; // pixels on a side
+
+// Marks the blocks in which a row of pixels holds something.
+SHOAL_VECTORISE void markRow(const uint32_t* row, int width, uint32_t* blocks) {
+    const int whole = width / kBlock;
+    for (int block = 0; block < whole; ++block) {
+        uint32_t any = 0;
+        for (int x = 0; x < kBlock; ++x) any |= row[block * kBlock + x];
+        blocks[block] |= any;
+    }
+    for (int x = whole * kBlock; x < width; ++x) blocks[whole] |= row[x];
+}
 
 } // namespace
 
@@ -64,7 +77,10 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
 }
 
 std::vector<uint32_t>& LayerPass::pixels() {
-    if (!areRead_) layer_->readBgra(pixels_);
+    if (!areRead_) {
+        layer_->readBgra(pixels_);
+        markBlocks();
+    }
     areRead_ = true;
     return pixels_;
 }
@@ -86,16 +102,24 @@ const gl::Target& LayerPass::layer() {
     return *layer_;
 }
 
-bool LayerPass::isEmpty(const glm::ivec2& cell) const {
+void LayerPass::markBlocks() {
     const glm::ivec2 size = this->size();
-    // The range has a texel more on each side, which the filter reaches.
-    const glm::ivec2 low = glm::max(cell * size / kCells - 1, 0);
-    const glm::ivec2 high = glm::min((cell + 1) * size / kCells + 2, size);
-    for (int y = low.y; y < high.y; ++y) {
-        const uint32_t* row = pixels_.data() + ptrdiff_t{y} * size.x;
-        if (std::any_of(row + low.x, row + high.x, [](uint32_t pixel) { return pixel != 0; })) return false;
+    const auto columns = static_cast<size_t>(size.x / kBlock + 1);
+    blocks_.assign(columns * static_cast<size_t>(size.y / kBlock + 1), 0);
+    for (int y = 0; y < size.y; ++y)
+        markRow(pixels_.data() + ptrdiff_t{y} * size.x, size.x,
+                blocks_.data() + static_cast<size_t>(y / kBlock) * columns);
+}
+
+bool LayerPass::holdsAnything(const glm::ivec2& low, const glm::ivec2& high) const {
+    const glm::ivec2 first = glm::max(low, 0) / kBlock, last = glm::min(high - 1, size() - 1) / kBlock;
+    for (int y = first.y; y <= last.y; ++y) {
+        const uint32_t* row = blocks_.data() + ptrdiff_t{y} * (size().x / kBlock + 1);
+        if (std::any_of(row + first.x, row + std::max(last.x + 1, first.x),
+                        [](uint32_t block) { return block != 0; }))
+            return true;
     }
-    return true;
+    return false;
 }
 
 void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
@@ -113,7 +137,10 @@ void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view
             for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
     }
     const auto isDrawn = [&](int x, int y) {
-        return marked_[static_cast<size_t>(y * kCells.x + x)] && !(areRead_ && isEmpty({x, y}));
+        if (!marked_[static_cast<size_t>(y * kCells.x + x)]) return false;
+        const glm::ivec2 cell(x, y);
+        // The range has a texel more on each side, which the filter reaches.
+        return !areRead_ || holdsAnything(cell * size() / kCells - 1, (cell + 1) * size() / kCells + 2);
     };
     const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
     corners_.clear();

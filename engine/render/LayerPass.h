@@ -53,15 +53,19 @@ class LayerPass {
     const gl::Target& layer();
     // Returns the pixels after end(), blue first, from the lowest row; waits for them on the first call.
     std::vector<uint32_t>& pixels();
+    // Returns whether anything has been drawn into the pixels from low to high - 1, or a few beside them;
+    // after pixels().
+    bool holdsAnything(const glm::ivec2& low, const glm::ivec2& high) const;
 
   private:
-    bool isEmpty(const glm::ivec2& cell) const; // whether its pixels_ and those beside it are 0
+    void markBlocks();
 
     gl::Program program_;
     TriangleBatch drawn_;
     std::optional<gl::Target> layer_;
     int samples_ = 0;
     std::vector<uint32_t> pixels_;   // of the layer
+    std::vector<uint32_t> blocks_;   // not 0: the block of pixels holds something; row by row
     bool areRead_ = false;           // whether pixels_ has been read since begin()
     bool areNewer_ = false;          // whether pixels_ is newer than the layer's texture
     std::vector<bool> marked_;       // scratch: whether each cell of a grid is drawn

@@ -43,6 +43,36 @@ SHOAL_VECTORISE void multiply(const uint8_t* a, const uint8_t* b, size_t count, 
     }
 }
 
+bool isChosenIn(const FrameTiles* tiles, const BackgroundCell& cell) {
+    return tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh());
+}
+
+// Tells which cells of a picture a layer holds objects for.
+class ObjectsInCells {
+  public:
+    ObjectsInCells(const EyePicture& picture, const TexelLayer& layer) : layer_(layer) {
+        const View &from = picture.view, &to = layer.view;
+        const glm::vec2 size(layer.layer.size()), perSlope = 0.5f * size / to.halfExtent();
+        step_ = 2.0f * from.halfExtent() * perSlope / glm::vec2(picture.size());
+        first_ = 0.5f * size + (from.shift - to.shift - from.halfExtent()) * perSlope;
+    }
+
+    bool in(const BackgroundCell& cell) const {
+        // A texel that shares its chroma and is filtered takes colours from two texels around it, each up to
+        // four of the layer's pixels wide (60 degrees beside the picture's middle), and from one pixel more.
+        constexpr int kBeside = 9;
+        const auto pixelOf = [&](const glm::ivec2& pixel) {
+            return glm::ivec2(glm::floor(first_ + step_ * glm::vec2(pixel)));
+        };
+        return isChosenIn(&layer_.tiles, cell) &&
+               layer_.layer.holdsAnything(pixelOf(cell.low) - kBeside, pixelOf(cell.high) + 1 + kBeside);
+    }
+
+  private:
+    const TexelLayer& layer_;
+    glm::vec2 first_, step_; // in the layer's pixels: the picture's first corner, and the size of its pixels
+};
+
 } // namespace
 
 SoftwareBackground::SoftwareBackground()
@@ -90,10 +120,10 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     for (size_t k = 0; k < eye_->states.size(); ++k) {
         const BackgroundCell& cell = eye_->grid.all()[k];
         State& state = eye_->states[k];
-        state.painted = (shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh())) ||
-                        (tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh()));
-        state.due = state.here && !state.painted && !state.showsFrame;
-        state.showsFrame |= state.due;
+        state.painted = false;
+        state.due = state.here && state.shows != FilmShadows::Version() &&
+                    !isChosenIn(shadows ? &shadows->tiles() : nullptr, cell) && !isChosenIn(tiles, cell);
+        if (state.due) state.shows = FilmShadows::Version();
     }
     threadPool_.start(kParts, samplePart_);
     started_ = true;
@@ -110,16 +140,21 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     drawn_.clear();
     wanted_.assign(FrameTiles::kAll, false);
     const FilmShadows* shadows = picture.seenShadows(); // may have been cast since prepare()
+    if (layer) layer->layer.pixels();                   // reads them
+    const auto objectsIn =
+        layer ? std::optional<ObjectsInCells>(std::in_place, picture, *layer) : std::nullopt;
     for (size_t k = 0; k < eye_->states.size(); ++k) {
         const BackgroundCell& cell = eye_->grid.all()[k];
         State& state = eye_->states[k];
-        state.painted |= shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh());
-        if (!state.here)
-            drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
-        state.due = state.here && state.painted;
+        const bool objects = objectsIn && objectsIn->in(cell);
+        if (!state.here) drawn_.push_back({&cell, objects});
+        const bool shaded = isChosenIn(shadows ? &shadows->tiles() : nullptr, cell);
+        const FilmShadows::Version shown = shaded ? shadows->version() : FilmShadows::Version();
+        state.painted = shaded || objects;
+        state.due = state.here && (objects || state.shows != shown);
         if (!state.due) continue;
-        state.showsFrame = false;
-        want(layer ? layer->tiles : shadows->tiles(), cell);
+        state.shows = objects ? std::nullopt : std::optional(shown);
+        if (state.painted) want(layer ? layer->tiles : shadows->tiles(), cell);
     }
     {
         const PartTimes::Scope part(picture.partTimes(), "compositing");

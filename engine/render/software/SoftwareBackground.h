@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace shoal::render {
@@ -22,7 +23,7 @@ class SoftwareBackground final : public BackgroundPass {
 
     // Begins to sample the cells without objects and shadows, on helper threads, while OpenGL still draws the
     // objects. Cells of an eye's earlier picture of the same frame and view are kept: until the film's next
-    // frame, pictures at rest differ only by objects.
+    // frame, pictures at rest differ only where objects are.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
     Status draw(const EyePicture& picture, const TexelLayer* layer) override;
 
@@ -38,10 +39,11 @@ class SoftwareBackground final : public BackgroundPass {
     };
     struct State { // of a cell
         SampledCell sampled;
-        bool here = false;       // whether it is sampled here; otherwise OpenGL draws it
-        bool showsFrame = false; // whether the picture shows it without shadows and objects
-        bool painted = false;    // whether there may be shadows or objects in it
-        bool due = false;        // whether it is sampled next
+        bool here = false; // whether it is sampled here; otherwise OpenGL draws it
+        // The shadows on the film as the picture shows it, null for none; no value with objects before it.
+        std::optional<FilmShadows::Version> shows{};
+        bool painted = false; // whether shadows or objects are in its texels
+        bool due = false;     // whether it is sampled next
     };
     static constexpr int kParts = 32; // of the cells, for threads
     struct Eye {
