@@ -1,6 +1,5 @@
 #include "engine/panorama/Panorama.h"
 
-#include "engine/panorama/SeamInsertion.h"
 #include "engine/panorama/Steps.h"
 
 #include <fmt/core.h>
