@@ -19,7 +19,7 @@ namespace shoal::media {
 enum class PictureKind;
 
 struct PhotoMetadata {
-    int orientation = 1; // Orientation.h
+    int orientation = 1; // SphericalMetadata.h
     // Place of the upright picture in its panorama; empty: not stated, or ignored.
     std::optional<PanoramaPlacement> placement;
     bool placementIgnored = false; // it contradicts itself
@@ -42,6 +42,12 @@ struct PhotoMetadata {
 // Reads the metadata of a JPEG, PNG, WebP or TIFF, of an AVIF its orientation and profile alone; those of
 // other kinds are as if there were none. bytes: the whole file.
 PhotoMetadata photoMetadata(std::span<const uint8_t> bytes, PictureKind kind);
+
+// Converts a picture in place to sRGB: relative colorimetric, with the black point of sRGB. profile: ICC,
+// untrusted; of red, green and blue, or of grey where all pixels are grey. Empty: none. Returns what was
+// done, a clause after "; "; empty: there is no profile, or it gives the colours of sRGB. A damaged one, or
+// one of other components than the picture's, is ignored.
+std::string convertToSrgb(std::span<const uint8_t> profile, ImageRgb8& picture);
 
 // Returns the layout of a photo that is lat-long by its shape and content, or by its metadata; Auto: an
 // ordinary photo.

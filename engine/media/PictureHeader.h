@@ -48,7 +48,7 @@ std::string beyond(PictureSize size, PictureLimits limits);
 // Header of a Radiance picture (Radiance's filefmts.pdf, "Picture File Format").
 struct RadianceHeader {
     PictureSize size;                       // as stored: pixels of a line, lines
-    int orientation = 1;                    // Orientation.h
+    int orientation = 1;                    // SphericalMetadata.h
     std::array<float, 3> exposure{1, 1, 1}; // what radiance was multiplied with: EXPOSURE, COLORCORR
     float gamma = 1;                        // not in Radiance, but in Walter's rgbe.c
     bool squarePixels = true;

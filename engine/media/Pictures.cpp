@@ -3,10 +3,8 @@
 #include "engine/core/Log.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
-#include "engine/media/ColourProfile.h"
 #include "engine/media/Decoder.h"
 #include "engine/media/OpenExr.h"
-#include "engine/media/Orientation.h"
 
 #include <fmt/ranges.h>
 #include <opencv2/imgcodecs.hpp>

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/core/Image.h"
 #include "engine/media/StereoView.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -35,7 +36,7 @@ struct SphericalMetadata {
     SphereBounds bounds;
     bool boundsIgnored = false;        // the bounds were such that no picture could be placed in them
     glm::quat envFromFilm{1, 0, 0, 0}; // turns the film's sphere as it demands; both have the axes of env
-    int orientation = 1;               // of the stored pictures: see Orientation.h
+    int orientation = 1;               // of the stored pictures: see below
 
     bool isStated() const { return projection != Projection::Unknown || layout != Layout::Auto; }
     // Returns what is done to the picture for its orientation, bounds and pose, a clause each after "; ";
@@ -64,6 +65,22 @@ std::string_view xmpValue(std::string_view xmp, const std::string& name);
 
 // Reads the placement from XMP whose names begin with `space`; empty if it is missing or contradicts itself.
 std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::string& space);
+
+// --- How a stored picture becomes one of the whole sphere: upright, then each eye's part in its place. An
+// orientation is one of the eight ways in which a picture may be turned or mirrored, by its number in EXIF
+// (CIPA DC-008, tag 274): 1 is upright, and from 5 on columns are stored as rows. Pictures: ImageRgb8 or
+// ImageRgbF.
+
+constexpr bool swapsSides(int orientation) { return orientation >= 5; }
+std::string uprightNote(int orientation); // the clause for the person, after "; "
+
+// Makes a stored picture upright; `upright` takes its size. Any number but 1 to 8 counts as 1.
+template <class Picture> void makeUpright(const Picture& stored, int orientation, Picture& upright);
+
+// Places each eye's picture in its bounds within `whole`, which keeps its size: the picture takes the size
+// that fits. The rest of the sphere mirrors it, which is continuous everywhere around a centred half.
+template <class Picture>
+void placeInSphere(const Picture& upright, Layout layout, const SphereBounds& bounds, Picture& whole);
 
 } // namespace shoal::media
 

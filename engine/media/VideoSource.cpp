@@ -4,7 +4,6 @@
 #include "engine/core/Number.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/MediaKind.h"
-#include "engine/media/Orientation.h"
 
 #include <fmt/core.h>
 
