@@ -2,7 +2,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/environment/PhotoEnvironment.h"
-#include "engine/media/MediaKind.h"
+#include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 

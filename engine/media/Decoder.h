@@ -3,7 +3,6 @@
 
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/media/CardDecoding.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/FrameConverter.h"
 #include "engine/media/VideoFrame.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace shoal::media {
 
@@ -26,6 +26,21 @@ Status checkPictureSize(int width, int height);
 // (BT.601 and 709). Values are within 0.6 of the formula's, clamped to 0 .. 255.
 void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>& strides,
            int rowsPerDifference, ColourMatrix matrix, bool fullRange, ImageRgb8& bgr);
+
+// Pictures brought back from a graphics card, which decodes films by VAAPI or CUDA. Keeps its memory between
+// them.
+class CardPictures {
+  public:
+    // Replaces a picture on the card by a copy in planes, as decoders in software give it. False: it cannot.
+    bool bringBack(AVFrame& picture);
+    // Makes `picture` a copy in planes of NV12 or P010, which have both colour differences in one plane.
+    bool copyInPlanes(const AVFrame& codes, AVFrame& picture);
+
+  private:
+    Frame codes_ = makeFrame(), copy_ = makeFrame();
+    std::unique_ptr<AVBufferPool, FreeAt<av_buffer_pool_uninit>> pool_; // of pictures of pictureBytes_
+    int pictureBytes_ = 0;
+};
 
 // ByThreads: each thread decodes its own picture, which is faster but delays pictures by one for each thread.
 enum class FrameThreading { None, ByThreads };

@@ -3,7 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Quantile.h"
-#include "engine/media/MediaKind.h"
+#include "engine/media/Check.h"
 
 #include <fmt/core.h>
 
