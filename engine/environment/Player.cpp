@@ -7,7 +7,6 @@
 #include "engine/media/StereoView.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <future>
 

@@ -11,7 +11,6 @@ extern "C" {
 #include <libavutil/imgutils.h>
 }
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -111,18 +110,14 @@ static AVPixelFormat cardFormat(AVCodecContext* decoder, const AVPixelFormat* of
     return *offered;
 }
 
-static Codec openOn(AVHWDeviceType device, const AVCodec& kind, AVPixelFormat format, const AVStream& stream,
-                    int64_t maxPixels) {
-    Codec codec(avcodec_alloc_context3(&kind));
-    if (!codec || av_hwdevice_ctx_create(&codec->hw_device_ctx, device, nullptr, nullptr, 0) < 0 ||
-        avcodec_parameters_to_context(codec.get(), stream.codecpar) < 0)
-        return nullptr;
+// Returns a decoder of the stream that is not opened yet; null if there is no such kind.
+static Codec decoderOf(const AVCodec* kind, const AVStream& stream, int threads, int64_t maxPixels) {
+    Codec codec(kind ? avcodec_alloc_context3(kind) : nullptr);
+    if (!codec || avcodec_parameters_to_context(codec.get(), stream.codecpar) < 0) return nullptr;
     codec->pkt_timebase = stream.time_base;
-    codec->opaque = reinterpret_cast<void*>(intptr_t{format});
-    codec->get_format = cardFormat;
-    codec->thread_count = 1;
+    codec->thread_count = threads;
     codec->max_pixels = maxPixels;
-    return avcodec_open2(codec.get(), &kind, nullptr) < 0 ? nullptr : std::move(codec);
+    return codec;
 }
 
 // Returns an opened decoder whose pictures are on a card; null if there is none for this stream.
@@ -134,8 +129,12 @@ static Codec openOnCard(const AVStream& stream, int64_t maxPixels) {
             for (int i = 0; const AVCodecHWConfig* way = avcodec_get_hw_config(kind, i); ++i) {
                 if (way->device_type != device || !(way->methods & AV_CODEC_HW_CONFIG_METHOD_HW_DEVICE_CTX))
                     continue;
-                Codec codec = openOn(device, *kind, way->pix_fmt, stream, maxPixels);
-                if (!codec) continue;
+                Codec codec = decoderOf(kind, stream, 1, maxPixels);
+                if (!codec || av_hwdevice_ctx_create(&codec->hw_device_ctx, device, nullptr, nullptr, 0) < 0)
+                    continue;
+                codec->opaque = reinterpret_cast<void*>(intptr_t{way->pix_fmt});
+                codec->get_format = cardFormat;
+                if (avcodec_open2(codec.get(), kind, nullptr) < 0) continue;
                 log::info("the film is decoded by {}", av_hwdevice_get_type_name(device));
                 return codec;
             }
@@ -208,16 +207,12 @@ Status Decoder::open(const AVStream& stream, FrameThreading threading, int threa
     stated_ = {stream.codecpar->color_space, stream.codecpar->color_primaries, stream.codecpar->color_trc};
     if (isOnCard_) return Done{};
     const AVCodec* kind = avcodec_find_decoder(stream.codecpar->codec_id);
-    codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
-    if (!codec_ || avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0)
-        return Error{"", "is of a codec that is not installed"};
-    codec_->pkt_timebase = stream.time_base;
-    codec_->thread_count = threads;
+    codec_ = decoderOf(kind, stream, threads, maxPixels);
+    if (!codec_) return Error{"", "is of a codec that is not installed"};
     if (threading == FrameThreading::None) {
         codec_->thread_type = FF_THREAD_SLICE; // threads share a picture
         codec_->flags |= AV_CODEC_FLAG_LOW_DELAY;
     }
-    codec_->max_pixels = maxPixels;
     if (avcodec_open2(codec_.get(), kind, nullptr) < 0) return Error{"", "cannot be decoded"};
     return Done{};
 }

@@ -7,7 +7,6 @@
 #include "engine/media/PhotoMetadata.h"
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

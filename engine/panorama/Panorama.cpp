@@ -79,15 +79,9 @@ constexpr double kProhibitive = 10; // more than any pixel can differ from its n
 constexpr double kVertical = 4;     // times the edge's own step
 constexpr double kTexture = 0.25;   // times the local gradient
 
-// Columns that no seam may cross, middle - half to middle + half; beyond them the weight falls over `fade`
-// columns.
-struct ProtectedColumns {
-    double middle = 0, half = 0, fade = 0; // pixels
-};
-
-// Returns weights for seamInsertionMap(): prohibitive within the protected columns, high along vertical edges
-// as long as a quarter of the picture's height, and slightly raised by any texture.
-cv::Mat seamWeights(const cv::Mat& picture, const ProtectedColumns& columns) {
+// Returns weights for seamInsertionMap(): high along vertical edges as long as a quarter of the picture's
+// height, and slightly raised by any texture.
+cv::Mat seamWeights(const cv::Mat& picture) {
     cv::Mat grey, across, down, vertical;
     cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
     const cv::Matx13f between(-0.5f, 0, 0.5f);
@@ -106,14 +100,7 @@ cv::Mat seamWeights(const cv::Mat& picture, const ProtectedColumns& columns) {
     cv::Mat texture = cv::abs(across) + cv::abs(down);
     cv::GaussianBlur(texture, texture, {}, std::max(0.5, picture.cols / 120.0), 0, cv::BORDER_REPLICATE);
 
-    cv::Mat weight = kVertical * vertical + kTexture * texture;
-    const double usual = cv::mean(weight)[0] + 1e-3;
-    for (int x = 0; x < picture.cols; ++x) {
-        const double beyond = std::abs(x + 0.5 - columns.middle) - columns.half;
-        const double near = columns.fade > 0 ? std::clamp(1 - beyond / columns.fade, 0.0, 1.0) : 0.0;
-        weight.col(x) += beyond <= 0 ? kProhibitive : 4 * usual * near * near;
-    }
-    return weight;
+    return kVertical * vertical + kTexture * texture;
 }
 
 Progress within(const Progress& progress, double from, double to) {
@@ -132,12 +119,19 @@ void insertColumns(const cv::Mat& picture, const cv::Mat& weight, int first, int
     for (const float at : cv::Mat_<float>(mean)) map.push_back(at + static_cast<float>(first));
 }
 
+// No seam crosses the columns of the light and around it; beyond them the weight falls over `fade` columns.
 // light: in pixels of the patch.
 std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, const Progress& progress) {
     const int w = patch.cols, middle = std::clamp(static_cast<int>(std::lround(light.place.x)), 0, w);
-    const cv::Mat weight =
-        seamWeights(patch, {light.place.x, std::min(light.radius_px, kLargestLight) + kAroundLight,
-                            std::min(kFade, w * 0.12)});
+    const double half = std::min(light.radius_px, kLargestLight) + kAroundLight;
+    const double fade = std::min(kFade, w * 0.12);
+    cv::Mat weight = seamWeights(patch);
+    const double usual = cv::mean(weight)[0] + 1e-3;
+    for (int x = 0; x < w; ++x) {
+        const double beyond = std::abs(x + 0.5 - light.place.x) - half;
+        const double near = std::clamp(1 - beyond / fade, 0.0, 1.0);
+        weight.col(x) += beyond <= 0 ? kProhibitive : 4 * usual * near * near;
+    }
     const auto maximum = [](int columns) {
         return std::min<int>(kMapWidth / 2, static_cast<int>(kMaxSideways) * columns);
     };
@@ -179,7 +173,7 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& lig
         return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward));
     };
     const cv::Mat turned = widenedAndTransposed(patch, ring.column);
-    const cv::Mat weight = seamWeights(turned, {-1e9, 0, 0});
+    const cv::Mat weight = seamWeights(turned);
     const int up = rowsFor(upperEnd), down = rowsFor(patch.rows - lowerStart);
     insertColumns(turned, weight, 0, upperEnd, up, within(progress, 0.8, 0.9), ring.row);
     for (int y = upperEnd; y < lowerStart; ++y) ring.row.push_back(static_cast<float>(y));

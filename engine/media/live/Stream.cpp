@@ -1,6 +1,6 @@
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Decoder.h"
-#include "engine/media/live/LiveFeed.h"
+#include "engine/media/live/LivePlayer.h"
 #include "engine/media/live/PacketQueue.h"
 
 extern "C" {
@@ -278,7 +278,7 @@ class Stream final : public LiveFeed {
     bool closed_ = false;     // closed to further connections
     int64_t packetBegan_ = 0; // bytes received before the packet
     bool tooMuch_ = false;    // more than kMaxBytesBetween have come
-    std::unique_ptr<AVCodecParserContext, FreeBy<av_parser_close>> parser_;
+    std::unique_ptr<AVCodecParserContext, void (*)(AVCodecParserContext*)> parser_{nullptr, av_parser_close};
     Codec parsed_;
     double deadline_s_ = 0;
 
