@@ -11,9 +11,6 @@
 
 namespace shoal::media {
 
-// Greatest size of a live picture: some 250 MB for the pictures that are decoded and shown at once.
-constexpr int64_t kMaxLivePixels = int64_t{4096} * 4096;
-
 struct LiveAddress {
     int camera = -1;   // of /dev/videoN; -1: a stream or a pipe
     std::string place; // a URL, or the file of a named pipe
@@ -32,13 +29,6 @@ std::string withoutPassword(const std::string& url);
 // Monotonic clock of arrivals, seconds.
 double liveNow_s();
 
-struct LivePicture {
-    double arrived_s = 0; // when its last coded byte arrived, by liveNow_s()
-    double decode_ms = 0;
-    int64_t passedOver = 0;     // pictures skipped since the last one because a newer one had arrived
-    glm::ivec2 chromaTexels{2}; // as in VideoFrame
-};
-
 class LiveFeed {
   public:
     LiveFeed(std::string shownName, const char* kindName) : name(std::move(shownName)), kind(kindName) {}
@@ -52,10 +42,12 @@ class LiveFeed {
     // Connects, or connects again. The error says why there is nothing to read.
     virtual Status open() = 0;
 
-    // Returns the newest picture that was not returned before, as soon as there is one; blue first,
-    // sRGB-coded. The image takes the picture's size, at most kMaxVideoSide a side. The error says why no
-    // more come; then open() again. radianceLin: as for VideoFrame.
-    virtual Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF& radianceLin) = 0;
+    // Reads the newest picture that was not read before, as soon as there is one; blue first, sRGB-coded.
+    // The image takes the picture's size, at most kMaxVideoSide a side. Sets the frame's light, chroma
+    // texels, time of decoding, and arrival: that of the last coded byte, by liveNow_s(). Returns how many
+    // pictures were skipped since the last one because a newer one had arrived. The error says why no more
+    // come; then open() again.
+    virtual Result<int64_t> read(ImageRgb8& bgr, VideoFrame& frame) = 0;
 
     // Makes open() and read() return soon, now and later. Any thread.
     virtual void interrupt() = 0;
