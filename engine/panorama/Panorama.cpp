@@ -71,7 +71,7 @@ constexpr double px(double degrees) { return degrees * kMapPixelsPerDegree; }
 
 // The light and a margin around it are not stretched; outside the margin stretching increases over kFade.
 constexpr double kLargestLight = px(10), kAroundLight = px(5), kFade = px(14);
-constexpr double kMaxSideways = 6, kMaxUpward = 4; // greatest stretching
+constexpr int kMaxSideways = 6, kMaxUpward = 4; // greatest stretching
 constexpr double kSmoothAround = px(2), kSmoothUp = px(2);
 constexpr double kBand_deg = 45; // extent of the ring from the horizon up and down
 // Weights that keep seams away.
@@ -132,9 +132,7 @@ std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, 
         const double near = std::clamp(1 - beyond / fade, 0.0, 1.0);
         weight.col(x) += beyond <= 0 ? kProhibitive : 4 * usual * near * near;
     }
-    const auto maximum = [](int columns) {
-        return std::min<int>(kMapWidth / 2, static_cast<int>(kMaxSideways) * columns);
-    };
+    const auto maximum = [](int columns) { return std::min(kMapWidth / 2, kMaxSideways * columns); };
     const int left = middle == 0 ? 0 : std::max(maximum(middle), kMapWidth - maximum(w - middle));
     std::vector<float> map;
     insertColumns(patch, weight, 0, middle,
@@ -144,13 +142,6 @@ std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, 
                   within(progress, 0.5, 1), map);
     smoothMap(map, kSmoothAround);
     return map;
-}
-
-// Returns the patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
-// transposed.
-cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& column) {
-    return remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR,
-                    [&](int x, int y) { return cv::Vec2f(column[4 * y + 2], static_cast<float>(x)); });
 }
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
@@ -170,9 +161,13 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& lig
     const int lowerStart = row(std::max(light.place.y + margin, horizon + kAroundLight / 2));
     const double lacking = px((kBand_deg * kRadiansPerDegree - lens.latitude) / kRadiansPerDegree);
     const auto rowsFor = [&](int have) {
-        return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward));
+        return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward * 1.0));
     };
-    const cv::Mat turned = widenedAndTransposed(patch, ring.column);
+    // The patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
+    // transposed.
+    const cv::Mat turned = remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR, [&](int x, int y) {
+        return cv::Vec2f(ring.column[4 * y + 2], static_cast<float>(x));
+    });
     const cv::Mat weight = seamWeights(turned);
     const int up = rowsFor(upperEnd), down = rowsFor(patch.rows - lowerStart);
     insertColumns(turned, weight, 0, upperEnd, up, within(progress, 0.8, 0.9), ring.row);

@@ -26,15 +26,8 @@ namespace shoal::water {
 // shaders/render/Water.glsl.
 constexpr size_t kVeilTerms = 9;
 inline std::array<float, kVeilTerms> veilTerms(const glm::vec3& dir) {
-    return {1,
-            dir.x,
-            dir.y,
-            dir.z,
-            dir.x * dir.y,
-            dir.y * dir.z,
-            dir.x * dir.z,
-            dir.y * dir.y - 1 / 3.0f,
-            dir.x * dir.x - dir.z * dir.z};
+    const glm::vec3 square = dir * dir, mixed = dir * glm::vec3(dir.y, dir.z, dir.x); // xy, yz, zx
+    return {1, dir.x, dir.y, dir.z, mixed.x, mixed.y, mixed.z, square.y - 1 / 3.0f, square.x - square.z};
 }
 
 struct Water {
@@ -66,16 +59,7 @@ class WaterEstimator {
     WaterEstimate estimate(const light::FrameView& frame);
 
   private:
-    void sample(const light::FrameView& frame);
-    glm::vec3 meanLin(int sector, int firstRow, int lastRow) const; // rows first .. last - 1
-    float redLoss(int firstRow, int lastRow) const;
-    void rankSectors(int firstRow, int lastRow);
-    glm::vec3 medianLin(int sectors, int firstRow, int lastRow) const; // over the most open sectors' means
-
-    static constexpr int kSectors = 16, kOpenSectors = 6; // sectors of the horizon
-
-    std::array<int, kSectors> byOpenness_{};
-    std::vector<glm::vec3> cellsLin_; // by row: mean light of the scene in each sector
+    std::vector<glm::vec3> cellsLin_; // by row: mean light of the scene in each sector of the horizon
 };
 
 // Returns the attenuation per metre: clear coastal water's, with red attenuated most. The ratio of green to
