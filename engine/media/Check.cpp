@@ -67,12 +67,6 @@ Result<MediaKind> mediaKind(const Path& file, const std::string& layer) {
     return MediaKind::Video;
 }
 
-static std::string shapeNote(const ImageRgbF& picture) {
-    return layoutOf(picture) == Layout::Mono
-               ? "lat-long mono by its shape"
-               : "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
-}
-
 // Returns what environment::environmentFrom() makes of the photo.
 static std::string shapeNote(const Photo& photo) {
     if (photo.metadata.isPart()) {
@@ -173,9 +167,12 @@ Result<std::string> checkPicture(const Path& file, const std::string& layer) {
     const auto picture = readHdr(file, {}, layer);
     if (!picture) return picture.error();
     const ImageRgbF& image = picture->radianceLin;
+    const char* shape =
+        layoutOf(image) == Layout::Mono
+            ? "lat-long mono by its shape"
+            : "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
     return fmt::format("{}x{} {} picture, largest component {:.4g}, {}{}", image.width, image.height,
-                       nameOf(*kind), *std::ranges::max_element(image.pixels), shapeNote(image),
-                       picture->note());
+                       nameOf(*kind), *std::ranges::max_element(image.pixels), shape, picture->note());
 }
 
 Result<std::string> checkMedia(const Path& file, const std::string& layer) {

@@ -272,21 +272,21 @@ glm::ivec2 Decoder::chromaTexels() const {
     return format ? glm::ivec2(1 << format->log2_chroma_w, 1 << format->log2_chroma_h) : glm::ivec2(1);
 }
 
-FrameColour Decoder::colour() const {
+FrameColour Decoder::colour(const AVFrame& received) const {
     StatedColour stated = stated_;
-    if (frame_->colorspace != AVCOL_SPC_UNSPECIFIED) stated.matrix = frame_->colorspace;
-    if (frame_->color_primaries != AVCOL_PRI_UNSPECIFIED) stated.primaries = frame_->color_primaries;
-    if (frame_->color_trc != AVCOL_TRC_UNSPECIFIED) stated.transfer = frame_->color_trc;
-    stated.range = frame_->color_range;
-    stated.format = static_cast<AVPixelFormat>(frame_->format);
-    return colourOf(codec_->codec_id, stated, frame_->width, frame_->height);
+    if (received.colorspace != AVCOL_SPC_UNSPECIFIED) stated.matrix = received.colorspace;
+    if (received.color_primaries != AVCOL_PRI_UNSPECIFIED) stated.primaries = received.color_primaries;
+    if (received.color_trc != AVCOL_TRC_UNSPECIFIED) stated.transfer = received.color_trc;
+    stated.range = received.color_range;
+    stated.format = static_cast<AVPixelFormat>(received.format);
+    return colourOf(codec_->codec_id, stated, received.width, received.height);
 }
 
 Status Decoder::convert(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     const auto format = static_cast<AVPixelFormat>(frame_->format);
-    const FrameColour colour = this->colour();
+    const FrameColour colour = this->colour(*frame_);
     if (!colour.decodable) return colour.decodable;
     const bool isUsual = format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUV422P ||
                          format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P;

@@ -1,8 +1,7 @@
-#include "engine/media/PhotoMetadata.h"
+#include "engine/media/PictureHeader.h"
 
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
-#include "engine/media/PictureHeader.h"
 
 #include <fmt/core.h>
 #include <lcms2.h>
@@ -177,7 +176,7 @@ void readGPano(std::string_view xmp, PhotoMetadata& m) {
 
 } // namespace
 
-std::string convertToSrgb(std::span<const uint8_t> bytes, ImageRgb8& picture) {
+std::string convertToSrgb(ByteSpan bytes, ImageRgb8& picture) {
     constexpr const char* kIgnored = "; its colour profile is damaged or not for its colours, and is ignored";
     if (bytes.empty() || picture.empty()) return "";
     const Profile from(cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
@@ -204,8 +203,7 @@ glm::quat PhotoMetadata::envFromPhoto() const {
 }
 
 std::string PhotoMetadata::note() const {
-    std::string text;
-    if (orientation != 1) text = uprightNote(orientation);
+    std::string text = uprightNote(orientation);
     if (placementIgnored)
         text += "; its place in a panorama contradicts itself or is too small, and is ignored";
     if (pitch_deg != 0 || roll_deg != 0)

@@ -198,8 +198,7 @@ glm::quat filmFromWorld(const glm::quat& envFromFilm, float yaw) {
 }
 
 std::string SphericalMetadata::note() const {
-    std::string text;
-    if (orientation != 1) text = uprightNote(orientation);
+    std::string text = uprightNote(orientation);
     if (boundsIgnored) text += "; its bounds make no sense, or too large a picture, and are ignored";
     if (!bounds.isWhole())
         text += fmt::format("; covers {:.0f} x {:.0f} of 360 x 180 degrees, and the rest mirrors it",
@@ -230,7 +229,7 @@ template <class Picture> void makeUpright(const Picture& stored, int orientation
 }
 
 std::string uprightNote(int orientation) {
-    return fmt::format("; turned upright from its orientation {}", orientation);
+    return orientation == 1 ? "" : fmt::format("; turned upright from its orientation {}", orientation);
 }
 
 template <class Picture>

@@ -1,7 +1,6 @@
 // Kinds of files, and metadata: of a video's header (MP4 or Matroska), and of photos, with their profiles.
 #include "engine/media/Check.h"
 #include "engine/media/Ffmpeg.h"
-#include "engine/media/PhotoMetadata.h"
 #include "engine/media/PictureHeader.h"
 #include "tests/fuzz/Target.h"
 

@@ -2,7 +2,6 @@
 // it.
 #include "engine/core/Random.h"
 #include "engine/media/Decoder.h"
-#include "engine/media/FrameConverter.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/VideoSource.h"
 #include "tests/unit/media/TestFiles.h"
