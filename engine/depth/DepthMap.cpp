@@ -208,11 +208,8 @@ void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
 
 DepthRefiner::Interpolation DepthRefiner::interpolationOf(int fine, int fineCount, int coarseCount,
                                                           bool repeats) {
-    const float at =
-        (static_cast<float>(fine) + 0.5f) * static_cast<float>(coarseCount) / static_cast<float>(fineCount) -
-        0.5f;
-    const float low = std::floor(at);
-    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5f);
+    const double at = (fine + 0.5) * coarseCount / fineCount - 0.5, low = std::floor(at);
+    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5);
     if (repeats) return {wrappedColumn(first, coarseCount), wrappedColumn(first + 1, coarseCount), weight};
     return {std::clamp(first, 0, coarseCount - 1), std::clamp(first + 1, 0, coarseCount - 1), weight};
 }
