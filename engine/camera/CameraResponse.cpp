@@ -146,7 +146,7 @@ void CameraResponseEstimator::measureNoise(CameraResponseEstimate& out) {
 }
 
 // Measures black and white, without the darkest and brightest thousandth: dead texels, glints.
-void CameraResponseEstimator::measureLevels(const light::FrameView& frame, CameraResponse& response) {
+static void measureLevels(const light::FrameView& frame, CameraResponse& response) {
     constexpr int kApart = 8;
     constexpr double kShare = 0.001;
     std::array<std::array<int, 256>, 3> counts{};

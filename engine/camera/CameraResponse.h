@@ -55,7 +55,6 @@ class CameraResponseEstimator {
     void measureEdges(float stretch);
     void measureBlur(CameraResponseEstimate& out);
     void measureNoise(CameraResponseEstimate& out);
-    void measureLevels(const light::FrameView& frame, CameraResponse& response);
 
     // The current stripe, row by row: luma, 0 to 255; clipped: whether any channel is.
     int width_ = 0;

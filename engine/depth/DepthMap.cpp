@@ -1,7 +1,6 @@
 #include "engine/depth/DepthMap.h"
 
 #include "engine/core/Vectorise.h"
-#include "engine/math/LatLong.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -209,11 +208,8 @@ void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
 
 DepthRefiner::Interpolation DepthRefiner::interpolationOf(int fine, int fineCount, int coarseCount,
                                                           bool repeats) {
-    const float at =
-        (static_cast<float>(fine) + 0.5f) * static_cast<float>(coarseCount) / static_cast<float>(fineCount) -
-        0.5f;
-    const float low = std::floor(at);
-    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5f);
+    const double at = (fine + 0.5) * coarseCount / fineCount - 0.5, low = std::floor(at);
+    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5);
     if (repeats) return {wrappedColumn(first, coarseCount), wrappedColumn(first + 1, coarseCount), weight};
     return {std::clamp(first, 0, coarseCount - 1), std::clamp(first + 1, 0, coarseCount - 1), weight};
 }
@@ -279,8 +275,7 @@ void DepthRefiner::placeTexels(int scale) {
     for (int n = 0; n < 9; ++n)
         for (int y = 0; y < scale; ++y)
             for (int x = 0; x < scale; ++x)
-                nearness_[static_cast<size_t>(n) * padded_ + static_cast<size_t>(y * scale + x)] =
-                    along(x, n % 3 - 1) * along(y, n / 3 - 1);
+                nearness_[n * padded_ + y * scale + x] = along(x, n % 3 - 1) * along(y, n / 3 - 1);
 }
 
 // Reads the film's colours at the map's texels, channel by channel for each wanted texel of the track: the
@@ -305,8 +300,7 @@ void DepthRefiner::readColours(const light::FrameView& film, int scale) {
                     const uint8_t* a = row + filmColumns_[static_cast<size_t>(cx * scale + fx)];
                     for (int c = 0; c < 3; ++c, ++a) {
                         const int sum = a[0] + a[right] + a[down] + a[down + right];
-                        colours[static_cast<size_t>(c) * padded_ + static_cast<size_t>(fy * scale + fx)] =
-                            static_cast<uint8_t>(sum / 4);
+                        colours[c * padded_ + fy * scale + fx] = static_cast<uint8_t>(sum / 4);
                         sums[c] += sum;
                     }
                 }

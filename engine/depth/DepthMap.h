@@ -29,10 +29,8 @@ struct DepthMap {
 
     static constexpr float perM(int code) { return static_cast<float>(code) / (kSteps * kNearest_m); }
 
-    // Returns the inverse distance in 1/m, interpolated linearly. dirEnv: unit length.
+    // Returns the inverse distance in 1/m, interpolated linearly; 0 if it is unknown. dirEnv: unit length.
     float inverse_perM(const glm::vec3& dirEnv) const;
-    // Returns the distance; infinite if it is unknown.
-    float distance_m(const glm::vec3& dirEnv) const { return 1 / inverse_perM(dirEnv); }
 };
 
 // The point of the film that a ray meets: see searchAlong().

@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -51,9 +50,8 @@ void LightDifference::make(const ImageRgbF& radianceLin, const DepthMap& map) {
     radiance_.assign(kCoarse * kCoarse, glm::vec3(0));
     for (int cell = 0; cell < kFine * kFine; ++cell) {
         const glm::vec3 dir = math::octahedralDirection(cell, kFine);
-        inverse_perM_[static_cast<size_t>(cell)] = map.inverse_perM(dir);
-        radiance_[static_cast<size_t>(coarseOf(cell))] +=
-            light::lookUp(radianceLin, dir) * (1.0f / (kAcross * kAcross));
+        inverse_perM_[cell] = map.inverse_perM(dir);
+        radiance_[coarseOf(cell)] += light::lookUp(radianceLin, dir) * (1.0f / (kAcross * kAcross));
     }
 }
 
@@ -64,7 +62,7 @@ int LightDifference::firstMet(const glm::vec3& place, const glm::vec3& dir) cons
         const float square = glm::dot(there, there);
         if (square == 0) return false; // at the camera
         cell = math::octahedralCell(there, kFine);
-        const float inverse = inverse_perM_[static_cast<size_t>(cell)];
+        const float inverse = inverse_perM_[cell];
         return square * inverse * inverse >= 1 && inverse > 1 / kFar_m;
     };
     constexpr int kHalvings = 3;
@@ -91,10 +89,8 @@ LightHarmonics LightDifference::at(const glm::vec3& placeEnv) const {
     for (size_t i = 0; i < rays.size(); ++i) {
         const int met = firstMet(placeEnv, rays[i].dir);
         if (met < 0) continue;
-        const float nearness =
-            glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[static_cast<size_t>(met)]);
-        const glm::vec3 change =
-            (radiance_[static_cast<size_t>(coarseOf(met))] - radiance_[i]) * (within * nearness);
+        const float nearness = glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[met]);
+        const glm::vec3 change = (radiance_[coarseOf(met)] - radiance_[i]) * (within * nearness);
         for (size_t k = 0; k < beyond.size(); ++k) beyond[k] += rays[i].basis[k] * change;
     }
     return beyond;

@@ -4,7 +4,7 @@
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/media/PhotoMetadata.h"
+#include "engine/media/Pictures.h"
 
 #include <functional>
 #include <optional>

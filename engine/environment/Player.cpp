@@ -2,12 +2,9 @@
 
 #include "engine/core/Log.h"
 #include "engine/environment/PhotoEnvironment.h"
-#include "engine/media/MediaKind.h"
+#include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
-#include "engine/media/StereoView.h"
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <future>
 
@@ -20,8 +17,8 @@ namespace {
 constexpr int kVideoLightWidth = 512;
 constexpr int kStillLightWidth = 4096;
 
-constexpr int kBesideWidth = 64;         // greatest width of the map for light beside the camera
-constexpr int kSmoothWidth = 32;         // greatest width of the map for light in occlusion
+constexpr int kBesideWidth = 64;         // width of the map for light beside the camera
+constexpr int kSmoothWidth = 32;         // width of the map for light in occlusion
 constexpr int kCameraResponseEvery = 24; // frames between estimates: a camera hardly changes
 
 // Returns the left eye's picture. Its light serves both eyes: theirs differ by less than the light's error.
@@ -208,13 +205,8 @@ void Player::pack(light::TooBright tooBright, FrameFindings& out) {
                      : setup_.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
                                                                           : light::MirrorMaps::None,
                      out.light, tooBright);
-    const auto levelOf = [&](int width) {
-        return std::ranges::find_if(made_.radiance.levels,
-                                    [=](const ImageRgbF& level) { return level.width <= width; });
-    };
-    const auto none = made_.radiance.levels.end();
-    if (const auto small = levelOf(kSmoothWidth); small != none) out.smooth = occlusion::smoothLight(*small);
-    if (const auto small = levelOf(kBesideWidth); small != none) out.radianceLin = *small;
+    out.smooth = occlusion::smoothLight(made_.radiance.ofWidth(kSmoothWidth));
+    out.radianceLin = made_.radiance.ofWidth(kBesideWidth);
 }
 
 bool Player::update(double time_s, bool exact) {

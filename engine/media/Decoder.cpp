@@ -1,12 +1,18 @@
 #include "engine/media/Decoder.h"
 
+#include "engine/core/Log.h"
 #include "engine/core/Vectorise.h"
 
 #include <fmt/core.h>
 #include <opencv2/core.hpp>
 
-#include <algorithm>
+extern "C" {
+#include <libavutil/hwcontext.h>
+#include <libavutil/imgutils.h>
+}
+
 #include <cmath>
+#include <utility>
 
 namespace shoal::media {
 
@@ -94,6 +100,95 @@ void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>
     }
 }
 
+// --- Decoding by a graphics card
+
+// Returns the format that the decoder's owner keeps in `opaque`; none, which fails, if it is not offered: the
+// decoder itself would go on with one thread.
+static AVPixelFormat cardFormat(AVCodecContext* decoder, const AVPixelFormat* offered) {
+    const auto wanted = static_cast<AVPixelFormat>(reinterpret_cast<intptr_t>(decoder->opaque));
+    while (*offered != AV_PIX_FMT_NONE && *offered != wanted) ++offered;
+    return *offered;
+}
+
+// Returns a decoder of the stream that is not opened yet; null if there is no such kind.
+static Codec decoderOf(const AVCodec* kind, const AVStream& stream, int threads, int64_t maxPixels) {
+    Codec codec(kind ? avcodec_alloc_context3(kind) : nullptr);
+    if (!codec || avcodec_parameters_to_context(codec.get(), stream.codecpar) < 0) return nullptr;
+    codec->pkt_timebase = stream.time_base;
+    codec->thread_count = threads;
+    codec->max_pixels = maxPixels;
+    return codec;
+}
+
+// Returns an opened decoder whose pictures are on a card; null if there is none for this stream.
+static Codec openOnCard(const AVStream& stream, int64_t maxPixels) {
+    for (const AVHWDeviceType device : {AV_HWDEVICE_TYPE_VAAPI, AV_HWDEVICE_TYPE_CUDA}) {
+        void* at = nullptr;
+        while (const AVCodec* kind = av_codec_iterate(&at)) { // the codec's first may be software alone
+            if (kind->id != stream.codecpar->codec_id || !av_codec_is_decoder(kind)) continue;
+            for (int i = 0; const AVCodecHWConfig* way = avcodec_get_hw_config(kind, i); ++i) {
+                if (way->device_type != device || !(way->methods & AV_CODEC_HW_CONFIG_METHOD_HW_DEVICE_CTX))
+                    continue;
+                Codec codec = decoderOf(kind, stream, 1, maxPixels);
+                if (!codec || av_hwdevice_ctx_create(&codec->hw_device_ctx, device, nullptr, nullptr, 0) < 0)
+                    continue;
+                codec->opaque = reinterpret_cast<void*>(intptr_t{way->pix_fmt});
+                codec->get_format = cardFormat;
+                if (avcodec_open2(codec.get(), kind, nullptr) < 0) continue;
+                log::info("the film is decoded by {}", av_hwdevice_get_type_name(device));
+                return codec;
+            }
+        }
+    }
+    return nullptr;
+}
+
+// Copies codes that are shifted within their bits.
+template <class Code> static void split(const AVFrame& from, int shift, AVFrame& to) {
+    const auto row = [](const AVFrame& of, int plane, int y) {
+        return reinterpret_cast<Code*>(of.data[plane] + ptrdiff_t{y} * of.linesize[plane]);
+    };
+    const auto code = [=](Code stored) { return static_cast<Code>(stored >> shift); };
+    for (int y = 0; y < to.height; ++y)
+        std::transform(row(from, 0, y), row(from, 0, y) + to.width, row(to, 0, y), code);
+    for (int y = 0; y < (to.height + 1) / 2; ++y) {
+        const Code* pairs = row(from, 1, y);
+        Code *const blue = row(to, 1, y), *const red = row(to, 2, y);
+        for (int x = 0; x < (to.width + 1) / 2; ++x)
+            blue[x] = code(pairs[2 * x]), red[x] = code(pairs[2 * x + 1]);
+    }
+}
+
+bool CardPictures::copyInPlanes(const AVFrame& codes, AVFrame& picture) {
+    const bool isDeep = codes.format == AV_PIX_FMT_P010;
+    if (!isDeep && codes.format != AV_PIX_FMT_NV12) return false;
+    constexpr int kAlign = 64; // of rows, bytes
+    const AVPixelFormat format = isDeep ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
+    const int bytes = av_image_get_buffer_size(format, codes.width, codes.height, kAlign);
+    if (bytes > 0 && bytes != std::exchange(pictureBytes_, bytes))
+        pool_.reset(av_buffer_pool_init(static_cast<size_t>(bytes), nullptr));
+    picture.buf[0] = pool_ ? av_buffer_pool_get(pool_.get()) : nullptr;
+    if (!picture.buf[0]) return false;
+    picture.format = format;
+    picture.width = codes.width, picture.height = codes.height;
+    av_image_fill_arrays(picture.data, picture.linesize, picture.buf[0]->data, format, codes.width,
+                         codes.height, kAlign);
+    isDeep ? split<uint16_t>(codes, 6, picture) : split<uint8_t>(codes, 0, picture);
+    return true;
+}
+
+bool CardPictures::bringBack(AVFrame& picture) {
+    if (!picture.hw_frames_ctx) return false;
+    if (codes_->width != picture.width || codes_->height != picture.height) av_frame_unref(codes_.get());
+    av_frame_unref(copy_.get());
+    if (av_hwframe_transfer_data(codes_.get(), &picture, 0) < 0 || !copyInPlanes(*codes_, *copy_) ||
+        av_frame_copy_props(copy_.get(), &picture) < 0)
+        return false;
+    av_frame_unref(&picture);
+    av_frame_move_ref(&picture, copy_.get());
+    return true;
+}
+
 // --- Decoding
 
 Status checkPictureSize(int width, int height) {
@@ -112,16 +207,12 @@ Status Decoder::open(const AVStream& stream, FrameThreading threading, int threa
     stated_ = {stream.codecpar->color_space, stream.codecpar->color_primaries, stream.codecpar->color_trc};
     if (isOnCard_) return Done{};
     const AVCodec* kind = avcodec_find_decoder(stream.codecpar->codec_id);
-    codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
-    if (!codec_ || avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0)
-        return Error{"", "is of a codec that is not installed"};
-    codec_->pkt_timebase = stream.time_base;
-    codec_->thread_count = threads;
+    codec_ = decoderOf(kind, stream, threads, maxPixels);
+    if (!codec_) return Error{"", "is of a codec that is not installed"};
     if (threading == FrameThreading::None) {
         codec_->thread_type = FF_THREAD_SLICE; // threads share a picture
         codec_->flags |= AV_CODEC_FLAG_LOW_DELAY;
     }
-    codec_->max_pixels = maxPixels;
     if (avcodec_open2(codec_.get(), kind, nullptr) < 0) return Error{"", "cannot be decoded"};
     return Done{};
 }
@@ -181,21 +272,21 @@ glm::ivec2 Decoder::chromaTexels() const {
     return format ? glm::ivec2(1 << format->log2_chroma_w, 1 << format->log2_chroma_h) : glm::ivec2(1);
 }
 
-FrameColour Decoder::colour() const {
+FrameColour Decoder::colour(const AVFrame& received) const {
     StatedColour stated = stated_;
-    if (frame_->colorspace != AVCOL_SPC_UNSPECIFIED) stated.matrix = frame_->colorspace;
-    if (frame_->color_primaries != AVCOL_PRI_UNSPECIFIED) stated.primaries = frame_->color_primaries;
-    if (frame_->color_trc != AVCOL_TRC_UNSPECIFIED) stated.transfer = frame_->color_trc;
-    stated.range = frame_->color_range;
-    stated.format = static_cast<AVPixelFormat>(frame_->format);
-    return colourOf(codec_->codec_id, stated, frame_->width, frame_->height);
+    if (received.colorspace != AVCOL_SPC_UNSPECIFIED) stated.matrix = received.colorspace;
+    if (received.color_primaries != AVCOL_PRI_UNSPECIFIED) stated.primaries = received.color_primaries;
+    if (received.color_trc != AVCOL_TRC_UNSPECIFIED) stated.transfer = received.color_trc;
+    stated.range = received.color_range;
+    stated.format = static_cast<AVPixelFormat>(received.format);
+    return colourOf(codec_->codec_id, stated, received.width, received.height);
 }
 
 Status Decoder::convert(ImageRgb8& bgr, ImageRgbF* radianceLin) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     const auto format = static_cast<AVPixelFormat>(frame_->format);
-    const FrameColour colour = this->colour();
+    const FrameColour colour = this->colour(*frame_);
     if (!colour.decodable) return colour.decodable;
     const bool isUsual = format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUV422P ||
                          format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P;

@@ -18,9 +18,6 @@ namespace shoal::media {
 template <auto kFree> struct FreeAt {
     template <class T> void operator()(T* object) const { kFree(&object); }
 };
-template <auto kFree> struct FreeBy {
-    template <class T> void operator()(T* object) const { kFree(object); }
-};
 using Packet = std::unique_ptr<AVPacket, FreeAt<av_packet_free>>; // never null once made
 using Frame = std::unique_ptr<AVFrame, FreeAt<av_frame_free>>;
 using Codec = std::unique_ptr<AVCodecContext, FreeAt<avcodec_free_context>>;

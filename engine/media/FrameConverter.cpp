@@ -1,4 +1,4 @@
-#include "engine/media/FrameConverter.h"
+#include "engine/media/Decoder.h"
 
 #include "engine/core/Vectorise.h"
 #include "engine/math/Colour.h"
@@ -40,12 +40,6 @@ const std::vector<float>& lightByCode(Transfer transfer) {
     static const std::array<std::vector<float>, 3> tables = {tableOf(math::linearFromSrgb<double>),
                                                              tableOf(lightFromPq), tableOf(sceneFromHlg)};
     return tables[static_cast<size_t>(transfer)];
-}
-
-// Returns hlgGain() by the square root of luminance.
-const std::vector<float>& hlgGains() {
-    static const std::vector<float> table = tableOf([](double root) { return hlgGain(root * root); });
-    return table;
 }
 
 // Returns the matrix from linear light of these primaries to Rec. 709's. White stays white.
@@ -289,7 +283,10 @@ void FrameConverter::convertRow(int y, Rows& rows, uint8_t* bgr) const {
     applyMatrix(planes_.rgbFromCodes, std::numeric_limits<float>::lowest(), width, red, green, blue);
     if (!planes_.lightByCode) return writeCodes(red, green, blue, width, bgr);
     for (Row& channel : rows.channels) lookUp(planes_.lightByCode, width, channel.data());
-    if (planes_.isHlg) applyHlgGain(hlgGains().data(), width, red, green, blue);
+    if (planes_.isHlg) { // gains by the square root of luminance
+        static const auto gains = tableOf([](double root) { return hlgGain(root * root); });
+        applyHlgGain(gains.data(), width, red, green, blue);
+    }
     applyMatrix(planes_.toRec709, 0, width, red, green, blue);
     writeLight(red, green, blue, width, bgr);
 }

@@ -1,19 +1,44 @@
-#include "engine/media/PhotoMetadata.h"
+#include "engine/media/PictureHeader.h"
 
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
-#include "engine/media/ColourProfile.h"
-#include "engine/media/Orientation.h"
-#include "engine/media/PictureHeader.h"
 
 #include <fmt/core.h>
+#include <lcms2.h>
 #include <zlib.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <map>
+#include <memory>
 
 namespace shoal::media {
 
 namespace {
+
+using Profile = std::unique_ptr<void, decltype([](cmsHPROFILE each) { cmsCloseProfile(each); })>;
+using Curve = std::unique_ptr<cmsToneCurve, decltype([](cmsToneCurve* each) { cmsFreeToneCurve(each); })>;
+using Transform = std::unique_ptr<void, decltype([](cmsHTRANSFORM each) { cmsDeleteTransform(each); })>;
+
+bool isGrey(const ImageRgb8& picture) {
+    const auto& p = picture.pixels;
+    for (size_t i = 0; i < p.size(); i += 3)
+        if (p[i] != p[i + 1] || p[i] != p[i + 2]) return false;
+    return true;
+}
+
+// Returns whether the transform leaves all of 6 x 6 x 6 colours as they are, within a level of 8 bits.
+bool isIdentity(cmsHTRANSFORM transform) {
+    for (int i = 0; i < 216; ++i) {
+        const std::array from = {static_cast<uint8_t>(i % 6 * 51), static_cast<uint8_t>(i / 6 % 6 * 51),
+                                 static_cast<uint8_t>(i / 36 * 51)};
+        std::array<uint8_t, 3> to{};
+        cmsDoTransform(transform, from.data(), to.data(), 1);
+        if (!std::ranges::equal(from, to, [](int a, int b) { return std::abs(a - b) <= 1; })) return false;
+    }
+    return true;
+}
 
 // Metadata without the headers of the photo's file.
 struct Blocks {
@@ -57,13 +82,26 @@ Blocks jpegBlocks(ByteSpan bytes) {
 }
 
 // Returns an RGB profile by a PNG's gamma and CIE coordinates of white, red, green and blue, in units of
-// 1/100000; without them, those of sRGB. 45455 stands for sRGB's curve (PNG specification, section 11.3.2.5),
-// and so do gammas beyond 0.1 to 10.
-std::vector<uint8_t> statedProfile(ByteSpan gamma, ByteSpan primaries) {
+// 1/100000; without them, those of sRGB; empty if they span no colours. 45455 stands for sRGB's curve (PNG
+// specification, section 11.3.2.5), and so do gammas beyond 0.1 to 10.
+std::vector<uint8_t> statedProfile(ByteSpan gamma, ByteSpan coordinates) {
     const uint32_t stated = gamma.empty() ? 45455 : big32(gamma, 0);
     std::array<double, 8> xy{0.3127, 0.329, 0.64, 0.33, 0.3, 0.6, 0.15, 0.06};
-    for (size_t i = 0; !primaries.empty() && i < 8; ++i) xy[i] = big32(primaries, 4 * i) / 1e5;
-    return rgbProfile(stated == 45455 || stated < 10000 || stated > 1000000 ? 0 : 1e5 / stated, xy);
+    for (size_t i = 0; !coordinates.empty() && i < 8; ++i) xy[i] = big32(coordinates, 4 * i) / 1e5;
+    if (xy[1] <= 0 || xy[3] <= 0 || xy[5] <= 0 || xy[7] <= 0) return {};       // lcms divides by them
+    const double srgb[] = {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045}; // IEC 61966-2-1
+    const bool isSrgb = stated == 45455 || stated < 10000 || stated > 1000000;
+    const Curve curve(isSrgb ? cmsBuildParametricToneCurve(nullptr, 4, srgb)
+                             : cmsBuildGamma(nullptr, 1e5 / stated));
+    cmsToneCurve* const curves[] = {curve.get(), curve.get(), curve.get()};
+    const cmsCIExyY white = {xy[0], xy[1], 1};
+    const cmsCIExyYTRIPLE primaries = {{xy[2], xy[3], 1}, {xy[4], xy[5], 1}, {xy[6], xy[7], 1}};
+    const Profile profile(curve ? cmsCreateRGBProfile(&white, &primaries, curves) : nullptr);
+    cmsUInt32Number size = 0;
+    if (!profile || !cmsSaveProfileToMem(profile.get(), nullptr, &size)) return {};
+    std::vector<uint8_t> bytes(size);
+    if (!cmsSaveProfileToMem(profile.get(), bytes.data(), &size)) bytes.clear();
+    return bytes;
 }
 
 // Keyword 0 packed method language 0 keyword 0 text (PNG specification, section 11.3.3.4).
@@ -138,14 +176,34 @@ void readGPano(std::string_view xmp, PhotoMetadata& m) {
 
 } // namespace
 
+std::string convertToSrgb(ByteSpan bytes, ImageRgb8& picture) {
+    constexpr const char* kIgnored = "; its colour profile is damaged or not for its colours, and is ignored";
+    if (bytes.empty() || picture.empty()) return "";
+    const Profile from(cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
+    const Profile srgb(cmsCreate_sRGBProfile());
+    if (!from || !srgb) return kIgnored;
+    const bool grey = cmsGetColorSpace(from.get()) == cmsSigGrayData;
+    if (!(grey ? isGrey(picture) : cmsGetColorSpace(from.get()) == cmsSigRgbData)) return kIgnored;
+    // A grey transform reads the first of each pixel's three equal components.
+    constexpr cmsUInt32Number kFirstOfThree =
+        COLORSPACE_SH(PT_GRAY) | CHANNELS_SH(1) | EXTRA_SH(2) | BYTES_SH(1);
+    const Transform transform(cmsCreateTransform(from.get(), grey ? kFirstOfThree : TYPE_RGB_8, srgb.get(),
+                                                 TYPE_RGB_8, INTENT_RELATIVE_COLORIMETRIC,
+                                                 cmsFLAGS_BLACKPOINTCOMPENSATION));
+    if (!transform) return kIgnored;
+    if (!grey && isIdentity(transform.get())) return "";
+    cmsDoTransform(transform.get(), picture.pixels.data(), picture.pixels.data(),
+                   static_cast<cmsUInt32Number>(picture.pixels.size() / 3));
+    return "; converted to sRGB from the colours that it states";
+}
+
 glm::quat PhotoMetadata::envFromPhoto() const {
     return math::rotationAbout({1, 0, 0}, glm::radians(pitch_deg)) *
            math::rotationAbout({0, 0, -1}, glm::radians(roll_deg));
 }
 
 std::string PhotoMetadata::note() const {
-    std::string text;
-    if (orientation != 1) text = uprightNote(orientation);
+    std::string text = uprightNote(orientation);
     if (placementIgnored)
         text += "; its place in a panorama contradicts itself or is too small, and is ignored";
     if (pitch_deg != 0 || roll_deg != 0)

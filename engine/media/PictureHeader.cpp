@@ -1,7 +1,5 @@
 #include "engine/media/PictureHeader.h"
 
-#include "engine/media/Orientation.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>

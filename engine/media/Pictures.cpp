@@ -3,17 +3,14 @@
 #include "engine/core/Log.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
-#include "engine/media/ColourProfile.h"
 #include "engine/media/Decoder.h"
-#include "engine/media/OpenExr.h"
-#include "engine/media/Orientation.h"
+#include "engine/media/PictureHeader.h"
 
 #include <fmt/ranges.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -164,17 +161,13 @@ Result<HdrPicture> decodePfm(ByteSpan bytes) {
 
     HdrPicture picture{ImageRgbF(width, height)};
     const float factor = std::abs(header.scale);
-    for (int y = height - 1; y >= 0; --y) {
-        float* out = picture.radianceLin.at(0, y);
-        for (int x = 0; x < width; ++x) {
+    for (int y = height - 1; y >= 0; --y)
+        for (int x = 0; x < width; ++x, at += 4 * header.channels)
             for (size_t c = 0; c < 3; ++c) {
                 const size_t component = at + (header.channels > 1 ? 4 * c : 0);
                 const uint32_t bits = header.scale < 0 ? little32(bytes, component) : big32(bytes, component);
-                *out++ = std::bit_cast<float>(bits) * factor;
+                picture.radianceLin.at(x, y)[c] = std::bit_cast<float>(bits) * factor;
             }
-            at += 4 * header.channels;
-        }
-    }
     return picture;
 }
 

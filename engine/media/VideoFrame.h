@@ -3,7 +3,6 @@
 
 #include "engine/core/Image.h"
 #include "engine/media/SphericalMetadata.h"
-#include "engine/media/StereoView.h"
 
 #include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>

@@ -1,7 +1,6 @@
 #include "engine/media/VideoPlayer.h"
 
 #include "engine/core/ThreadPool.h"
-#include "engine/media/FramePacing.h"
 #include "engine/media/VideoSource.h"
 
 #include <fmt/core.h>
@@ -51,8 +50,6 @@ struct VideoPlayer::Impl {
 
     explicit Impl(VideoSource opened) : source(std::move(opened)) {}
 
-    int64_t framesIn(double seconds) const { return static_cast<int64_t>(seconds * source.info().fps); }
-
     int64_t indexAt(double time_s) const {
         if (!(time_s > 0)) return 0; // also NaN
         // Adds a millionth of a frame, so that i / fps is frame i in spite of rounding; below 2^53 frames.
@@ -61,7 +58,7 @@ struct VideoPlayer::Impl {
 
     int64_t due() const { return std::min(wanted, last); }
     // Returns how far ahead of the due frame, in frames, pictures are kept and decoding need not go back.
-    int64_t slack() const { return framesIn(kBackwardSlack_s) + static_cast<int64_t>(kFrameSlots); }
+    int64_t slack() const { return static_cast<int64_t>(kBackwardSlack_s * source.info().fps + kFrameSlots); }
 
     // --- Decode thread -------------------------------------------------------------------------------------
 
@@ -210,7 +207,6 @@ Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
     std::unique_lock lock(impl->mutex);
     bool shown = false;
     impl->changed.wait(lock, [&] { return (shown = impl->showReady(0, 0)) || impl->broken; });
-    lock.unlock();
     if (!shown) return Error{file.string(), "its first frame cannot be decoded"};
     return VideoPlayer(std::move(impl));
 }

@@ -3,8 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Quantile.h"
-#include "engine/media/MediaKind.h"
-#include "engine/media/Orientation.h"
+#include "engine/media/Check.h"
 
 #include <fmt/core.h>
 
@@ -12,8 +11,6 @@ extern "C" {
 #include <libavutil/parseutils.h>
 }
 
-#include <algorithm>
-#include <cmath>
 #include <thread>
 
 namespace shoal::media {
@@ -149,9 +146,7 @@ void VideoSource::readInfo() {
 Status VideoSource::readColour() {
     decodeAhead();
     if (!hasAhead_) return Error{"", "its first frame cannot be decoded"};
-    in_.decoder.exchange(ahead_);
-    const FrameColour colour = in_.decoder.colour();
-    in_.decoder.exchange(ahead_);
+    const FrameColour colour = in_.decoder.colour(*ahead_);
     info_.matrix = colour.matrix;
     info_.transfer = colour.transfer;
     return colour.decodable;

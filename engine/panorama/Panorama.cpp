@@ -1,6 +1,5 @@
 #include "engine/panorama/Panorama.h"
 
-#include "engine/panorama/SeamInsertion.h"
 #include "engine/panorama/Steps.h"
 
 #include <fmt/core.h>
@@ -72,7 +71,7 @@ constexpr double px(double degrees) { return degrees * kMapPixelsPerDegree; }
 
 // The light and a margin around it are not stretched; outside the margin stretching increases over kFade.
 constexpr double kLargestLight = px(10), kAroundLight = px(5), kFade = px(14);
-constexpr double kMaxSideways = 6, kMaxUpward = 4; // greatest stretching
+constexpr int kMaxSideways = 6, kMaxUpward = 4; // greatest stretching
 constexpr double kSmoothAround = px(2), kSmoothUp = px(2);
 constexpr double kBand_deg = 45; // extent of the ring from the horizon up and down
 // Weights that keep seams away.
@@ -80,15 +79,9 @@ constexpr double kProhibitive = 10; // more than any pixel can differ from its n
 constexpr double kVertical = 4;     // times the edge's own step
 constexpr double kTexture = 0.25;   // times the local gradient
 
-// Columns that no seam may cross, middle - half to middle + half; beyond them the weight falls over `fade`
-// columns.
-struct ProtectedColumns {
-    double middle = 0, half = 0, fade = 0; // pixels
-};
-
-// Returns weights for seamInsertionMap(): prohibitive within the protected columns, high along vertical edges
-// as long as a quarter of the picture's height, and slightly raised by any texture.
-cv::Mat seamWeights(const cv::Mat& picture, const ProtectedColumns& columns) {
+// Returns weights for seamInsertionMap(): high along vertical edges as long as a quarter of the picture's
+// height, and slightly raised by any texture.
+cv::Mat seamWeights(const cv::Mat& picture) {
     cv::Mat grey, across, down, vertical;
     cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
     const cv::Matx13f between(-0.5f, 0, 0.5f);
@@ -107,14 +100,7 @@ cv::Mat seamWeights(const cv::Mat& picture, const ProtectedColumns& columns) {
     cv::Mat texture = cv::abs(across) + cv::abs(down);
     cv::GaussianBlur(texture, texture, {}, std::max(0.5, picture.cols / 120.0), 0, cv::BORDER_REPLICATE);
 
-    cv::Mat weight = kVertical * vertical + kTexture * texture;
-    const double usual = cv::mean(weight)[0] + 1e-3;
-    for (int x = 0; x < picture.cols; ++x) {
-        const double beyond = std::abs(x + 0.5 - columns.middle) - columns.half;
-        const double near = columns.fade > 0 ? std::clamp(1 - beyond / columns.fade, 0.0, 1.0) : 0.0;
-        weight.col(x) += beyond <= 0 ? kProhibitive : 4 * usual * near * near;
-    }
-    return weight;
+    return kVertical * vertical + kTexture * texture;
 }
 
 Progress within(const Progress& progress, double from, double to) {
@@ -133,15 +119,20 @@ void insertColumns(const cv::Mat& picture, const cv::Mat& weight, int first, int
     for (const float at : cv::Mat_<float>(mean)) map.push_back(at + static_cast<float>(first));
 }
 
+// No seam crosses the columns of the light and around it; beyond them the weight falls over `fade` columns.
 // light: in pixels of the patch.
 std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, const Progress& progress) {
     const int w = patch.cols, middle = std::clamp(static_cast<int>(std::lround(light.place.x)), 0, w);
-    const cv::Mat weight =
-        seamWeights(patch, {light.place.x, std::min(light.radius_px, kLargestLight) + kAroundLight,
-                            std::min(kFade, w * 0.12)});
-    const auto maximum = [](int columns) {
-        return std::min<int>(kMapWidth / 2, static_cast<int>(kMaxSideways) * columns);
-    };
+    const double half = std::min(light.radius_px, kLargestLight) + kAroundLight;
+    const double fade = std::min(kFade, w * 0.12);
+    cv::Mat weight = seamWeights(patch);
+    const double usual = cv::mean(weight)[0] + 1e-3;
+    for (int x = 0; x < w; ++x) {
+        const double beyond = std::abs(x + 0.5 - light.place.x) - half;
+        const double near = std::clamp(1 - beyond / fade, 0.0, 1.0);
+        weight.col(x) += beyond <= 0 ? kProhibitive : 4 * usual * near * near;
+    }
+    const auto maximum = [](int columns) { return std::min(kMapWidth / 2, kMaxSideways * columns); };
     const int left = middle == 0 ? 0 : std::max(maximum(middle), kMapWidth - maximum(w - middle));
     std::vector<float> map;
     insertColumns(patch, weight, 0, middle,
@@ -151,13 +142,6 @@ std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, 
                   within(progress, 0.5, 1), map);
     smoothMap(map, kSmoothAround);
     return map;
-}
-
-// Returns the patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
-// transposed.
-cv::Mat widenedAndTransposed(const cv::Mat& patch, const std::vector<float>& column) {
-    return remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR,
-                    [&](int x, int y) { return cv::Vec2f(column[4 * y + 2], static_cast<float>(x)); });
 }
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
@@ -177,10 +161,14 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& lig
     const int lowerStart = row(std::max(light.place.y + margin, horizon + kAroundLight / 2));
     const double lacking = px((kBand_deg * kRadiansPerDegree - lens.latitude) / kRadiansPerDegree);
     const auto rowsFor = [&](int have) {
-        return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward));
+        return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward * 1.0));
     };
-    const cv::Mat turned = widenedAndTransposed(patch, ring.column);
-    const cv::Mat weight = seamWeights(turned, {-1e9, 0, 0});
+    // The patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
+    // transposed.
+    const cv::Mat turned = remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR, [&](int x, int y) {
+        return cv::Vec2f(ring.column[4 * y + 2], static_cast<float>(x));
+    });
+    const cv::Mat weight = seamWeights(turned);
     const int up = rowsFor(upperEnd), down = rowsFor(patch.rows - lowerStart);
     insertColumns(turned, weight, 0, upperEnd, up, within(progress, 0.8, 0.9), ring.row);
     for (int y = upperEnd; y < lowerStart; ++y) ring.row.push_back(static_cast<float>(y));

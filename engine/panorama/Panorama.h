@@ -15,13 +15,15 @@
 
 namespace shoal::panorama {
 
+// Called with the fraction that is done, 0 to 1, on the calling thread.
+using Progress = std::function<void(double)>;
+
 // The panorama is as wide as the photo's resolution allows, 512 to 4096.
 struct PanoramaOptions {
     // Horizontal field of view of the photo, degrees, kMinFov_deg to kMaxFov_deg; empty: 65 along the
     // longer side, as of a phone's main camera.
     std::optional<double> fov_deg;
-    // Called with the fraction that is done, 0 to 1, on the calling thread.
-    std::function<void(double)> progress;
+    Progress progress;
 };
 
 inline constexpr double kMinFov_deg = 10, kMaxFov_deg = 150;

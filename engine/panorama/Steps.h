@@ -1,5 +1,5 @@
-// The steps of Panorama.h that stand alone: the lens, the light, the wrap-around, the poles. Pictures have 3
-// perceptually coded floats a pixel.
+// The steps of Panorama.h that stand alone: the lens, the light, seam insertion, the wrap-around, the poles.
+// Pictures have 3 perceptually coded floats a pixel.
 #pragma once
 
 #include "engine/panorama/Panorama.h"
@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace shoal::panorama {
 
@@ -71,6 +72,31 @@ struct MainLight {
 // picture's width, and takes the connected region around its maximum that is brighter than four fifths of it;
 // the position is the region's centroid, weighted by radiance. Wide photos are reduced first.
 MainLight findMainLight(const cv::Mat& photo);
+
+// --- Widening of a picture by seam insertion (seam carving in reverse). A seam is a connected path from the
+// top row to the bottom row, one pixel a row. Weights are one float a pixel.
+
+// Returns the column of the minimum-cost seam in each row. The cost is the sum of the differences between
+// pixels that removing the seam would make neighbours: those left and right of it and, where it steps
+// sideways, one of those and the pixel above (forward energy: Rubinstein, Shamir, Avidan, "Improved Seam
+// Carving for Video Retargeting", SIGGRAPH 2008, section 5). Differences are summed over the three
+// components; beyond the left and right edge the last pixel repeats. weight, of the same size, is added for
+// each pixel of the seam; it may be negative, and must be finite. Equal costs: leftmost at the bottom.
+std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight);
+
+// Returns the source column of each pixel of the picture widened to `columns`, in pixels of `colours` with
+// centres at whole numbers. Never decreases along a row.
+//
+// Each pass doubles the seams that are the cheapest to remove (section 4.3 of Avidan and Shamir, "Seam
+// Carving for Content-Aware Image Resizing", SIGGRAPH 2007). A pass inserts at most a tenth of the columns
+// and raises the weight of doubled pixels, so that insertions spread. columns: at least colours.cols.
+cv::Mat seamInsertionMap(
+    const cv::Mat& colours, const cv::Mat& weight, int columns, const Progress& progress = [](double) {});
+
+// Smooths a map's deviation from uniform stretching by a Gaussian. The ends and monotonicity are kept.
+void smoothMap(std::vector<float>& map, double sigma_px);
+
+// --- The ends and the poles
 
 // Matches and blends the left and right end of a ring of 360 degrees. First geometry: the minimum-cost
 // alignment of the two end columns, found as a seam through all row offsets of at most 8 degrees, warps each

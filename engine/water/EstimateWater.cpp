@@ -1,4 +1,4 @@
-#include "engine/water/EstimateWater.h"
+#include "engine/water/Water.h"
 
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
@@ -17,6 +17,7 @@ namespace {
 
 // Sampling resolution: nothing estimated here is finer.
 constexpr int kRows = 256, kPerSector = 8;
+constexpr int kSectors = 16, kOpenSectors = 6; // sectors of the horizon
 
 constexpr float kHorizon_deg = 8; // half the height of the band around the horizon
 // Elevations at which the veil is fitted. Above 41 degrees the surface shows the sky (Snell's window).
@@ -77,11 +78,9 @@ VeilFit lowerFit(std::span<const VeilCell> cells, int channel, double level) {
     return fit;
 }
 
-} // namespace
-
-void WaterEstimator::sample(const light::FrameView& frame) {
+void sample(const light::FrameView& frame, std::vector<glm::vec3>& cellsLin) {
     const auto& table = math::linearOfByte();
-    cellsLin_.assign(static_cast<size_t>(kRows * kSectors), glm::vec3(0));
+    cellsLin.assign(kRows * kSectors, glm::vec3(0));
     const int first = frame.bgr ? 2 : 0, last = 2 - first;
     for (int row = rowAt(kVeilTop_deg); row < rowAt(-kVeilBottom_deg); ++row) {
         const uint8_t* line = frame.row(static_cast<int64_t>(2 * row + 1) * frame.height / (2 * kRows));
@@ -93,43 +92,48 @@ void WaterEstimator::sample(const light::FrameView& frame) {
                 const uint8_t* pixel = line + 3 * column;
                 sum += glm::vec3(table[pixel[first]], table[pixel[1]], table[pixel[last]]);
             }
-            cellsLin_[row * kSectors + sector] = sum / static_cast<float>(kPerSector);
+            cellsLin[row * kSectors + sector] = sum / static_cast<float>(kPerSector);
         }
     }
 }
 
-glm::vec3 WaterEstimator::meanLin(int sector, int firstRow, int lastRow) const {
+using Cells = std::span<const glm::vec3>;
+
+// Rows: firstRow to lastRow - 1, as below.
+glm::vec3 meanLin(Cells cellsLin, int sector, int firstRow, int lastRow) {
     glm::vec3 sum(0);
-    for (int row = firstRow; row < lastRow; ++row) sum += cellsLin_[row * kSectors + sector];
+    for (int row = firstRow; row < lastRow; ++row) sum += cellsLin[row * kSectors + sector];
     return sum / static_cast<float>(lastRow - firstRow);
 }
 
-void WaterEstimator::rankSectors(int firstRow, int lastRow) {
-    std::iota(byOpenness_.begin(), byOpenness_.end(), 0);
-    std::ranges::sort(byOpenness_, {}, [&](int sector) {
-        const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
+// Returns the sectors, the most open first.
+std::array<int, kSectors> sectorsByOpenness(Cells cellsLin, int firstRow, int lastRow) {
+    std::array<int, kSectors> sectors;
+    std::iota(sectors.begin(), sectors.end(), 0);
+    std::ranges::sort(sectors, {}, [&](int sector) {
+        const glm::vec3 mean = meanLin(cellsLin, sector, firstRow, lastRow);
         return std::pair(mean.x - std::max(mean.y, mean.z), sector);
     });
+    return sectors;
 }
 
-glm::vec3 WaterEstimator::medianLin(int sectors, int firstRow, int lastRow) const {
-    const auto count = static_cast<size_t>(sectors);
-    std::array<glm::vec3, kSectors> means{};
-    for (size_t i = 0; i < count; ++i) means[i] = meanLin(byOpenness_[i], firstRow, lastRow);
+// Returns the median of the sectors' means, by channel.
+glm::vec3 medianLin(Cells cellsLin, std::span<const int> sectors, int firstRow, int lastRow) {
+    const size_t count = sectors.size();
     glm::vec3 median;
     for (int c = 0; c < 3; ++c) {
         std::array<float, kSectors> values{};
-        for (size_t i = 0; i < count; ++i) values[i] = means[i][c];
-        std::sort(values.begin(), values.begin() + sectors);
+        for (size_t i = 0; i < count; ++i) values[i] = meanLin(cellsLin, sectors[i], firstRow, lastRow)[c];
+        std::sort(values.begin(), values.begin() + count);
         median[c] = 0.5f * (values[(count - 1) / 2] + values[count / 2]);
     }
     return median;
 }
 
-float WaterEstimator::redLoss(int firstRow, int lastRow) const {
+float redLoss(Cells cellsLin, int firstRow, int lastRow) {
     int lost = 0;
     for (int sector = 0; sector < kSectors; ++sector) {
-        const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
+        const glm::vec3 mean = meanLin(cellsLin, sector, firstRow, lastRow);
         lost += mean.x < kLostRed * std::max(mean.y, mean.z);
     }
     // A cave mouth or a diver may hide a third of the horizon; above water less than a third has lost its
@@ -137,6 +141,8 @@ float WaterEstimator::redLoss(int firstRow, int lastRow) const {
     const float share = static_cast<float>(lost) / kSectors;
     return glm::smoothstep(0.35f, 0.65f, share);
 }
+
+} // namespace
 
 glm::vec3 attenuationFromVeil(const glm::vec3& veilLin) {
     constexpr float kMean_perM = 0.13f; // geometric mean of the channels
@@ -149,15 +155,14 @@ glm::vec3 attenuationFromVeil(const glm::vec3& veilLin) {
 }
 
 WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
-    sample(frame);
+    sample(frame, cellsLin_);
     WaterEstimate result;
     const int horizonTop = rowAt(kHorizon_deg), horizonBottom = rowAt(-kHorizon_deg);
-    result.evidence = redLoss(horizonTop, horizonBottom);
-    rankSectors(horizonTop, rowAt(0));
+    result.evidence = redLoss(cellsLin_, horizonTop, horizonBottom);
     // Only the upper half of the band is used: towards the floor the water is not deep.
-    const glm::vec3 veilLin = medianLin(kOpenSectors, horizonTop, rowAt(0));
-
-    result.water.attenuation_perM = attenuationFromVeil(veilLin);
+    const auto sectors = sectorsByOpenness(cellsLin_, horizonTop, rowAt(0));
+    const std::span<const int> open = std::span(sectors).first(kOpenSectors);
+    result.water.attenuation_perM = attenuationFromVeil(medianLin(cellsLin_, open, horizonTop, rowAt(0)));
 
     std::array<VeilCell, kSectors* static_cast<size_t>((kVeilTop_deg + kVeilBottom_deg) / kVeilBand_deg)>
         cells;
@@ -170,10 +175,11 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             // Below the horizon most cells show floor, which only bounds the veil.
             const float weight = std::cos(glm::radians(middle)) * (middle > -15 ? 1.0f : 0.3f);
             cells[count] = {veilTerms(dir),
-                            squaredCoded(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
+                            squaredCoded(meanLin(cellsLin_, sector, rowAt(top), rowAt(top - kVeilBand_deg))),
+                            weight};
         }
     // The level is that of all sectors: a tunnel's veil is as dark as its walls, even if the sea is bright.
-    const glm::vec3 level = squaredCoded(medianLin(kSectors, horizonTop, rowAt(0)));
+    const glm::vec3 level = squaredCoded(medianLin(cellsLin_, sectors, horizonTop, rowAt(0)));
     for (int c = 0; c < 3; ++c) {
         const VeilFit fit = lowerFit(cells, c, static_cast<double>(level[c]));
         for (int i = 0; i < fit.rows; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);

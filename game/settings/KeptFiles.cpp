@@ -4,7 +4,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/ThreadPool.h"
 #include "engine/core/WriteFile.h"
-#include "engine/media/MediaKind.h"
+#include "engine/media/Check.h"
 
 #include <nlohmann/json.hpp>
 

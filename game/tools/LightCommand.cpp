@@ -9,7 +9,7 @@
 #include "engine/light/MakeLight.h"
 #include "engine/math/LatLong.h"
 #include "engine/math/SphericalHarmonics.h"
-#include "engine/media/MediaKind.h"
+#include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
 

@@ -3,7 +3,7 @@
 #include "game/tools/Commands.h"
 
 #include "engine/environment/PhotoEnvironment.h"
-#include "engine/media/MediaKind.h"
+#include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
 
 #include <glm/gtc/quaternion.hpp>

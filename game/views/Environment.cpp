@@ -1,6 +1,6 @@
 #include "game/views/Environment.h"
 
-#include "engine/media/StereoView.h"
+#include "engine/media/SphericalMetadata.h"
 
 #include <chrono>
 

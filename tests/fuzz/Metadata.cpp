@@ -1,8 +1,6 @@
 // Kinds of files, and metadata: of a video's header (MP4 or Matroska), and of photos, with their profiles.
-#include "engine/media/ColourProfile.h"
+#include "engine/media/Check.h"
 #include "engine/media/Ffmpeg.h"
-#include "engine/media/MediaKind.h"
-#include "engine/media/PhotoMetadata.h"
 #include "engine/media/PictureHeader.h"
 #include "tests/fuzz/Target.h"
 

@@ -1,8 +1,7 @@
-#include "engine/media/live/LiveFeed.h"
+#include "engine/media/live/LivePlayer.h"
 
 #include "engine/core/Number.h"
 #include "engine/media/Codecs.h"
-#include "engine/media/VideoFrame.h"
 
 #include <algorithm>
 #include <atomic>
@@ -36,13 +35,12 @@ class Camera final : public LiveFeed {
         return Done{};
     }
 
-    Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF&) override {
+    Result<int64_t> read(ImageRgb8& bgr, VideoFrame& frame) override {
         if (interrupted_) return Error{"", "was interrupted"};
         const Error silent{"", "sends no pictures any more"};
         try {
             if (!reader_(nullptr)) return silent;
-            LivePicture picture;
-            picture.arrived_s = liveNow_s();
+            frame.arrived_s = liveNow_s();
             cv::Mat read(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
             if (!reader_(&read) || read.type() != CV_8UC3) return silent;
             if (std::min(read.cols, read.rows) < 2 || std::max(read.cols, read.rows) > kMaxVideoSide)
@@ -51,8 +49,8 @@ class Camera final : public LiveFeed {
                 bgr = ImageRgb8(read.cols, read.rows);
                 read.copyTo(cv::Mat(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data()));
             }
-            picture.decode_ms = 1e3 * (liveNow_s() - picture.arrived_s);
-            return picture;
+            frame.decode_ms = 1e3 * (liveNow_s() - frame.arrived_s);
+            return 0; // the driver does not tell which pictures it dropped
         } catch (const std::exception&) {
             return silent;
         }

@@ -75,19 +75,16 @@ struct LivePlayer::Impl {
         while (!stop) {
             Slot& slot = *slots.find(State::Free); // of three slots, at most one is shown and one ready
             slot.state = State::Filling;
-            Result<LivePicture> picture = Error{};
+            Result<int64_t> passedOver = Error{};
             ImageRgb8& bgr = slots.pixelsOf(slot, options);
-            const bool going = inCall(lock, [&] { picture = feed->read(bgr, slot.frame.radianceLin); });
-            if (!going || !picture) {
+            const bool going = inCall(lock, [&] { passedOver = feed->read(bgr, slot.frame); });
+            if (!going || !passedOver) {
                 slot.state = State::Free;
-                return picture ? Error{} : picture.error();
+                return passedOver ? Error{} : passedOver.error();
             }
             findLayout(bgr);
             slot.frame.layout = layout;
-            slot.frame.chromaTexels = picture->chromaTexels;
             slot.frame.index = counts.made;
-            slot.frame.arrived_s = picture->arrived_s;
-            slot.frame.decode_ms = picture->decode_ms;
             lock.unlock();
             slots.prepare(slot, options);
             lock.lock();
@@ -96,7 +93,7 @@ struct LivePlayer::Impl {
                 ++counts.passedOver;
             }
             slot.state = State::Ready;
-            counts.passedOver += picture->passedOver;
+            counts.passedOver += *passedOver;
             ++counts.made;
             lastMade_s = options.now_s();
             lost = false;
@@ -180,13 +177,9 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     LivePlayer player(Owner(impl.get(), [impl](Impl*) { impl->end(); }));
 
     const double last_s = liveNow_s() + impl->options.firstPicture_s;
-    std::unique_lock lock(impl->mutex);
-    const auto failed = [&](std::string why) {
-        lock.unlock(); // the end of the player locks it
-        return Error{impl->feed->name, std::move(why)};
-    };
-    for (;;) {
-        if (impl->takeReady()) break;
+    std::unique_lock lock(impl->mutex); // declared after the player, whose end locks it
+    const auto failed = [&](std::string why) { return Error{impl->feed->name, std::move(why)}; };
+    while (!impl->takeReady()) {
         if (impl->lost) return failed(impl->reason);
         if (liveNow_s() >= last_s) return failed("no picture has come");
         impl->changed.wait_for(lock, kPollInterval);
@@ -195,7 +188,6 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
         lock.lock();
         if (!go) return failed("was not waited for");
     }
-    lock.unlock();
     return player;
 }
 

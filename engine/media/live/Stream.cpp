@@ -1,6 +1,6 @@
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Decoder.h"
-#include "engine/media/live/LiveFeed.h"
+#include "engine/media/live/LivePlayer.h"
 #include "engine/media/live/PacketQueue.h"
 
 extern "C" {
@@ -28,10 +28,11 @@ constexpr const char* kFormats =
 
 std::string textOf(int error) {
     char text[AV_ERROR_MAX_STRING_SIZE]{};
-    av_strerror(error, text, sizeof text);
-    return text;
+    return av_make_error_string(text, sizeof text, error);
 }
 
+// Greatest size of a picture: some 250 MB for the pictures that are decoded and shown at once.
+constexpr int64_t kMaxLivePixels = int64_t{4096} * 4096;
 // Seconds of video that may come at once before packets wait for their time stamps.
 constexpr double kLiveBurst_s = 3, kStoredBurst_s = 0.05;
 // While catching up, a picture is shown at least this often.
@@ -69,29 +70,29 @@ class Stream final : public LiveFeed {
         return Done{};
     }
 
-    Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF& radianceLin) override {
-        LivePicture picture;
+    Result<int64_t> read(ImageRgb8& bgr, VideoFrame& frame) override {
+        int64_t passedOver = 0;
         double began_s = liveNow_s();
         for (;;) {
             while (decoder_.receive()) {
                 // The picture is outdated: it was decoded only because later pictures refer to it.
                 if (queue_.count() > 0 && !stored_ && liveNow_s() - lastShown_s_ < kMaxHidden_s) {
-                    ++picture.passedOver;
+                    ++passedOver;
                     continue;
                 }
-                if (Status converted = decoder_.convert(bgr, &radianceLin); !converted)
+                if (Status converted = decoder_.convert(bgr, &frame.radianceLin); !converted)
                     return converted.error();
-                picture.arrived_s = static_cast<double>(decoder_.frame().pts) * 1e-6;
-                picture.chromaTexels = decoder_.chromaTexels();
+                frame.arrived_s = static_cast<double>(decoder_.frame().pts) * 1e-6;
+                frame.chromaTexels = decoder_.chromaTexels();
                 lastShown_s_ = liveNow_s();
-                picture.decode_ms = 1e3 * (lastShown_s_ - began_s);
-                return picture;
+                frame.decode_ms = 1e3 * (lastShown_s_ - began_s);
+                return passedOver;
             }
             if (ended_) return Error{"", queue_.reason()};
             const PacketQueue::Popped popped = queue_.pop();
             began_s = liveNow_s();
             if (popped.dropped > 0) decoder_.flush();
-            picture.passedOver += popped.dropped;
+            passedOver += popped.dropped;
             ended_ = !popped.packet; // reported once the decoder is drained
             const bool hurry = !stored_ && queue_.count() >= kBehind;
             // The stamp carries the packet's time of arrival, microseconds: the decoder returns it with the
@@ -278,7 +279,7 @@ class Stream final : public LiveFeed {
     bool closed_ = false;     // closed to further connections
     int64_t packetBegan_ = 0; // bytes received before the packet
     bool tooMuch_ = false;    // more than kMaxBytesBetween have come
-    std::unique_ptr<AVCodecParserContext, FreeBy<av_parser_close>> parser_;
+    std::unique_ptr<AVCodecParserContext, void (*)(AVCodecParserContext*)> parser_{nullptr, av_parser_close};
     Codec parsed_;
     double deadline_s_ = 0;
 

@@ -167,7 +167,7 @@ Picture seenByGrid(const Frame& frame, const glm::vec3& eyeInFilm, const glm::ma
             const glm::vec2 uv(static_cast<float>(x) / static_cast<float>(across),
                                static_cast<float>(y) / static_cast<float>(down));
             const glm::vec3 direction = directionFromLatLong(uv);
-            const float away = std::min(frame.depth.distance_m(direction), kFurthest_m);
+            const float away = std::min(1 / frame.depth.inverse_perM(direction), kFurthest_m);
             vertices.push_back({eyeFromEnv * (direction * away - eyeInFilm), uv});
         }
     Picture picture(kPixels);

@@ -151,7 +151,7 @@ double echo(float enclosure) {
 TEST(Audio, ATunnelReverberatesAndOpenWaterHardly) {
     const double open = echo(0), half = echo(0.5f), tunnel = echo(1);
     EXPECT_NEAR(tunnel / open, 0.8 / 0.12,
-                0.15 * 0.8 / 0.12); // the gains of VoicePool.h; the sound itself is in both
+                0.15 * 0.8 / 0.12); // the gains of VoicePool; the sound itself is in both
     EXPECT_NEAR(half / open, std::sqrt(0.8 / 0.12), 0.15 * std::sqrt(0.8 / 0.12)); // geometrically between
     EXPECT_EQ(echo(7), tunnel);
     EXPECT_EQ(echo(-1), open);

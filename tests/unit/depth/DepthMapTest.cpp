@@ -86,7 +86,7 @@ TEST(DepthMap, IsLinearBetweenTexels) {
 TEST(DepthMap, AnUnknownPlaceIsInfinitelyFar) {
     const DepthMap map;
     EXPECT_EQ(map.inverse_perM({0, 0, -1}), 0);
-    EXPECT_TRUE(std::isinf(map.distance_m({0, 0, -1})));
+    EXPECT_TRUE(std::isinf(1 / map.inverse_perM({0, 0, -1})));
 }
 
 // Half a code of the map and half a code of the track: 1 / 510 / 0.6 and 4 / 2046 per metre.
@@ -96,7 +96,7 @@ TEST(DepthMap, KeepsDistancesToItsStep) {
         EXPECT_NEAR(map.inverse_perM({0, 0, -1}), 1 / metres, kCode_perM / 2 + 4 / 2046.0f) << metres;
     }
     const DepthMap within = enlarged(trackOf([&](int, int) { return 1 / 0.3f / kCode_perM; }));
-    EXPECT_FLOAT_EQ(within.distance_m({0, 0, -1}), kNearest_m) << "nothing is nearer";
+    EXPECT_FLOAT_EQ(1 / within.inverse_perM({0, 0, -1}), kNearest_m) << "nothing is nearer";
     EXPECT_EQ(enlarged(trackOf([](int, int) { return 0.0f; })).inverse_perM({0, 0, -1}), 0);
 }
 

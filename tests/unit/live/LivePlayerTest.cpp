@@ -43,7 +43,7 @@ class FakeFeed final : public LiveFeed {
         if (!refusal_.empty()) return Error{"", refusal_};
         return Done{};
     }
-    Result<LivePicture> read(ImageRgb8& bgr, ImageRgbF&) override {
+    Result<int64_t> read(ImageRgb8& bgr, VideoFrame& frame) override {
         std::unique_lock lock(mutex_);
         wait(lock, [&] { return !blocked_ && !events_.empty(); });
         if (events_.empty()) return Error{"", "was interrupted"};
@@ -53,7 +53,9 @@ class FakeFeed final : public LiveFeed {
         bgr.fit(event.width, event.height);
         std::fill(bgr.pixels.begin(), bgr.pixels.end(),
                   static_cast<uint8_t>(kFirstGrey + kGreyStep * event.number));
-        return LivePicture{event.arrived_s, 1, 0};
+        frame.arrived_s = event.arrived_s;
+        frame.decode_ms = 1;
+        return 0;
     }
     void interrupt() override {
         change([&] { interrupted_ = true; });

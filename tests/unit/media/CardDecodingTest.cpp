@@ -1,8 +1,7 @@
 // Decoding by a graphics card, on machines without one: pictures in its forms, and films that go on without
 // it.
-#include "engine/media/CardDecoding.h"
 #include "engine/core/Random.h"
-#include "engine/media/FrameConverter.h"
+#include "engine/media/Decoder.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/VideoSource.h"
 #include "tests/unit/media/TestFiles.h"

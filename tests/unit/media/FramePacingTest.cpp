@@ -1,5 +1,5 @@
 // Films decoded at simulated costs, on a clock that counts their frames: it reads n when frame n is due.
-#include "engine/media/FramePacing.h"
+#include "engine/media/VideoSource.h"
 #include "tests/Test.h"
 
 namespace shoal::media {

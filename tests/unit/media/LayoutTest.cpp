@@ -1,7 +1,6 @@
 #include "engine/core/Random.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/SphericalMetadata.h"
-#include "engine/media/StereoView.h"
 #include "engine/media/VideoPlayer.h"
 #include "tests/unit/media/TestFiles.h"
 

@@ -1,5 +1,4 @@
 // The kind of a file is that of its content, whatever its name; and its reason, if it cannot be shown.
-#include "engine/media/MediaKind.h"
 #include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"

@@ -3,7 +3,6 @@
 #include "engine/core/Files.h"
 #include "engine/core/Random.h"
 #include "engine/media/Pictures.h"
-#include "engine/panorama/SeamInsertion.h"
 #include "engine/panorama/Steps.h"
 #include "tests/Test.h"
 #include "tests/bench/panorama/Scenes.h"
