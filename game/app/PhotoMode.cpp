@@ -1,4 +1,5 @@
-#include "game/app/PhotoMode.h"
+// Application: its photo mode.
+#include "game/app/Application.h"
 
 #include "engine/core/Log.h"
 #include "engine/math/LatLong.h"

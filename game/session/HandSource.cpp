@@ -1,11 +1,11 @@
-#include "game/session/HandSource.h"
+// The sources of a session's input.
+#include "game/session/GameSession.h"
 
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
 #include "game/rules/Intent.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
