@@ -26,24 +26,22 @@ struct ControlOptions {
                        choice(hand, {hands::Side::Right, hands::Side::Left}),
                        "The hand that mouse and gamepad move");
         table.addShown(Hands, "Mouse sensitivity", "--sensitivity", &sensitivity,
-                       "How far mouse and gamepad turn the view, in times of the default", {0.2, 3});
+                       "How far mouse and gamepad turn the view, in times of the default",
+                       {.range = {0.2, 3}});
         table.addShown(Hands, "Invert looking up and down", "--invert-look", &invertLook,
                        "Mouse and stick forward look down");
-        table
-            .addShown(
-                Hands, "Help with depth", "--reach-help", &reachHelp,
-                "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1",
-                {0, 1})
-            .ofAPerson();
+        table.addShown(
+            Hands, "Help with depth", "--reach-help", &reachHelp,
+            "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1",
+            {.range = {0, 1}, .personal = true});
         table.addShown(
             Hands, "Close the hand by", "--closing", choice(closing),
             "hold: the hand is closed while the button is down; toggle: each press closes or opens it");
         table.addShown(Comfort, "Turning", "--turning", choice(turning),
                        "smooth, or snap: in steps of 30 degrees, which more people bear");
-        table
-            .addKept("--bindings", &bindings,
-                     "Keys and a gamepad's button of actions, as the game's settings write them")
-            .takes("TEXT");
+        table.addKept("--bindings", &bindings,
+                      "Keys and a gamepad's button of actions, as the game's settings write them",
+                      {.placeholder = "TEXT"});
     }
 };
 
@@ -71,7 +69,7 @@ struct TextSettings {
         table.addShown(Text, "Language", "--language", choice(language),
                        "Language of the screen; auto: the system's (LC_MESSAGES)");
         table.addShown(Text, "Text size", "--text-size", &scale, "Size of all text; 1 is the default",
-                       {0.8, 1.6});
+                       {.range = {0.8, 1.6}});
         table.addShown(Text, "High contrast", "--high-contrast", &highContrast, "White text on black");
         table.addShown(Text, "Captions", "!--no-captions", &captions, "Do not name sounds on the screen");
         table.addShown(Text, "Size of captions", "--caption-size", choice(captionSize), "Size of captions");
@@ -130,31 +128,29 @@ struct PlayOptions {
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
         table.category = Category::Dive;
-        table.add("--dive", &dive, "Name of a dive in content/dives; reef if not given").ofAPerson();
+        table.add("--dive", &dive, "Name of a dive in content/dives; reef if not given", {.personal = true});
         table.add("--start", choice(start),
                   "First screen of the game: title or dive; auto: title, where a person plays in a window "
                   "and has named no dive; in a headset the dive begins at once");
         table.addShown(Comfort, "Show the first steps", "!--no-first-steps", &firstSteps,
                        "A player's first dive begins at once, without the steps that teach how to catch");
         table.addShown(Comfort, "Game speed", "--speed", &speed, "Speed of the game; 1 is that of a clock",
-                       {0.5, 1});
-        table
-            .addShown(Comfort, "Posture", "--posture", choice(posture),
-                      "Seated in a headset brings fish to where you reach them without a step; auto: as you "
-                      "are when a dive begins, where the headset knows the floor, else standing")
-            .ofAPerson();
-        table
-            .add("--seed", &seed,
-                 "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
-                 "dives without a window have 1")
-            .ofAPerson();
-        table.add("--record", &record, "Writes a replay: seed and every tick's input").takes("FILE");
-        table.add("--free-swim", &freeSwim, "No clock and no shark").ofAPerson();
+                       {.range = {0.5, 1}});
+        table.addShown(Comfort, "Posture", "--posture", choice(posture),
+                       "Seated in a headset brings fish to where you reach them without a step; auto: as you "
+                       "are when a dive begins, where the headset knows the floor, else standing",
+                       {.personal = true});
+        table.add("--seed", &seed,
+                  "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
+                  "dives without a window have 1",
+                  {.personal = true});
+        table.add("--record", &record, "Writes a replay: seed and every tick's input",
+                  {.placeholder = "FILE"});
+        table.add("--free-swim", &freeSwim, "No clock and no shark", {.personal = true});
         environment.addTo(table);
-        table
-            .add("FILE", &file,
-                 "A 360-degree video, photo or HDR picture to dive in; its content tells which")
-            .without({"--video", "--photo", "--env"});
+        table.add("FILE", &file,
+                  "A 360-degree video, photo or HDR picture to dive in; its content tells which",
+                  {.excludes = {"--video", "--photo", "--env"}});
         look.addTo(table, false);
         table.category = Category::Picture;
         table.addShown(
@@ -164,16 +160,16 @@ struct PlayOptions {
                        "Dark edges while the view turns, against sickness");
         table.addShown(Picture, "Stereo", "--stereo", choice(stereo),
                        "none, or sbs: left and right eye side by side");
-        table
-            .add("--xr", &xr,
-                 "Plays in a headset, by the OpenXR runtime that is active; the window shows its left eye")
-            .without({"--stereo", "--headless"});
+        table.add("--xr", &xr,
+                  "Plays in a headset, by the OpenXR runtime that is active; the window shows its left eye",
+                  {.excludes = {"--stereo", "--headless"}});
         table.addShown(Picture, "Your own room", "--passthrough", &passthrough,
                        "Shows your own room in a headset, around the animals in place of the film, which "
                        "goes on lighting them (F2 in the game)");
         table.addShown(Picture, "Field of view", "--fov", &fov_deg, "Vertical field of view, degrees",
-                       {20, 130});
-        table.addKept("--eye-distance", &eyeDistance_mm, "Between the eyes in stereo, millimetres", {0, 100});
+                       {.range = {20, 130}});
+        table.addKept("--eye-distance", &eyeDistance_mm, "Between the eyes in stereo, millimetres",
+                      {.range = {0, 100}});
         table.addShown(Picture, "Fullscreen", "--fullscreen", &fullscreen,
                        "Fill the screen (F11 in the game)");
         table.addKept("!--no-vsync", &vsync, "Do not wait for the display");
@@ -204,38 +200,39 @@ struct PlayOptions {
         table.addShown(Picture, "Performance", "--frame-times", &frameTimes,
                        "Shows frame times, and which light is used (F1 in the game)");
         hands.addTo(table);
-        table
-            .addShown(Hands, "Help with catching", "--assist", choice(assist),
-                      "Helps a hand that is nearly right when it closes on a fish; none: only what the "
-                      "fingers really close around is held")
-            .ofAPerson();
+        table.addShown(Hands, "Help with catching", "--assist", choice(assist),
+                       "Helps a hand that is nearly right when it closes on a fish; none: only what the "
+                       "fingers really close around is held",
+                       {.personal = true});
         table.addShown(Hands, "Skin", "--skin", choice(skin), "How your hands look");
         controls.addTo(table);
         table.category = Category::Hands;
         table.addShown(Hands, "Strength of vibration", "--haptics", &hapticStrength,
-                       "Strength of haptics, 0 (off) to 1", {0, 1});
+                       "Strength of haptics, 0 (off) to 1", {.range = {0, 1}});
         text.addTo(table);
         table.category = Category::Sound;
         table.addKept("--mute", &mute, "No sound");
         table.addShown(Sound, "Volume", "--volume", &volume, "Sound volume (+ and - in the game), 0 to 1",
-                       {0, 1});
+                       {.range = {0, 1}});
         table.addShown(Sound, "Volume of effects", "--effects-volume", &effects,
-                       "Volume of all sounds but the video's own, 0 to 1", {0, 1});
+                       "Volume of all sounds but the video's own, 0 to 1", {.range = {0, 1}});
         table.addShown(Sound, "Volume of the film", "--video-sound", &videoSound,
-                       "Volume of the video's own sound, 0 to 1", {0, 1});
+                       "Volume of the video's own sound, 0 to 1", {.range = {0, 1}});
         table.addShown(Sound, "Headphones", "--headphones", &headphones, "Sound for headphones (HRTF)");
         table.category = Category::Measuring;
         table.add("--headless", &headless,
                   "No window, no sound device, no display server; the same pictures, drawn for --screenshot "
                   "and --timedemo alone");
-        table.add("--fps", &fps, "Headless: pictures drawn for each second of the dive", {1, 1000});
-        table.add("--at", &at_s, "Headless: ends after that many seconds of the dive", {0, 3600});
-        table.add("--screenshot", &screenshot, "Writes a picture at --at, or at the end").takes("FILE.png");
-        table
-            .add("--stats", &stats,
-                 "Writes frame times (milliseconds; of pictures, where some are drawn), counts and the state "
-                 "hash")
-            .takes("FILE.json");
+        table.add("--fps", &fps, "Headless: pictures drawn for each second of the dive",
+                  {.range = {1, 1000}});
+        table.add("--at", &at_s, "Headless: ends after that many seconds of the dive", {.range = {0, 3600}});
+        table.add("--screenshot", &screenshot, "Writes a picture at --at, or at the end",
+                  {.placeholder = "FILE.png"});
+        table.add(
+            "--stats", &stats,
+            "Writes frame times (milliseconds; of pictures, where some are drawn), counts and the state "
+            "hash",
+            {.placeholder = "FILE.json"});
         table.add(
             "--timedemo", &timedemo,
             "Draws as fast as it can, first five seconds to warm up; the video keeps its own rate. Prints "

@@ -102,17 +102,16 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
 
     void addTo(SettingsTable& table) {
         table.category = Category::Environment;
-        table
-            .add("--video", &video,
-                 "A 360-degree video, lat-long: a file; or live: camera:NUMBER, a named pipe, or a URL "
-                 "(rtsp, http, https, tcp, udp)")
-            .takes("FILE")
-            .without({"--photo", "--env"});
-        table.add("--photo", &photo, "A 360-degree photo, lat-long; an ordinary one is grown to one")
-            .takes("FILE")
-            .without({"--env"});
-        table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm").takes("FILE");
-        table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several").takes("NAME");
+        table.add("--video", &video,
+                  "A 360-degree video, lat-long: a file; or live: camera:NUMBER, a named pipe, or a URL "
+                  "(rtsp, http, https, tcp, udp)",
+                  {.placeholder = "FILE", .excludes = {"--photo", "--env"}});
+        table.add("--photo", &photo, "A 360-degree photo, lat-long; an ordinary one is grown to one",
+                  {.placeholder = "FILE", .excludes = {"--env"}});
+        table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm",
+                  {.placeholder = "FILE"});
+        table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several",
+                  {.placeholder = "NAME"});
         table.add(
             "--layout", choice(layout),
             "Layout of a stereo picture's two eyes, the left one first; auto reads the file's metadata");
@@ -124,7 +123,8 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
         table.add("!--no-depth", &depth,
                   "Leaves the video's distances (NAME.depth.mkv beside NAME.mp4) alone: nothing of it hides "
                   "what swims, and for two eyes it is endlessly far");
-        table.add("--env-yaw", &envYaw_deg, "Turns the environment to the right, degrees", {-360, 360});
+        table.add("--env-yaw", &envYaw_deg, "Turns the environment to the right, degrees",
+                  {.range = {-360, 360}});
     }
 };
 
@@ -150,9 +150,9 @@ struct LookOptions {
                 "while it is still; ollfb-thesis: as the thesis has them; both need OpenGL 4.3";
         }
         table.category = Category::Picture;
-        table.add("--size", sizeSetting(size), "Picture size in pixels").takes("WxH");
+        table.add("--size", sizeSetting(size), "Picture size in pixels", {.placeholder = "WxH"});
         table.addKept("--exposure", &exposure_ev, "Brightens objects and background alike, stops (EV)",
-                      {-10, 10});
+                      {.range = {-10, 10}});
         table.add("--tone", choice(tone),
                   "Display curve: auto undoes the decoding of the video, or aces for HDR environments; aces; "
                   "linear");
@@ -185,27 +185,25 @@ struct HandOptions {
 
     void addTo(SettingsTable& table) {
         table.category = Category::Hands;
-        table
-            .addShown(SettingsPage::Hands, "Hand source", "--hands", &source,
-                      "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
-                      "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
-                      "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. The "
-                      "mouse moves the hands where a device sees none")
-            .takes("SOURCE")
-            .offers({"auto", "mouse", "leap", "webcam"});
+        table.addShown(
+            SettingsPage::Hands, "Hand source", "--hands", &source,
+            "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
+            "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
+            "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. The "
+            "mouse moves the hands where a device sees none",
+            {.placeholder = "SOURCE", .suggestions = {"auto", "mouse", "leap", "webcam"}});
         table.addShown(SettingsPage::Hands, "Hand size (webcam)", "--hand-size", &size,
                        "Size of your hands before a webcam, which cannot tell; 1 is a hand 19 cm long",
-                       {hands::kHandSizeMin, hands::kHandSizeMax});
+                       {.range = {hands::kHandSizeMin, hands::kHandSizeMax}});
         addLeapTo(table);
         table.addKept(
             "--leap-mount", choice(leap.mount),
             "desk: the device lies on the desk and looks up; head: it is on a headset and looks ahead");
     }
     void addLeapTo(SettingsTable& table) { // address of the tracking service, for `shoal devices` too
-        table
-            .addKept("--leap", addressSetting(leap.host, leap.port),
-                     "Address of the Leap / Ultraleap tracking service; 127.0.0.1:6437 if not given")
-            .takes("HOST:PORT");
+        table.addKept("--leap", addressSetting(leap.host, leap.port),
+                      "Address of the Leap / Ultraleap tracking service; 127.0.0.1:6437 if not given",
+                      {.placeholder = "HOST:PORT"});
     }
 };
 
