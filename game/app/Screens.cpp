@@ -50,7 +50,7 @@ static std::string goalText(const game::Goal& goal, const game::SpeciesTable& sp
         "Catch fish and lose none to the shark", "Catch {} different species in a row"}; // by GoalKind
     if (goal.kind == game::GoalKind::Catch && goal.species >= 0)
         return filled(game::Text("Catch {} {}").in(language), goal.count,
-                      animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
+                      animalName(species[goal.species], goal.count, language));
     return filled(kGoals[static_cast<size_t>(goal.kind)].in(language), goal.count);
 }
 

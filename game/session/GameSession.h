@@ -109,8 +109,7 @@ class TrackedHands {
     std::array<hands::HandPose, 2> seen() const {
         std::array<hands::HandPose, 2> poses{};
         for (int side = 0; side < 2; ++side)
-            if (hands_.notSeen_s(side) <= hands::kHandLost_s)
-                poses[static_cast<size_t>(side)] = hands_.hand(side).pose();
+            if (hands_.notSeen_s(side) <= hands::kHandLost_s) poses[side] = hands_.hand(side).pose();
         return poses;
     }
 

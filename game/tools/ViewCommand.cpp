@@ -118,8 +118,7 @@ void Viewer::pose() {
     for (size_t n = 0; n < model_.nodes.size(); ++n) {
         const int mesh = model_.nodes[n].mesh;
         if (mesh >= 0 && !pose_.morphWeights[n].empty())
-            render::uploadMorphed(model_.meshes[static_cast<size_t>(mesh)], pose_.morphWeights[n],
-                                  gpu_.meshes[static_cast<size_t>(mesh)]);
+            render::uploadMorphed(model_.meshes[mesh], pose_.morphWeights[n], gpu_.meshes[mesh]);
     }
 }
 
@@ -242,8 +241,7 @@ ImageRgba8 reduced(const ImageRgba8& large) {
                 for (int dx = 0; dx < 4; ++dx) {
                     const uint8_t* from = large.at(std::clamp(2 * x + dx - 1, 0, large.width - 1),
                                                    std::clamp(2 * y + dy - 1, 0, large.height - 1));
-                    const float weight =
-                        kWeights[static_cast<size_t>(dx)] * kWeights[static_cast<size_t>(dy)];
+                    const float weight = kWeights[dx] * kWeights[dy];
                     for (size_t c = 0; c < 4; ++c) sum[c] += weight * from[c];
                 }
             for (size_t c = 0; c < 3; ++c) {
@@ -303,7 +301,7 @@ Status Viewer::showWindow() {
         }
         orbit_.radius *= std::exp2(static_cast<float>(-input.wheel) * 0.15f);
         if (moving && clip_.animation >= 0) {
-            const float duration = model_.animations[static_cast<size_t>(clip_.animation)].duration_s;
+            const float duration = model_.animations[clip_.animation].duration_s;
             clip_.time_s =
                 duration > 0 ? static_cast<float>(std::fmod(glfwGetTime() - clipStart, duration)) : 0;
             pose();
