@@ -1,13 +1,13 @@
 // One run of the simulation with its source of input and its recording. Main thread.
 #pragma once
 
+#include "engine/media/live/LivePlayer.h"
 #include "engine/sim/FixedStep.h"
 #include "engine/sim/Recording.h"
 #include "engine/xr/Tracked.h"
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
 #include "game/session/Controls.h"
-#include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/MouseHands.h"
@@ -22,6 +22,7 @@
 #include <thread>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace shoal::app {
 
@@ -286,6 +287,36 @@ class FrameClock {
     uint64_t frame_ = ~uint64_t{0}; // before the first frame
     Clock::time_point start_, frameStart_;
     double wall_s_ = 0; // from the last frame to this one
+};
+
+struct Series : std::vector<float> { // in the order of arrival
+    Series() { reserve(16384); }     // so that no frame allocates
+};
+
+// Frame times, counts and the state hash of a session: for the developer's panel and for --stats.
+struct Statistics {
+    std::string renderer;
+    Series frame_ms; // without the first frame
+    std::vector<std::pair<const char*, Series>>
+        parts;                             // time of each part of a frame (PartTimes.h), as frame_ms
+    Series light_ms, decode_ms, upload_ms; // per frame of the video
+    // Latency of a live video, from the arrival of a frame's last byte until the picture that first shows it
+    // is drawn; and LivePlayer::displayFrames().
+    Series liveLatency_ms, liveDisplayFrames;
+    media::LiveCounts live;
+    float sim_ms = 0; // of the last frame, as are draws and triangles
+    int draws = 0, triangles = 0;
+    float minScale = 1; // least Quality::scale, see DynamicQuality.h
+    int caught = 0, score = 0;
+    uint64_t stateHash = 0, ticks = 0;
+
+    // Adds the time of a part of the frame that is measured, before its frame_ms.
+    void addPart(const char* part, float ms) {
+        auto known = std::ranges::find(parts, part, &decltype(parts)::value_type::first);
+        if (known == parts.end()) known = parts.insert(known, {part, {}});
+        known->second.resize(frame_ms.size(), 0); // frames before the part's first
+        known->second.push_back(ms);
+    }
 };
 
 // Runs one session, with a picture or without: its clock, the mouse's hand, ticks, recording, end and
