@@ -372,9 +372,9 @@ void Application::noteMet(size_t before) {
     play_->metLeft_s -= static_cast<float>(play_->elapsed_s);
     if (met.size() == before) return;
     const game::SpeciesTable& all = *screens_.facts.species;
-    play_->met = game::Notice{"New in your field guide: {}",
-                              animalName(all[static_cast<size_t>(game::findSpecies(all, met.back()))], 1,
-                                         options_.text.shownLanguage())};
+    play_->met =
+        game::Notice{"New in your field guide: {}",
+                     animalName(all[game::findSpecies(all, met.back())], 1, options_.text.shownLanguage())};
     play_->metLeft_s = kMet_s;
 }
 
@@ -451,8 +451,8 @@ void Application::simulate() {
     for (const game::Event& event : session.events) {
         if (event.kind == game::EventKind::Catch && event.species >= 0 && event.position &&
             play_->popups.size() < play_->popups.capacity())
-            play_->popups.push_back({event.points, event.combo,
-                                     &config_.species[static_cast<size_t>(event.species)], *event.position});
+            play_->popups.push_back(
+                {event.points, event.combo, &config_.species[event.species], *event.position});
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
     for (Popup& popup : play_->popups) popup.age_s += static_cast<float>(play_->elapsed_s);

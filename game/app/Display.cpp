@@ -31,7 +31,7 @@ static glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
 static bool points(const hands::HandPose& hand) {
     constexpr float kStretched = 0.93f;
     const hands::FingerJoints& index = hands::kFingerJoints[1];
-    const auto at = [&](int joint) { return hand.joints[static_cast<size_t>(joint)].position; };
+    const auto at = [&](int joint) { return hand.joints[joint].position; };
     float bones_m = 0;
     for (int joint = index.proximal; joint < index.tip; ++joint)
         bones_m += glm::distance(at(joint), at(joint + 1));
@@ -50,7 +50,7 @@ ImageRgb8 pictureOf(std::span<const gl::Target> eyes) {
     const int count = static_cast<int>(eyes.size());
     ImageRgb8 picture(eyes[0].width() * count, eyes[0].height());
     for (int eye = 0; eye < count; ++eye) {
-        const ImageRgba8 image = eyes[static_cast<size_t>(eye)].read();
+        const ImageRgba8 image = eyes[eye].read();
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
                 std::copy_n(image.at(x, y), 3, picture.at(eye * image.width + x, y));
@@ -79,11 +79,11 @@ Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& sho
                                 .verticalFov = glm::radians(options_.fov_deg),
                                 .aspect = aspect,
                                 .heightPixels = drawnSize.y};
-        toDraw.push_back({eye, view, canvases[static_cast<size_t>(eye)]});
+        toDraw.push_back({eye, view, canvases[eye]});
     }
     const Status drawn = painter.scene(toDraw, [&](const render::EyePicture& eye) {
         if (!reducedTargets_.empty()) {
-            const gl::Target& target = targets_[static_cast<size_t>(eye.eye)];
+            const gl::Target& target = targets_[eye.eye];
             eye.canvas.blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
             target.bind();
         }
@@ -106,8 +106,7 @@ void FlatDisplay::present() {
     if (!window_) return;
     const glm::ivec2 size = window_->framebufferSize();
     const int eyes = static_cast<int>(targets_.size());
-    for (int eye = 0; eye < eyes; ++eye)
-        targets_[static_cast<size_t>(eye)].blitTo(0, eye * size.x / eyes, size.x / eyes, size.y);
+    for (int eye = 0; eye < eyes; ++eye) targets_[eye].blitTo(0, eye * size.x / eyes, size.x / eyes, size.y);
     window_->present();
 }
 
@@ -234,7 +233,7 @@ Pointing HeadsetDisplay::pointingOf(size_t side, const hands::HandPose& hand) co
     const int joint = bare ? hands::kFingerJoints[1].tip : hands::kPalmJoint;
     const xr::Pose panelFromHead = xr::inverse(worldFromPanel_) * headset_.tracking().worldFromHead;
     const glm::vec3 head = panelFromHead.position;
-    const glm::vec3 tip = head + panelFromHead.orientation * hand.joints[static_cast<size_t>(joint)].position;
+    const glm::vec3 tip = head + panelFromHead.orientation * hand.joints[joint].position;
     const float forward_m = head.z - tip.z; // the panel's +Z leads to the player
     if (head.z < kBefore_m || forward_m < kBefore_m) return {};
     const glm::vec2 onPanel = glm::vec2(head) + glm::vec2(tip - head) * (head.z / forward_m);
@@ -248,8 +247,8 @@ Pointing HeadsetDisplay::pointingOf(size_t side, const hands::HandPose& hand) co
 Status HeadsetDisplay::drawEyes(const Painter& painter, glm::ivec2 windowSize) {
     std::vector<SceneRenderer::Eye> eyes;
     for (int eye = 0; eye < 2; ++eye) {
-        const gl::Target& target = targets_[static_cast<size_t>(eye)];
-        render::View view = xr::viewOf(headset_.tracking().eyes[static_cast<size_t>(eye)]);
+        const gl::Target& target = targets_[eye];
+        render::View view = xr::viewOf(headset_.tracking().eyes[eye]);
         view.heightPixels = target.height();
         eyes.push_back({eye, view, target, surroundings_, headset_.tracking().floor_m});
     }
@@ -356,7 +355,7 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
 Status HeadsetDisplay::vibrate(const haptics::HapticFrame& frame, bool paused) {
     for (int hand = 0; hand < 2; ++hand) {
         const haptics::Actuation now = paused ? haptics::Actuation{0, 0} : haptics::vibrationOf(frame, hand);
-        if (!vibration_[static_cast<size_t>(hand)].due(now, clock_s_)) continue;
+        if (!vibration_[hand].due(now, clock_s_)) continue;
         if (Status told = headset_.vibrate(hand, now.amplitude, now.frequency_Hz); !told) return told;
     }
     return Done{};

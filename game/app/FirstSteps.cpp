@@ -31,7 +31,7 @@ static std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const g
     for (const game::CreatureView& creature : shown.creatures) {
         const glm::vec3 way = creature.position - shown.headWorld;
         const float distance = glm::length(way);
-        if (!isCatchable(species[static_cast<size_t>(creature.species)])) continue;
+        if (!isCatchable(species[creature.species])) continue;
         if (distance > kReach_m || distance < 0.3f) continue;
         const float cosine = glm::dot(way / distance, ahead);
         if (cosine > bestCosine) bestCosine = cosine, best = creature.position;
@@ -47,7 +47,7 @@ static bool holdsAFish(const game::Snapshot& shown) {
 static void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
     const glm::vec2 half = view.halfExtent();
     const auto onScreen = [&](int joint) {
-        const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
+        const glm::vec3 p = hand.joints[joint].position;
         const float depth = std::max(-p.z, 0.05f);
         return ImVec2((0.5f + 0.5f * p.x / (depth * half.x)) * pen.size.x,
                       (0.5f - 0.5f * p.y / (depth * half.y)) * pen.size.y);

@@ -1,4 +1,5 @@
-#include "game/app/PhotoMode.h"
+// Application: its photo mode.
+#include "game/app/Application.h"
 
 #include "engine/core/Log.h"
 #include "engine/math/LatLong.h"
@@ -36,10 +37,8 @@ static size_t faceOf(glm::vec3 d) {
 // Returns the name of a new file in the folder for pictures, by date and time: shoal-2026-11-22-213045.png.
 // what: "-360" or nothing.
 static Path newPictureFile(std::string_view what) {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    return userFolder(UserFolder::Pictures) / fmt::format("shoal-{:%Y-%m-%d-%H%M%S}{}.png", local, what);
+    return userFolder(UserFolder::Pictures) /
+           fmt::format("shoal-{:%Y-%m-%d-%H%M%S}{}.png", fmt::localtime(std::time(nullptr)), what);
 }
 
 // Returns the names of the keys that move the camera; letters where bound, for they are short.
@@ -80,14 +79,13 @@ static Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld,
                 (glm::vec2(inFace.x, -inFace.y) / -inFace.z * 0.5f + 0.5f) * static_cast<float>(edge) - 0.5f;
             const glm::ivec2 low = glm::clamp(glm::ivec2(glm::floor(at)), 0, edge - 2);
             const glm::vec2 share = glm::clamp(at - glm::vec2(low), 0.0f, 1.0f);
-            for (int channel = 0; channel < 3; ++channel) {
-                const auto texel = [&](int dx, int dy) {
-                    return static_cast<float>(faces[face].at(low.x + dx, low.y + dy)[channel]);
-                };
-                const float upper = glm::mix(texel(0, 0), texel(1, 0), share.x);
-                const float lower = glm::mix(texel(0, 1), texel(1, 1), share.x);
-                around.at(x, y)[channel] = static_cast<uint8_t>(glm::mix(upper, lower, share.y) + 0.5f);
-            }
+            const auto row = [&](int dy) {
+                const uint8_t* texels = faces[face].at(low.x, low.y + dy); // two of 4 bytes
+                return glm::mix(glm::vec3(texels[0], texels[1], texels[2]),
+                                glm::vec3(texels[4], texels[5], texels[6]), share.x);
+            };
+            const glm::vec3 mixed = glm::mix(row(0), row(1), share.y) + 0.5f;
+            for (int c = 0; c < 3; ++c) around.at(x, y)[c] = static_cast<uint8_t>(mixed[c]);
         }
     return around;
 }

@@ -15,10 +15,6 @@ namespace shoal::app {
 constexpr auto kGroups =
     std::to_array<game::Text>({"Hands", "Comfort", "Picture", "Sound", "Text and captions"});
 
-template <class... Values> static std::string filled(const char* text, const Values&... values) {
-    return fmt::format(fmt::runtime(text), values...);
-}
-
 // Returns a key's name for the player: translated, or the file's name with spaces: "PageUp", "Page up".
 static std::string keyLabel(std::string_view name, game::Language language) {
     const auto text = game::translated(name, language);
@@ -49,9 +45,9 @@ static std::string goalText(const game::Goal& goal, const game::SpeciesTable& sp
         "Catch {} fish", "Catch {} different species", "Score {} points",
         "Catch fish and lose none to the shark", "Catch {} different species in a row"}; // by GoalKind
     if (goal.kind == game::GoalKind::Catch && goal.species >= 0)
-        return filled(game::Text("Catch {} {}").in(language), goal.count,
-                      animalName(species[static_cast<size_t>(goal.species)], goal.count, language));
-    return filled(kGoals[static_cast<size_t>(goal.kind)].in(language), goal.count);
+        return game::Text("Catch {} {}")
+            .in(language, goal.count, animalName(species[goal.species], goal.count, language));
+    return kGoals[static_cast<size_t>(goal.kind)].in(language, goal.count);
 }
 
 void Screens::open(Screen screen) {
@@ -201,8 +197,8 @@ MenuPage Screens::divesPage() {
     if (swims) page.text = {in("No clock, no shark: meet the animals.")};
     const EnvironmentOptions& shown = options_.environment; // which has at most one of these
     if (!facts.ownFilm)
-        page.text.push_back(filled(in("All dives are in {}"),
-                                   Path(shown.video + shown.photo + shown.env).filename().string()));
+        page.text.push_back(
+            in("All dives are in {}", Path(shown.video + shown.photo + shown.env).filename().string()));
     return page;
 }
 
@@ -252,9 +248,9 @@ MenuPage Screens::handSizePage() {
     const auto state = facts.handSizing.state();
     page.note = state == Elsewhere ? in("Nobody’s hand is that small or big: is it 30 cm away?")
                 : state == Holding ? in("Keep it there")
-                : state == Done    ? filled(in("Your hand has {} % of the usual size."),
-                                            std::lround(100 * options_.hands.size))
-                                   : "";
+                : state == Done
+                    ? in("Your hand has {} % of the usual size.", std::lround(100 * options_.hands.size))
+                    : "";
     return page;
 }
 
@@ -267,8 +263,8 @@ MenuPage Screens::bindingsPage() {
                           .isButton = true,
                           .act = [this, action](const MenuEvent&) {
                               captured_ = action;
-                              message_ = filled(in("Press a key or a button for: {}. Esc: leave it"),
-                                                in(kActionRows[static_cast<size_t>(action)].label));
+                              message_ = in("Press a key or a button for: {}. Esc: leave it",
+                                            in(kActionRows[static_cast<size_t>(action)].label));
                           }});
     }
     button("Reset all keys", [this] {
@@ -285,8 +281,8 @@ void Screens::captured(std::optional<Action> loser) {
     if (loser) {
         const char* label = in(kActionRows[static_cast<size_t>(*loser)].label);
         const std::string left = keysText(bindings_.of(*loser), language());
-        message_ = left.empty() ? filled(in("It was taken from: {}, which has no key or button now"), label)
-                                : filled(in("It was taken from: {}, which keeps {}"), label, left);
+        message_ = left.empty() ? in("It was taken from: {}, which has no key or button now", label)
+                                : in("It was taken from: {}, which keeps {}", label, left);
     }
     options_.controls.bindings = bindings_.toText();
     keep("bindings");
@@ -307,16 +303,11 @@ void Screens::capture(const platform::WindowInput& input) {
 
 MenuPage Screens::howToPlayPage() {
     backButton();
+    MenuPage page{.title = in("How to play")};
     if (options_.xr)
-        return {.title = in("How to play"),
-                .text = {in("Reach for a fish and close your hand on it"), in("Hold it for a second"),
-                         in("Fish fear a fast hand and are curious of one that rests: move slowly, or wait "
-                            "in their way."),
-                         in("The shark is drawn to a struggling fish. When it points at your hand, let go or "
-                            "pull away.")}};
-    return {
-        .title = in("How to play"),
-        .text = {
+        page.text = {in("Reach for a fish and close your hand on it"), in("Hold it for a second")};
+    else
+        page.text = {
             in("Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold the "
                "fish for a second, and it counts."),
             in("The wheel reaches nearer or farther. Look around with the arrow keys or with the right "
@@ -326,11 +317,14 @@ MenuPage Screens::howToPlayPage() {
             in("Esc, the middle mouse button or Start on a gamepad pauses. All keys: Settings, Keys and "
                "buttons."),
             in("Different species one after the other count two, three, four and five times. Each dive has "
-               "three "
-               "goals. Jellyfish sting the hand that closes on them."),
-            in("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their way."),
-            in("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
-               "away.")}};
+               "three goals. Jellyfish sting the hand that closes on them.")};
+    for (const game::Text rule :
+         {game::Text("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their "
+                     "way."),
+          game::Text("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
+                     "away.")})
+        page.text.push_back(in(rule));
+    return page;
 }
 
 // Makes the field guide; each animal that the player has met leads to a page of its own.
@@ -345,11 +339,10 @@ MenuPage Screens::guidePage() {
         items_.back().enabled = known;
     }
     backButton();
-    return {
-        .title = in("Field guide"),
-        .text = {filled(in("You have met {} of {} animals. Touch an animal in the water to get to know it."),
-                        met, all.size())},
-        .layout = PageLayout::Side};
+    return {.title = in("Field guide"),
+            .text = {in("You have met {} of {} animals. Touch an animal in the water to get to know it.", met,
+                        all.size())},
+            .layout = PageLayout::Side};
 }
 
 MenuPage Screens::animalPage() {
@@ -394,28 +387,28 @@ MenuPage Screens::pausedPage() {
 
 MenuPage Screens::resultsPage() {
     const game::Snapshot& s = facts.results;
-    MenuPage page{.title = filled(in("The dive is over: {}"), s.score)};
-    page.text.push_back(s.caught == 1 ? in("1 fish caught") : filled(in("{} fish caught"), s.caught));
+    MenuPage page{.title = in("The dive is over: {}", s.score)};
+    page.text.push_back(s.caught == 1 ? in("1 fish caught") : in("{} fish caught", s.caught));
     std::string tally;
     for (size_t i = 0; i < s.tally.size(); ++i)
         if (s.tally[i].caught > 0)
             tally += (tally.empty() ? "" : ", ") + std::to_string(s.tally[i].caught) + " " +
                      animalName((*facts.species)[i], s.tally[i].caught, language());
     if (!tally.empty()) page.text.push_back(tally);
-    if (s.lost > 0) page.text.push_back(filled(in("{} taken by the shark"), s.lost));
+    if (s.lost > 0) page.text.push_back(in("{} taken by the shark", s.lost));
     std::ranges::move(goalLines(s.goals), std::back_inserter(page.text));
     const DiveScores& before = facts.scores;
     if (s.score > (before.top.empty() ? 0 : before.top.front()))
         page.text.emplace_back(in("Your best dive yet"));
     else if (before.last > 0 && s.score > before.last)
-        page.text.push_back(filled(in("Better than last time by {}"), s.score - before.last));
+        page.text.push_back(in("Better than last time by {}", s.score - before.last));
     if (!before.top.empty())
-        page.text.push_back(filled(in("Your best dives before: {}"), fmt::join(before.top, "  ")));
+        page.text.push_back(in("Your best dives before: {}", fmt::join(before.top, "  ")));
     button("Dive again", [this] { ask(Request::Kind::Restart); });
     if (facts.dives.size() > 1) button("Choose a dive", [this] { push(Screen::Dives); });
     button("Title screen", [this] { ask(Request::Kind::Title); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
-    page.note = filled(in("Seed {}"), facts.seed);
+    page.note = in("Seed {}", facts.seed);
     if (options_.xr) page.note = in("Close both hands: dive again") + std::string("   ") + page.note;
     return page;
 }

@@ -135,6 +135,9 @@ class Screens {
     MenuPage pausedPage();
     MenuPage resultsPage();
 
+    template <class... Values> auto in(game::Text text, const Values&... values) const {
+        return text.in(language(), values...);
+    }
     void button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
     void itemButton(std::string label, std::function<void()> act); // label from content, already translated
     void backButton() {
@@ -143,7 +146,6 @@ class Screens {
     void settingEntry(size_t row);
     void changed(size_t row);
     void captured(std::optional<Action> loser);
-    const char* in(game::Text text) const { return text.in(language()); }
     game::Language language() const { return options_.text.shownLanguage(); }
     std::string named(std::string_view english) const {
         return std::string(game::translated(english, language()));

@@ -2,12 +2,13 @@
 // event of EventKind that has no row here does not compile.
 #pragma once
 
+#include "engine/core/EnumNames.h"
 #include "game/rules/Snapshot.h"
 #include "game/texts/Texts.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
-#include <string_view>
 
 namespace shoal::game {
 
@@ -108,10 +109,11 @@ static_assert([] {
 
 constexpr const EventRow& rowOf(EventKind kind) { return kEventRows[static_cast<size_t>(kind)]; }
 
-inline std::optional<EventKind> findEvent(std::string_view name) {
-    for (const EventRow& row : kEventRows)
-        if (name == row.name) return row.kind;
-    return std::nullopt;
-}
-
 } // namespace shoal::game
+
+template <>
+inline constexpr auto shoal::kEnumNames<shoal::game::EventKind> = [] {
+    std::array<const char*, shoal::game::kEventRows.size()> names{};
+    std::ranges::transform(shoal::game::kEventRows, names.begin(), &shoal::game::EventRow::name);
+    return names;
+}();

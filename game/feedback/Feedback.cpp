@@ -192,7 +192,7 @@ void HapticFeedback::startPulse(const Event& event) {
     if (row.where == Where::Nowhere || row.where == Where::Body || event.hand < 0) return;
     for (int part = 0; part < haptics::kActuatorsPerHand; ++part)
         if (row.where != Where::Part || part == event.part)
-            strike(pulses_[static_cast<size_t>(event.hand * haptics::kActuatorsPerHand + part)]);
+            strike(pulses_[event.hand * haptics::kActuatorsPerHand + part]);
 }
 
 haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
@@ -205,13 +205,13 @@ haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<cons
     for (const Event& event : events) startPulse(event);
     haptics::HapticFrame frame;
     for (int i = 0; i < haptics::kActuatorCount; ++i) {
-        const Pulse& pulse = pulses_[static_cast<size_t>(i)];
-        const HandView& hand = shown.hands[static_cast<size_t>(i / haptics::kActuatorsPerHand)];
-        const TouchView& touch = hand.touching[static_cast<size_t>(i % haptics::kActuatorsPerHand)];
+        const Pulse& pulse = pulses_[i];
+        const HandView& hand = shown.hands[i / haptics::kActuatorsPerHand];
+        const TouchView& touch = hand.touching[i % haptics::kActuatorsPerHand];
         haptics::Actuation out =
             haptics::stronger({pulse.amplitude, pulse.frequency_Hz}, underFinger(touch, hand.holds >= 0));
         out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
-        frame.actuators[static_cast<size_t>(i)] = out;
+        frame.actuators[i] = out;
     }
     const Pulse& body = pulses_.back();
     frame.body = {std::clamp(body.amplitude * strength, 0.0f, 1.0f), body.frequency_Hz};

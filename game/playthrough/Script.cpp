@@ -20,12 +20,6 @@ constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "op
 constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
 constexpr std::array<const char*, 2> kAtNames = {"shark", "fish"}, kWaterNames = {"open", "film"};
 
-constexpr auto kEventNames = [] {
-    std::array<const char*, kEventRows.size()> names{};
-    for (size_t i = 0; i < names.size(); ++i) names[i] = kEventRows[i].name;
-    return names;
-}();
-
 static ScriptStep readStep(TomlTable& table, int number) {
     ScriptStep step;
     step.line = table.line();
@@ -48,8 +42,8 @@ static ScriptStep readStep(TomlTable& table, int number) {
     step.yaw = yaw_deg * kDegree;
     step.pitch = pitch_deg * kDegree;
     table.number("timeout", step.timeout_s, 0, 3600);
-    table.choice("until", kEventNames, step.until);
-    table.choice("unless", kEventNames, step.unless);
+    table.choice("until", kEnumNames<EventKind>, step.until);
+    table.choice("unless", kEnumNames<EventKind>, step.unless);
     table.choice("phase", kPhaseNames, step.phase);
     table.whole("from", step.from, 1, kMaxSteps);
     table.whole("times", step.times, 1, 1000);
@@ -67,15 +61,15 @@ static ScriptExpect readExpect(TomlTable& table) {
             table.whole(key, expect.atEnd[i].emplace(), 0, 1'000'000);
     if (table.has("fish_above")) table.number("fish_above", expect.fishAbove_m.emplace(), -10, 10);
     table.choice("water", kWaterNames, expect.water);
-    table.choice("event", kEventNames, expect.event);
-    table.choice("never", kEventNames, expect.never);
+    table.choice("event", kEnumNames<EventKind>, expect.event);
+    table.choice("never", kEnumNames<EventKind>, expect.never);
     table.choice("phase", kPhaseNames, expect.phase);
     table.whole("count", expect.count, 1, 1'000'000);
     table.number("after", expect.after_s, 0, 3600);
     table.number("before", expect.before_s, 0, 3600);
     if (const auto* order = table.list("order"))
         for (const toml::node& node : *order) {
-            const auto kind = findEvent(node.value<std::string>().value_or(""));
+            const auto kind = enumNamed<EventKind>(node.value<std::string>().value_or(""));
             if (!kind) table.complain("order", "must list names of events");
             expect.order.push_back(*kind);
         }

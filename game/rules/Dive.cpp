@@ -389,14 +389,11 @@ Status checkFilmSpace(const sim::RecordingHeader& header, const FilmSpace* space
 struct AnyField {
     template <class T> operator T() const;
 };
-template <class T, size_t... I> consteval bool acceptsFields(std::index_sequence<I...>) {
-    return requires { T{(static_cast<void>(I), AnyField{})...}; };
-}
-template <class T, size_t N = 1> consteval size_t fieldCount() {
-    if constexpr (acceptsFields<T>(std::make_index_sequence<N>{}))
-        return fieldCount<T, N + 1>();
+template <class T, class... Fields> consteval size_t fieldCount() {
+    if constexpr (requires { T{Fields{}..., AnyField{}}; })
+        return fieldCount<T, Fields..., AnyField>();
     else
-        return N - 1;
+        return sizeof...(Fields);
 }
 
 inline auto fieldsOf(const glm::vec3& v) { return std::tie(v.x, v.y, v.z); }

@@ -2,6 +2,7 @@
 
 #include "game/rules/TomlRead.h"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -192,10 +193,9 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
 }
 
 std::vector<std::string> diveNames(const Path& content) {
-    const Path root = content.empty() ? dataRoot() / "content" : content;
     std::vector<std::string> names;
     std::error_code code;
-    for (const auto& entry : std::filesystem::directory_iterator(root / "dives", code))
+    for (const auto& entry : std::filesystem::directory_iterator(content / "dives", code))
         if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -203,15 +203,12 @@ std::vector<std::string> diveNames(const Path& content) {
 
 Result<DiveFiles> loadDiveFiles(const std::string& name, const Path& content) {
     const bool isFile = name.ends_with(".toml");
-    const Path root = content.empty() ? dataRoot() / "content" : content;
-    if (const auto known = diveNames(root); !isFile && std::ranges::find(known, name) == known.end()) {
-        std::string list;
-        for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
-        return Error{name, "there is no such dive; there is " + (list.empty() ? "none" : list)};
-    }
+    if (const auto known = diveNames(content); !isFile && std::ranges::find(known, name) == known.end())
+        return Error{name, fmt::format("there is no such dive; there is {}{}", known.empty() ? "none" : "",
+                                       fmt::join(known, ", "))};
     const Path file =
-        isFile ? std::filesystem::absolute(name).lexically_normal() : root / "dives" / (name + ".toml");
-    auto species = loadSpecies((isFile ? file.parent_path() : root) / "species.toml");
+        isFile ? std::filesystem::absolute(name).lexically_normal() : content / "dives" / (name + ".toml");
+    auto species = loadSpecies((isFile ? file.parent_path() : content) / "species.toml");
     if (!species) return species.error();
     auto dive = loadDive(file, *species);
     if (!dive) return dive.error();

@@ -139,12 +139,12 @@ std::vector<bool> speciesShown(const SpeciesTable&, const DiveFile&);
 
 Result<DiveFile> loadDive(const Path& file, const SpeciesTable&);
 
-// Returns the names of the dives below content (dataRoot()/content if empty), sorted.
-std::vector<std::string> diveNames(const Path& content = {});
+// Returns the names of the dives below content, sorted.
+std::vector<std::string> diveNames(const Path& content = dataRoot() / "content");
 
-// Loads a dive: by name, from dives/NAME.toml and species.toml below content (dataRoot()/content if empty);
-// or by path, from NAME.toml and the species.toml beside it.
-Result<DiveFiles> loadDiveFiles(const std::string& dive, const Path& content = {});
+// Loads a dive: by name, from dives/NAME.toml and species.toml below content; or by path, from NAME.toml and
+// the species.toml beside it.
+Result<DiveFiles> loadDiveFiles(const std::string& dive, const Path& content = dataRoot() / "content");
 
 // Help for a hand that reaches for a fish (game/rules/Intent.h). None: it takes hold only of a fish that its
 // fingers really close around.

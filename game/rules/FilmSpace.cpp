@@ -27,6 +27,7 @@ glm::vec2 unfolded(const glm::vec3& dir) {
 }
 
 size_t cellAt(int x, int y) { return static_cast<size_t>(y + 1) * kBordered + static_cast<size_t>(x + 1); }
+size_t cellAt(int cell) { return cellAt(cell % FilmSpace::kSide, cell / FilmSpace::kSide); }
 
 // Fills the border cells around the square: beyond an edge the octahedron continues at that edge, mirrored.
 template <class T> void fillBorder(T* grid) {
@@ -43,36 +44,34 @@ template <class T> void fillBorder(T* grid) {
     grid[cellAt(-1, n)] = grid[cellAt(n - 1, 0)];
 }
 
-constexpr std::array<std::array<int, 2>, 8> kAround = {
-    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+// Offsets from a cell's index to those of its eight neighbours.
+constexpr std::array<int, 8> kAround = {-kBordered - 1, -kBordered, -kBordered + 1, -1, 1,
+                                        kBordered - 1,  kBordered,  kBordered + 1};
 
 // Returns by how many millimetres each cell may exceed each of its neighbours. The angle between two cells is
 // taken as its chord, which is shorter, so the room narrows a little more slowly than the limit.
 std::vector<std::array<float, 8>> allowances(float narrowing_m) {
     std::vector<glm::vec3> directions(kStride);
     for (int cell = 0; cell < FilmSpace::kCells; ++cell)
-        directions[cellAt(cell % FilmSpace::kSide, cell / FilmSpace::kSide)] = FilmSpace::directionOf(cell);
+        directions[cellAt(cell)] = FilmSpace::directionOf(cell);
     fillBorder(directions.data());
     std::vector<std::array<float, 8>> allowed(kStride);
-    for (int y = 0; y < FilmSpace::kSide; ++y)
-        for (int x = 0; x < FilmSpace::kSide; ++x)
-            for (size_t i = 0; i < kAround.size(); ++i) {
-                const glm::vec3 apart =
-                    directions[cellAt(x, y)] - directions[cellAt(x + kAround[i][0], y + kAround[i][1])];
-                allowed[cellAt(x, y)][i] = 1000 * narrowing_m * glm::length(apart);
-            }
+    for (int cell = 0; cell < FilmSpace::kCells; ++cell)
+        for (size_t i = 0; i < kAround.size(); ++i) {
+            const glm::vec3 apart = directions[cellAt(cell)] - directions[cellAt(cell) + kAround[i]];
+            allowed[cellAt(cell)][i] = 1000 * narrowing_m * glm::length(apart);
+        }
     return allowed;
 }
 
 // Sets each cell to the minimum of itself and its neighbours, so that interpolation between four cells gives
 // no distance greater than any of theirs.
 void widen(const uint16_t* surface, float* room) {
-    for (int y = 0; y < FilmSpace::kSide; ++y)
-        for (int x = 0; x < FilmSpace::kSide; ++x) {
-            uint16_t nearest = surface[cellAt(x, y)];
-            for (const auto& [dx, dy] : kAround) nearest = std::min(nearest, surface[cellAt(x + dx, y + dy)]);
-            room[cellAt(x, y)] = nearest;
-        }
+    for (int cell = 0; cell < FilmSpace::kCells; ++cell) {
+        uint16_t nearest = surface[cellAt(cell)];
+        for (const int offset : kAround) nearest = std::min(nearest, surface[cellAt(cell) + offset]);
+        room[cellAt(cell)] = nearest;
+    }
     fillBorder(room);
 }
 
@@ -82,13 +81,10 @@ void smoothDirections(const std::vector<std::array<float, 8>>& allowed, float* r
     for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
         bool changed = false;
         for (int i = 0; i < FilmSpace::kCells; ++i) {
-            const int cell = sweep % 2 ? FilmSpace::kCells - 1 - i : i;
-            const int x = cell % FilmSpace::kSide, y = cell / FilmSpace::kSide;
-            float& here = room[cellAt(x, y)];
+            const size_t cell = cellAt(sweep % 2 ? FilmSpace::kCells - 1 - i : i);
             for (size_t k = 0; k < kAround.size(); ++k) {
-                const float most =
-                    room[cellAt(x + kAround[k][0], y + kAround[k][1])] + allowed[cellAt(x, y)][k];
-                if (here > most) here = most, changed = true;
+                const float most = room[cell + kAround[k]] + allowed[cell][k];
+                if (room[cell] > most) room[cell] = most, changed = true;
             }
         }
         fillBorder(room);
@@ -104,7 +100,7 @@ FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
     for (int step = 0; step < steps_; ++step) {
         uint16_t* to = surface_mm_.data() + step * kStride;
         for (int cell = 0; cell < kCells; ++cell)
-            to[cellAt(cell % kSide, cell / kSide)] =
+            to[cellAt(cell)] =
                 std::min(surface_mm[step * kCells + cell], static_cast<uint16_t>(1000 * kFar_m));
         fillBorder(to);
     }

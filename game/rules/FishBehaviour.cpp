@@ -331,7 +331,7 @@ glm::vec3 turn(Fish& f, int id, const Species& kind, const Desire& desire, glm::
     const float rate = snapping ? 26.0f : darting ? 9.0f : afraid ? 1.8f * kind.turn_radps : kind.turn_radps;
     const float eager = snapping ? 24.0f : darting ? 14.0f : afraid ? 6.0f : 3.0f;
     const float acceleration = snapping ? 1200 : darting ? 250 : 9 * rate;
-    const glm::vec3 spin = turnSmoothly(f.forward, f.spin, goal, eager, rate, acceleration, kDt);
+    const glm::vec3 spin = turnSmoothly(f, goal, eager, rate, acceleration);
     f.forward = levelled(f.forward, kSteepestDart);
     if (f.flight.side == 0 && f.flight.spent_s > 0)
         f.flight.side = glm::dot(spin, kUp) < 0 || (glm::dot(spin, kUp) == 0 && id % 2) ? -1.0f : 1.0f;

@@ -385,8 +385,8 @@ void swimShark(Shark& shark, const DiveContext& in) {
     const glm::vec3 goal = levelled(normalizedOr(course.way, shark.forward), 0.35f);
     const bool strikes = shark.state == State::Strike;
     const float turn = course.turn_radps;
-    const glm::vec3 spin = turnSmoothly(shark.forward, shark.spin, goal, strikes ? 8.0f : 2.5f * turn, turn,
-                                        strikes ? 40.0f : 8.0f * turn, kDt);
+    const glm::vec3 spin =
+        turnSmoothly(shark, goal, strikes ? 8.0f : 2.5f * turn, turn, strikes ? 40.0f : 8.0f * turn);
     shark.forward = levelled(shark.forward, 0.4f);
     bankIntoTurn(shark, 0.3f, 0.6f, 3);
     shark.speed =

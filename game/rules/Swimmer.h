@@ -105,13 +105,12 @@ inline glm::vec3 leftOf(glm::vec3 forward) {
     return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
 }
 
-// Turns the unit heading towards the unit goal as a body with inertia does, by a critically damped spring of
-// rate `eager`, 1/s: the angular velocity (spin, rad/s, world frame, never along forward) does not jump, and
-// at rates below the limit the heading does not overshoot. Returns the desired spin.
-inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goal, float eager,
-                              float max_radps, float max_radps2, float dt) {
-    const float along = glm::dot(forward, goal);
-    glm::vec3 axis = glm::cross(forward, goal);
+// Turns the heading for a tick towards the unit goal as a body with inertia does, by a critically damped
+// spring of rate `eager`, 1/s: the angular velocity (spin, never along forward) does not jump, and at rates
+// below the limit the heading does not overshoot. Returns the desired spin.
+inline glm::vec3 turnSmoothly(Swimmer& s, glm::vec3 goal, float eager, float max_radps, float max_radps2) {
+    const float along = glm::dot(s.forward, goal);
+    glm::vec3 axis = glm::cross(s.forward, goal);
     const float sine = glm::length(axis);
     if (sine > 1e-4f)
         axis /= sine;
@@ -120,15 +119,15 @@ inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goa
     float angle = sine; // approximated by its sine
     if (along < 0) {
         // Turns about the vertical; if the goal is well behind, a turn already under way keeps its side.
-        const glm::vec3 left = leftOf(forward);
-        const float side = along < -0.5f && std::fabs(spin.y) > 0.05f ? spin.y : glm::dot(goal, left);
-        axis = glm::cross(forward, side < 0 ? -left : left);
+        const glm::vec3 left = leftOf(s.forward);
+        const float side = along < -0.5f && std::fabs(s.spin.y) > 0.05f ? s.spin.y : glm::dot(goal, left);
+        axis = glm::cross(s.forward, side < 0 ? -left : left);
         angle = 2 - sine;
     }
     const glm::vec3 request = axis * std::min(max_radps, eager * angle);
-    spin += limited((request - spin) * std::min(1.0f, 4 * eager * dt), max_radps2 * dt);
-    spin -= forward * glm::dot(spin, forward);
-    forward = glm::normalize(forward + glm::cross(spin, forward) * dt);
+    s.spin += limited((request - s.spin) * std::min(1.0f, 4 * eager * kDt), max_radps2 * kDt);
+    s.spin -= s.forward * glm::dot(s.spin, s.forward);
+    s.forward = glm::normalize(s.forward + glm::cross(s.spin, s.forward) * kDt);
     return request;
 }
 

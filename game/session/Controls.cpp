@@ -102,8 +102,7 @@ std::string keyName(int key) {
 }
 
 std::string_view buttonName(int button) {
-    return button >= 0 && button <= GLFW_GAMEPAD_BUTTON_LAST ? kButtonNames[static_cast<size_t>(button)]
-                                                             : kNone;
+    return button >= 0 && button <= GLFW_GAMEPAD_BUTTON_LAST ? kButtonNames[button] : kNone;
 }
 
 std::optional<Action> Bindings::bind(Action action, int number, bool isButton) {
@@ -165,7 +164,7 @@ Controls readControls(platform::Window& window, const Bindings& bindings) {
             down |= key >= 0 && window.down(key);
         }
         controls.pressed[i] = pressed || (button >= 0 && std::ranges::count(pad.pressed, button) > 0);
-        controls.down[i] = down || (button >= 0 && pad.down[static_cast<size_t>(button)]);
+        controls.down[i] = down || (button >= 0 && pad.down[button]);
     }
     return controls;
 }

@@ -1,11 +1,11 @@
-#include "game/session/HandSource.h"
+// The sources of a session's input.
+#include "game/session/GameSession.h"
 
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
 #include "game/rules/Intent.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -145,7 +145,7 @@ void TrackedHands::frame(double elapsed_s) {
     constexpr float kElbowEase_s = 0.05f;
     const float share = math::followShare(static_cast<float>(elapsed_s), kElbowEase_s);
     for (int side = 0; side < 2; ++side) {
-        glm::vec3& shown = towardsElbow_[static_cast<size_t>(side)];
+        glm::vec3& shown = towardsElbow_[side];
         shown += ((choice_.fromDevice() ? hands_.towardsElbow(side) : glm::vec3(0)) - shown) * share;
     }
     state_ = stream.state();

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 namespace shoal::app {
 
@@ -80,9 +79,10 @@ struct ReadEntry {
 constexpr size_t kMaxLooked = 5000;              // entries read of each folder
 constexpr size_t kMaxRead = 500, kMaxFilms = 60; // files of all folders whose beginning is read; in the list
 
+using Found = std::pair<std::filesystem::file_time_type, Path>; // when the file was changed last
+
 // Returns the newest files of the player's folders, whatever they are.
-std::vector<Path> newestFiles() {
-    using Found = std::pair<std::filesystem::file_time_type, Path>; // when it was changed last
+std::vector<Found> newestFiles() {
     std::vector<Found> found;
     std::error_code code;
     for (const auto which : {UserFolder::Videos, UserFolder::Pictures, UserFolder::Downloads}) {
@@ -93,9 +93,7 @@ std::vector<Path> newestFiles() {
     }
     std::ranges::sort(found, std::ranges::greater(), &Found::first);
     found.resize(std::min(found.size(), kMaxRead));
-    std::vector<Path> files;
-    std::ranges::move(found | std::views::values, std::back_inserter(files));
-    return files;
+    return found;
 }
 
 struct MakeEntry {
@@ -172,7 +170,7 @@ FilmList::Found FilmList::found() const {
 void FilmList::read(const std::stop_token& ending) {
     lowerThreadPriority();
     std::vector<Path> files;
-    for (const Path& file : newestFiles()) {
+    for (const auto& [changed, file] : newestFiles()) {
         if (ending.stop_requested()) return;
         if (files.size() == kMaxFilms) break;
         const auto kind = media::mediaKind(file);

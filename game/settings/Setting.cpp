@@ -98,7 +98,7 @@ void adjust(const Setting& setting, int steps) {
     if (names.empty()) return;
     const auto count = static_cast<int>(names.size());
     const auto at = static_cast<int>(std::ranges::find(names, now) - names.begin());
-    const std::string& next = names[static_cast<size_t>(((at + steps) % count + count) % count)];
+    const std::string& next = names[((at + steps) % count + count) % count];
     if (const auto* flag = std::get_if<bool*>(&setting.value)) **flag = next == "on";
     if (const auto* text = std::get_if<std::string*>(&setting.value)) **text = next;
     if (const auto* text = std::get_if<TextSetting>(&setting.value)) text->set(next);

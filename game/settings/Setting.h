@@ -53,35 +53,32 @@ TextSetting sizeSetting(glm::ivec2& pixels);                   // WIDTHxHEIGHT
 TextSetting addressSetting(std::string& host, uint16_t& port); // HOST:PORT or [IPV6]:PORT
 TextSetting vectorSetting(std::optional<glm::vec3>& value);    // X,Y,Z
 
-struct Setting {
-    using Value = std::variant<bool*, int*, float*, std::string*, std::vector<std::string>*,
-                               std::optional<float>*, std::optional<uint64_t>*, TextSetting>;
+struct SettingTraits { // what only some settings have
     struct Range {
         double low = 0, high = 0; // both included; equal: no limits
         bool given() const { return low < high; }
     };
 
+    Range range{};             // of a number
+    std::string placeholder{}; // name of the option's value in --help
+    bool required = false;
+    bool personal = false;                        // applies to a person's dive, not to a script or replay
+    std::vector<std::string> excludes{}, needs{}; // other options
+    std::vector<std::string> suggestions{};       // values that the menu page offers for a free text
+};
+
+struct Setting : SettingTraits {
+    using Value = std::variant<bool*, int*, float*, std::string*, std::vector<std::string>*,
+                               std::optional<float>*, std::optional<uint64_t>*, TextSetting>;
+
     std::string option; // "--name"; "!--no-name": a flag that turns `name` off; "NAME": a positional argument
     Value value;
     std::string help; // with the unit, if there is one
     Category category = Category::General;
-    Range range{};             // of a number
-    std::string placeholder{}; // name of the option's value in --help
-    bool kept = false;         // kept in the settings file
-    bool required = false;
-    bool personal = false;                        // applies to a person's dive, not to a script or replay
-    std::vector<std::string> excludes{}, needs{}; // other options
+    bool kept = false; // kept in the settings file
     // On a menu page; numbers are sliders there, so they need a range.
     SettingsPage page = SettingsPage::None;
     std::optional<game::Text> label{};
-    std::vector<std::string> suggestions{}; // values that the page offers for a free text
-
-    Setting& takes(std::string what) { return placeholder = std::move(what), *this; }
-    Setting& ofAPerson() { return personal = true, *this; }
-    Setting& mustBeGiven() { return required = true, *this; }
-    Setting& without(std::vector<std::string> others) { return excludes = std::move(others), *this; }
-    Setting& with(std::vector<std::string> others) { return needs = std::move(others), *this; }
-    Setting& offers(std::vector<std::string> some) { return suggestions = std::move(some), *this; }
 
     std::string key() const; // name in the settings file: the option's, without dashes and "no"
 };
@@ -113,22 +110,20 @@ struct SettingsTable {
     std::vector<Setting> rows;
     Category category = Category::General; // category of the rows added next
 
-    Setting& add(std::string option, Setting::Value value, std::string help, Setting::Range range = {}) {
-        return rows.emplace_back(
-            Setting{std::move(option), std::move(value), std::move(help), category, range});
+    void add(std::string option, Setting::Value value, std::string help, SettingTraits traits = {}) {
+        rows.push_back({std::move(traits), std::move(option), std::move(value), std::move(help), category});
     }
     // Adds a setting that belongs in the settings file.
-    Setting& addKept(std::string option, Setting::Value value, std::string help, Setting::Range range = {}) {
-        Setting& row = add(std::move(option), std::move(value), std::move(help), range);
-        row.kept = true;
-        return row;
+    void addKept(std::string option, Setting::Value value, std::string help, SettingTraits traits = {}) {
+        add(std::move(option), std::move(value), std::move(help), std::move(traits));
+        rows.back().kept = true;
     }
     // The same, and on a menu page.
-    Setting& addShown(SettingsPage page, game::Text label, std::string option, Setting::Value value,
-                      std::string help, Setting::Range range = {}) {
-        Setting& row = addKept(std::move(option), std::move(value), std::move(help), range);
-        row.page = page, row.label = label;
-        return row;
+    void addShown(SettingsPage page, game::Text label, std::string option, Setting::Value value,
+                  std::string help, SettingTraits traits = {}) {
+        addKept(std::move(option), std::move(value), std::move(help), std::move(traits));
+        rows.back().page = page;
+        rows.back().label = label;
     }
 };
 

@@ -2,6 +2,8 @@
 // gettext; a key that has no row here does not compile. Command line, log and error messages stay English.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -411,6 +413,10 @@ class Text {
   public:
     consteval Text(const char* english) : row_(findText(english)) { (void)kTexts.at(row_); }
     constexpr const char* in(Language language) const { return kTexts[row_][static_cast<size_t>(language)]; }
+    // The same with values in place of its "{}".
+    template <class... Values> std::string in(Language language, const Values&... values) const {
+        return fmt::format(fmt::runtime(in(language)), values...);
+    }
     constexpr bool operator==(const Text&) const = default;
 
   private:
@@ -422,11 +428,7 @@ struct Notice {
     Text text;
     std::string value{}; // a name, a number or a file, in place of "{}"
 
-    std::string in(Language language) const {
-        std::string sentence = text.in(language);
-        if (const size_t at = sentence.find("{}"); at != std::string::npos) sentence.replace(at, 2, value);
-        return sentence;
-    }
+    std::string in(Language language) const { return text.in(language, value); }
     bool operator==(const Notice&) const = default;
 };
 

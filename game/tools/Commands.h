@@ -28,30 +28,28 @@ struct ViewOptions {
     bool headless = false;
 
     void addTo(SettingsTable& table) {
-        table.add("MODEL", &model, "A glTF 2.0 model: .glb or .gltf").mustBeGiven();
+        table.add("MODEL", &model, "A glTF 2.0 model: .glb or .gltf", {.required = true});
         environment.addTo(table);
         look.addTo(table, true);
         table.category = Category::General;
         table.add("--diffuse", choice(diffuse),
                   "Diffuse light: default, exact; thesis: a map of 64x32 texels, each the sum over all");
-        table
-            .add("--orbit", vectorSetting(orbit),
-                 "Camera around the target: degrees around, degrees from straight up, metres away; 0,90 "
-                 "looks along -Z")
-            .takes("THETA,PHI,RADIUS");
-        table
-            .add("--target", vectorSetting(target),
-                 "Point that the camera looks at, metres; the model's middle if not given")
-            .takes("X,Y,Z");
-        table.add("--fov", &fov_deg, "Vertical field of view, degrees", {1, 150});
-        table.add("--samples", &samples, "Anti-aliasing samples a pixel", {1, 16});
+        table.add("--orbit", vectorSetting(orbit),
+                  "Camera around the target: degrees around, degrees from straight up, metres away; 0,90 "
+                  "looks along -Z",
+                  {.placeholder = "THETA,PHI,RADIUS"});
+        table.add("--target", vectorSetting(target),
+                  "Point that the camera looks at, metres; the model's middle if not given",
+                  {.placeholder = "X,Y,Z"});
+        table.add("--fov", &fov_deg, "Vertical field of view, degrees", {.range = {1, 150}});
+        table.add("--samples", &samples, "Anti-aliasing samples a pixel", {.range = {1, 16}});
         table.add("--background", choice(background), "env, or none: transparent");
-        table.add("--animation", &animation, "Poses the model at that second of an animation")
-            .takes("NAME@SECONDS");
+        table.add("--animation", &animation, "Poses the model at that second of an animation",
+                  {.placeholder = "NAME@SECONDS"});
         table.add("--variant", &variant, "Shows the model with one of its material variants");
-        table.add("--at", &at_s, "Second of the video to stand in", {0, 36000});
-        table.add("--out", &out, "Writes a picture instead of opening a window").takes("FILE.png");
-        table.add("--headless", &headless, "Opens no window, which --out never does").with({"--out"});
+        table.add("--at", &at_s, "Second of the video to stand in", {.range = {0, 36000}});
+        table.add("--out", &out, "Writes a picture instead of opening a window", {.placeholder = "FILE.png"});
+        table.add("--headless", &headless, "Opens no window, which --out never does", {.needs = {"--out"}});
     }
 };
 
@@ -64,10 +62,9 @@ struct LightOptions {
     float at_s = 0;
 
     void addTo(SettingsTable& table) {
-        table.add("FILE", &file, "A lat-long HDR picture, photo or video").mustBeGiven();
-        table.add("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json")
-            .takes("FOLDER")
-            .mustBeGiven();
+        table.add("FILE", &file, "A lat-long HDR picture, photo or video", {.required = true});
+        table.add("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json",
+                  {.placeholder = "FOLDER", .required = true});
         table.add("--method", choice(method),
                   "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy "
                   "light by 36 samples of a Phong lobe");
@@ -76,8 +73,9 @@ struct LightOptions {
                   "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
                   "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
                   "sRGB (both: PQ and HLG as measured); thesis: its inverse tone mapping");
-        table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several").takes("NAME");
-        table.add("--at", &at_s, "Second of the video", {0, 36000});
+        table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several",
+                  {.placeholder = "NAME"});
+        table.add("--at", &at_s, "Second of the video", {.range = {0, 36000}});
     }
 };
 
@@ -86,18 +84,17 @@ struct PanoramaOptions {
     std::optional<float> fov_deg; // horizontal, of the photo
 
     void addTo(SettingsTable& table) {
-        table.add("PHOTO", &photo, "JPEG, PNG, WebP, AVIF, TIFF, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
-        table
-            .add("-o,--out", &out,
-                 "The environment, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or .pfm for a "
-                 "high dynamic range photo")
-            .takes("FILE")
-            .mustBeGiven();
+        table.add("PHOTO", &photo, "JPEG, PNG, WebP, AVIF, TIFF, BMP, PNM; .hdr, .exr, .pfm",
+                  {.required = true});
+        table.add("-o,--out", &out,
+                  "The environment, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or .pfm for a "
+                  "high dynamic range photo",
+                  {.placeholder = "FILE", .required = true});
         table.add("--fov", &fov_deg,
                   "Horizontal field of view of the photo, degrees; 65 along its longer side if not given. "
                   "Given, a photo that is twice as wide as high is taken for an ordinary one too",
-                  {panorama::kMinFov_deg, panorama::kMaxFov_deg});
-        table.add("--layer", &layer, "Layer of an OpenEXR photo, if it has several").takes("NAME");
+                  {.range = {panorama::kMinFov_deg, panorama::kMaxFov_deg}});
+        table.add("--layer", &layer, "Layer of an OpenEXR photo, if it has several", {.placeholder = "NAME"});
     }
 };
 
@@ -106,8 +103,9 @@ struct CheckOptions {
     std::string layer;
 
     void addTo(SettingsTable& table) {
-        table.add("FILE", &files, "Files to look at").mustBeGiven();
-        table.add("--layer", &layer, "Layer of OpenEXR pictures, if they have several").takes("NAME");
+        table.add("FILE", &files, "Files to look at", {.required = true});
+        table.add("--layer", &layer, "Layer of OpenEXR pictures, if they have several",
+                  {.placeholder = "NAME"});
     }
 };
 

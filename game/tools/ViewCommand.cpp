@@ -118,8 +118,7 @@ void Viewer::pose() {
     for (size_t n = 0; n < model_.nodes.size(); ++n) {
         const int mesh = model_.nodes[n].mesh;
         if (mesh >= 0 && !pose_.morphWeights[n].empty())
-            render::uploadMorphed(model_.meshes[static_cast<size_t>(mesh)], pose_.morphWeights[n],
-                                  gpu_.meshes[static_cast<size_t>(mesh)]);
+            render::uploadMorphed(model_.meshes[mesh], pose_.morphWeights[n], gpu_.meshes[mesh]);
     }
 }
 
@@ -237,20 +236,17 @@ ImageRgba8 reduced(const ImageRgba8& large) {
     ImageRgba8 small(large.width / 2, large.height / 2);
     for (int y = 0; y < small.height; ++y)
         for (int x = 0; x < small.width; ++x) {
-            std::array<float, 4> sum{};
+            glm::vec4 sum(0);
             for (int dy = 0; dy < 4; ++dy)
                 for (int dx = 0; dx < 4; ++dx) {
                     const uint8_t* from = large.at(std::clamp(2 * x + dx - 1, 0, large.width - 1),
                                                    std::clamp(2 * y + dy - 1, 0, large.height - 1));
-                    const float weight =
-                        kWeights[static_cast<size_t>(dx)] * kWeights[static_cast<size_t>(dy)];
-                    for (size_t c = 0; c < 4; ++c) sum[c] += weight * from[c];
+                    sum += kWeights[dx] * kWeights[dy] * glm::vec4(from[0], from[1], from[2], from[3]);
                 }
-            for (size_t c = 0; c < 3; ++c) {
-                const float straight = sum[3] > 0 ? sum[c] * 255 / sum[3] : 0;
-                small.at(x, y)[c] = static_cast<uint8_t>(std::lround(std::min(straight, 255.0f)));
-            }
-            small.at(x, y)[3] = static_cast<uint8_t>(std::lround(sum[3]));
+            const glm::vec3 straight = sum.a > 0 ? glm::vec3(sum) * 255.0f / sum.a : glm::vec3(0);
+            for (int c = 0; c < 3; ++c)
+                small.at(x, y)[c] = static_cast<uint8_t>(std::lround(std::min(straight[c], 255.0f)));
+            small.at(x, y)[3] = static_cast<uint8_t>(std::lround(sum.a));
         }
     return small;
 }
@@ -303,7 +299,7 @@ Status Viewer::showWindow() {
         }
         orbit_.radius *= std::exp2(static_cast<float>(-input.wheel) * 0.15f);
         if (moving && clip_.animation >= 0) {
-            const float duration = model_.animations[static_cast<size_t>(clip_.animation)].duration_s;
+            const float duration = model_.animations[clip_.animation].duration_s;
             clip_.time_s =
                 duration > 0 ? static_cast<float>(std::fmod(glfwGetTime() - clipStart, duration)) : 0;
             pose();

@@ -21,8 +21,8 @@ static void drawScore(const Pen& pen, const HudInfo& info) {
     const float margin = pen.line;
     const Rectangle score =
         pen.label(margin, margin * 0.7f, 0, TextSize::Heading, kWhite, std::to_string(s.score));
-    std::string counts = fmt::format(fmt::runtime(pen.in("{} caught")), s.caught);
-    if (s.lost > 0) counts += "   " + fmt::format(fmt::runtime(pen.in("{} taken by the shark")), s.lost);
+    std::string counts = pen.in("{} caught", s.caught);
+    if (s.lost > 0) counts += "   " + pen.in("{} taken by the shark", s.lost);
     float y = score.high.y + pen.line * 0.3f;
     const auto below = [&](const std::string& text, uint32_t tint) {
         y = pen.label(margin, y, 0, TextSize::Small, tint, text).high.y + pen.line * 0.15f;
@@ -130,7 +130,7 @@ static void drawTimes(const Pen& pen, const HudInfo& info) {
     std::vector<float> times = recent;
     ImGui::TextUnformatted(statistics.renderer.c_str());
     const auto write = [&](game::Text text, const auto&... values) {
-        ImGui::TextUnformatted(fmt::format(fmt::runtime(pen.in(text)), values...).c_str());
+        ImGui::TextUnformatted(pen.in(text, values...).c_str());
     };
     const auto ms = [](double time_ms, int places = 1) { return fmt::format("{:.{}f}", time_ms, places); };
     if (!times.empty())
@@ -158,7 +158,7 @@ static void drawText(const Pen& pen, const HudInfo& info) {
     const float x = pen.size.x / 2;
     if (info.volume)
         pen.label(x, pen.line, 0.5f, TextSize::Body, kWhite,
-                  fmt::format(fmt::runtime(pen.in("Sound {} %")), std::lround(*info.volume * 100)));
+                  pen.in("Sound {} %", std::lround(*info.volume * 100)));
     if (info.notice)
         pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Small, kGold, info.notice->in(pen.language));
     if (info.finger)

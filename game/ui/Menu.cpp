@@ -308,8 +308,7 @@ MenuInput MenuControls::step(const platform::WindowInput& input, const platform:
     for (const DirectionKey& key : kDirectionKeys) {
         steps += key.direction * static_cast<int>(std::ranges::count(input.keysPressed, key.key));
         if (has(pad.pressed, key.button)) steps += key.direction;
-        if ((window && window->down(key.key)) || pad.down[static_cast<size_t>(key.button)])
-            held += key.direction;
+        if ((window && window->down(key.key)) || pad.down[key.button]) held += key.direction;
     }
     held = glm::clamp(held, -1, 1);
     if (held != held_) {

@@ -94,7 +94,9 @@ struct Pen {
     Pictures* pictures = nullptr;
     const Pictures::Picture* camera = nullptr; // image of a hand tracker's camera; null: none
 
-    const char* in(game::Text text) const { return text.in(language); }
+    template <class... Values> auto in(game::Text text, const Values&... values) const {
+        return text.in(language, values...);
+    }
 
     // Returns the size of a text, pixels. width: where lines are broken; 0: nowhere.
     glm::vec2 extent(std::string_view text, TextSize size, float width = 0) const; // pixels

@@ -1,4 +1,5 @@
-#include "game/views/ArmPose.h"
+// CreatureModels: the poses of arms.
+#include "game/views/CreatureModels.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>

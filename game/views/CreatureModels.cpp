@@ -29,7 +29,7 @@ static float clipTime(const scene::Animation& clip, float phase_s) {
 
 static void placeJoints(std::span<const hands::Joint> joints, std::span<const int> nodes, scene::Pose& pose) {
     for (size_t k = 0; k < joints.size(); ++k)
-        pose.modelFromNode[static_cast<size_t>(nodes[k])] =
+        pose.modelFromNode[nodes[k]] =
             glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
 }
 
@@ -188,7 +188,7 @@ void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& ins
     const auto play = [&](game::Motion motion, float weight) {
         const int index = instance.animations[static_cast<size_t>(motion)];
         if (index < 0 || weight <= 0) return;
-        const scene::Animation& clip = instance.model.animations[static_cast<size_t>(index)];
+        const scene::Animation& clip = instance.model.animations[index];
         scene::animate(instance.model, index, clipTime(clip, creature.gait.phase_s), instance.pose, weight);
         if (instance.spine.joints.empty()) return;
         const scene::TailBeat& beat = instance.beats[static_cast<size_t>(motion)];
@@ -198,8 +198,7 @@ void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& ins
     if (creature.gait.blend < 1) play(creature.gait.before, 1);
     play(creature.gait.motion, creature.gait.blend);
     for (const scene::Spine::Joint& joint : instance.spine.joints)
-        instance.pose.local[static_cast<size_t>(joint.node)] =
-            instance.wave.local[static_cast<size_t>(joint.node)];
+        instance.pose.local[joint.node] = instance.wave.local[joint.node];
     const auto swing = [&](game::Motion motion) {
         return instance.beats[static_cast<size_t>(motion)].amplitude;
     };
@@ -210,7 +209,7 @@ void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& ins
     scene::bend(instance.spine, shape.bendLeft, shape.bendUp, instance.pose);
     for (size_t side = 0; side < 2; ++side) {
         if (instance.pectorals[side] < 0) continue;
-        glm::quat& fin = instance.pose.local[static_cast<size_t>(instance.pectorals[side])].rotation;
+        glm::quat& fin = instance.pose.local[instance.pectorals[side]].rotation;
         fin = glm::angleAxis(side == 0 ? -shape.finsDown : shape.finsDown, glm::vec3(0, 0, 1)) * fin;
     }
     scene::updateGlobals(instance.model, instance.pose);
@@ -220,7 +219,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                           render::ObjectPass& pass) {
     for (size_t i = 0; i < snapshot.creatures.size(); ++i) {
         const game::CreatureView& creature = snapshot.creatures[i];
-        ModelInstance& instance = species_[static_cast<size_t>(creature.species)];
+        ModelInstance& instance = species_[creature.species];
         pose(creature, instance);
         const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), creature.position) *
                                                         glm::mat4_cast(creature.worldFromBody),
@@ -246,7 +245,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
         const ArmPose arm =
             poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head, hand.towardsElbow);
         for (size_t k = 0; k < arm.size(); ++k)
-            arms_[side].pose.modelFromNode[static_cast<size_t>(arms_[side].jointNodes[k])] = arm[k];
+            arms_[side].pose.modelFromNode[arms_[side].jointNodes[k]] = arm[k];
         showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), pass);
     }
 }

@@ -35,7 +35,7 @@ void Environment::upload() {
     const environment::Frame& frame = player_->frame();
     if (frame.planes) planes_->setFrame(*frame.planes);
     for (int eye = 0; eye < (eyesSeeTheSame() ? 1 : 2); ++eye) {
-        render::EnvironmentGpu& on = gpu_[static_cast<size_t>(eye)];
+        render::EnvironmentGpu& on = gpu_[eye];
         if (player_->isHdr()) {
             on.setFrame(frame.radianceLin);
         } else {

@@ -6,7 +6,7 @@
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/View.h"
-#include "game/settings/SharedOptions.h"
+#include "game/settings/PlayOptions.h"
 #include "game/texts/Texts.h"
 
 #include <glm/mat3x3.hpp>

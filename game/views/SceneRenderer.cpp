@@ -101,7 +101,7 @@ void SceneRenderer::castShadows() {
 }
 
 void SceneRenderer::Shadows::operator()(int number) {
-    render::FilmShadows& on = cast[static_cast<size_t>(number)];
+    render::FilmShadows& on = cast[number];
     const std::span<const render::View> all(from), own = all.subspan(static_cast<size_t>(number), 1);
     on.begin({film.map, film.envFromWorld, films == 1 ? glm::vec3(0) : own[0].eyeWorld}, coding, water);
     for (size_t body = 0; body < bodies->count(); ++body)

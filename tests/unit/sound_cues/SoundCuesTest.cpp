@@ -117,9 +117,9 @@ TEST(SoundCues, EachSoundHasAFileAndEachEventItsName) {
     // Playthrough files use these.
     for (const char* name : {"touch", "startle", "grab", "catch", "release", "escape", "miss", "shark_near",
                              "shark_bump", "shark_steal", "dive_start", "dive_over"})
-        EXPECT_TRUE(findEvent(name)) << name;
-    EXPECT_EQ(findEvent("catch"), EventKind::Catch);
-    EXPECT_FALSE(findEvent("dinner"));
+        EXPECT_TRUE(enumNamed<EventKind>(name)) << name;
+    EXPECT_EQ(enumNamed<EventKind>("catch"), EventKind::Catch);
+    EXPECT_FALSE(enumNamed<EventKind>("dinner"));
 }
 
 TEST(SoundCues, AHarderTouchIsLouderAndAllBonesAreOneTouch) {

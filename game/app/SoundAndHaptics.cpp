@@ -1,4 +1,5 @@
-#include "game/session/SoundAndHaptics.h"
+// Application: its sound and haptic output.
+#include "game/app/Application.h"
 
 #include "engine/core/Log.h"
 
