@@ -59,9 +59,8 @@ SessionHandle createSession(const Instance& instance) {
             XFree(visual);
         }
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, &binding, 0, instance.system};
-    XrSession session = XR_NULL_HANDLE;
-    SHOAL_XR(xrCreateSession(instance.handle.get(), &info, &session));
-    return SessionHandle(session);
+    return SessionHandle(
+        written(XrSession{}, "xrCreateSession", xrCreateSession, instance.handle.get(), &info));
 }
 
 } // namespace shoal::xr
