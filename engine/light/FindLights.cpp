@@ -256,7 +256,9 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
     std::ranges::sort(std::span(out.lights).first(out.count), std::ranges::greater(), strength);
 }
 
-float sceneDistance(const FoundLights& a, const FoundLights& b) {
+// Returns the difference between two scenes, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their
+// luminances (Lance and Williams 1967), in which bright parts do not outweigh the rest.
+static float sceneDistance(const FoundLights& a, const FoundLights& b) {
     double sum = 0, weights = 0;
     for (size_t i = 0; i < a.thumb.size(); ++i) {
         const double weight = texelSolidAngle(static_cast<int>(i / kThumbWidth), kThumbWidth, kThumbHeight);

@@ -33,7 +33,10 @@ std::span<const Actuation> handOf(const HapticFrame& frame, int hand) {
         .subspan(static_cast<size_t>(hand) * kActuatorsPerHand, kActuatorsPerHand);
 }
 
-Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz, float limit_Hz) {
+// Returns the strongest of a hand's actuations and the body's with a frequency from min_Hz to below limit_Hz;
+// amplitude 0 if none.
+static Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz = 0,
+                             float limit_Hz = INFINITY) {
     Actuation best;
     const auto compare = [&](const Actuation& each) {
         if (each.frequency_Hz >= min_Hz && each.frequency_Hz < limit_Hz) best = stronger(best, each);
