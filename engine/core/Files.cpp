@@ -59,17 +59,16 @@ Path userFolder(UserFolder which) {
     return home() / english;
 }
 
-enum class Extent { Whole, Begin };
-
-template <class Bytes> static Result<Bytes> read(const Path& file, uint64_t maxBytes, Extent extent) {
+// atMost: bytes that are read of a larger file.
+template <class Bytes>
+static Result<Bytes> read(const Path& file, uint64_t maxBytes, uint64_t atMost = UINT64_MAX) {
     std::error_code code;
     const auto status = fs::status(file, code);
     if (!fs::exists(status)) return Error{file.string(), "there is no such file"};
     if (fs::is_directory(status)) return Error{file.string(), "is a folder, not a file"};
     if (!fs::is_regular_file(status)) return Error{file.string(), "is not a regular file"};
-    uint64_t size = fs::file_size(file, code);
+    const uint64_t size = std::min(fs::file_size(file, code), atMost);
     if (code) return Error{file.string(), "cannot be read: " + code.message()};
-    if (extent == Extent::Begin) size = std::min(size, maxBytes);
     if (size > maxBytes)
         return Error{file.string(), "is larger than the limit of " + std::to_string(maxBytes) + " bytes"};
     std::ifstream stream(file, std::ios::binary);
@@ -89,15 +88,15 @@ std::string extensionOf(const Path& file) {
 }
 
 Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes) {
-    return read<std::vector<uint8_t>>(file, maxBytes, Extent::Whole);
+    return read<std::vector<uint8_t>>(file, maxBytes);
 }
 
 Result<std::vector<uint8_t>> readFileBegin(const Path& file, uint64_t maxBytes) {
-    return read<std::vector<uint8_t>>(file, maxBytes, Extent::Begin);
+    return read<std::vector<uint8_t>>(file, maxBytes, maxBytes);
 }
 
 Result<std::string> readText(const Path& file, uint64_t maxBytes) {
-    return read<std::string>(file, maxBytes, Extent::Whole);
+    return read<std::string>(file, maxBytes);
 }
 
 } // namespace shoal

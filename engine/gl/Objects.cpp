@@ -4,17 +4,13 @@
 
 namespace shoal::gl {
 
-namespace {
-size_t indexOf(Kind kind) { return static_cast<size_t>(kind); }
-} // namespace
-
 // The table is made in each call, because libepoxy finds functions when they are first called.
 GLuint detail::create(Kind kind) {
     if (kind == Kind::Program) return glCreateProgram();
     const std::array make = {glGenBuffers,      glGenVertexArrays,  glGenTextures,
                              glGenFramebuffers, glGenRenderbuffers, glGenQueries};
     GLuint name = 0;
-    make[indexOf(kind)](1, &name);
+    make[static_cast<size_t>(kind)](1, &name);
     return name;
 }
 
@@ -22,7 +18,7 @@ void detail::destroy(Kind kind, GLuint name) {
     if (kind == Kind::Program) return glDeleteProgram(name);
     const std::array destroy = {glDeleteBuffers,      glDeleteVertexArrays,  glDeleteTextures,
                                 glDeleteFramebuffers, glDeleteRenderbuffers, glDeleteQueries};
-    destroy[indexOf(kind)](1, &name);
+    destroy[static_cast<size_t>(kind)](1, &name);
 }
 
 Texture makeTexture(GLint minFilter, GLint magFilter, GLint wrapS, GLint wrapT) {

@@ -2,12 +2,78 @@
 // this, and opens debug groups by which a frame debugger names the passes.
 #pragma once
 
-#include "engine/core/PartTimes.h"
 #include "engine/gl/Objects.h"
 
 #include <array>
+#include <chrono>
+#include <cstddef>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+namespace shoal {
+
+// Time that a thread spends in each part of a frame. Parts nest; the time of an inner part does not count for
+// the outer one.
+class PartTimes {
+  public:
+    // Its life is the part. times: may be null. part: a string literal.
+    class Scope {
+      public:
+        Scope(PartTimes* times, const char* part)
+            : times_(times), outer_(times ? times->enter(times->indexOf(part)) : 0) {}
+        ~Scope() {
+            if (times_) times_->enter(outer_);
+        }
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        PartTimes* times_;
+        size_t outer_;
+    };
+    struct Time {
+        const char* part;
+        float ms; // 0: the frame had no such part
+    };
+
+    void beginFrame() {
+        for (Time& time : times_) time.ms = 0;
+        since_ = Clock::now();
+    }
+    // Returns the frame's times so far. The first is of all that has no part.
+    std::span<const Time> times() const { return times_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    size_t indexOf(std::string_view part) {
+        for (size_t i = 0; i < times_.size(); ++i)
+            if (times_[i].part == part) return i;
+        times_.push_back({part.data(), 0});
+        return times_.size() - 1;
+    }
+    // Returns the part that was left.
+    size_t enter(size_t part) {
+        const Clock::time_point now = Clock::now();
+        times_[inner_].ms += std::chrono::duration<float, std::milli>(now - since_).count();
+        since_ = now;
+        return std::exchange(inner_, part);
+    }
+
+    std::vector<Time> times_{{"other", 0}};
+    size_t inner_ = 0; // index of the innermost part
+    Clock::time_point since_ = Clock::now();
+};
+
+// Runs the part and returns its result.
+template <class Run> auto timed(PartTimes& times, const char* part, Run&& run) {
+    const PartTimes::Scope scope(&times, part);
+    return run();
+}
+
+} // namespace shoal
 
 namespace shoal::gl {
 

@@ -82,21 +82,17 @@ Result<ShaderSource> readShader(const std::string& name, const std::vector<std::
 }
 
 Result<Program> Program::load(const std::string& stem, const std::vector<std::string>& defines, int glsl) {
-    auto vertex = compile(GL_VERTEX_SHADER, stem + ".vert", defines, glsl);
-    if (!vertex) return vertex.error();
-    auto fragment = compile(GL_FRAGMENT_SHADER, stem + ".frag", defines, glsl);
-    if (!fragment) {
-        glDeleteShader(*vertex);
-        return fragment.error();
-    }
     Program result;
     result.program_ = Object<Kind::Program>::make();
     const GLuint program = result.program_.name();
-    glAttachShader(program, *vertex);
-    glAttachShader(program, *fragment);
+    for (const auto& [stage, ending] :
+         {std::pair{GL_VERTEX_SHADER, ".vert"}, std::pair{GL_FRAGMENT_SHADER, ".frag"}}) {
+        const auto shader = compile(stage, stem + ending, defines, glsl);
+        if (!shader) return shader.error();
+        glAttachShader(program, *shader);
+        glDeleteShader(*shader); // it lives as long as the program
+    }
     glLinkProgram(program);
-    glDeleteShader(*vertex);
-    glDeleteShader(*fragment);
     GLint linked = 0;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (!linked) {

@@ -43,17 +43,9 @@ class Program {
     }
 
     // Sets a uniform array of the program in use. name: that of the first element, such as "lights[0]".
-    void setArray(const char* name, std::span<const float> values) const {
-        glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
-    }
-    void setArray(const char* name, std::span<const glm::vec2> values) const {
-        glUniform2fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
-    }
-    void setArray(const char* name, std::span<const glm::vec3> values) const {
-        glUniform3fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
-    }
-    void setArray(const char* name, std::span<const glm::vec4> values) const {
-        glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
+    // values: a contiguous range of float, vec2, vec3 or vec4.
+    template <class Values> void setArray(const char* name, const Values& values) const {
+        put(location(name), static_cast<GLsizei>(std::size(values)), std::data(values));
     }
 
     // Binds a 2D texture to a unit, for the sampler of that name.
@@ -64,6 +56,10 @@ class Program {
 
   private:
     GLint location(const char* name) const;
+    static void put(GLint at, GLsizei count, const float* v) { glUniform1fv(at, count, v); }
+    static void put(GLint at, GLsizei count, const glm::vec2* v) { glUniform2fv(at, count, &v->x); }
+    static void put(GLint at, GLsizei count, const glm::vec3* v) { glUniform3fv(at, count, &v->x); }
+    static void put(GLint at, GLsizei count, const glm::vec4* v) { glUniform4fv(at, count, &v->x); }
 
     struct Slot {
         std::string name;

@@ -42,13 +42,14 @@ constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // weights o
 
 } // namespace
 
-CentroidChain::CentroidChain(int baseWidth, int minWidth) {
-    assert(std::has_single_bit(static_cast<unsigned>(baseWidth)) && minWidth >= 16 && minWidth <= baseWidth);
+CentroidChain::CentroidChain(int baseWidth) {
+    constexpr int kMinWidth = 64;
+    assert(std::has_single_bit(static_cast<unsigned>(baseWidth)) && baseWidth >= kMinWidth);
     Sampling base{baseWidth, 0, {}};
     for (int y = 0; y < baseWidth / 2; ++y)
         base.rowFlux.push_back(texelSolidAngle(y, baseWidth, baseWidth / 2));
     samplings_.push_back(std::move(base));
-    while (samplings_.back().width > minWidth) {
+    while (samplings_.back().width > kMinWidth) {
         const Sampling& wide = samplings_.back();
         const int height = wide.width / 2;
         Sampling half{wide.width / 2, wide.octaves + 1, {}};

@@ -23,8 +23,7 @@ struct Sampling {
 // changes the diffuse light of a small sun by 2 %.
 class CentroidChain {
   public:
-    // minWidth .. baseWidth, powers of two >= 16.
-    CentroidChain(int baseWidth, int minWidth);
+    explicit CentroidChain(int baseWidth); // a power of two >= 64, the width of the smallest level
 
     // Makes all levels. base: baseWidth x baseWidth / 2, linear radiance, each texel the mean over its solid
     // angle; it must stay alive until the next call.

@@ -110,14 +110,9 @@ void LightFinder::addIfBright(const glm::vec3& direction, float luminance, float
 
 void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRgbF& level) {
     near_.clear();
-    const float latitude = std::asin(std::clamp(middle.y, -1.0f, 1.0f));
-    const auto rowAt = [&](float angle) {
-        return static_cast<int>(std::floor((0.5f - angle / kPi) * static_cast<float>(level.height)));
-    };
-    const int first = std::max(0, rowAt(latitude + reach)),
-              last = std::min(level.height - 1, rowAt(latitude - reach));
+    const CellRange cap = cellsOfCap({level.width, level.height}, middle, reach);
     const float cosReach = std::cos(reach);
-    for (int y = first; y <= last; ++y) {
+    for (int y = cap.first.y; y <= cap.last.y; ++y) {
         const float solid = solidAngle(level, y);
         for (int x = 0; x < level.width; ++x) {
             const glm::vec3& direction = fineDirections_[y * kFine + x];
@@ -261,7 +256,9 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
     std::ranges::sort(std::span(out.lights).first(out.count), std::ranges::greater(), strength);
 }
 
-float sceneDistance(const FoundLights& a, const FoundLights& b) {
+// Returns the difference between two scenes, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their
+// luminances (Lance and Williams 1967), in which bright parts do not outweigh the rest.
+static float sceneDistance(const FoundLights& a, const FoundLights& b) {
     double sum = 0, weights = 0;
     for (size_t i = 0; i < a.thumb.size(); ++i) {
         const double weight = texelSolidAngle(static_cast<int>(i / kThumbWidth), kThumbWidth, kThumbHeight);

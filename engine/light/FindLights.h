@@ -72,10 +72,6 @@ struct ShadowLight {
     float presence = 0;            // 0: none, 1: fully there; a factor for its shadows
 };
 
-// Returns the difference between two scenes, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their
-// luminances (Lance and Williams 1967), in which bright parts do not outweigh the rest.
-float sceneDistance(const FoundLights& a, const FoundLights& b);
-
 // Selects, from the lights found in single frames, the one that throws the shadows now: it moves smoothly,
 // fades where it is lost, and gives way to another only when that has been stronger for a while.
 //

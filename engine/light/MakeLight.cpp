@@ -64,7 +64,7 @@ size_t LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& o
 
 void LightMaker::makeFilters(int baseWidth) {
     filters_.emplace(glossyPlans(baseWidth, options_.minRoughness, options_.quality),
-                     CentroidChain(baseWidth, 64), std::vector<ZonalFilter>());
+                     CentroidChain(baseWidth), std::vector<ZonalFilter>());
     const std::vector<GlossyPlan>& plans = filters_->plans;
     std::vector<double> alphas;
     for (size_t k = 0; k < plans.size(); ++k) {

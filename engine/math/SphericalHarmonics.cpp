@@ -1,9 +1,5 @@
 #include "engine/math/SphericalHarmonics.h"
 
-#include "engine/math/LatLong.h"
-
-#include <glm/gtc/type_ptr.hpp>
-
 #include <cmath>
 #include <numbers>
 
@@ -60,15 +56,11 @@ ShBasis shBasis(const glm::dvec3& dir) {
 
 ShRgb shProject(const ImageRgbF& radianceLin) {
     ShRgb result{};
-    for (int row = 0; row < radianceLin.height; ++row) {
-        const double solidAngle = texelSolidAngle(row, radianceLin.width, radianceLin.height);
-        for (int column = 0; column < radianceLin.width; ++column) {
-            const ShBasis basis =
-                shBasis(texelDirection<double>(column, row, radianceLin.width, radianceLin.height));
-            const auto power = glm::dvec3(glm::make_vec3(radianceLin.at(column, row))) * solidAngle;
-            for (size_t i = 0; i < basis.size(); ++i) result[i] += power * basis[i];
-        }
-    }
+    eachTexel(radianceLin, [&](const glm::dvec3& radiance, double solidAngle, const glm::dvec3& dir) {
+        const ShBasis basis = shBasis(dir);
+        const glm::dvec3 power = radiance * solidAngle;
+        for (size_t i = 0; i < basis.size(); ++i) result[i] += power * basis[i];
+    });
     return result;
 }
 

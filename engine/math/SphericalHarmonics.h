@@ -3,8 +3,9 @@
 #pragma once
 
 #include "engine/core/Image.h"
+#include "engine/math/LatLong.h"
 
-#include <glm/vec3.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <array>
 
@@ -12,6 +13,16 @@ namespace shoal::math {
 
 constexpr int kShBands = 5; // l = 0 .. 4
 constexpr int kShCount = kShBands * kShBands;
+
+// Calls visit(radiance, solid angle in steradians, direction) for each texel of a lat-long map.
+template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
+    for (int y = 0; y < map.height; ++y) {
+        const double solidAngle = texelSolidAngle(y, map.width, map.height);
+        for (int x = 0; x < map.width; ++x)
+            visit(glm::dvec3(glm::make_vec3(map.at(x, y))), solidAngle,
+                  texelDirection<double>(x, y, map.width, map.height));
+    }
+}
 
 // Coefficients or values by index; Y_lm has the index l (l + 1) + m.
 using ShBasis = std::array<double, kShCount>;

@@ -3,12 +3,13 @@
 
 #include "engine/math/Octahedron.h"
 
+#include <glm/glm.hpp>
+#include <glm/gtc/packing.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 namespace shoal::occlusion {
 
@@ -36,24 +37,17 @@ glm::mat3 frameAround(const glm::vec3& normal);
 glm::mat3 lookingAlong(const glm::vec3& axis, float turn);
 
 // Packs unit vectors as two numbers, on an octahedron unfolded around +Z: signed steps of 1 / (2^(bits - 1) -
-// 1), x in the low half; bits: of each coordinate, 2 to 16. With 8 the angle is off by at most 0.0167 rad,
+// 1), x in the low half; bits: of each coordinate, 8 or 16. With 8 the angle is off by at most 0.0167 rad,
 // with 16 by 6.5e-5.
 inline uint32_t packDirection(const glm::vec3& direction, int bits) {
-    const auto top = static_cast<float>((1 << (bits - 1)) - 1);
     const glm::vec2 square = math::octahedralFromDirection({direction.x, direction.z, direction.y});
-    const uint32_t mask = (1u << bits) - 1;
-    const auto x = static_cast<uint32_t>(static_cast<int>(std::lround(square.x * top))) & mask;
-    const auto y = static_cast<uint32_t>(static_cast<int>(std::lround(square.y * top))) & mask;
-    return x | y << bits;
+    return bits == 8 ? glm::packSnorm2x8(square) : glm::packSnorm2x16(square);
 }
 
 inline glm::vec3 unpackDirection(uint32_t packed, int bits) {
-    const int up = 32 - bits; // shifts the sign to the top and back
-    const auto top = static_cast<float>((1 << (bits - 1)) - 1);
-    const int x = static_cast<int32_t>(packed << up) >> up;
-    const int y = static_cast<int32_t>(packed >> bits << up) >> up;
-    const glm::vec3 turned =
-        math::directionFromOctahedral(glm::vec2(static_cast<float>(x), static_cast<float>(y)) / top);
+    const glm::vec2 square =
+        bits == 8 ? glm::unpackSnorm2x8(static_cast<uint16_t>(packed)) : glm::unpackSnorm2x16(packed);
+    const glm::vec3 turned = math::directionFromOctahedral(square);
     return {turned.x, turned.z, turned.y};
 }
 

@@ -19,6 +19,22 @@ constexpr int kTurns = 8; // rotations within a quarter turn that frameView() tr
 // Limit of one view's fragments before merging; they take some 600 MB.
 constexpr size_t kMaxFragments = 1u << 24;
 
+// A triangle's surface at one sample.
+struct Fragment {
+    float depth = 0;      // pixels
+    glm::vec3 normal{0};  // unit, view frame
+    uint8_t sample = 0;   // 4 y + x in the pixel
+    bool towards = false; // whether it is front-facing
+};
+
+// A plane through a pixel: depth at its middle, and depth per pixel right and up.
+struct Plane {
+    float depth = 0;
+    glm::vec2 slope{0};
+    glm::vec3 normal{0}; // unit, view frame; its z has the sign of the side it faces and is never small
+    uint16_t coverage = 0;
+};
+
 struct Frame {
     OllfbView view;
     std::vector<glm::vec3> corners; // the mesh's positions in pixels
@@ -190,15 +206,17 @@ Plane takePlane(std::span<Fragment> rest) {
     return plane;
 }
 
-} // namespace
-
+// Merges the fragments of one pixel into planes, by ascending depth. Every fragment belongs to one plane,
+// every plane covers a sample at most once. Marks all fragments as taken.
 void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes) {
-    const auto first = static_cast<ptrdiff_t>(planes.size());
+    planes.clear();
     std::ranges::sort(fragments, {}, [](const Fragment& f) { return std::pair(f.depth, !f.towards); });
     for (size_t i = 0; i < fragments.size(); ++i)
         if (fragments[i].sample != kTaken) planes.push_back(takePlane(std::span(fragments).subspan(i)));
-    std::ranges::stable_sort(planes.begin() + first, planes.end(), {}, &Plane::depth);
+    std::ranges::stable_sort(planes, {}, &Plane::depth);
 }
+
+} // namespace
 
 Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
     if (Status status = checkMesh(mesh); !status) return status.error();
@@ -229,7 +247,6 @@ Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
             result.rows.push_back(row);
             result.starts.push_back(0);
             for (int x = row.begin; x < row.end; ++x) {
-                planes.clear();
                 mergeLayers(pixels[x], planes);
                 for (const Plane& plane : planes)
                     result.layers.push_back(pack(plane, frame.view.depthRange_px));

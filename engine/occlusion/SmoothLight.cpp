@@ -1,15 +1,15 @@
 #include "engine/occlusion/SmoothLight.h"
 
-#include "engine/math/LatLong.h"
+#include "engine/math/SphericalHarmonics.h"
 #include "engine/occlusion/Directions.h"
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace shoal::occlusion {
+
+using math::eachTexel;
 
 namespace {
 
@@ -33,16 +33,6 @@ std::array<glm::vec3, kAxisCount> readAxes() {
         axes[k] = glm::normalize(glm::vec3(row[0], k & 2 ? -row[1] : row[1], k & 1 ? -row[2] : row[2]));
     }
     return axes;
-}
-
-// Calls visit(radiance, solid angle in steradians, direction) for each texel.
-template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
-    for (int y = 0; y < map.height; ++y) {
-        const double solidAngle = texelSolidAngle(y, map.width, map.height);
-        for (int x = 0; x < map.width; ++x)
-            visit(glm::dvec3(glm::make_vec3(map.at(x, y))), solidAngle,
-                  texelDirection<double>(x, y, map.width, map.height));
-    }
 }
 
 // Sums the map's light, distributing each texel over the nearby ends of the axes.

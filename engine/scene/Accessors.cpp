@@ -37,20 +37,12 @@ double loadComponent(const uint8_t* from, int componentType, bool normalized) {
         constexpr auto kOne = static_cast<float>(std::numeric_limits<Stored>::max());
         return static_cast<double>(std::max(static_cast<float>(stored) / kOne, -1.0f));
     };
-    switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return load(int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return load(uint8_t{});
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return load(int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return load(uint16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        return load(uint32_t{});
-    default:
-        return load(float{});
-    }
+    if (componentType == TINYGLTF_COMPONENT_TYPE_BYTE) return load(int8_t{});
+    if (componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return load(uint8_t{});
+    if (componentType == TINYGLTF_COMPONENT_TYPE_SHORT) return load(int16_t{});
+    if (componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return load(uint16_t{});
+    if (componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return load(uint32_t{});
+    return load(float{});
 }
 
 // Calls put(index, its bytes) for all elements, then for the sparse ones. Checks the range of each part

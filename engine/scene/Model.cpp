@@ -10,9 +10,8 @@ namespace shoal::scene {
 
 namespace {
 
-template <class List> int findNamed(const List& list, const std::string& name) {
-    const auto found =
-        std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
+template <class Named> int findNamed(const std::vector<Named>& list, const std::string& name) {
+    const auto found = std::ranges::find(list, name, &Named::name);
     return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 

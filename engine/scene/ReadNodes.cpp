@@ -50,10 +50,8 @@ std::optional<Transform> split(const glm::mat4& parentFromNode) {
 
 Transform readTransform(const tinygltf::Node& from, const std::string& who) {
     Transform t;
-    for (int i = 0; i < 3; ++i) {
-        if (!from.translation.empty()) t.translation[i] = static_cast<float>(from.translation[i]);
-        if (!from.scale.empty()) t.scale[i] = static_cast<float>(from.scale[i]);
-    }
+    if (!from.translation.empty()) t.translation = glm::make_vec3(from.translation.data());
+    if (!from.scale.empty()) t.scale = glm::make_vec3(from.scale.data());
     if (!from.rotation.empty()) {
         const glm::dvec4 r = glm::make_vec4(from.rotation.data());
         const double length = glm::length(r);

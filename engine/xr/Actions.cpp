@@ -35,13 +35,7 @@ constexpr InteractionProfile kProfiles[] = {
 constexpr std::array<const char*, 2> kHands = {"/user/hand/left", "/user/hand/right"};
 
 static XrPath pathOf(XrInstance instance, const std::string& text) {
-    XrPath path = XR_NULL_PATH;
-    SHOAL_XR(xrStringToPath(instance, text.c_str(), &path));
-    return path;
-}
-
-static XrActionStateGetInfo infoOf(XrAction action, XrPath hand) {
-    return {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, hand};
+    return written(XrPath{}, "xrStringToPath", xrStringToPath, instance, text.c_str());
 }
 
 std::vector<const char*> Actions::extensions() {
@@ -56,8 +50,8 @@ Actions::Actions(const Instance& connection, XrSession session) {
     const XrInstance instance = connection.handle.get();
     for (size_t i = 0; i < 2; ++i) hands_[i] = pathOf(instance, kHands[i]);
     const XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "dive", "Dive"};
-    XrActionSet set = XR_NULL_HANDLE;
-    SHOAL_XR(xrCreateActionSet(instance, &setInfo, &set));
+    const XrActionSet set =
+        written(XrActionSet{}, "xrCreateActionSet", xrCreateActionSet, instance, &setInfo);
     set_.reset(set);
 
     const XrPath* const hands = hands_.data();
@@ -97,9 +91,7 @@ Actions::Actions(const Instance& connection, XrSession session) {
     for (size_t i = 0; i < 2; ++i) {
         const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip_, hands_[i],
                                            poseTo({})};
-        XrSpace space = XR_NULL_HANDLE;
-        SHOAL_XR(xrCreateActionSpace(session, &info, &space));
-        gripSpaces_[i].reset(space);
+        gripSpaces_[i].reset(written(XrSpace{}, "xrCreateActionSpace", xrCreateActionSpace, session, &info));
     }
     const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
     SHOAL_XR(xrAttachSessionActionSets(session, &attach));
@@ -113,25 +105,21 @@ void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<C
         Controller& controller = out[i];
         controller = {};
         if (synced == XR_SESSION_NOT_FOCUSED) continue;
+        XrActionStateGetInfo ask{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, grip_, hands_[i]};
         XrActionStatePose held{XR_TYPE_ACTION_STATE_POSE};
-        const XrActionStateGetInfo askPose = infoOf(grip_, hands_[i]);
-        SHOAL_XR(xrGetActionStatePose(session, &askPose, &held));
+        SHOAL_XR(xrGetActionStatePose(session, &ask, &held));
         if (!held.isActive) continue;
-        XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-        SHOAL_XR(xrLocateSpace(gripSpaces_[i].get(), world, time, &location));
-        const Pose worldFromGrip = poseFrom(location.pose);
-        if (valid(location.locationFlags) && believable(worldFromGrip))
-            controller.worldFromGrip = worldFromGrip;
+        controller.worldFromGrip = poseOf(gripSpaces_[i].get(), world, time);
         for (const auto& [action, value] :
              {std::pair(squeeze_, &controller.squeeze), std::pair(trigger_, &controller.trigger)}) {
             XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
-            const XrActionStateGetInfo ask = infoOf(action, hands_[i]);
+            ask.action = action;
             SHOAL_XR(xrGetActionStateFloat(session, &ask, &state));
             if (state.isActive) *value = state.currentState >= 0 ? std::min(state.currentState, 1.0f) : 0;
         }
         XrActionStateBoolean menu{XR_TYPE_ACTION_STATE_BOOLEAN};
-        const XrActionStateGetInfo askMenu = infoOf(menu_, hands_[i]);
-        SHOAL_XR(xrGetActionStateBoolean(session, &askMenu, &menu));
+        ask.action = menu_;
+        SHOAL_XR(xrGetActionStateBoolean(session, &ask, &menu));
         controller.menu = menu.isActive && menu.currentState;
     }
 }

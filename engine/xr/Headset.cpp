@@ -19,9 +19,7 @@ Space makeSpace(XrSession session, const Pose& referenceFromSpace,
                 XrReferenceSpaceType reference = XR_REFERENCE_SPACE_TYPE_LOCAL) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, reference,
                                           poseTo(referenceFromSpace)};
-    XrSpace space = XR_NULL_HANDLE;
-    SHOAL_XR(xrCreateReferenceSpace(session, &info, &space));
-    return Space(space);
+    return Space(written(XrSpace{}, "xrCreateReferenceSpace", xrCreateReferenceSpace, session, &info));
 }
 
 // Returns a space with its origin on the floor: below LOCAL's origin, else in the play area that the player
@@ -60,12 +58,10 @@ class Swapchain {
         info.sampleCount = info.faceCount = info.arraySize = info.mipCount = 1;
         info.width = static_cast<uint32_t>(size.x);
         info.height = static_cast<uint32_t>(size.y);
-        XrSwapchain swapchain = XR_NULL_HANDLE;
-        SHOAL_XR(xrCreateSwapchain(session, &info, &swapchain));
-        handle_.reset(swapchain);
+        handle_.reset(written(XrSwapchain{}, "xrCreateSwapchain", xrCreateSwapchain, session, &info));
         const auto list = [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
             auto* const given = reinterpret_cast<XrSwapchainImageBaseHeader*>(items);
-            return xrEnumerateSwapchainImages(swapchain, capacity, count, given);
+            return xrEnumerateSwapchainImages(name(), capacity, count, given);
         };
         for (const auto& image : enumerate(XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
                                            "xrEnumerateSwapchainImages", list)) {
@@ -83,9 +79,9 @@ class Swapchain {
 
     // Returns a framebuffer on the next picture once the runtime is done with it; release() hands it over.
     GLuint acquire() {
-        uint32_t index = 0;
         const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
-        SHOAL_XR(xrAcquireSwapchainImage(name(), &acquire, &index));
+        const auto index =
+            written(uint32_t{0}, "xrAcquireSwapchainImage", xrAcquireSwapchainImage, name(), &acquire);
         // The wait is limited, because a runtime that hangs must not stop the window too.
         constexpr XrDuration kPatience_ns = 2'000'000'000;
         const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, kPatience_ns};
@@ -188,7 +184,7 @@ void askForRefreshRate(const Instance& instance, XrSession session) {
         functionOf<PFN_xrEnumerateDisplayRefreshRatesFB>(name, "xrEnumerateDisplayRefreshRatesFB");
     const auto request = functionOf<PFN_xrRequestDisplayRefreshRateFB>(name, "xrRequestDisplayRefreshRateFB");
     if (!list || !request) return;
-    const Status asked = statusOf([&] {
+    const Status asked = resultOf([&] {
         for (const float rate_Hz : enumerate(0.0f, "xrEnumerateDisplayRefreshRatesFB", list, session))
             if (std::abs(rate_Hz - kWanted_Hz) < kSame_Hz)
                 check(request(session, rate_Hz), "xrRequestDisplayRefreshRateFB");
@@ -222,7 +218,7 @@ struct Headset::State {
     Frame frame;
     Tracking tracking;
 
-    template <class Work> Status guard(Work&& work) { return statusOf(work, &lost); }
+    template <class Work> auto guard(Work&& work) { return resultOf(work, &lost); }
     void enter(XrSessionState next);
     void locateEyes();
     void locateFloor();
@@ -238,13 +234,12 @@ bool Headset::hasRuntime() {
 }
 
 bool Headset::isThere() {
-    return statusOf([] { (void)Instance::open(true); }).ok();
+    return resultOf([] { (void)Instance::open(true); }).ok();
 }
 
 Result<Headset> Headset::open(glm::ivec2 panelSize) {
-    std::unique_ptr<State> state;
-    Status opened = statusOf([&] {
-        state = std::make_unique<State>();
+    return resultOf([&] {
+        auto state = std::make_unique<State>();
         const XrSession session = state->session.get();
         Properties& properties = state->instance.properties;
         askForRefreshRate(state->instance, session);
@@ -262,9 +257,8 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
         for (const Picture p : {Picture::LeftDepth, Picture::RightDepth})
             if (properties.takesDepth)
                 state->picture(p) = Swapchain(session, properties.eyeSize, depths, GL_DEPTH_ATTACHMENT);
+        return Headset(std::move(state));
     });
-    if (!opened) return opened.error();
-    return Headset(std::move(state));
 }
 
 Status Headset::poll() {
@@ -307,10 +301,10 @@ void Headset::State::enter(XrSessionState next) {
 
 Result<Frame> Headset::waitFrame() {
     State& s = *state_;
-    Status waited = s.guard([&] {
+    return s.guard([&] {
         const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
-        XrFrameState next{XR_TYPE_FRAME_STATE};
-        SHOAL_XR(xrWaitFrame(s.session.get(), &wait, &next));
+        const XrFrameState next =
+            written(XrFrameState{XR_TYPE_FRAME_STATE}, "xrWaitFrame", xrWaitFrame, s.session.get(), &wait);
         s.frame.display_ns = next.predictedDisplayTime;
         s.frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
         s.frame.drawn = next.shouldRender == XR_TRUE;
@@ -323,9 +317,8 @@ Result<Frame> Headset::waitFrame() {
         s.locateFloor();
         s.hands.locate(s.world.get(), s.frame.display_ns, s.tracking.hands);
         s.actions.locate(s.session.get(), s.world.get(), s.frame.display_ns, s.tracking.controllers);
+        return s.frame;
     });
-    if (!waited) return waited.error();
-    return s.frame;
 }
 
 // Uses every pose that the runtime calls valid: TRACKED says only that it is measured now, and some headsets
@@ -384,12 +377,10 @@ void Headset::State::locateFloor() {
     constexpr float kHighestEyes_m = 3;
     tracking.floor_m.reset();
     if (floor.get() == XR_NULL_HANDLE) return;
-    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-    SHOAL_XR(xrLocateSpace(floor.get(), world.get(), frame.display_ns, &location));
-    const Pose worldFromFloor = poseFrom(location.pose);
-    const float eyes_m = tracking.worldFromHead.position.y - worldFromFloor.position.y;
-    if (valid(location.locationFlags) && believable(worldFromFloor) && eyes_m > 0 && eyes_m < kHighestEyes_m)
-        tracking.floor_m = worldFromFloor.position.y;
+    const auto worldFromFloor = poseOf(floor.get(), world.get(), frame.display_ns);
+    if (!worldFromFloor) return;
+    const float eyes_m = tracking.worldFromHead.position.y - worldFromFloor->position.y;
+    if (eyes_m > 0 && eyes_m < kHighestEyes_m) tracking.floor_m = worldFromFloor->position.y;
 }
 
 Status Headset::begin() {
@@ -464,9 +455,7 @@ const Tracking& Headset::tracking() const { return state_->tracking; }
 const Properties& Headset::properties() const { return state_->instance.properties; }
 
 Result<GLuint> Headset::acquire(Picture picture) {
-    GLuint framebuffer = 0;
-    Status acquired = state_->guard([&] { framebuffer = state_->picture(picture).acquire(); });
-    return acquired ? Result<GLuint>(framebuffer) : acquired.error();
+    return state_->guard([&] { return state_->picture(picture).acquire(); });
 }
 
 Status Headset::release(Picture picture) {
@@ -479,9 +468,7 @@ Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {
 }
 
 Result<std::string> activeRuntime() {
-    std::string name;
-    Status opened = statusOf([&] { name = Instance::open(false).runtimeName; });
-    return opened ? Result<std::string>(name) : opened.error();
+    return resultOf([] { return Instance::open(false).runtimeName; });
 }
 
 } // namespace shoal::xr

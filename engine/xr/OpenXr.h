@@ -16,6 +16,7 @@
 #include <array>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -38,15 +39,28 @@ struct Failure : std::exception {
 XrResult check(XrResult result, const char* call);
 const char* nameOf(XrResult result);
 
-// lost: set to true if the failure is a loss.
-template <class Work> Status statusOf(Work&& work, bool* lost = nullptr) {
+// Returns the value of the work, Done if it has none, or the error. lost: set to true if the failure is a
+// loss.
+template <class Work> auto resultOf(Work&& work, bool* lost = nullptr) {
+    constexpr bool kHasValue = !std::is_void_v<decltype(work())>;
+    using Outcome = Result<std::conditional_t<kHasValue, decltype(work()), Done>>;
     try {
-        work();
+        if constexpr (kHasValue)
+            return Outcome(work());
+        else
+            return work(), Outcome(Done{});
     } catch (const Failure& failure) {
         if (lost && failure.lost) *lost = true;
-        return failure.error;
+        return Outcome(failure.error);
     }
-    return Done{};
+}
+
+// Returns what an OpenXR function writes to its last argument. blank: its type, where it has one. of: the
+// arguments before.
+template <class Value, class Function, class... Of>
+Value written(Value blank, const char* name, Function function, Of... of) {
+    check(function(of..., &blank), name);
+    return blank;
 }
 
 // Returns a function of an extension, which the loader does not export; null if there is none.
@@ -111,6 +125,14 @@ inline XrPosef poseTo(const Pose& pose) {
 inline bool valid(XrSpaceLocationFlags flags) {
     return (flags & XR_SPACE_LOCATION_POSITION_VALID_BIT) &&
            (flags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT);
+}
+
+// Returns the pose of a space in another, if it is known and believable.
+inline std::optional<Pose> poseOf(XrSpace space, XrSpace base, XrTime time) {
+    const auto location =
+        written(XrSpaceLocation{XR_TYPE_SPACE_LOCATION}, "xrLocateSpace", xrLocateSpace, space, base, time);
+    const Pose pose = poseFrom(location.pose);
+    return valid(location.locationFlags) && believable(pose) ? std::optional(pose) : std::nullopt;
 }
 
 // Input and vibration of controllers: OpenXR's actions, bound for the common controllers.

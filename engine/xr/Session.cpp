@@ -3,6 +3,7 @@
 #include "engine/core/Result.h"
 
 #include <epoxy/gl.h>
+#include <fmt/core.h>
 // Included last, because it defines macros that would replace words in the headers above.
 #include <epoxy/glx.h>
 
@@ -17,10 +18,6 @@
 
 namespace shoal::xr {
 
-static std::string versionText(XrVersion version) {
-    return std::to_string(XR_VERSION_MAJOR(version)) + "." + std::to_string(XR_VERSION_MINOR(version));
-}
-
 // The extension demands that the requirements are queried before a session is made.
 static void checkRequirements(const Instance& instance) {
     const auto get = functionOf<PFN_xrGetOpenGLGraphicsRequirementsKHR>(instance.handle.get(),
@@ -31,10 +28,11 @@ static void checkRequirements(const Instance& instance) {
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
-    const XrVersion ours = XR_MAKE_VERSION(major, minor, 0xffff);
-    if (wanted.minApiVersionSupported > ours)
-        throw Failure(instance.runtimeName + " wants OpenGL " + versionText(wanted.minApiVersionSupported) +
-                      ", the graphics driver gives " + versionText(ours));
+    const XrVersion minimum = wanted.minApiVersionSupported;
+    if (minimum > XR_MAKE_VERSION(major, minor, 0xffff))
+        throw Failure(fmt::format("{} wants OpenGL {}.{}, the graphics driver gives {}.{}",
+                                  instance.runtimeName, XR_VERSION_MAJOR(minimum), XR_VERSION_MINOR(minimum),
+                                  major, minor));
 }
 
 SessionHandle createSession(const Instance& instance) {
@@ -59,9 +57,8 @@ SessionHandle createSession(const Instance& instance) {
             XFree(visual);
         }
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, &binding, 0, instance.system};
-    XrSession session = XR_NULL_HANDLE;
-    SHOAL_XR(xrCreateSession(instance.handle.get(), &info, &session));
-    return SessionHandle(session);
+    return SessionHandle(
+        written(XrSession{}, "xrCreateSession", xrCreateSession, instance.handle.get(), &info));
 }
 
 } // namespace shoal::xr

@@ -298,7 +298,7 @@ struct Statistics {
     std::string renderer;
     Series frame_ms; // without the first frame
     std::vector<std::pair<const char*, Series>>
-        parts;                             // time of each part of a frame (PartTimes.h), as frame_ms
+        parts;                             // time of each part of a frame (engine/gl/PassTimers.h), as frame_ms
     Series light_ms, decode_ms, upload_ms; // per frame of the video
     // Latency of a live video, from the arrival of a frame's last byte until the picture that first shows it
     // is drawn; and LivePlayer::displayFrames().

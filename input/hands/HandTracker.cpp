@@ -68,7 +68,8 @@ void resize(HandPose& hand, float size) {
     }
 }
 
-void HandSizing::begin(float asRig_m) {
+void HandSizing::begin(State state, float asRig_m) {
+    state_ = state;
     held_s_ = 0;
     seen_ = 0;
     sum_m_ = 0;
@@ -79,23 +80,16 @@ void HandSizing::see(std::optional<float> asRig_m, float dt_s) {
     if (state_ == State::Done) return;
     if (!asRig_m) {
         missing_s_ += dt_s;
-        if (missing_s_ < kMissing_s) return;
-        begin(0);
-        state_ = State::Waiting;
+        if (missing_s_ >= kMissing_s) begin(State::Waiting);
         return;
     }
     missing_s_ = 0;
     const auto size = static_cast<double>(kAt_m / std::max(*asRig_m, 1e-3f));
-    if (size < kHandSizeMin || size > kHandSizeMax) {
-        begin(0);
-        state_ = State::Elsewhere;
-        return;
-    }
-    if (state_ != State::Holding) begin(*asRig_m);
-    state_ = State::Holding;
+    if (size < kHandSizeMin || size > kHandSizeMax) return begin(State::Elsewhere);
+    if (state_ != State::Holding) begin(State::Holding, *asRig_m);
     least_m_ = std::min(least_m_, *asRig_m);
     most_m_ = std::max(most_m_, *asRig_m);
-    if (most_m_ - least_m_ > kSpread * least_m_) begin(*asRig_m); // it moves
+    if (most_m_ - least_m_ > kSpread * least_m_) begin(State::Holding, *asRig_m); // it moves
     sum_m_ += *asRig_m;
     ++seen_;
     held_s_ += dt_s;

@@ -246,7 +246,7 @@ class HandSizing {
     std::optional<float> size() const; // once it is done
 
   private:
-    void begin(float asRig_m);
+    void begin(State state, float asRig_m = 0);
 
     State state_ = State::Waiting;
     float held_s_ = 0, missing_s_ = 0;

@@ -33,7 +33,10 @@ std::span<const Actuation> handOf(const HapticFrame& frame, int hand) {
         .subspan(static_cast<size_t>(hand) * kActuatorsPerHand, kActuatorsPerHand);
 }
 
-Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz, float limit_Hz) {
+// Returns the strongest of a hand's actuations and the body's with a frequency from min_Hz to below limit_Hz;
+// amplitude 0 if none.
+static Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz = 0,
+                             float limit_Hz = INFINITY) {
     Actuation best;
     const auto compare = [&](const Actuation& each) {
         if (each.frequency_Hz >= min_Hz && each.frequency_Hz < limit_Hz) best = stronger(best, each);
@@ -168,43 +171,35 @@ static Report gloveReport(const HapticFrame& frame) {
 
 static void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
 
+// Returns the encoder of a Sony controller. still: the report without vibration; at: place of its right
+// motor, before the left one.
+static auto sonyEncoder(const Report& still, size_t at) {
+    return [=](const HapticFrame& frame) {
+        const Motors motors = motorsOf(frame);
+        Report report = still;
+        report.bytes[at] = scaled(motors.weak, 255);
+        report.bytes[at + 1] = scaled(motors.strong, 255);
+        return report;
+    };
+}
+
 // Bytes: id; over Bluetooth also sequence number and 0x10 (for the controller itself, not its audio); enable
 // 1 (bit 0: vibration, bit 1: haptics instead of audio); enable 2; right motor; left motor. Enable 3 (bit 2:
 // vibration with new firmware) lies 38 bytes after enable 1.
 Driver makeDualSense(const HidInfo& info, HidDevice& device) {
-    const bool bluetooth = info.transport == Transport::Bluetooth,
-               newVibration = hasNewVibration(info, device);
-    const auto encode = [=](const HapticFrame& frame) {
-        const Motors motors = motorsOf(frame);
-        Report report{.size = bluetooth ? 78u : 48u};
-        const size_t at = bluetooth ? 3 : 1;
-        report.bytes[0] = bluetooth ? 0x31 : 0x02;
-        if (bluetooth) report.bytes[2] = 0x10;
-        report.bytes[at] = newVibration ? 0x02 : 0x03;
-        report.bytes[at + 2] = scaled(motors.weak, 255);
-        report.bytes[at + 3] = scaled(motors.strong, 255);
-        if (newVibration) report.bytes[at + 38] = 0x04;
-        return report;
-    };
-    return {encode, bluetooth ? sealDualSenseBluetooth : nullptr};
+    const bool bluetooth = info.transport == Transport::Bluetooth;
+    Report still = bluetooth ? Report{{0x31, 0, 0x10}, 78} : Report{{0x02}, 48};
+    const size_t at = bluetooth ? 3 : 1;
+    still.bytes[at] = 0x03;
+    if (hasNewVibration(info, device)) still.bytes[at] = 0x02, still.bytes[at + 38] = 0x04;
+    return {sonyEncoder(still, at + 2), bluetooth ? sealDualSenseBluetooth : nullptr};
 }
 
 // Bytes: id; over Bluetooth also 0xC0 (HID report with a checksum) and an unused one; enable (bit 0: rumble);
 // two unused; right motor; left motor. The light and its blinking are not enabled.
 Driver makeDualShock4(const HidInfo& info, HidDevice&) {
-    const bool bluetooth = info.transport == Transport::Bluetooth;
-    const auto encode = [=](const HapticFrame& frame) {
-        const Motors motors = motorsOf(frame);
-        Report report{.size = bluetooth ? 78u : 32u};
-        const size_t at = bluetooth ? 3 : 1;
-        report.bytes[0] = bluetooth ? 0x11 : 0x05;
-        if (bluetooth) report.bytes[1] = 0xC0;
-        report.bytes[at] = 0x01;
-        report.bytes[at + 3] = scaled(motors.weak, 255);
-        report.bytes[at + 4] = scaled(motors.strong, 255);
-        return report;
-    };
-    return {encode, bluetooth ? addSonyChecksum : nullptr};
+    if (info.transport != Transport::Bluetooth) return {sonyEncoder({{0x05, 0x01}, 32}, 4)};
+    return {sonyEncoder({{0x11, 0xC0, 0, 0x01}, 78}, 6), addSonyChecksum};
 }
 
 Driver makeXbox(const HidInfo&, HidDevice&) { return {.encode = xbox}; }

@@ -4,7 +4,6 @@
 #include "engine/scene/HandPose.h"
 
 #include <array>
-#include <limits>
 #include <span>
 
 namespace shoal::haptics {
@@ -43,11 +42,6 @@ std::span<const Actuation> handOf(const HapticFrame& frame, int hand);
 inline Actuation stronger(const Actuation& a, const Actuation& b) {
     return b.amplitude > a.amplitude ? b : a;
 }
-
-// Returns the strongest of a hand's actuations and the body's with a frequency from min_Hz to below limit_Hz;
-// amplitude 0 if none.
-Actuation strongestOf(const HapticFrame& frame, int hand, float min_Hz = 0,
-                      float limit_Hz = std::numeric_limits<float>::infinity());
 
 // Returns the drive of a motor with an eccentric weight, 0 to 1. Such motors start only at about a fifth of
 // their range, so amplitudes above 0 are mapped to the rest of it.

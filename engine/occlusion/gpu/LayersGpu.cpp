@@ -2,8 +2,9 @@
 
 #include "shaders/occlusion/Bindings.glsl"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <string>
 
 namespace shoal::occlusion {
 
@@ -32,14 +33,13 @@ static_assert(sizeof(OllfbRow) == 12, "three words, begin in the low half of the
 Status canKeepLayers() {
     const int version = epoxy_gl_version();
     if (!epoxy_is_desktop_gl() || version < 43)
-        return Error{"", "layers need OpenGL 4.3; this is " + std::to_string(version / 10) + "." +
-                             std::to_string(version % 10)};
+        return Error{"", fmt::format("layers need OpenGL 4.3; this is {}.{}", version / 10, version % 10)};
     GLint blocks = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
     constexpr GLint kBlocks = 6; // shaders/occlusion/Bindings.glsl
     if (blocks < kBlocks)
-        return Error{"", "layers need " + std::to_string(kBlocks) +
-                             " storage buffers in a fragment shader; there are " + std::to_string(blocks)};
+        return Error{"", fmt::format("layers need {} storage buffers in a fragment shader; there are {}",
+                                     kBlocks, blocks)};
     return Done{};
 }
 
@@ -47,8 +47,8 @@ Result<gl::Buffer> storageBuffer(const void* data, size_t bytes) {
     GLint64 maximum = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &maximum);
     if (bytes > static_cast<size_t>(maximum))
-        return Error{"", "a storage buffer of " + std::to_string(bytes) +
-                             " bytes is too large here; at most " + std::to_string(maximum)};
+        return Error{
+            "", fmt::format("a storage buffer of {} bytes is too large here; at most {}", bytes, maximum)};
     while (glGetError() != GL_NO_ERROR) {
     }
     gl::Buffer buffer = gl::Buffer::make();
@@ -58,8 +58,7 @@ Result<gl::Buffer> storageBuffer(const void* data, size_t bytes) {
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_STATIC_DRAW);
     glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
     if (glGetError() == GL_OUT_OF_MEMORY)
-        return Error{"",
-                     "the graphics driver has no memory for " + std::to_string(bytes) + " bytes of layers"};
+        return Error{"", fmt::format("the graphics driver has no memory for {} bytes of layers", bytes)};
     return buffer;
 }
 

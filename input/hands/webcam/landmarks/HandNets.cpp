@@ -88,15 +88,13 @@ Crop cropAround(const Landmarks& hand) {
 }
 
 Result<HandNets> HandNets::load(const Path& folder) {
-    auto palms = loadNet(folder / "palm_detection_full.tflite",
-                         "2f25e740121983f68ffc05f99991d524dc0ea812134f6316a26125816941ee85");
-    if (!palms) return palms.error();
-    auto landmarks = loadNet(folder / "hand_landmark_full.tflite",
-                             "8c026882c9ec059ce0f8e75266bee5a9a23c341a40e0000df755374d3d1b9b68");
-    if (!landmarks) return landmarks.error();
     HandNets nets;
-    nets.palms_ = std::move(*palms);
-    nets.landmarks_ = std::move(*landmarks);
+    for (const auto& [net, file, checksum] :
+         {std::tuple(&nets.palms_, "palm_detection_full.tflite",
+                     "2f25e740121983f68ffc05f99991d524dc0ea812134f6316a26125816941ee85"),
+          std::tuple(&nets.landmarks_, "hand_landmark_full.tflite",
+                     "8c026882c9ec059ce0f8e75266bee5a9a23c341a40e0000df755374d3d1b9b68")})
+        if (Status s = loadNet(folder / file, checksum).moveTo(*net); !s) return s.error();
     nets.anchors_ = makeAnchors();
     nets.found_.reserve(kAnchors);
     return nets;

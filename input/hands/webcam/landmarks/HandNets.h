@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/core/Hidden.h"
 #include "engine/core/Result.h"
 
 #include <glm/vec3.hpp>
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,11 +55,7 @@ struct NeuralNet {
     // XNNPACK reads a little beyond the ends of arrays: all are longer than the file says.
     std::vector<float> input;                         // to be filled before run(): rows of pixels of channels
     std::vector<std::vector<float>> outputs, weights; // in the file's order
-
-    struct Delete {
-        void operator()(xnn_runtime* runtime) const;
-    };
-    std::unique_ptr<xnn_runtime, Delete> runtime; // last: it uses all of the above
+    Hidden<xnn_runtime> runtime{nullptr, nullptr};    // last: it uses all of the above
 };
 
 class HandNets {

@@ -63,7 +63,7 @@ class Builder {
             if (add(*op) != xnn_status_success) return "is not the known model";
         xnn_runtime_t runtime = nullptr;
         const bool made = xnn_create_runtime(graph_, &runtime) == xnn_status_success;
-        net.runtime.reset(runtime);
+        net.runtime = {runtime, [](xnn_runtime* owned) { xnn_delete_runtime(owned); }};
         if (!made || xnn_setup_runtime(runtime, externals_.size(), externals_.data()) != xnn_status_success)
             return "is refused by XNNPACK";
         return nullptr;
@@ -232,8 +232,6 @@ class Builder {
 };
 
 } // namespace
-
-void NeuralNet::Delete::operator()(xnn_runtime* runtime) const { xnn_delete_runtime(runtime); }
 
 Result<NeuralNet> NeuralNet::read(std::span<const uint8_t> tfLite, const std::string& name) {
     Builder builder;
