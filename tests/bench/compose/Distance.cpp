@@ -2,11 +2,6 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
 namespace shoal::bench {
 
 namespace {

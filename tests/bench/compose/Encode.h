@@ -1,14 +1,7 @@
 // Encodes frames to a video file as the dive's own film was, by the program ffmpeg.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "engine/core/Image.h"
-#include "engine/core/Result.h"
-
-#include <cstdio>
-#include <memory>
-#include <span>
-#include <string>
+#include "tests/bench/Bench.h"
 
 namespace shoal::bench {
 

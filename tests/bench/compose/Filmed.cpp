@@ -6,10 +6,6 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace shoal::bench {
 
 namespace {

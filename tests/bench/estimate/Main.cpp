@@ -4,26 +4,13 @@
 // the processor's seconds a frame of the track.
 #include "content/make/depth/DepthTrackWriter.h"
 #include "content/make/depth/FilmDepth.h"
-#include "engine/core/Files.h"
-#include "engine/core/Image.h"
-#include "engine/core/Result.h"
 #include "engine/math/LatLong.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/DepthTrack.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/compose/Encode.h"
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <numbers>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace {
 
