@@ -1,14 +1,10 @@
 // A headset through the real loader and the fake runtime of the tests.
 #include "engine/xr/Headset.h"
 #include "engine/xr/Tracked.h"
+#include "tests/Test.h"
 #include "tests/gl/xr/Fixture.h"
 
-#include <gtest/gtest.h>
-
 #include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <limits>
 
 namespace shoal::xr {
 namespace {
@@ -30,11 +26,10 @@ class HeadsetGL : public test::WithFakeRuntime {
         const Status polled = headset.poll();
         EXPECT_TRUE(polled) << polled.error().message();
         if (!headset.wantsFrames()) return {};
-        const auto frame = headset.waitFrame();
-        EXPECT_TRUE(frame) << frame.error().message();
+        const auto frame = tests::valueOf(headset.waitFrame());
         EXPECT_TRUE(headset.begin());
         EXPECT_TRUE(headset.end({}));
-        return *frame;
+        return frame;
     }
     static Headset focused() {
         Headset headset = open();
@@ -255,9 +250,8 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     const Frame frame = begin(headset);
     EXPECT_TRUE(frame.drawn);
     for (const Picture picture : {Picture::LeftEye, Picture::RightEye, Picture::Panel}) {
-        const auto framebuffer = headset.acquire(picture);
-        ASSERT_TRUE(framebuffer) << framebuffer.error().message();
-        glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+        const auto framebuffer = tests::valueOf(headset.acquire(picture));
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glClearColor(100 / 255.0f, 50 / 255.0f, static_cast<float>(picture) / 255.0f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         ASSERT_TRUE(headset.release(picture));
@@ -323,9 +317,8 @@ TEST_F(HeadsetGL, DepthGoesWithTheEyes) {
         begin(headset);
         for (const Picture picture :
              {Picture::LeftEye, Picture::RightEye, Picture::LeftDepth, Picture::RightDepth}) {
-            const auto framebuffer = headset.acquire(picture);
-            ASSERT_TRUE(framebuffer) << framebuffer.error().message();
-            glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+            const auto framebuffer = tests::valueOf(headset.acquire(picture));
+            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
             glClearDepth(picture == Picture::LeftDepth ? 0.25 : 0.75);
             glClear(GL_DEPTH_BUFFER_BIT);
             ASSERT_TRUE(headset.release(picture));
@@ -482,26 +475,21 @@ TEST_F(HeadsetGL, VibratesWithLimitsAndStops) {
 
 TEST_F(HeadsetGL, ChoosesPicturesThatAreKnownToBeCoded) {
     fake.formats = {GL_RGBA16F};
-    auto none = Headset::open({96, 60});
-    ASSERT_FALSE(none);
-    EXPECT_NE(none.error().message().find("GL_SRGB8_ALPHA8"), std::string::npos);
+    EXPECT_THAT(tests::errorOf(Headset::open({96, 60})).message(), testing::HasSubstr("GL_SRGB8_ALPHA8"));
     fake.formats = {GL_RGBA8};
     EXPECT_TRUE(Headset::open({96, 60}));
 }
 
 TEST(ActiveRuntime, IsNamed) {
     setenv("XR_RUNTIME_JSON", FAKE_RUNTIME_JSON, 1);
-    const auto name = activeRuntime();
-    ASSERT_TRUE(name) << name.error().message();
-    EXPECT_EQ(*name, "Fake runtime");
+    const auto name = tests::valueOf(activeRuntime());
+    EXPECT_EQ(name, "Fake runtime");
 }
 
 TEST(ActiveRuntime, IsSaidToBeMissing) {
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
-    const auto name = activeRuntime();
-    ASSERT_FALSE(name);
-    EXPECT_NE(name.error().message().find("no headset runtime is active"), std::string::npos)
-        << name.error().message();
+    EXPECT_THAT(tests::errorOf(activeRuntime()).message(),
+                testing::HasSubstr("no headset runtime is active"));
 }
 
 } // namespace

@@ -5,12 +5,9 @@
 #include "game/rules/Dive.h"
 #include "game/tools/Commands.h"
 #include "input/hands/MouseHands.h"
-#include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
 #include "tests/playthrough/Play.h"
 #include "tests/playthrough/Rooms.h"
-
-#include <algorithm>
 
 namespace shoal::app {
 
@@ -118,10 +115,9 @@ class XrProgram : public test::WithFakeRuntime {
     }
 
     static void expectReplays(const tests::Recorded& recording) {
-        auto files = game::loadDiveFiles("reef");
-        ASSERT_TRUE(files);
-        ASSERT_TRUE(game::roomOf(files->dive.video).moveTo(files->dive.space));
-        const Status same = game::replay(recording, *files);
+        auto files = tests::valueOf(game::loadDiveFiles("reef"));
+        ASSERT_TRUE(game::roomOf(files.dive.video).moveTo(files.dive.space));
+        const Status same = game::replay(recording, files);
         EXPECT_TRUE(same) << same.error().message();
     }
 

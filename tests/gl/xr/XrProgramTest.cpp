@@ -7,10 +7,6 @@
 #include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-
 namespace shoal::app {
 namespace {
 

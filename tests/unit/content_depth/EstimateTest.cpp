@@ -4,7 +4,6 @@
 #include "content/make/depth/Ground.h"
 #include "content/make/depth/SphereSweep.h"
 #include "content/make/depth/TrackFilter.h"
-#include "engine/core/Image.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/DepthTrack.h"
 #include "tests/Test.h"

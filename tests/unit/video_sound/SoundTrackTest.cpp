@@ -5,7 +5,6 @@
 #include "tests/Test.h"
 #include "tests/unit/Wav.h"
 
-#include <numbers>
 #include <thread>
 
 namespace shoal::media {
