@@ -2,8 +2,6 @@
 #include "Spheres.h"
 #include "engine/render/FloorShadowPass.h"
 
-#include <glm/geometric.hpp>
-
 namespace shoal {
 namespace {
 

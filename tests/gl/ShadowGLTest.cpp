@@ -4,8 +4,6 @@
 #include "engine/render/software/FrameSampler.h"
 #include "tests/unit/shadow/ShadowScene.h"
 
-#include <glm/exponential.hpp>
-
 namespace shoal {
 namespace {
 

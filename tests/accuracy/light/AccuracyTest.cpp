@@ -8,8 +8,6 @@
 #include "engine/light/MakeLight.h"
 #include "tests/baselines/light/Reference.h"
 
-#include <glm/geometric.hpp>
-
 namespace shoal::light {
 namespace {
 

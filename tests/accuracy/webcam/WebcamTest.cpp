@@ -10,7 +10,6 @@
 #include "tests/Test.h"
 #include "tests/TestRig.h"
 
-#include <glm/geometric.hpp>
 #include <opencv2/videoio.hpp>
 
 #include <chrono>

@@ -4,8 +4,6 @@
 #include "tests/Test.h"
 #include "tests/gl/xr/Fixture.h"
 
-#include <glm/geometric.hpp>
-
 namespace shoal::xr {
 namespace {
 

@@ -6,22 +6,8 @@
 namespace shoal::xr {
 namespace {
 
-// Returns whether a runtime is configured, looked for as by the loader.
-bool runtimeIsNamed() {
-    if (const char* json = std::getenv("XR_RUNTIME_JSON")) return *json != 0;
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    const std::filesystem::path own = config && *config ? config : home ? std::string(home) + "/.config" : "";
-    for (const std::filesystem::path& folder :
-         {own, std::filesystem::path("/etc/xdg"), std::filesystem::path("/usr/local/etc"),
-          std::filesystem::path("/etc"), std::filesystem::path("/usr/share")})
-        if (std::filesystem::exists(folder / "openxr/1/active_runtime.json")) return true;
-    return false;
-}
-
 TEST(RealRuntime, TakesEmptyFramesAndLetsGo) {
-    if (!runtimeIsNamed())
-        GTEST_SKIP() << "no OpenXR runtime: neither XR_RUNTIME_JSON nor an active_runtime.json names one";
+    if (const auto runtime = activeRuntime(); !runtime) GTEST_SKIP() << runtime.error().message();
     auto window = platform::Window::open({"Shoal's test", 320, 240, false, false});
     if (!window) GTEST_SKIP() << window.error().message();
     auto headset = Headset::open({96, 60});

@@ -6,8 +6,6 @@
 #include "input/hands/MouseHands.h"
 #include "tests/gl/xr/Fixture.h"
 
-#include <glm/geometric.hpp>
-
 namespace shoal::app {
 namespace {
 

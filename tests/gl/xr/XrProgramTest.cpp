@@ -5,7 +5,6 @@
 #include "tests/gl/xr/WindowEvents.h"
 
 #include <GLFW/glfw3.h>
-#include <glm/geometric.hpp>
 
 namespace shoal::app {
 namespace {

@@ -10,8 +10,6 @@
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 
-#include <glm/geometric.hpp>
-
 #include <regex>
 
 namespace shoal {

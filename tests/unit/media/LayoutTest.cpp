@@ -6,7 +6,6 @@
 #include "tests/unit/media/TestFiles.h"
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 
 #include <bit>
 
