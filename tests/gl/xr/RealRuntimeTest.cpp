@@ -16,7 +16,7 @@ TEST(RealRuntime, TakesEmptyFramesAndLetsGo) {
         const Status polled = headset->poll();
         ASSERT_TRUE(polled) << polled.error().message();
         if (!headset->wantsFrames()) continue;
-        const auto frame = tests::valueOf(headset->waitFrame());
+        tests::valueOf(headset->waitFrame());
         const Status begun = headset->begin();
         ASSERT_TRUE(begun) << begun.error().message();
         const Status ended = headset->end({});
