@@ -24,15 +24,8 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
     constexpr int kSize = 512;
     const gl::Target layer(kSize, kSize, 1);
     layer.bind();
-    const auto fill = [](const glm::vec4& c, int from) {
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(from, 0, kSize / 2, kSize);
-        glClearColor(c.x, c.y, c.z, c.w);
-        glClear(GL_COLOR_BUFFER_BIT);
-        glDisable(GL_SCISSOR_TEST);
-    };
-    fill(left, 0);
-    fill(right, kSize / 2);
+    fill(0, 0, kSize / 2, kSize, left);
+    fill(kSize / 2, 0, kSize / 2, kSize, right);
     render::View view{.verticalFov = 2.0f, .aspect = 1};
     const render::Sphere sphere{{0, 0, -2}, 1.4f};
     auto pass = tests::valueOf(render::EquirectComposite::make());

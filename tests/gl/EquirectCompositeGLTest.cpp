@@ -53,17 +53,13 @@ class LatLongGL : public WithContext {
         render::View view = viewTowards(direction);
         view.eyeWorld = eyeWorld;
         layer_->begin({kSize, kSize}, 1);
-        glEnable(GL_SCISSOR_TEST); // row by row
-        glClearColor(1, 0, 0, 1);
         const float radius = std::tan(halfAngle) / std::tan(view.verticalFov / 2) * kSize / 2;
         for (int y = 0; y < kSize; ++y) {
             const float dy = static_cast<float>(y) + 0.5f - kSize / 2;
             if (std::abs(dy) > radius) continue;
             const int half = static_cast<int>(std::sqrt(radius * radius - dy * dy) + 0.5f);
-            glScissor(kSize / 2 - half, y, 2 * half, 1);
-            glClear(GL_COLOR_BUFFER_BIT);
+            fill(kSize / 2 - half, y, 2 * half, 1, {1, 0, 0, 1});
         }
-        glDisable(GL_SCISSOR_TEST);
         const render::Sphere sphere{eyeWorld + 2.0f * direction, 2 * std::sin(halfAngle)};
         tiles_.choose({frame_.width, frame_.height}, glm::mat3(1), {&sphere, 1}, eyeWorld);
         const std::vector<bool> everywhere(tiles_.chosen().size(), true);

@@ -85,11 +85,7 @@ TEST_F(LayerGL, ScalesUpSmoothly) {
     const gl::Target target(400, 240, 1);
     for (const bool areRead : {false, true}) {
         layer.begin({100, 60}, 1);
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(50, 0, 50, 60);
-        glClearColor(1, 1, 1, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
-        glDisable(GL_SCISSOR_TEST);
+        fill(50, 0, 50, 60, glm::vec4(1));
         layer.end();
         if (areRead) layer.pixels();
         fill(target, {0, 0, 0, 1});

@@ -114,13 +114,8 @@ TEST_P(ShadowGL, SparesWhatIsBeforeTheGround) {
     auto layer = tests::valueOf(render::LayerPass::make());
     constexpr int kLayer = 400;
     layer.begin({kLayer, kLayer}, 1);
-    glEnable(GL_SCISSOR_TEST); // a third is clear, a third half covered, a third covered: by black
-    for (int third = 0; third < 3; ++third) {
-        glScissor(third * kLayer / 3, 0, kLayer / 3 + 1, kLayer);
-        glClearColor(0, 0, 0, static_cast<float>(third) / 2);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
-    glDisable(GL_SCISSOR_TEST);
+    for (int third = 0; third < 3; ++third) // clear, half covered, covered: by black
+        fill(third * kLayer / 3, 0, kLayer / 3 + 1, kLayer, {0, 0, 0, static_cast<float>(third) / 2});
     layer.end();
     const render::FrameTiles tiles = allTiles();
     // Wider than the picture: texels at its edge are filtered with those beside them.
@@ -151,11 +146,7 @@ TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
     const render::TexelLayer objects{layer, render::widened(view, 1.02f), tiles};
     const auto with = [&](float alpha) {
         layer.begin({400, 400}, 1);
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(120, 100, 150, 200);
-        glClearColor(0, 0, 0, alpha);
-        glClear(GL_COLOR_BUFFER_BIT);
-        glDisable(GL_SCISSOR_TEST);
+        fill(120, 100, 150, 200, {0, 0, 0, alpha});
         layer.end();
         return drawn(view, &objects);
     };

@@ -66,6 +66,15 @@ inline void fill(const gl::Target& target, const glm::vec4& colour = glm::vec4(0
     glClearDepth(1);
 }
 
+// Fills a rectangle of the bound target's colour.
+inline void fill(int x, int y, int width, int height, const glm::vec4& colour) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, width, height);
+    glClearColor(colour.r, colour.g, colour.b, colour.a);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 inline light::EnvironmentLight lightMadeOf(const ImageRgb8& frame,
                                            light::FrameRadiance frames = light::FrameRadiance::Thesis) {
     light::EnvironmentLight made;
