@@ -22,11 +22,9 @@ class Backends : public testing::Test {
         if (!render::canSampleFrames()) GTEST_SKIP() << "this processor has no AVX2";
         context_ = std::move(*context);
         config_ = tests::valueOf(makeSessionConfig({.headless = true}));
-        const Status loaded =
-            CreatureModels::load(config_->species, game::speciesShown(config_->species, config_->dive),
-                                 "light", reflectanceIn({}), render::Detail::Lean)
-                .moveTo(creatures_);
-        ASSERT_TRUE(loaded) << loaded.error().message();
+        creatures_ = tests::valueOf(CreatureModels::load(config_->species,
+                                                         game::speciesShown(config_->species, config_->dive),
+                                                         "light", reflectanceIn({}), render::Detail::Lean));
         const Path film = dataRoot() / "content" / config_->dive.video;
         environment_ = tests::valueOf(Environment::open({.player = {.source = {.video = film.string()},
                                                                     .minRoughness = creatures_.minRoughness(),

@@ -102,12 +102,10 @@ class GamepadProgram : public testing::Test {
     }
     static void play(const PlayOptions& options, const std::function<void(Player&)>& plays) {
         Application application(options);
-        const Status opened = application.open();
-        ASSERT_TRUE(opened) << opened.error().message();
+        ASSERT_TRUE(tests::succeeded(application.open()));
         ASSERT_TRUE(fakeGamepad().opened()) << "the window's library reads no pad";
         Player player(application, plays);
-        const Status played = application.run(true);
-        EXPECT_TRUE(played) << played.error().message();
+        EXPECT_TRUE(tests::succeeded(application.run(true)));
     }
 };
 

@@ -27,10 +27,8 @@ class LostRuntime : public XrProgram {
         log::setUp(false);
         {
             Application application(o);
-            const Status opened = application.open();
-            ASSERT_TRUE(opened) << opened.error().message();
-            const Status played = application.run(true);
-            EXPECT_TRUE(played) << played.error().message();
+            ASSERT_TRUE(tests::succeeded(application.open()));
+            EXPECT_TRUE(tests::succeeded(application.run(true)));
             EXPECT_EQ(application.screens().top(), Screen::Paused);
             const MenuPage& page = application.screens().menu().page();
             EXPECT_NE(page.error.find(about), std::string::npos) << page.error;

@@ -70,8 +70,7 @@ class XrPicture : public test::WithFakeRuntime {
     void show(HeadsetDisplay& headset, float scale, const Painter& painter) {
         bool drew = false;
         for (int i = 0; i < 20; ++i) {
-            const Status waited = headset.begin();
-            ASSERT_TRUE(waited) << waited.error().message();
+            ASSERT_TRUE(tests::succeeded(headset.begin()));
             headset.feed(*run_);
             run_->advance(*headset.elapsed_s());
             game::Snapshot shown = run_->shown;
