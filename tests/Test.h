@@ -50,6 +50,19 @@ T valueOf(Result<T> result, const std::source_location& at = std::source_locatio
                              result.error().message());
 }
 
+template <class T>
+T valueOf(std::optional<T> value, const std::source_location& at = std::source_location::current()) {
+    return valueOf(value ? Result<T>(*std::move(value)) : Error{"", "there is none"}, at);
+}
+
+// Returns the result's error; with a value, an error without a reason.
+template <class T> Error errorOf(const Result<T>& result) { return result ? Error{} : result.error(); }
+
+// Of a result: with its reason where it is an error.
+template <class T> testing::AssertionResult succeeded(const Result<T>& result) {
+    return result ? testing::AssertionSuccess() : testing::AssertionFailure() << result.error().message();
+}
+
 // Names the cases of a suite by the member of their parameters.
 inline const auto byName = [](const auto& info) { return std::string(info.param.name); };
 

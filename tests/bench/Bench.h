@@ -1,16 +1,31 @@
-// Used by most benches: times (the shortest of many runs, which is the cost on a machine that nobody else
-// uses), all cores, and the exit status.
+// Headers and small helpers that most benches use: times (the shortest of many runs, which is the cost on a
+// machine that nobody else uses), all cores, and the exit status.
 #pragma once
 
+#include "engine/core/Files.h"
+#include "engine/core/Image.h"
 #include "engine/core/Result.h"
 #include "engine/core/ThreadPool.h"
+#include "engine/core/WriteFile.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstddef>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <ctime>
+#include <functional>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace shoal::bench {
 

@@ -4,9 +4,6 @@
 #include "engine/render/software/FrameSampler.h"
 #include "engine/render/software/PaintTexels.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace shoal {
 namespace {
 
@@ -27,19 +24,11 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
     constexpr int kSize = 512;
     const gl::Target layer(kSize, kSize, 1);
     layer.bind();
-    const auto fill = [](const glm::vec4& c, int from) {
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(from, 0, kSize / 2, kSize);
-        glClearColor(c.x, c.y, c.z, c.w);
-        glClear(GL_COLOR_BUFFER_BIT);
-        glDisable(GL_SCISSOR_TEST);
-    };
-    fill(left, 0);
-    fill(right, kSize / 2);
+    fill(0, 0, kSize / 2, kSize, left);
+    fill(kSize / 2, 0, kSize / 2, kSize, right);
     render::View view{.verticalFov = 2.0f, .aspect = 1};
     const render::Sphere sphere{{0, 0, -2}, 1.4f};
-    auto pass = render::EquirectComposite::make();
-    EXPECT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(render::EquirectComposite::make());
     const render::FilmedFrame filmed{look, index};
     render::FrameTiles tiles;
     tiles.choose({kWidth, kHeight}, glm::mat3(1), {&sphere, 1}, glm::vec3(0));
@@ -63,8 +52,8 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
         for (size_t k = 0; k < all.pixels.size(); k += 4) std::swap(all.pixels[k], all.pixels[k + 2]);
     } else {
         const std::vector<bool> everywhere(tiles.chosen().size(), true);
-        pass->paint(environment, tiles, everywhere, layer.texture(), view, glm::mat3(1), &filmed);
-        glBindTexture(GL_TEXTURE_2D, pass->texture());
+        pass.paint(environment, tiles, everywhere, layer.texture(), view, glm::mat3(1), &filmed);
+        glBindTexture(GL_TEXTURE_2D, pass.texture());
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, all.pixels.data());
     }

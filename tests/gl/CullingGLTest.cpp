@@ -12,21 +12,20 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     const scene::Model model = sphere(0, 0.5f);
     const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
     const scene::Pose pose = restingPose(model);
-    auto pass = render::ObjectPass::make();
-    EXPECT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(render::ObjectPass::make());
     const gl::Target target(16, 16, 1);
     target.bind();
     render::View view; // from the origin towards -Z
     view.verticalFov = 1;
-    pass->begin();
-    pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = bound, .parts = parts});
-    pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw({.environment = lit.environment, .view = view, .canvas = target}, {},
-                           render::Glossy::Prefiltered));
+    pass.begin();
+    pass.add({.model = model, .gpu = gpu, .pose = pose, .bound = bound, .parts = parts});
+    pass.upload(glm::mat3(1));
+    EXPECT_TRUE(pass.draw({.environment = lit.environment, .view = view, .canvas = target}, {},
+                          render::Glossy::Prefiltered));
     std::vector<scene::Sphere> visible;
-    pass->addVisible(view, visible);
-    EXPECT_EQ(visible.empty(), pass->drawCount() == 0);
-    return pass->drawCount();
+    pass.addVisible(view, visible);
+    EXPECT_EQ(visible.empty(), pass.drawCount() == 0);
+    return pass.drawCount();
 }
 
 TEST_F(CullingGL, AModelIsCulledByItsSphere) {

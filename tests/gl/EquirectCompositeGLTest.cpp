@@ -5,9 +5,6 @@
 #include "engine/render/LayerPass.h"
 #include "engine/render/software/FrameSampler.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace shoal {
 namespace {
 
@@ -46,12 +43,8 @@ class LatLongGL : public WithContext {
         frame_ = smoothFrame(1024);
         environment_.emplace();
         environment_->setFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
-        auto made = render::EquirectComposite::make();
-        ASSERT_TRUE(made) << made.error().message();
-        pass_ = std::move(*made);
-        auto layer = render::LayerPass::make();
-        ASSERT_TRUE(layer) << layer.error().message();
-        layer_ = std::move(*layer);
+        pass_ = tests::valueOf(render::EquirectComposite::make());
+        layer_ = tests::valueOf(render::LayerPass::make());
     }
 
     // A red sphere of this angle stands in a direction: a disc of the layer, drawn by hand.
@@ -60,17 +53,13 @@ class LatLongGL : public WithContext {
         render::View view = viewTowards(direction);
         view.eyeWorld = eyeWorld;
         layer_->begin({kSize, kSize}, 1);
-        glEnable(GL_SCISSOR_TEST); // row by row
-        glClearColor(1, 0, 0, 1);
         const float radius = std::tan(halfAngle) / std::tan(view.verticalFov / 2) * kSize / 2;
         for (int y = 0; y < kSize; ++y) {
             const float dy = static_cast<float>(y) + 0.5f - kSize / 2;
             if (std::abs(dy) > radius) continue;
             const int half = static_cast<int>(std::sqrt(radius * radius - dy * dy) + 0.5f);
-            glScissor(kSize / 2 - half, y, 2 * half, 1);
-            glClear(GL_COLOR_BUFFER_BIT);
+            fill(kSize / 2 - half, y, 2 * half, 1, {1, 0, 0, 1});
         }
-        glDisable(GL_SCISSOR_TEST);
         const render::Sphere sphere{eyeWorld + 2.0f * direction, 2 * std::sin(halfAngle)};
         tiles_.choose({frame_.width, frame_.height}, glm::mat3(1), {&sphere, 1}, eyeWorld);
         const std::vector<bool> everywhere(tiles_.chosen().size(), true);
@@ -148,9 +137,7 @@ TEST_F(LatLongGL, OneEyesObjectsMakeWayForTheOthers) {
     const ImageRgba8 left = painted();
     paint(glm::normalize(glm::vec3(0.3f, 0, -1)), 0.2f, {0.06f, 0, 0});
     const ImageRgba8 both = painted();
-    auto fresh = render::EquirectComposite::make();
-    ASSERT_TRUE(fresh) << fresh.error().message();
-    pass_ = std::move(*fresh);
+    pass_ = tests::valueOf(render::EquirectComposite::make());
     paint(glm::normalize(glm::vec3(0.3f, 0, -1)), 0.2f, {0.06f, 0, 0});
     EXPECT_EQ(both.pixels, painted().pixels);
     EXPECT_NE(both.pixels, left.pixels);
@@ -159,12 +146,11 @@ TEST_F(LatLongGL, OneEyesObjectsMakeWayForTheOthers) {
 // The background shows the layer in the same place: half a texel's worth of light along the
 // outline.
 TEST_F(LatLongGL, TheBackgroundShowsItWhereTheLayerHadIt) {
-    auto background = render::BackgroundPass::make(render::Backend::OpenGL, true);
-    ASSERT_TRUE(background) << background.error().message();
+    auto background = tests::valueOf(render::BackgroundPass::make(render::Backend::OpenGL, true));
     const glm::vec3 direction = glm::normalize(glm::vec3(0.4f, 0.8f, 0.2f));
     paint(direction, 0.2f);
     const gl::Target target(400, 400, 1);
-    const ImageRgba8 shown = this->shown(**background, direction, target), layer = layer_->layer().read();
+    const ImageRgba8 shown = this->shown(*background, direction, target), layer = layer_->layer().read();
     double difference = 0, covered = 0;
     for (int y = 0; y < 400; ++y)
         for (int x = 0; x < 400; ++x) {

@@ -4,8 +4,6 @@
 #include "engine/render/ParticlePass.h"
 #include "tests/unit/depth/MadeMap.h"
 
-#include <functional>
-
 namespace shoal {
 namespace {
 
@@ -26,9 +24,8 @@ class FilmDepthGL : public WithContext {
     // A ball of radius 0.5 three metres ahead of the eye, in a film with these inverse distances.
     Drawn draw(const std::function<float(const glm::vec3&)>& inverseOf,
                const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
-        auto pass = render::ObjectPass::make();
-        EXPECT_TRUE(pass) << pass.error().message();
-        return draw(*pass, inverseOf, eyeInFilm, away);
+        auto pass = tests::valueOf(render::ObjectPass::make());
+        return draw(pass, inverseOf, eyeInFilm, away);
     }
     Drawn draw(render::ObjectPass& pass, const std::function<float(const glm::vec3&)>& inverseOf,
                const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
@@ -66,11 +63,10 @@ class FilmDepthGL : public WithContext {
             setFilm([&](const glm::vec3& d) { return std::max(-d.z, 0.0f) / wall_m; });
             lit.environment.setDepth({&map_, &map_, &range_});
         }
-        auto pass = render::ParticlePass::make();
-        EXPECT_TRUE(pass) << pass.error().message();
+        auto pass = tests::valueOf(render::ParticlePass::make());
         const gl::Target target(kSize, kSize, 1);
         fill(target, glm::vec4(0), nearest);
-        EXPECT_TRUE(pass->draw(
+        EXPECT_TRUE(pass.draw(
             render::ParticlePass::On::Everything,
             {.environment = lit.environment, .view = snowView(eye), .canvas = target, .eyeInFilm = eye}, {},
             3));
@@ -99,8 +95,7 @@ TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
     setFilm([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / 3; });
     Lit lit(uniformFrame(90, 90, 90));
     lit.environment.setDepth({&map_, &map_, &range_});
-    auto pass = render::DepthPass::make();
-    ASSERT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(render::DepthPass::make());
     const gl::Target drawn(64, 64, 1), into(64, 64, 1);
     for (const glm::vec3 eye : {glm::vec3(0), glm::vec3(0.1f, 0.05f, -0.2f)})
         for (const float drawn_m : {100.0f, 50.0f, 2.0f}) {
@@ -112,7 +107,7 @@ TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
             fill(drawn, glm::vec4(0), depthOf(drawn_m));
             const render::EyePicture picture{
                 .environment = lit.environment, .view = seen, .canvas = drawn, .eyeInFilm = eye};
-            pass->draw(drawn, 1, into.framebuffer(), picture, true);
+            pass.draw(drawn, 1, into.framebuffer(), picture, true);
             std::vector<float> values(64 * 64);
             glBindFramebuffer(GL_READ_FRAMEBUFFER, into.framebuffer());
             glReadPixels(0, 0, 64, 64, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
@@ -141,13 +136,12 @@ TEST_F(FilmDepthGL, AnAnimalWhollyBehindRockIsNotDrawn) {
 TEST_F(FilmDepthGL, AnAnimalThatAnEdgeCutsHasItsProgramBefore) {
     const auto open = [](const glm::vec3&) { return 0.0f; };
     const auto half = [](const glm::vec3& d) { return d.x < 0 ? 1.0f : 0.0f; };
-    auto pass = render::ObjectPass::make();
-    ASSERT_TRUE(pass) << pass.error().message();
-    draw(*pass, open);
-    draw(*pass, open);
-    const size_t programs = pass->programCount();
-    EXPECT_LT(covered(draw(*pass, half).picture), 0.9 * covered(draw(*pass, open).picture)) << "cut indeed";
-    EXPECT_EQ(pass->programCount(), programs);
+    auto pass = tests::valueOf(render::ObjectPass::make());
+    draw(pass, open);
+    draw(pass, open);
+    const size_t programs = pass.programCount();
+    EXPECT_LT(covered(draw(pass, half).picture), 0.9 * covered(draw(pass, open).picture)) << "cut indeed";
+    EXPECT_EQ(pass.programCount(), programs);
 }
 
 // The film's edge crosses the ball's middle and leaves half of it, up to the outline's pixel column.

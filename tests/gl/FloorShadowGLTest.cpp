@@ -2,10 +2,6 @@
 #include "Spheres.h"
 #include "engine/render/FloorShadowPass.h"
 
-#include <glm/geometric.hpp>
-
-#include <vector>
-
 namespace shoal {
 namespace {
 
@@ -33,14 +29,13 @@ class FloorShadowGL : public WithContext {
     static ImageRgba8 drawn(std::span<const Body> bodies, const render::View& view,
                             const glm::vec4& before = glm::vec4(0), float depthBefore = 1,
                             render::FrameCoding frames = render::FrameCoding::Srgb) {
-        auto pass = render::FloorShadowPass::make();
-        EXPECT_TRUE(pass) << pass.error().message();
+        auto pass = tests::valueOf(render::FloorShadowPass::make());
         const gl::Target target(kFloorPixels, kFloorPixels, 1);
         fill(target, before, depthBefore);
         glEnable(GL_DEPTH_TEST);
-        pass->begin();
-        for (const Body& body : bodies) pass->add(body, lamp(), kFloor_m, frames);
-        pass->draw(view);
+        pass.begin();
+        for (const Body& body : bodies) pass.add(body, lamp(), kFloor_m, frames);
+        pass.draw(view);
         return target.read();
     }
     // The place of the floor that a pixel shows.

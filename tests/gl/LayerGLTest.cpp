@@ -2,9 +2,6 @@
 #include "Spheres.h"
 #include "engine/render/LayerPass.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace shoal {
 namespace {
 
@@ -56,14 +53,13 @@ class LayerGL : public WithContext {};
 
 // An object over half of a texel lets half of the picture through; beside the boxes nothing changes.
 TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
-    auto layer = render::LayerPass::make();
-    ASSERT_TRUE(layer) << layer.error().message();
+    auto layer = tests::valueOf(render::LayerPass::make());
     const gl::Target target(320, 192, 1);
     for (const int samples : {1, 4}) {
-        layer->begin({160, 96}, samples);
+        layer.begin({160, 96}, samples);
         glClearColor(0.25f, 0.1f, 0, 0.5f);
         glClear(GL_COLOR_BUFFER_BIT);
-        layer->end();
+        layer.end();
         fill(target, {0.2f, 0.4f, 0.8f, 1});
         // Seen from 0.25 to 0.75 of the way to the right edge.
         const render::View view{.verticalFov = 1.2f, .aspect = 320.0f / 192};
@@ -71,7 +67,7 @@ TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
         const scene::Sphere right{5.0f *
                                       glm::vec3(std::sin((low + high) / 2), 0, -std::cos((low + high) / 2)),
                                   5.0f * std::sin((high - low) / 2)};
-        layer->layOver({&right, 1}, view);
+        layer.layOver({&right, 1}, view);
         const ImageRgba8 picture = target.read();
         const auto expect = [&](int x, glm::vec3 colour) {
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(x, 96)[c], 255 * colour[c], 1) << x;
@@ -85,21 +81,16 @@ TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
 // Blocks of the layer's texels are blended into each other as the video's are. Empty cells are left
 // out once its pixels have been read, which changes nothing.
 TEST_F(LayerGL, ScalesUpSmoothly) {
-    auto layer = render::LayerPass::make();
-    ASSERT_TRUE(layer) << layer.error().message();
+    auto layer = tests::valueOf(render::LayerPass::make());
     const gl::Target target(400, 240, 1);
     for (const bool areRead : {false, true}) {
-        layer->begin({100, 60}, 1);
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(50, 0, 50, 60);
-        glClearColor(1, 1, 1, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
-        glDisable(GL_SCISSOR_TEST);
-        layer->end();
-        if (areRead) layer->pixels();
+        layer.begin({100, 60}, 1);
+        fill(50, 0, 50, 60, glm::vec4(1));
+        layer.end();
+        if (areRead) layer.pixels();
         fill(target, {0, 0, 0, 1});
         const scene::Sphere all{{0, 0, 0}, 1}; // around the eye
-        layer->layOver({&all, 1}, {});
+        layer.layOver({&all, 1}, {});
         const ImageRgba8 picture = target.read();
         // A ramp from the middle of texel 49 (pixel 198) to that of 50 (202), at the pixels' middles.
         for (int x = 190; x < 210; ++x)

@@ -4,8 +4,7 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
-
-#include <gtest/gtest.h>
+#include "tests/Test.h"
 
 namespace shoal {
 namespace {

@@ -1,8 +1,7 @@
 // The vertex shader's normals of surfaces that nodes and joints scale unevenly.
 #include "Spheres.h"
+#include "tests/Test.h"
 #include "tests/unit/scene/ScaledSpheres.h"
-
-#include <gtest/gtest.h>
 
 namespace shoal {
 namespace {

@@ -5,7 +5,6 @@
 #include "engine/render/BodyOccluders.h"
 
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace shoal {
 namespace {
@@ -71,28 +70,27 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     nothing.order.clear();
     const scene::Pose pose = restingPose(model);
     const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Linear, detail);
-    auto pass = render::ObjectPass::make(detail);
-    EXPECT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(render::ObjectPass::make(detail));
     const int height = detail == render::Detail::Lean ? 4000 : 0; // fine enough to compare
     const render::View view{.eyeWorld = {0, 0, 6}, .verticalFov = 0.4f, .aspect = 1, .heightPixels = height};
     const gl::Target target(kPictureSize, kPictureSize, 1);
     fill(target);
-    pass->begin();
+    pass.begin();
     const render::BodyOccluders self = itself();
-    pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1}, .body = &self});
+    pass.add({.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1}, .body = &self});
     for (const Other& other : others)
-        pass->add({.model = nothing,
-                   .gpu = gpu,
-                   .pose = pose,
-                   .worldFromModel = other.worldFromModel,
-                   .bound = {glm::vec3(other.worldFromModel[3]), 1},
-                   .body = &other.body});
-    pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw({.environment = environment,
-                            .view = view,
-                            .exposure = {.curve = render::ToneCurve::Linear},
-                            .canvas = target},
-                           {}, render::Glossy::Prefiltered));
+        pass.add({.model = nothing,
+                  .gpu = gpu,
+                  .pose = pose,
+                  .worldFromModel = other.worldFromModel,
+                  .bound = {glm::vec3(other.worldFromModel[3]), 1},
+                  .body = &other.body});
+    pass.upload(glm::mat3(1));
+    EXPECT_TRUE(pass.draw({.environment = environment,
+                           .view = view,
+                           .exposure = {.curve = render::ToneCurve::Linear},
+                           .canvas = target},
+                          {}, render::Glossy::Prefiltered));
     return target.read();
 }
 

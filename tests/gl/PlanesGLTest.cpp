@@ -4,9 +4,6 @@
 #include "engine/media/Decoder.h"
 #include "engine/render/EnvironmentGpu.h"
 
-#include <cmath>
-#include <set>
-
 namespace shoal {
 namespace {
 
@@ -18,9 +15,7 @@ class PlanesGL : public WithContext {
     void SetUp() override {
         WithContext::SetUp();
         if (IsSkipped()) return;
-        auto made = render::PlanesPass::make();
-        ASSERT_TRUE(made) << made.error().message();
-        pass_ = std::move(*made);
+        pass_ = tests::valueOf(render::PlanesPass::make());
         environment_.emplace();
     }
 

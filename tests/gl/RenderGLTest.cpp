@@ -8,12 +8,7 @@
 #include "engine/math/LatLong.h"
 #include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <numbers>
-#include <optional>
+#include "tests/Test.h"
 
 namespace shoal {
 namespace {
@@ -52,8 +47,7 @@ INSTANTIATE_TEST_SUITE_P(From, RenderGLBackground,
                          });
 
 TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
-    auto pass = render::BackgroundPass::make(GetParam(), false);
-    ASSERT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(render::BackgroundPass::make(GetParam(), false));
     const Lit lit(smoothSurround(512));
     const gl::Target target(96, 64, 1);
     // Ahead, behind (the seam), both poles, and askew.
@@ -61,7 +55,7 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
                                   glm::vec3(0, -1, 0), glm::vec3(1, 1, 1), glm::vec3(-1, -0.3f, 0.2f)}) {
         const render::View view{.worldFromEye = looking(ahead), .verticalFov = 1.7f, .aspect = 1.5f};
         fill(target);
-        ASSERT_TRUE((*pass)->draw({.environment = lit.environment, .view = view, .canvas = target}, nullptr));
+        ASSERT_TRUE(pass->draw({.environment = lit.environment, .view = view, .canvas = target}, nullptr));
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
@@ -80,19 +74,18 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
 }
 
 TEST_F(RenderGL, YawOfTheEnvironmentTurnsItToTheRight) {
-    auto pass = render::BackgroundPass::make(render::Backend::OpenGL, false);
-    ASSERT_TRUE(pass);
+    auto pass = tests::valueOf(render::BackgroundPass::make(render::Backend::OpenGL, false));
     const Lit lit(smoothSurround(256));
     const gl::Target target(9, 9, 1);
     fill(target);
     // The column that looks along -Z appears 90 degrees to the right of -Z, so ahead lies what looks along
     // -X.
     const glm::mat3 envFromWorld(glm::mat3_cast(glm::angleAxis(kPi / 2, glm::vec3(0, 1, 0))));
-    ASSERT_TRUE((*pass)->draw({.environment = lit.environment,
-                               .envFromWorld = envFromWorld,
-                               .view = {.verticalFov = 0.2f, .aspect = 1},
-                               .canvas = target},
-                              nullptr));
+    ASSERT_TRUE(pass->draw({.environment = lit.environment,
+                            .envFromWorld = envFromWorld,
+                            .view = {.verticalFov = 0.2f, .aspect = 1},
+                            .canvas = target},
+                           nullptr));
     const ImageRgba8 picture = target.read();
     const glm::vec3 expected = smoothColour({-1, 0, 0}) * 255.0f;
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f);
@@ -375,8 +368,7 @@ TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
 // A white matte ball in an even video, at exposure 0 its own value.
 TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
     const ImageRgb8 frame = uniformFrame(90, 120, 60);
-    auto background = render::BackgroundPass::make(render::Backend::OpenGL, false);
-    ASSERT_TRUE(background);
+    auto background = tests::valueOf(render::BackgroundPass::make(render::Backend::OpenGL, false));
     for (const auto& [radiance, coding] : kCodings) {
         const Lit lit(frame, radiance);
         for (const float ev : {-1.5f, 0.0f, 0.7f, 3.0f}) {
@@ -385,12 +377,11 @@ TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
                 drawSphere(sphere(0, 1), lit.environment, view, 9, {.exposure_ev = ev, .frames = coding});
             const gl::Target target(9, 9, 1);
             fill(target);
-            ASSERT_TRUE((*background)
-                            ->draw({.environment = lit.environment,
-                                    .view = view,
-                                    .exposure = {.exposure_ev = ev, .frames = coding},
-                                    .canvas = target},
-                                   nullptr));
+            ASSERT_TRUE(background->draw({.environment = lit.environment,
+                                          .view = view,
+                                          .exposure = {.exposure_ev = ev, .frames = coding},
+                                          .canvas = target},
+                                         nullptr));
             const ImageRgba8 behind = target.read();
             for (int c = 0; c < 3; ++c) {
                 EXPECT_NEAR(object.at(4, 4)[c], behind.at(4, 4)[c], 1) << ev;

@@ -1,15 +1,11 @@
 // The shaders of a dive are valid GLSL 3.30 and GLSL ES 3.00, by Khronos' reference compiler.
 #include "engine/core/Files.h"
 #include "engine/gl/Program.h"
+#include "tests/Test.h"
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <set>
 
 namespace shoal {
 namespace {
@@ -24,9 +20,8 @@ std::set<std::string> featuresOf(const std::string& stem) {
     std::set<std::string> features;
     const std::regex asked("#ifn?def (\\w+)|defined\\((\\w+)\\)");
     for (const char* stage : {".vert", ".frag"}) {
-        const auto source = gl::readShader(stem + stage, {}, 330);
-        EXPECT_TRUE(source) << source.error().message();
-        for (std::sregex_iterator m(source->text.begin(), source->text.end(), asked), end; m != end; ++m)
+        const auto source = tests::valueOf(gl::readShader(stem + stage, {}, 330));
+        for (std::sregex_iterator m(source.text.begin(), source.text.end(), asked), end; m != end; ++m)
             features.insert((*m)[1].matched ? (*m)[1] : (*m)[2]);
     }
     std::erase_if(features, [](const std::string& feature) { return feature.starts_with("LAYERS"); });
@@ -58,10 +53,10 @@ TEST_P(ShaderDialects, Compile) {
             for (const std::set<std::string>& with : cases) {
                 std::string name = header == kEs ? "300" : "330";
                 for (const std::string& feature : with) name += "_" + feature;
-                const auto source = gl::readShader(stem + stage, {with.begin(), with.end()}, 330);
-                ASSERT_TRUE(source) << source.error().message();
-                ASSERT_TRUE(source->text.starts_with(kDesktop));
-                std::ofstream(folder / (name + stage)) << header << source->text.substr(kDesktop.size());
+                const auto source =
+                    tests::valueOf(gl::readShader(stem + stage, {with.begin(), with.end()}, 330));
+                ASSERT_TRUE(source.text.starts_with(kDesktop));
+                std::ofstream(folder / (name + stage)) << header << source.text.substr(kDesktop.size());
                 command += " " + name + stage;
             }
     EXPECT_EQ(std::system((command + " >errors.txt").c_str()), 0) << readText(folder / "errors.txt").value();

@@ -4,11 +4,6 @@
 #include "engine/render/software/FrameSampler.h"
 #include "tests/unit/shadow/ShadowScene.h"
 
-#include <glm/exponential.hpp>
-
-#include <algorithm>
-#include <optional>
-
 namespace shoal {
 namespace {
 
@@ -41,9 +36,7 @@ class ShadowGL : public WithContext, public testing::WithParamInterface<render::
         frame_.pixels.assign(frame_.pixels.size(), kBefore);
         for (size_t i = 3; i < frame_.pixels.size(); i += 4) frame_.pixels[i] = 255;
         environment_.emplace().setFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
-        auto background = render::BackgroundPass::make(GetParam(), true);
-        ASSERT_TRUE(background) << background.error().message();
-        background_ = std::move(*background);
+        background_ = tests::valueOf(render::BackgroundPass::make(GetParam(), true));
         shadows_.begin({&ground_}, render::FrameCoding::Srgb, sea_);
     }
 
@@ -118,21 +111,15 @@ TEST_P(ShadowGL, SparesWhatIsBeforeTheGround) {
     const render::View view = downwards();
     cast(view);
     const ImageRgba8 bare = drawn(view);
-    auto layer = render::LayerPass::make();
-    ASSERT_TRUE(layer);
+    auto layer = tests::valueOf(render::LayerPass::make());
     constexpr int kLayer = 400;
-    layer->begin({kLayer, kLayer}, 1);
-    glEnable(GL_SCISSOR_TEST); // a third is clear, a third half covered, a third covered: by black
-    for (int third = 0; third < 3; ++third) {
-        glScissor(third * kLayer / 3, 0, kLayer / 3 + 1, kLayer);
-        glClearColor(0, 0, 0, static_cast<float>(third) / 2);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
-    glDisable(GL_SCISSOR_TEST);
-    layer->end();
+    layer.begin({kLayer, kLayer}, 1);
+    for (int third = 0; third < 3; ++third) // clear, half covered, covered: by black
+        fill(third * kLayer / 3, 0, kLayer / 3 + 1, kLayer, {0, 0, 0, static_cast<float>(third) / 2});
+    layer.end();
     const render::FrameTiles tiles = allTiles();
     // Wider than the picture: texels at its edge are filtered with those beside them.
-    const render::TexelLayer objects{*layer, render::widened(view, 1.02f), tiles};
+    const render::TexelLayer objects{layer, render::widened(view, 1.02f), tiles};
     const ImageRgba8 covered = drawn(view, &objects);
     int dimmed = 0;
     for (int y = 0; y < kShadowSize; ++y)
@@ -154,18 +141,13 @@ TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
     const render::View view = downwards();
     cast(view);
     const ImageRgba8 before = drawn(view);
-    auto layer = render::LayerPass::make();
-    ASSERT_TRUE(layer);
+    auto layer = tests::valueOf(render::LayerPass::make());
     const render::FrameTiles tiles = allTiles();
-    const render::TexelLayer objects{*layer, render::widened(view, 1.02f), tiles};
+    const render::TexelLayer objects{layer, render::widened(view, 1.02f), tiles};
     const auto with = [&](float alpha) {
-        layer->begin({400, 400}, 1);
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(120, 100, 150, 200);
-        glClearColor(0, 0, 0, alpha);
-        glClear(GL_COLOR_BUFFER_BIT);
-        glDisable(GL_SCISSOR_TEST);
-        layer->end();
+        layer.begin({400, 400}, 1);
+        fill(120, 100, 150, 200, {0, 0, 0, alpha});
+        layer.end();
         return drawn(view, &objects);
     };
     const ImageRgba8 empty = with(0);

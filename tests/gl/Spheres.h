@@ -8,10 +8,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/platform/Window.h"
 #include "engine/render/ObjectPass.h"
-
-#include <gtest/gtest.h>
-
-#include <optional>
+#include "tests/Test.h"
 
 namespace shoal {
 
@@ -69,6 +66,15 @@ inline void fill(const gl::Target& target, const glm::vec4& colour = glm::vec4(0
     glClearDepth(1);
 }
 
+// Fills a rectangle of the bound target's colour.
+inline void fill(int x, int y, int width, int height, const glm::vec4& colour) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, width, height);
+    glClearColor(colour.r, colour.g, colour.b, colour.a);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 inline light::EnvironmentLight lightMadeOf(const ImageRgb8& frame,
                                            light::FrameRadiance frames = light::FrameRadiance::Thesis) {
     light::EnvironmentLight made;
@@ -112,26 +118,25 @@ struct SphereLook {
 // size: pixels of a side.
 inline ImageRgba8 drawSphere(const scene::Model& model, const render::EnvironmentGpu& environment,
                              const render::View& view, int size, const SphereLook& look = {}) {
-    auto pass = render::ObjectPass::make(look.detail, true, look.shown);
-    EXPECT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(render::ObjectPass::make(look.detail, true, look.shown));
     const render::Exposure exposure{look.curve, look.exposure_ev, look.frames};
     const render::ModelGpu gpu = render::uploadModel(
         model, exposure.isLinear() ? render::Reflectance::Linear : render::Reflectance::Coded, look.detail);
     const scene::Pose pose = restingPose(model);
     const gl::Target target(size, size, 1);
     fill(target);
-    pass->setLayers(look.layers);
-    pass->begin();
-    pass->add({.model = model,
-               .gpu = gpu,
-               .pose = pose,
-               .bound = {{}, look.radius},
-               .body = look.body,
-               .highlight = look.highlight,
-               .lightDifference = look.beside});
-    pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw({.environment = environment, .view = view, .exposure = exposure, .canvas = target},
-                           look.water, render::Glossy::Prefiltered));
+    pass.setLayers(look.layers);
+    pass.begin();
+    pass.add({.model = model,
+              .gpu = gpu,
+              .pose = pose,
+              .bound = {{}, look.radius},
+              .body = look.body,
+              .highlight = look.highlight,
+              .lightDifference = look.beside});
+    pass.upload(glm::mat3(1));
+    EXPECT_TRUE(pass.draw({.environment = environment, .view = view, .exposure = exposure, .canvas = target},
+                          look.water, render::Glossy::Prefiltered));
     return target.read();
 }
 

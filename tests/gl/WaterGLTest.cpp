@@ -4,8 +4,6 @@
 #include "engine/render/ParticlePass.h"
 #include "tests/unit/water/SeenThrough.h"
 
-#include <optional>
-
 namespace shoal {
 namespace {
 
@@ -51,14 +49,13 @@ struct Snowfall {
 
 Snowfall snowAt(double time_s, float depth) {
     const Lit lit(uniformFrame(150, 140, 120));
-    auto pass = render::ParticlePass::make();
-    EXPECT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(render::ParticlePass::make());
     const gl::Target target(320, 180, 1);
     fill(target, glm::vec4(0), depth);
     const render::View view{.heightPixels = 180};
-    EXPECT_TRUE(pass->draw(render::ParticlePass::On::Everything,
-                           {.environment = lit.environment, .view = view, .canvas = target}, someWater(),
-                           time_s));
+    EXPECT_TRUE(pass.draw(render::ParticlePass::On::Everything,
+                          {.environment = lit.environment, .view = view, .canvas = target}, someWater(),
+                          time_s));
     Snowfall fall{target.read()};
     for (size_t i = 0; i < fall.picture.pixels.size(); i += 4) fall.specks += fall.picture.pixels[i + 1] > 4;
     return fall;

@@ -4,15 +4,7 @@
 #include "engine/render/software/FrameSampler.h"
 #include "game/session/GameSession.h"
 #include "game/views/SceneRenderer.h"
-#include "tests/TestPaths.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <optional>
+#include "tests/Test.h"
 
 namespace shoal::app {
 namespace {
@@ -29,34 +21,24 @@ class Backends : public testing::Test {
         if (!context) GTEST_SKIP() << context.error().message();
         if (!render::canSampleFrames()) GTEST_SKIP() << "this processor has no AVX2";
         context_ = std::move(*context);
-        auto config = makeSessionConfig({.headless = true});
-        ASSERT_TRUE(config) << config.error().message();
-        config_ = std::move(*config);
-        const Status loaded =
-            CreatureModels::load(config_->species, game::speciesShown(config_->species, config_->dive),
-                                 "light", reflectanceIn({}), render::Detail::Lean)
-                .moveTo(creatures_);
-        ASSERT_TRUE(loaded) << loaded.error().message();
+        config_ = tests::valueOf(makeSessionConfig({.headless = true}));
+        creatures_ = tests::valueOf(CreatureModels::load(config_->species,
+                                                         game::speciesShown(config_->species, config_->dive),
+                                                         "light", reflectanceIn({}), render::Detail::Lean));
         const Path film = dataRoot() / "content" / config_->dive.video;
-        auto environment = Environment::open({.player = {.source = {.video = film.string()},
-                                                         .minRoughness = creatures_.minRoughness(),
-                                                         .water = true,
-                                                         .lights = true,
-                                                         .cameraResponse = true}});
-        ASSERT_TRUE(environment) << environment.error().message();
-        environment_ = std::move(*environment);
-        auto renderer = SceneRenderer::make(creatures_, {.detail = render::Detail::Lean});
-        ASSERT_TRUE(renderer) << renderer.error().message();
-        renderer_ = std::move(*renderer);
+        environment_ = tests::valueOf(Environment::open({.player = {.source = {.video = film.string()},
+                                                                    .minRoughness = creatures_.minRoughness(),
+                                                                    .water = true,
+                                                                    .lights = true,
+                                                                    .cameraResponse = true}}));
+        renderer_ = tests::valueOf(SceneRenderer::make(creatures_, {.detail = render::Detail::Lean}));
     }
 
     // Draws this way from now on.
     void drawBy(Composition composition, Backend backend) {
-        auto renderer =
-            SceneRenderer::make(creatures_, {.detail = render::Detail::Lean,
-                                             .compositor = {.composition = composition, .backend = backend}});
-        EXPECT_TRUE(renderer) << renderer.error().message();
-        renderer_ = std::move(*renderer);
+        renderer_ = tests::valueOf(SceneRenderer::make(
+            creatures_, {.detail = render::Detail::Lean,
+                         .compositor = {.composition = composition, .backend = backend}}));
     }
 
     std::vector<ImageRgba8> draw(const game::Snapshot& shown, int eyes, Composition composition,
@@ -145,9 +127,7 @@ TEST_F(Backends, ShowAFilmsPlanesAsItsPixels) {
     const std::array before = {drawn(compositions[0]), drawn(compositions[1])};
     EnvironmentSetup setup = environment_->setup();
     setup.player.planes = true;
-    auto environment = Environment::open(setup);
-    ASSERT_TRUE(environment) << environment.error().message();
-    environment_ = std::move(*environment);
+    environment_ = tests::valueOf(Environment::open(setup));
     ASSERT_TRUE(environment_->player().frame().planes);
     for (size_t i = 0; i < before.size(); ++i) {
         const auto after = drawn(compositions[i]);
@@ -186,12 +166,10 @@ TEST_F(Backends, NoShadowIsOlderThanTheFilmsPicture) {
     session.advance(11);
     environment_->update(session.shown.time_s, true);
     const auto fresh = [&](Backend backend) {
-        auto renderer = SceneRenderer::make(
+        renderer_ = tests::valueOf(SceneRenderer::make(
             creatures_, {.detail = render::Detail::Lean,
                          .skip = render::SkippedPass::Bounce, // which follows from picture to picture
-                         .compositor = {.composition = Composition::CameraResponse, .backend = backend}});
-        EXPECT_TRUE(renderer) << renderer.error().message();
-        renderer_ = std::move(*renderer);
+                         .compositor = {.composition = Composition::CameraResponse, .backend = backend}}));
     };
     for (const Backend backend : {Backend::OpenGL, Backend::Software}) {
         const game::Snapshot first = session.shown;

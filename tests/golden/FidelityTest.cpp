@@ -1,19 +1,11 @@
 // glTF models drawn by `shoal view`, against path-traced pictures of the same scenes and against other
 // real-time renderers. The bound: no further from the path tracer than the median of the real-time renderers.
 #include "engine/core/Files.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
 
 namespace shoal {
 namespace {

@@ -87,12 +87,10 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     // The same state after every tick, through the file.
     const tests::ScratchFolder folder;
     const Path recording = folder / "played.rec";
-    const Status written = tests::write(recording, played.recording);
-    ASSERT_TRUE(written) << written.error().message();
+    ASSERT_TRUE(tests::succeeded(tests::write(recording, played.recording)));
     const auto read = tests::valueOf(tests::readRecorded(recording));
     EXPECT_EQ(read.ticks(), played.recording.ticks());
-    const Status same = replay(read, setup.files);
-    EXPECT_TRUE(same) << same.error().message();
+    EXPECT_TRUE(tests::succeeded(replay(read, setup.files)));
 }
 
 TEST_P(Playthrough, MeetsItsExpectationsAtEveryDisplayRate) {

@@ -1,9 +1,8 @@
 // The depth tracks of our films hide the same as the traced truth: fish at one to six metres in the fifteen
 // frames for which all true distances are stored.
 #include "engine/media/VideoSource.h"
+#include "tests/Test.h"
 #include "tests/bench/depth/Hiding.h"
-
-#include <gtest/gtest.h>
 
 namespace shoal::bench {
 namespace {
@@ -20,25 +19,22 @@ class FilmDepth : public testing::TestWithParam<FilmFrames> {};
 TEST_P(FilmDepth, HidesWhatTheTruthHides) {
     const std::string name = GetParam().film;
     const Path film = dataRoot() / "content/video" / (name + ".mp4");
-    auto video = media::VideoSource::open(film, media::Layout::Mono);
-    ASSERT_TRUE(video) << video.error().message();
-    auto track = media::DepthTrack::open(media::depthTrackOf(film), film);
-    ASSERT_TRUE(track) << track.error().message();
+    auto video = tests::valueOf(media::VideoSource::open(film, media::Layout::Mono));
+    auto track = tests::valueOf(media::DepthTrack::open(media::depthTrackOf(film), film));
     HidingError none, linear, refined;
     depth::DepthRefiner refiner;
-    ImageRgb8 shown(video->info().width, video->info().height);
+    ImageRgb8 shown(video.info().width, video.info().height);
     for (const int frame : GetParam().frames) {
         char file[64];
         std::snprintf(file, sizeof file, "%s_%04d.depth.mkv", name.c_str(), frame);
-        auto kept = media::DepthTrack::open(dataRoot() / "content/truth" / file);
-        ASSERT_TRUE(kept) << kept.error().message();
+        auto kept = tests::valueOf(media::DepthTrack::open(dataRoot() / "content/truth" / file));
         media::DepthFrame truth, coarse;
-        ASSERT_TRUE(kept->read(0, truth));
+        ASSERT_TRUE(kept.read(0, truth));
         EXPECT_EQ(truth.width, 2048);
-        ASSERT_TRUE(track->read(track->frameAt(frame / video->info().fps), coarse));
-        ASSERT_TRUE(video->seek(frame));
-        while (video->position() <= frame) ASSERT_TRUE(video->grab());
-        ASSERT_TRUE(video->retrieve(shown));
+        ASSERT_TRUE(track.read(track.frameAt(frame / video.info().fps), coarse));
+        ASSERT_TRUE(video.seek(frame));
+        while (video.position() <= frame) ASSERT_TRUE(video.grab());
+        ASSERT_TRUE(video.retrieve(shown));
         HiddenTexels is, found;
         hiddenInTruth(truth, is);
         depth::DepthMap map;

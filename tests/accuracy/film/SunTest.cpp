@@ -1,12 +1,10 @@
 // Lights of the game's own film are found where its scene has them, and do not jump.
-#include "engine/light/FindLights.h"
-#include "engine/light/Pyramid.h"
 #include "engine/media/VideoPlayer.h"
+#include "tests/Test.h"
 #include "tests/accuracy/light/RadianceFile.h"
-#include "tests/unit/light/Environments.h"
+#include "tests/unit/light/LightWatcher.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 namespace shoal::light {
 namespace {
@@ -19,22 +17,14 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
     // from -Z over +X.
     const double up = glm::radians(66.7), round = glm::radians(205.0);
     const glm::dvec3 sun(std::cos(up) * std::sin(round), std::sin(up), -std::cos(up) * std::cos(round));
-    PyramidMaker pyramid;
-    RadiancePyramid radiance;
-    LightFinder finder;
-    FoundLights found;
-    LightOverTime steady;
+    LightWatcher eye;
     glm::dvec3 before(0);
     double sum = 0;
     int seen = 0;
     for (int i = 0; i < 240; ++i) { // the camera glides over open sand
         const auto* frame = player->waitFor(4 + (i + 0.5) / player->info().fps);
-        const ImageRgb8& picture = frame->pixelsBgr;
-        pyramid.make(
-            {picture.pixels.data(), picture.width, picture.height, ptrdiff_t{3} * picture.width, true}, 512,
-            radiance);
-        finder.find(radiance, found);
-        const ShadowLight& now = steady.follow(found, static_cast<float>(1 / player->info().fps));
+        const ShadowLight& now =
+            eye.steady.follow(eye.look(frame->pixelsBgr, true), static_cast<float>(1 / player->info().fps));
         // Waves and clouds move the clipped area around the sun by some degrees.
         EXPECT_LT(degreesBetween(now.light.direction, sun), 6) << "frame " << i;
         if (i > 0) {
@@ -53,20 +43,13 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
 TEST(FilmSun, LightsAreFoundWhereTheyWereBeforeTheCamera) {
     auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4");
     if (!player) GTEST_SKIP() << player.error().message();
-    PyramidMaker pyramid;
-    RadiancePyramid radiance;
-    LightFinder finder;
-    FoundLights truth, found;
+    LightWatcher eye;
     for (const int frame : {120, 560, 860, 1060, 1260}) {
         const Path file = dataRoot() / fmt::format("content/truth/reef_{:04}.hdr", frame);
         const auto before = readRadianceFile(file);
         ASSERT_TRUE(before) << file;
-        pyramid.make(*before, 512, radiance);
-        finder.find(radiance, truth);
-        const ImageRgb8& after = player->waitFor(frame / player->info().fps)->pixelsBgr;
-        pyramid.make({after.pixels.data(), after.width, after.height, ptrdiff_t{3} * after.width, true}, 512,
-                     radiance);
-        finder.find(radiance, found);
+        const FoundLights truth = eye.look(*before);
+        const FoundLights found = eye.look(player->waitFor(frame / player->info().fps)->pixelsBgr, true);
         ASSERT_GT(truth.count, 0u);
         ASSERT_GT(found.count, 0u);
         // 2.2 degrees for frame 120, whose sun merges with a cloud; 0.6 to 1.6 for the others.

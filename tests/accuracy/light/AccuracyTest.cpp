@@ -1,18 +1,12 @@
 // Diffuse and glossy light of made and of real environments against the double-precision integrals over every
 // texel.
+#include "tests/Test.h"
 #include "tests/accuracy/light/RadianceFile.h"
 #include "tests/unit/light/Environments.h"
 
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
-#include "tests/TestPaths.h"
 #include "tests/baselines/light/Reference.h"
-
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <numbers>
 
 namespace shoal::light {
 namespace {

@@ -1,15 +1,7 @@
 // Lights of pictures of high dynamic range are found where they are after a camera has clipped them.
+#include "tests/Test.h"
 #include "tests/accuracy/light/RadianceFile.h"
-#include "tests/unit/light/Environments.h"
-
-#include "engine/light/FindLights.h"
-#include "engine/light/Pyramid.h"
-#include "engine/math/Colour.h"
-#include "tests/TestPaths.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdlib>
+#include "tests/unit/light/LightWatcher.h"
 
 namespace shoal::light {
 namespace {
@@ -22,33 +14,16 @@ struct Picture {
 
 class FoundLightsHdr : public testing::TestWithParam<Picture> {};
 
-ImageRgb8 clipped(const ImageRgbF& radianceLin, double mean) {
-    const float exposure =
-        static_cast<float>(mean / glm::dot(meanOf(radianceLin), glm::dvec3(0.3, 0.59, 0.11)));
-    ImageRgb8 frame(radianceLin.width, radianceLin.height);
-    for (size_t i = 0; i < frame.pixels.size(); ++i)
-        frame.pixels[i] = static_cast<uint8_t>(
-            255 * math::srgbFromLinear(std::clamp(exposure * radianceLin.pixels[i], 0.0f, 1.0f)) + 0.5f);
-    return frame;
-}
-
 TEST_P(FoundLightsHdr, ClippedTheyAreFoundWhereTheyWere) {
     const Path folder = tests::sharedDataFolder() / "hdr";
     const Path file = folder / (std::string(GetParam().name) + "_1k.hdr");
     const auto picture = readRadianceFile(file);
     if (!picture) GTEST_SKIP() << file << " is not at hand";
-    PyramidMaker pyramid;
-    RadiancePyramid radiance;
-    LightFinder finder;
-    FoundLights truth, found;
-    pyramid.make(*picture, 512, radiance);
-    finder.find(radiance, truth);
+    LightWatcher eye;
+    const FoundLights truth = eye.look(*picture);
     ASSERT_GT(truth.count, 0u);
     for (double mean = 0.05; mean <= GetParam().maxMean; mean *= std::sqrt(2.0)) {
-        const ImageRgb8 frame = clipped(*picture, mean);
-        pyramid.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, 512,
-                     radiance);
-        finder.find(radiance, found);
+        const FoundLights found = eye.look(filmed(*picture, mean));
         double nearest = 180;
         for (size_t i = 0; i < found.count; ++i)
             nearest = std::min(nearest, degreesBetween(found.lights[i].direction, truth.lights[0].direction));

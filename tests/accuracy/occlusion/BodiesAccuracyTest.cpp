@@ -1,10 +1,8 @@
 // Diffuse light of bodies near each other, by ellipsoids and few directions, against traced rays.
 #include "Truth.h"
 
+#include "tests/Test.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
-#include <gtest/gtest.h>
-
-#include <cstdio>
 
 namespace shoal {
 namespace {

@@ -2,11 +2,8 @@
 #include "Truth.h"
 #include "engine/render/BodyOccluders.h"
 
+#include "tests/Test.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
-#include <glm/gtc/matrix_transform.hpp>
-#include <gtest/gtest.h>
-
-#include <cstdio>
 
 namespace shoal {
 namespace {

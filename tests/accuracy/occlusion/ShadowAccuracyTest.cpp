@@ -6,13 +6,8 @@
 #include "engine/scene/Model.h"
 #include "engine/scene/Spine.h"
 #include "engine/scene/Surface.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 #include "tests/unit/shadow/ShadowScene.h"
-
-#include <glm/gtc/matrix_transform.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace shoal {
 namespace {

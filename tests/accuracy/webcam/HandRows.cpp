@@ -1,5 +1,6 @@
 #include "HandRows.h"
 
+#include "engine/math/Quantile.h"
 #include "input/hands/HandTracker.h"
 
 #include <glm/geometric.hpp>
@@ -198,12 +199,7 @@ const std::vector<Row>& rows() {
     return kRows;
 }
 
-double medianOf(std::vector<double> values) {
-    if (values.empty()) return 1e9;
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
+double medianOf(std::vector<double> values) { return values.empty() ? 1e9 : math::median(values); }
 
 double RowResult::wristOff_percent(double knownSize) const {
     std::vector<double> off;

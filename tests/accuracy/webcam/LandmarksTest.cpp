@@ -3,14 +3,10 @@
 #include "HandRows.h"
 #include "engine/core/WriteFile.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 
 namespace shoal::hands {
 namespace {
@@ -19,14 +15,11 @@ using tests::rig;
 
 TEST(Landmarks, ModelsThatAreMissingOrDamagedAreSaidWithWhatToDo) {
     const tests::ScratchFolder folder;
-    const auto missing = LandmarkFinder::load(folder.path(), rig());
-    ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().message().find("get_models fetches it"), std::string::npos)
-        << missing.error().message();
+    EXPECT_THAT(tests::errorOf(LandmarkFinder::load(folder.path(), rig())).message(),
+                testing::HasSubstr("get_models fetches it"));
     ASSERT_TRUE(writeFileWhole(folder / "palm_detection_full.tflite", "TFL3"));
-    const auto damaged = LandmarkFinder::load(folder.path(), rig());
-    ASSERT_FALSE(damaged);
-    EXPECT_NE(damaged.error().message().find("damaged"), std::string::npos) << damaged.error().message();
+    EXPECT_THAT(tests::errorOf(LandmarkFinder::load(folder.path(), rig())).message(),
+                testing::HasSubstr("damaged"));
 }
 
 // Shares one clip between all cases of a suite, because it takes seconds to start drawing.
@@ -79,10 +72,9 @@ TEST_P(LandmarkSizes, OnceMeasuredTheWristIsAsFarAsItIs) {
     const auto measured = static_cast<double>(test::measuredSize(*clip_, rig(), GetParam(), *measuring));
     EXPECT_NEAR(measured / static_cast<double>(GetParam()), 1, 0.04);
     for (const float distance_m : {0.3f, 0.9f}) {
-        auto finder = LandmarkFinder::load(handModelFolder(), rig());
-        ASSERT_TRUE(finder);
+        auto finder = tests::valueOf(LandmarkFinder::load(handModelFolder(), rig()));
         const test::Row row{.name = "of another size", .distance_m = distance_m, .size = GetParam()};
-        const test::RowResult result = test::measure(*clip_, rig(), row, 40, *finder);
+        const test::RowResult result = test::measure(*clip_, rig(), row, 40, finder);
         EXPECT_GE(result.found, 0.97 * result.shown);
         const auto size = static_cast<double>(GetParam());
         EXPECT_NEAR(result.wristOff_percent(1), 100 * std::abs(1 / size - 1), 5) << distance_m;

@@ -7,18 +7,12 @@
 #include "input/hands/HandTracker.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 #include "tests/Recorded.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
 #include <opencv2/videoio.hpp>
 
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <cstdlib>
 #include <thread>
 
 namespace shoal::hands {
@@ -158,11 +152,10 @@ TEST_F(WebcamClip, PlaysTheGame) {
                                      "--at " + std::to_string(static_cast<double>(frames_) / kRate_Hz) +
                                          " --record " + replay.string());
     EXPECT_NE(log.find("Hands: Webcam"), std::string::npos) << log;
-    const auto recording = tests::readRecorded(replay);
-    ASSERT_TRUE(recording) << recording.error().message();
+    const auto recording = tests::valueOf(tests::readRecorded(replay));
     size_t fromWebcam = 0, closed = 0;
-    for (size_t tick = 0; tick < recording->ticks(); ++tick) {
-        const auto input = tests::inputAt(*recording, tick);
+    for (size_t tick = 0; tick < recording.ticks(); ++tick) {
+        const auto input = tests::inputAt(recording, tick);
         fromWebcam += input.hands[1].tracked && input.hands[1].time_us > 0;
         closed += input.hands[1].tracked && input.hands[1].grip > 0.5f && input.hands[1].time_us > 0;
     }

@@ -2,8 +2,6 @@
 // dive, for make_video_frames to trace. bench_bounce measure FOLDER: compares the light there
 // (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
 // film's distances. Writes FOLDER/bounce.tsv, and FOLDER/time.tsv: error over time.
-#include "engine/core/Result.h"
-#include "engine/core/WriteFile.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Quantile.h"
@@ -16,17 +14,9 @@
 #include "tests/bench/Bench.h"
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <ctime>
-#include <map>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 

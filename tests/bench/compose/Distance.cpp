@@ -1,10 +1,6 @@
 #include "tests/bench/compose/Distance.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <numbers>
+#include <opencv2/imgproc.hpp>
 
 namespace shoal::bench {
 
@@ -13,61 +9,35 @@ namespace {
 constexpr int kPatch = 32, kNear = 4;
 using Spectrum = std::array<double, kPatch / 2>; // power by whole cycles a patch, from 0
 
-float luma(const ImageRgba8& image, int x, int y) {
-    const uint8_t* c = image.at(x, y);
-    return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
+cv::Mat matOf(const ImageRgba8& image) {
+    return {image.height, image.width, CV_8UC4, const_cast<uint8_t*>(image.pixels.data())};
 }
 
-// Returns, for each pixel, the largest or smallest coverage within kNear pixels.
-Coverage spread(const Coverage& in, bool largest) {
-    Coverage along = in, out = in;
-    for (int y = 0; y < in.height; ++y)
-        for (int x = 0; x < in.width; ++x)
-            for (int i = std::max(x - kNear, 0); i <= std::min(x + kNear, in.width - 1); ++i)
-                *along.at(x, y) = largest ? std::max(*along.at(x, y), *in.at(i, y))
-                                          : std::min(*along.at(x, y), *in.at(i, y));
-    out = along;
-    for (int y = 0; y < in.height; ++y)
-        for (int x = 0; x < in.width; ++x)
-            for (int j = std::max(y - kNear, 0); j <= std::min(y + kNear, in.height - 1); ++j)
-                *out.at(x, y) = largest ? std::max(*out.at(x, y), *along.at(x, j))
-                                        : std::min(*out.at(x, y), *along.at(x, j));
-    return out;
+// Rec. 709, of 255.
+cv::Mat lumaOf(const cv::Mat& rgba) {
+    cv::Mat values, luma;
+    rgba.convertTo(values, CV_32F);
+    cv::transform(values, luma, cv::Matx14f(0.2126f, 0.7152f, 0.0722f, 0));
+    return luma;
 }
 
-void addSpectrum(const ImageRgba8& image, int left, int top, Spectrum& sum) {
-    static const auto turns = [] {
-        std::array<std::complex<double>, kPatch> table;
-        for (size_t i = 0; i < kPatch; ++i)
-            table[i] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(i) / kPatch);
-        return table;
+void addSpectrum(const cv::Mat& luma, const cv::Rect& patch, Spectrum& sum) {
+    static const cv::Mat window = [] {
+        cv::Mat_<float> along(kPatch, 1);
+        for (int i = 0; i < kPatch; ++i)
+            along(i) = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * (i + 0.5) / kPatch));
+        return cv::Mat(along * along.t());
     }();
-    double mean = 0;
-    for (int i = 0; i < kPatch * kPatch; ++i)
-        mean += static_cast<double>(luma(image, left + i % kPatch, top + i / kPatch)) / (kPatch * kPatch);
-    std::vector<std::complex<double>> rows(kPatch * kPatch);
-    const auto window = [](int i) { return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (i + 0.5) / kPatch); };
-    for (int y = 0; y < kPatch; ++y)
-        for (int k = 0; k < kPatch; ++k)
-            for (int x = 0; x < kPatch; ++x)
-                rows[static_cast<size_t>(y * kPatch + k)] +=
-                    window(x) * window(y) * (static_cast<double>(luma(image, left + x, top + y)) - mean) *
-                    turns[static_cast<size_t>(k * x % kPatch)];
+    const cv::Mat part = luma(patch) - cv::mean(luma(patch))[0];
+    cv::Mat_<cv::Vec2f> waves;
+    cv::dft(part.mul(window), waves, cv::DFT_COMPLEX_OUTPUT);
     for (int k = 0; k < kPatch; ++k)
         for (int l = 0; l < kPatch; ++l) {
-            std::complex<double> value;
-            for (int y = 0; y < kPatch; ++y)
-                value +=
-                    rows[static_cast<size_t>(y * kPatch + k)] * turns[static_cast<size_t>(l * y % kPatch)];
             const double fx = k < kPatch / 2 ? k : k - kPatch, fy = l < kPatch / 2 ? l : l - kPatch;
             const auto ring = static_cast<size_t>(std::lround(std::hypot(fx, fy)));
-            if (ring < sum.size()) sum[ring] += std::norm(value);
+            if (ring < sum.size()) sum[ring] += cv::norm(waves(l, k), cv::NORM_L2SQR);
         }
 }
-
-struct Patch {
-    int left, top;
-};
 
 // Returns the share of the power beyond an eighth of a cycle a pixel.
 double detail(const Spectrum& spectrum) {
@@ -82,54 +52,45 @@ double detail(const Spectrum& spectrum) {
 } // namespace
 
 Distance distance(const ImageRgba8& shown, const ImageRgba8& truth, const Coverage& objects) {
-    const Coverage wide = spread(objects, true), inside = spread(objects, false);
-    Distance out;
-    double squares = 0, colourSquares = 0, laplacians = 0;
-    int64_t count = 0, insideCount = 0;
-    for (int y = 1; y + 1 < shown.height; ++y)
-        for (int x = 1; x + 1 < shown.width; ++x) {
-            if (*wide.at(x, y) <= 0) continue;
-            squares += std::pow(luma(shown, x, y) - luma(truth, x, y), 2);
-            for (int c = 0; c < 3; ++c)
-                colourSquares += std::pow(shown.at(x, y)[c] - truth.at(x, y)[c], 2) / 3;
-            ++count;
-            if (*inside.at(x, y) < 1) continue;
-            float v = 0;
-            for (int j = -1; j <= 1; ++j)
-                for (int i = -1; i <= 1; ++i)
-                    v += static_cast<float>((i ? 1 : -2) * (j ? 1 : -2)) * luma(shown, x + i, y + j);
-            laplacians += static_cast<double>(v * v) / 36;
-            ++insideCount;
-        }
-    const auto mean = [](double sum, int64_t n) {
-        return std::sqrt(sum / static_cast<double>(std::max<int64_t>(n, 1)));
+    const cv::Mat coverage(objects.height, objects.width, CV_32F, const_cast<float*>(objects.pixels.data()));
+    const cv::Mat near = cv::Mat::ones(2 * kNear + 1, 2 * kNear + 1, CV_8U);
+    cv::Mat largest, smallest; // coverage within kNear pixels
+    cv::dilate(coverage, largest, near);
+    cv::erode(coverage, smallest, near);
+    const cv::Mat wide = largest > 0, inside = smallest >= 1;
+    const cv::Mat luma = lumaOf(matOf(shown)), trueLuma = lumaOf(matOf(truth));
+    cv::Mat colour, trueColour, laplacian;
+    cv::cvtColor(matOf(shown), colour, cv::COLOR_RGBA2RGB);
+    cv::cvtColor(matOf(truth), trueColour, cv::COLOR_RGBA2RGB);
+    const cv::Matx31f bend(1, -2, 1);
+    cv::sepFilter2D(luma, laplacian, CV_32F, bend, bend);
+
+    // Root mean squares over what a mask holds, without the outermost pixels.
+    const cv::Rect inner(1, 1, shown.width - 2, shown.height - 2);
+    const auto meanOver = [&](const cv::Mat& mask, double norm) {
+        return norm / std::sqrt(std::max(cv::countNonZero(mask(inner)), 1));
     };
-    out.luma = mean(squares, count);
-    out.colour = mean(colourSquares, count);
-    out.noise = mean(laplacians, insideCount);
+    Distance out;
+    out.luma = meanOver(wide, cv::norm(luma(inner), trueLuma(inner), cv::NORM_L2, wide(inner)));
+    out.colour = meanOver(wide, cv::norm(colour(inner), trueColour(inner), cv::NORM_L2, wide(inner))) /
+                 std::numbers::sqrt3;
+    out.noise = meanOver(inside, cv::norm(laplacian(inner), cv::NORM_L2, inside(inner))) / 6;
 
     Spectrum ours{}, theirs{}, around{};
     for (int top = 0; top + kPatch <= shown.height; top += kPatch / 2)
         for (int left = 0; left + kPatch <= shown.width; left += kPatch / 2) {
-            double covered = 0, near = 0;
-            for (int i = 0; i < kPatch * kPatch; ++i) {
-                covered +=
-                    static_cast<double>(*objects.at(left + i % kPatch, top + i / kPatch)) / (kPatch * kPatch);
-                near +=
-                    static_cast<double>(*wide.at(left + i % kPatch, top + i / kPatch)) / (kPatch * kPatch);
-            }
-            if (covered > 0.25) {
-                addSpectrum(shown, left, top, ours);
-                addSpectrum(truth, left, top, theirs);
-            } else if (near == 0) {
+            const cv::Rect patch(left, top, kPatch, kPatch);
+            if (cv::mean(coverage(patch))[0] > 0.25) {
+                addSpectrum(luma, patch, ours);
+                addSpectrum(trueLuma, patch, theirs);
+            } else if (cv::countNonZero(wide(patch)) == 0) {
                 bool beside = false; // within two patches
                 for (int j = -2; j <= 2; ++j)
                     for (int i = -2; i <= 2; ++i) {
-                        const int x = left + kPatch / 2 + i * kPatch, y = top + kPatch / 2 + j * kPatch;
-                        beside |=
-                            x >= 0 && y >= 0 && x < shown.width && y<shown.height&& * objects.at(x, y)> 0.5f;
+                        const cv::Point at(left + kPatch / 2 + i * kPatch, top + kPatch / 2 + j * kPatch);
+                        beside |= cv::Rect({}, coverage.size()).contains(at) && coverage.at<float>(at) > 0.5f;
                     }
-                if (beside) addSpectrum(shown, left, top, around);
+                if (beside) addSpectrum(luma, patch, around);
             }
         }
     int rings = 0;

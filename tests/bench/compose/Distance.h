@@ -1,10 +1,7 @@
 // Measures of the difference between a picture and one in which the objects were filmed.
 #pragma once
 
-#include "engine/core/Image.h"
-
-#include <string>
-#include <vector>
+#include "tests/bench/Bench.h"
 
 namespace shoal::bench {
 

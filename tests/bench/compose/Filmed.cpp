@@ -4,9 +4,7 @@
 #include "engine/core/Random.h"
 #include "engine/math/LatLong.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <opencv2/imgproc.hpp>
 
 namespace shoal::bench {
 
@@ -33,46 +31,10 @@ std::array<float, 256> signals() {
     return table;
 }
 
-using Layer = Image<float, 4>; // premultiplied, coverage last
+using Layer = Image<float, 4>; // premultiplied, coverage last; no object stands across the seam
 
-// Rectangle of a picture that holds everything that is not empty.
-struct Part {
-    int left = 0, top = 0, right = 0, bottom = 0;
-};
-
-Part partOf(const Layer& layer, int margin) {
-    Part part{layer.width, layer.height, 0, 0};
-    for (int y = 0; y < layer.height; ++y)
-        for (int x = 0; x < layer.width; ++x)
-            if (layer.at(x, y)[3] != 0) {
-                part.left = std::min(part.left, x);
-                part.right = std::max(part.right, x + 1);
-                part.top = std::min(part.top, y);
-                part.bottom = std::max(part.bottom, y + 1);
-            }
-    return {std::max(part.left - margin, 0), std::max(part.top - margin, 0),
-            std::min(part.right + margin, layer.width), std::min(part.bottom + margin, layer.height)};
-}
-
-// Filters rows and columns by weights of texels from -reach to reach; texels beyond an edge repeat it. No
-// object here stands across the seam.
-template <class Pixels>
-Pixels filtered(const Pixels& in, const std::vector<float>& weights, const Part& part) {
-    const int reach = static_cast<int>(weights.size() / 2);
-    Pixels along(in.width, in.height), out(in.width, in.height);
-    for (const bool rows : {true, false}) {
-        const Pixels& from = rows ? in : along;
-        Pixels& to = rows ? along : out;
-        for (int y = part.top; y < part.bottom; ++y)
-            for (int x = part.left; x < part.right; ++x)
-                for (int i = -reach; i <= reach; ++i) {
-                    const auto* value = rows ? from.at(std::clamp(x + i, 0, in.width - 1), y)
-                                             : from.at(x, std::clamp(y + i, 0, in.height - 1));
-                    for (int c = 0; c < Pixels::channels; ++c)
-                        to.at(x, y)[c] += weights[static_cast<size_t>(i + reach)] * value[c];
-                }
-    }
-    return out;
+template <class Pixels> cv::Mat matOf(Pixels& image) {
+    return {image.height, image.width, CV_32FC(Pixels::channels), image.pixels.data()};
 }
 
 // Returns the objects in the film's texels, each the mean of kSamples^2 directions.
@@ -117,28 +79,24 @@ float lumaOf(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f 
 ImageRgbF signalOf(const ImageRgb8& frame) {
     static const std::array<float, 256> signal = signals();
     ImageRgbF out(frame.width, frame.height);
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x)
-            for (int c = 0; c < 3; ++c) out.at(x, y)[c] = signal[frame.at(x, y)[c]];
+    std::ranges::transform(frame.pixels, out.pixels.begin(), [](uint8_t value) { return signal[value]; });
     return out;
 }
 
 // Returns the light that port and lens scatter, by three running means over seven squares of texels.
 constexpr int kGlowTexels = 8;
-ImageRgbF glowOf(const ImageRgbF& in) {
+ImageRgbF glowOf(ImageRgbF& in) {
     ImageRgbF out(in.width / kGlowTexels, in.height / kGlowTexels);
-    for (int y = 0; y < out.height * kGlowTexels; ++y)
-        for (int x = 0; x < out.width * kGlowTexels; ++x)
-            for (int c = 0; c < 3; ++c)
-                out.at(x / kGlowTexels, y / kGlowTexels)[c] += in.at(x, y)[c] / (kGlowTexels * kGlowTexels);
-    for (int i = 0; i < 3; ++i)
-        out = filtered(out, std::vector<float>(7, 1 / 7.0f), {0, 0, out.width, out.height});
+    cv::Mat glow = matOf(out);
+    cv::resize(matOf(in), glow, glow.size(), 0, 0, cv::INTER_AREA);
+    for (int i = 0; i < 3; ++i) cv::blur(glow, glow, {7, 7}, {-1, -1}, cv::BORDER_REPLICATE);
     return out;
 }
 
 // Applies glare, noise and tone to the frame, then sharpens it.
 void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
-    const ImageRgbF behind = signalOf(frame), glow = glowOf(behind);
+    ImageRgbF behind = signalOf(frame);
+    const ImageRgbF glow = glowOf(behind);
     Random random(seed, 11);
     for (int y = 0; y < layer.height; ++y)
         for (int x = 0; x < layer.width; ++x) {
@@ -155,7 +113,9 @@ void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
                 to[c] = toned(signal) - unseen * toned(behind.at(x, y)[c]);
             }
         }
-    const Layer soft = filtered(layer, {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f}, partOf(layer, 2));
+    Layer soft(layer.width, layer.height);
+    const cv::Matx<float, 5, 1> weights(0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f);
+    cv::sepFilter2D(matOf(layer), matOf(soft), CV_32F, weights, weights, {-1, -1}, 0, cv::BORDER_REPLICATE);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
             const float* l = layer.at(x, y);
@@ -175,16 +135,9 @@ void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
 
 void filmInto(std::span<ImageRgb8* const> takes, const ImageRgba8& objects, const render::View& view,
               const glm::mat3& envFromWorld, uint32_t seed) {
-    Layer layer = seenBy(objects, view, envFromWorld, takes[0]->width);
-    // The lens: 0.48 of a texel's light, 0.13 of each neighbour's.
-    const Layer sharp = layer;
-    const Part lit = partOf(sharp, 1);
-    for (int y = std::max(lit.top, 1); y < std::min(lit.bottom, layer.height - 1); ++y)
-        for (int x = std::max(lit.left, 1); x < std::min(lit.right, layer.width - 1); ++x)
-            for (int c = 0; c < 4; ++c)
-                layer.at(x, y)[c] =
-                    0.48f * sharp.at(x, y)[c] + 0.13f * (sharp.at(x + 1, y)[c] + sharp.at(x - 1, y)[c] +
-                                                         sharp.at(x, y - 1)[c] + sharp.at(x, y + 1)[c]);
+    Layer sharp = seenBy(objects, view, envFromWorld, takes[0]->width), layer(sharp.width, sharp.height);
+    const cv::Matx33f lens(0, 0.13f, 0, 0.13f, 0.48f, 0.13f, 0, 0.13f, 0); // shares of a texel's light
+    cv::filter2D(matOf(sharp), matOf(layer), CV_32F, lens, {-1, -1}, 0, cv::BORDER_REPLICATE);
     for (ImageRgb8* take : takes) develop(*take, layer, seed++ * 2654435761u);
 }
 

@@ -3,12 +3,8 @@
 // means over its texels, lens, noise, tone and sharpening. The encoder follows (Encode.h).
 #pragma once
 
-#include "engine/core/Image.h"
 #include "engine/render/View.h"
-
-#include <glm/mat3x3.hpp>
-
-#include <span>
+#include "tests/bench/Bench.h"
 
 namespace shoal::bench {
 

@@ -17,10 +17,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include <array>
 #include <chrono>
-#include <cstdio>
-#include <optional>
 
 namespace shoal::bench {
 

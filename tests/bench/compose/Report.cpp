@@ -1,14 +1,8 @@
 #include "tests/bench/compose/Report.h"
-#include "engine/core/WriteFile.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace shoal::bench {
 

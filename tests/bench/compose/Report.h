@@ -1,13 +1,7 @@
 // Writes the measurements as tables and pictures.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "engine/core/Result.h"
 #include "tests/bench/compose/Distance.h"
-
-#include <glm/vec2.hpp>
-
-#include <map>
 
 namespace shoal::bench {
 

@@ -1,6 +1,7 @@
 #include "tests/bench/depth/Hiding.h"
 
 #include "engine/math/LatLong.h"
+#include "engine/math/Quantile.h"
 
 #include <glm/geometric.hpp>
 
@@ -101,10 +102,8 @@ media::DepthFrame reduced(const media::DepthFrame& truth, int width, int stepsPe
                                  ptrdiff_t{x} * block;
                 within.insert(within.end(), row, row + block);
             }
-            const auto middle = within.begin() + static_cast<ptrdiff_t>(within.size() / 2);
-            std::nth_element(within.begin(), middle, within.end());
             const float inverse_perM =
-                static_cast<float>(*middle) * (media::kMaxInverse_perM / media::kMaxDepthCode);
+                static_cast<float>(math::median(within)) * (media::kMaxInverse_perM / media::kMaxDepthCode);
             out.inverse[static_cast<size_t>(y) * width + x] = media::depthCode(inverse_perM, stepsPerOctave);
         }
     return out;

@@ -1,19 +1,11 @@
 // bench_depth FOLDER : what depth tracks of several widths, rates and steps cost, and what they hide rightly.
 // FOLDER holds the truth, FILM_NNNN.depth.mkv: distances of frames of content/video/FILM.mp4, in runs of
 // frames that follow each other. Writes FOLDER/depth.tsv.
-#include "engine/core/WriteFile.h"
 #include "engine/media/VideoSource.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/depth/Hiding.h"
 
 #include <fmt/core.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -1,8 +1,6 @@
 // bench_film FOLDER CLIP.. : measures every FOLDER/CLIP_CODEC_WIDTH_QUALITY.mp4 against FOLDER/CLIP.rgb (raw,
 // kTruthWidth wide, 3 bytes a pixel) and writes FOLDER/film.tsv, a row for each codec, width and quality over
 // all clips.
-#include "engine/core/Image.h"
-#include "engine/core/WriteFile.h"
 #include "engine/math/Colour.h"
 #include "engine/media/Decoder.h"
 #include "tests/bench/Bench.h"
@@ -10,16 +8,6 @@
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <map>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace {
 

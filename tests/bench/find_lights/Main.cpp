@@ -1,60 +1,14 @@
 // Prints tables: errors of the directions of found lights, and the cost of finding them.
-#include "engine/light/FindLights.h"
-#include "engine/light/Pyramid.h"
-#include "engine/math/Colour.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Environments.h"
-#include "tests/unit/light/Environments.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include "tests/unit/light/LightWatcher.h"
 
 using namespace shoal;
 using namespace shoal::light;
 
 namespace {
 
-constexpr int kBaseWidth = 512; // of the game's pyramids
-
 double degreesOf(float radians) { return glm::degrees(static_cast<double>(radians)); }
-
-struct Eye {
-    PyramidMaker pyramid;
-    RadiancePyramid radiance;
-    LightFinder finder;
-
-    FoundLights look(const ImageRgbF& radianceLin) {
-        pyramid.make(radianceLin, kBaseWidth, radiance);
-        return find();
-    }
-    FoundLights look(const FrameView& frame) {
-        pyramid.make(frame, kBaseWidth, radiance);
-        return find();
-    }
-
-  private:
-    FoundLights find() {
-        FoundLights found;
-        finder.find(radiance, found);
-        return found;
-    }
-};
-
-// Returns the frame of a camera that shows the sphere's mean as `key`.
-ImageRgb8 filmed(const ImageRgbF& radianceLin, double key) {
-    const double mean = glm::dot(meanOf(radianceLin), glm::dvec3(0.3, 0.59, 0.11));
-    const float exposure = static_cast<float>(key / mean);
-    ImageRgb8 frame(radianceLin.width, radianceLin.height);
-    for (size_t i = 0; i < frame.pixels.size(); ++i)
-        frame.pixels[i] = static_cast<uint8_t>(
-            255 * math::srgbFromLinear(std::clamp(exposure * radianceLin.pixels[i], 0.0f, 1.0f)) + 0.5f);
-    return frame;
-}
-
-FrameView viewOf(const ImageRgb8& frame, bool bgr) {
-    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, bgr};
-}
 
 void sayNearest(const FoundLights& found, const glm::vec3& towards) {
     size_t nearest = 0;
@@ -83,7 +37,7 @@ void madeTable() {
         "| made environment | off, degrees | radius, degrees | share of the light, %% | as a video: off "
         "| radius "
         "| share |\n|---|--:|--:|--:|--:|--:|--:|\n");
-    Eye eye;
+    LightWatcher eye;
     for (const Made& made : {Made{"sun of four texels, zenith", {0.5, 0}, 0.4, 1e4, 1},
                              {"sun of four texels, beside the pole", {0.3, 0.015}, 0.4, 1e4, 1},
                              {"sun of four texels, horizon", {0.5, 0.5}, 0.4, 1e4, 1},
@@ -97,13 +51,13 @@ void madeTable() {
         });
         std::printf("| %s |", made.name);
         sayNearest(eye.look(image), middle);
-        sayNearest(eye.look(viewOf(filmed(image, 0.2), false)), middle);
+        sayNearest(eye.look(filmed(image, 0.2)), middle);
         std::printf("\n");
     }
     const auto none = [&](const char* name, const ImageRgbF& image) {
         std::printf("| %s |", name);
         sayNearest(eye.look(image), {0, 1, 0});
-        sayNearest(eye.look(viewOf(filmed(image, 0.2), false)), {0, 1, 0});
+        sayNearest(eye.look(filmed(image, 0.2)), {0, 1, 0});
         std::printf("\n");
     };
     none("uniform", uniform(1024, glm::dvec3(1)));
@@ -116,7 +70,7 @@ void clippedTable(const Path& shared) {
                 "of white: off, "
                 "degrees | radius | share | mean at 20 %%: off | radius | share "
                 "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
-    Eye eye;
+    LightWatcher eye;
     for (const auto& source : bench::hdrSources(shared)) {
         const auto environment = source.load();
         if (!environment) continue;
@@ -125,8 +79,7 @@ void clippedTable(const Path& shared) {
         std::printf("| %s | %.1f |", environment->name.c_str(),
                     100 * static_cast<double>(truth.lights[0].share));
         for (const double key : {0.1, 0.2})
-            sayNearest(eye.look(viewOf(filmed(environment->radianceLin, key), false)),
-                       truth.lights[0].direction);
+            sayNearest(eye.look(filmed(environment->radianceLin, key)), truth.lights[0].direction);
         std::printf("\n");
     }
 }
@@ -135,7 +88,7 @@ void truthTable() {
     std::printf("\n| frame of the film: its true light | radius, degrees | share, %% | found in the video: "
                 "off, degrees "
                 "| radius | share |\n|---|--:|--:|--:|--:|--:|\n");
-    Eye eye;
+    LightWatcher eye;
     std::vector<double> times_us;
     for (const auto& source : bench::filmedSources()) {
         const auto environment = source.load();
@@ -147,9 +100,8 @@ void truthTable() {
         sayNearest(eye.look(environment->view()), truth.lights[0].direction);
         std::printf("\n");
         for (int i = 0; i < 20; ++i) {
-            FoundLights found;
             const double began_us = bench::now_us();
-            eye.finder.find(eye.radiance, found);
+            eye.found();
             times_us.push_back(bench::now_us() - began_us);
         }
     }

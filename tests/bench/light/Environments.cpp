@@ -6,12 +6,6 @@
 #include "tests/accuracy/light/RadianceFile.h"
 #include "tests/unit/light/Environments.h"
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-
 namespace shoal::bench {
 
 namespace {

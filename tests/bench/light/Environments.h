@@ -2,14 +2,8 @@
 // video, and synthetic ones in which methods are known to fail.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "engine/core/Image.h"
 #include "engine/light/FrameView.h"
-
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
+#include "tests/bench/Bench.h"
 
 namespace shoal::bench {
 

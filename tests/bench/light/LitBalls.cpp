@@ -10,13 +10,6 @@
 #include "tests/bench/light/Measure.h"
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 
 namespace shoal::bench {
 

@@ -4,10 +4,6 @@
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-
 int main(int argc, char** argv) {
     using namespace shoal;
     if (argc < 2 || argc > 3 || (argc == 3 && std::strcmp(argv[2], "--quick") != 0)) {

@@ -1,4 +1,3 @@
-#include "engine/core/WriteFile.h"
 #include "tests/bench/light/Measure.h"
 
 #include <fmt/format.h>

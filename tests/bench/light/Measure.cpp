@@ -1,10 +1,6 @@
 #include "tests/bench/light/Measure.h"
 #include "engine/light/Pyramid.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 namespace shoal::bench {
 
 using namespace light::baselines;

@@ -1,19 +1,9 @@
 // Measurements of every method over every environment, single figures from them, and what is written of them.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "engine/core/Image.h"
 #include "tests/baselines/light/Baselines.h"
 #include "tests/bench/light/Environments.h"
 #include "tests/bench/light/Truth.h"
-
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace shoal::bench {
 

@@ -6,9 +6,6 @@
 #include "tests/bench/light/Measure.h"
 #include "tests/unit/media/CodedFrames.h"
 
-#include <cmath>
-#include <cstdio>
-
 namespace shoal::bench {
 
 using namespace light::baselines;

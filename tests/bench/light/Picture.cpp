@@ -1,13 +1,6 @@
-#include "engine/core/WriteFile.h"
 #include "tests/bench/light/Measure.h"
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <glm/vec2.hpp>
-
-#include <algorithm>
 
 // Data that chart.gp draws: points, their names placed without overlap, and the Pareto front.
 namespace shoal::bench {

@@ -4,9 +4,6 @@
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
 
-#include <cstdio>
-#include <cstring>
-
 namespace shoal::bench {
 
 using namespace light::baselines;

@@ -1,14 +1,9 @@
 #include "tests/bench/light/Truth.h"
 #include "engine/core/Hash.h"
-#include "engine/core/WriteFile.h"
 #include "tests/baselines/light/Reference.h"
 #include "tests/bench/Bench.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
-#include <cstring>
-#include <numbers>
 
 namespace shoal::bench {
 

@@ -1,14 +1,8 @@
 // The true light of an environment, cached on disk because it takes seconds.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "engine/core/Image.h"
 #include "tests/baselines/light/Reference.h"
-
-#include <glm/vec3.hpp>
-
-#include <span>
-#include <vector>
+#include "tests/bench/Bench.h"
 
 namespace shoal::bench {
 

@@ -4,9 +4,6 @@
 #include "tests/baselines/occlusion/Baked.h"
 #include "tests/bench/occlusion/Method.h"
 
-#include <memory>
-#include <numbers>
-
 namespace shoal::bench {
 
 using namespace occlusion::baselines;

@@ -3,9 +3,6 @@
 #include "engine/math/LatLong.h"
 #include "engine/math/Octahedron.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace shoal::bench {
 
 namespace {

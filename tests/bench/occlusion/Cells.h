@@ -3,12 +3,7 @@
 // once.
 #pragma once
 
-#include "engine/core/Image.h"
-
-#include <glm/glm.hpp>
-
-#include <span>
-#include <vector>
+#include "tests/bench/Bench.h"
 
 namespace shoal::bench {
 

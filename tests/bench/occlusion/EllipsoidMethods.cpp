@@ -5,10 +5,6 @@
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include "tests/bench/occlusion/Method.h"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
 namespace shoal::bench {
 
 namespace {

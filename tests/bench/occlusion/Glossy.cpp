@@ -9,10 +9,6 @@
 #include "tests/bench/occlusion/Measure.h"
 #include "tests/bench/occlusion/Truth.h"
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-
 namespace shoal::bench {
 
 namespace {

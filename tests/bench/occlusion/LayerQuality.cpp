@@ -6,8 +6,6 @@
 #include "tests/bench/occlusion/LayeredBodies.h"
 #include "tests/bench/occlusion/Measure.h"
 
-#include <cmath>
-
 namespace shoal::bench {
 
 namespace {

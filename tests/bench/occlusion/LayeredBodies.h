@@ -3,11 +3,8 @@
 
 #include "engine/occlusion/BodyMesh.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/Scene.h"
-
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace shoal::bench {
 

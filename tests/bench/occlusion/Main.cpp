@@ -4,10 +4,6 @@
 #include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/Measure.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <string>
-
 int main(int argc, char** argv) {
     using namespace shoal;
     const std::string option = argc == 3 ? argv[2] : "";

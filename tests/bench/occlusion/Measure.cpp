@@ -3,9 +3,6 @@
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Environments.h"
 
-#include <cmath>
-#include <cstdio>
-
 namespace shoal::bench {
 
 namespace {

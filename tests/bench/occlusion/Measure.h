@@ -1,14 +1,10 @@
 // Measurements of every method over every scene and environment, and what is written of them.
 #pragma once
 
-#include "engine/core/Files.h"
 #include "tests/bench/occlusion/Cells.h"
 #include "tests/bench/occlusion/Method.h"
 #include "tests/bench/occlusion/Scene.h"
 #include "tests/bench/occlusion/Truth.h"
-
-#include <string>
-#include <vector>
 
 namespace shoal::bench {
 

@@ -1,10 +1,7 @@
 #include "tests/bench/occlusion/Mesh.h"
+#include "tests/bench/Bench.h"
 
 #include <glm/gtc/type_ptr.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
 
 namespace shoal::bench {
 

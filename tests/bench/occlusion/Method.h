@@ -4,11 +4,8 @@
 #include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/math/SphericalHarmonics.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/Scene.h"
-
-#include <functional>
-#include <span>
-#include <string>
 
 namespace shoal::bench {
 

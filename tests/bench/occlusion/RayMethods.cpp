@@ -7,9 +7,6 @@
 #include "tests/bench/occlusion/LayeredBodies.h"
 #include "tests/bench/occlusion/Method.h"
 
-#include <memory>
-#include <optional>
-
 namespace shoal::bench {
 
 using namespace occlusion::baselines;

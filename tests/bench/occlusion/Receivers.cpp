@@ -1,8 +1,6 @@
 #include "engine/core/Random.h"
 #include "tests/bench/occlusion/Scene.h"
 
-#include <algorithm>
-
 namespace shoal::bench {
 
 // Returns a receiver moved out to the tangent planes of the corners, so that a facet does not shadow itself

@@ -1,10 +1,6 @@
-#include "engine/core/WriteFile.h"
 #include "tests/bench/occlusion/Measure.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace shoal::bench {
 

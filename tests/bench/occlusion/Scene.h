@@ -1,13 +1,10 @@
 // Scenes in which bodies occlude themselves or each other.
 #pragma once
 
-#include "engine/core/Result.h"
 #include "engine/occlusion/Ellipsoid.h"
+#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/Mesh.h"
 #include "tests/bench/occlusion/Rays.h"
-
-#include <string>
-#include <vector>
 
 namespace shoal::bench {
 

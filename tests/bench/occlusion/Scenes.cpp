@@ -1,14 +1,11 @@
 #include "tests/bench/occlusion/Scene.h"
 
-#include "engine/core/Files.h"
 #include "engine/physics/Grip.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Model.h"
 #include "input/hands/HandRig.h"
 
 #include <glm/gtc/matrix_transform.hpp>
-
-#include <algorithm>
 
 namespace shoal::bench {
 

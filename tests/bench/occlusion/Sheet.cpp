@@ -13,10 +13,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cmath>
-#include <cstdio>
-#include <functional>
-
 namespace shoal::bench {
 
 namespace {

@@ -2,9 +2,6 @@
 #include "engine/core/Random.h"
 #include "tests/bench/Bench.h"
 
-#include <algorithm>
-#include <numbers>
-
 namespace shoal::bench {
 
 namespace {

@@ -2,16 +2,6 @@
 #include "engine/math/Colour.h"
 #include "tests/bench/Bench.h"
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <vector>
-
 namespace shoal::bench {
 
 namespace {

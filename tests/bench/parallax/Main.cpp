@@ -1,8 +1,6 @@
 // bench_parallax FOLDER FILM.depth.mkv FPS FRAME...: compares what an eye beside the camera sees of a film
 // with distances with what the ray tracer sees from there: FOLDER/reef_X_Y_Z_NNNN.hdr, X Y Z in millimetres.
 // Writes FOLDER/parallax.tsv: way of drawing, movement, PSNR, and the same of what is nearer than 4 m.
-#include "engine/core/Image.h"
-#include "engine/core/WriteFile.h"
 #include "engine/depth/DepthMap.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
@@ -12,23 +10,8 @@
 #include "tests/bench/Bench.h"
 
 #include <fmt/core.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vec3.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <map>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -1,18 +1,13 @@
 // bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]: plays dives by modelled persons over many seeds, by
 // PLAYER alone unless it is "all", in the reef if no dive is named. Prints a table and writes
 // FOLDER/players.tsv, with a row for each dive.
-#include "engine/core/WriteFile.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/playthrough/Rooms.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
-#include <vector>
 
 using namespace shoal;
 

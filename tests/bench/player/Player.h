@@ -85,7 +85,6 @@ class Movement {
   public:
     glm::vec3 at(double time_s) const;
     bool over(double time_s) const { return time_s >= end_s_; }
-    double end_s() const { return end_s_; }
     void start(glm::vec3 from, glm::vec3 to, double now_s, float length_s);
 
   private:

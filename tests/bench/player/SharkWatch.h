@@ -1,6 +1,7 @@
 // Counts how often the shark takes a fish and bumps a hand in dives, and where it is meanwhile.
 #pragma once
 
+#include "engine/math/Quantile.h"
 #include "game/rules/Dive.h"
 #include "game/rules/SharkBehaviour.h"
 #include "game/rules/Swimmer.h"
@@ -46,12 +47,11 @@ struct SharkWatch {
         radii_.clear();
         for (const game::Fish& f : s.fish)
             if (f.free()) radii_.push_back(game::placeOf(f.position).radius);
-        const auto middle = radii_.begin() + static_cast<ptrdiff_t>(radii_.size() / 2);
-        std::nth_element(radii_.begin(), middle, radii_.end());
-        const bool isFarther = game::placeOf(shark.position).radius > *middle;
+        const float middle = math::median(radii_);
+        const bool isFarther = game::placeOf(shark.position).radius > middle;
         farther += isFarther;
         const game::FilmMoment film(dive.space.get(), static_cast<double>(s.tick) / sim::kTickRate_Hz);
-        const bool room = game::openRadius(shark.position, {dive, species, s, film}) > *middle + 0.3f;
+        const bool room = game::openRadius(shark.position, {dive, species, s, film}) > middle + 0.3f;
         roomTicks += room;
         fartherWithRoom += room && isFarther;
         const physics::Capsule body = game::capsuleOf(shark, species[shark.species]);

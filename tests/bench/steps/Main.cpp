@@ -12,10 +12,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-
 namespace {
 
 using namespace shoal;

@@ -1,11 +1,7 @@
 // Prints tables of how well hands are found in a webcam's pictures.
-#include "engine/core/Files.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 #include "tests/accuracy/webcam/HandRows.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include "tests/bench/Bench.h"
 
 using namespace shoal;
 using namespace shoal::hands;

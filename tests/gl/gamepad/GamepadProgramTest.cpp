@@ -5,19 +5,11 @@
 #include "game/rules/Dive.h"
 #include "game/settings/KeptFiles.h"
 #include "tests/Recorded.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 #include "tests/gl/gamepad/fake/FakeGamepad.h"
 #include "tests/gl/xr/VirtualDisplay.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <semaphore>
 #include <thread>
 
@@ -110,12 +102,10 @@ class GamepadProgram : public testing::Test {
     }
     static void play(const PlayOptions& options, const std::function<void(Player&)>& plays) {
         Application application(options);
-        const Status opened = application.open();
-        ASSERT_TRUE(opened) << opened.error().message();
+        ASSERT_TRUE(tests::succeeded(application.open()));
         ASSERT_TRUE(fakeGamepad().opened()) << "the window's library reads no pad";
         Player player(application, plays);
-        const Status played = application.run(true);
-        EXPECT_TRUE(played) << played.error().message();
+        EXPECT_TRUE(tests::succeeded(application.run(true)));
     }
 };
 
@@ -241,12 +231,11 @@ TEST_F(GamepadProgram, TheRightStickReachesAndTheTriggerClosesByDegrees) {
         p.tap(BTN_START);
         p.choose("Quit");
     });
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording) << recording.error().message();
+    const auto recording = tests::valueOf(tests::readRecorded(o.record));
     float leftmost = 1, rightmost = -1;
     std::vector<float> grips;
-    for (size_t tick = 0; tick < recording->ticks(); ++tick) {
-        const auto input = tests::inputAt(*recording, tick);
+    for (size_t tick = 0; tick < recording.ticks(); ++tick) {
+        const auto input = tests::inputAt(recording, tick);
         const hands::HandPose& hand = input.hands[1];
         leftmost = std::min(leftmost, hand.joints[hands::kPalmJoint].position.x);
         rightmost = std::max(rightmost, hand.joints[hands::kPalmJoint].position.x);

@@ -4,15 +4,11 @@
 #include "engine/platform/Window.h"
 #include "engine/render/TriangleBatch.h"
 #include "shaders/occlusion/Bindings.glsl"
+#include "tests/Test.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
 #include "tests/gl/Spheres.h"
 #include "tests/unit/occlusion/Bodies.h"
-
-#include <gmock/gmock.h>
-
-#include <cstdlib>
-#include <vector>
 
 namespace shoal::occlusion {
 namespace {
@@ -117,28 +113,21 @@ Difference compare(const Method& method, std::span<const RayGpu> rays,
 }
 
 TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
-    auto pass = TracePass::make();
-    ASSERT_TRUE(pass) << pass.error().message();
+    auto pass = tests::valueOf(TracePass::make());
     for (const Body& body : {torus(1, 0.4f, 48, 24), bunny()}) {
         const std::vector<RayGpu> rays = someRays(body, 6000);
         const float radius = boundingSphere(body.mesh()).radius;
         const OllfbThesis::Options options{.cells = 3, .resolution = 64};
-        const auto thesis = OllfbThesis::make(body.mesh(), options);
-        ASSERT_TRUE(thesis);
-        const auto thesisGpu = LayersGpu::upload(*thesis);
-        ASSERT_TRUE(thesisGpu) << thesisGpu.error().message();
-        const auto steps = pass->trace(*thesisGpu, rays);
-        ASSERT_TRUE(steps);
-        const Difference a = compare(*thesis, rays, *steps, 0.01f * radius);
-        const auto cured = TracedOllfb::make(body.mesh(), {.views = 54});
-        ASSERT_TRUE(cured);
-        const auto curedGpu = LayersGpu::upload(*cured);
-        ASSERT_TRUE(curedGpu) << curedGpu.error().message();
-        const auto planes = pass->trace(*curedGpu, rays);
-        ASSERT_TRUE(planes);
-        const Difference b = compare(*cured, rays, *planes, 1e-3f * radius);
+        const auto thesis = tests::valueOf(OllfbThesis::make(body.mesh(), options));
+        const auto thesisGpu = tests::valueOf(LayersGpu::upload(thesis));
+        const auto steps = tests::valueOf(pass.trace(thesisGpu, rays));
+        const Difference a = compare(thesis, rays, steps, 0.01f * radius);
+        const auto cured = tests::valueOf(TracedOllfb::make(body.mesh(), {.views = 54}));
+        const auto curedGpu = tests::valueOf(LayersGpu::upload(cured));
+        const auto planes = tests::valueOf(pass.trace(curedGpu, rays));
+        const Difference b = compare(cured, rays, planes, 1e-3f * radius);
         size_t met = 0;
-        for (const auto& hit : *planes) met += hit.has_value();
+        for (const auto& hit : planes) met += hit.has_value();
         std::printf("of 6000 rays, %zu met: thesis %.2f %% differ in meeting, %.2f %% in distance; cured "
                     "%.2f %%, %.2f %%, "
                     "normals %.2f %%\n",
@@ -155,25 +144,22 @@ TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
 }
 
 TEST_F(LayersGL, SheetsAreMetFromBothSides) {
-    auto pass = TracePass::make();
-    ASSERT_TRUE(pass);
+    auto pass = tests::valueOf(TracePass::make());
     Body body;
     body.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
     body.triangles = {{0, 1, 2}};
     addNormals(body);
     const auto cured = TracedOllfb::make(body.mesh());
-    const auto gpu = LayersGpu::upload(*cured);
-    ASSERT_TRUE(gpu);
+    const auto gpu = tests::valueOf(LayersGpu::upload(*cured));
     const std::vector<RayGpu> rays = {
         {{0, 0, 2}, 0, {0, 0, -1}}, {{0, 0, -2}, 0, {0, 0, 1}}, {{0.9f, 0.9f, 2}, 0, {0, 0, -1}}};
-    const auto hits = pass->trace(*gpu, rays);
-    ASSERT_TRUE(hits);
+    const auto hits = tests::valueOf(pass.trace(gpu, rays));
     for (int k = 0; k < 2; ++k) {
-        ASSERT_TRUE((*hits)[static_cast<size_t>(k)]);
-        EXPECT_NEAR((*hits)[static_cast<size_t>(k)]->distance, 2, 0.01f);
-        EXPECT_GT((*hits)[static_cast<size_t>(k)]->normal.z * (k ? -1.0f : 1.0f), 0.99f);
+        ASSERT_TRUE(hits[static_cast<size_t>(k)]);
+        EXPECT_NEAR(hits[static_cast<size_t>(k)]->distance, 2, 0.01f);
+        EXPECT_GT(hits[static_cast<size_t>(k)]->normal.z * (k ? -1.0f : 1.0f), 0.99f);
     }
-    EXPECT_FALSE((*hits)[2]);
+    EXPECT_FALSE(hits[2]);
 }
 
 TEST_F(LayersGL, BrokenBodiesAreRefusedAndEmptyOnesAreNot) {
@@ -181,11 +167,9 @@ TEST_F(LayersGL, BrokenBodiesAreRefusedAndEmptyOnesAreNot) {
     body.positions[3].x = NAN;
     const Body nothing;
     for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis}) {
-        const auto refused = LayersGpu::make(body.mesh(), method);
-        ASSERT_FALSE(refused);
-        EXPECT_THAT(refused.error().reason, testing::HasSubstr("position 3"));
-        const auto empty = LayersGpu::make(nothing.mesh(), method);
-        ASSERT_TRUE(empty) << empty.error().message();
+        EXPECT_THAT(tests::errorOf(LayersGpu::make(body.mesh(), method)).reason,
+                    testing::HasSubstr("position 3"));
+        const auto empty = tests::valueOf(LayersGpu::make(nothing.mesh(), method));
     }
 }
 
@@ -199,9 +183,8 @@ TEST(OldGL, SaysThatLayersNeedNewer) {
         if (epoxy_gl_version() != 33) GTEST_SKIP() << "this driver cannot be made old";
         const Body body = torus(1, 0.4f, 12, 6);
         for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis}) {
-            const auto layers = LayersGpu::make(body.mesh(), method);
-            ASSERT_FALSE(layers);
-            EXPECT_EQ(layers.error().message(), "layers need OpenGL 4.3; this is 3.3");
+            EXPECT_EQ(tests::errorOf(LayersGpu::make(body.mesh(), method)).message(),
+                      "layers need OpenGL 4.3; this is 3.3");
         }
         EXPECT_FALSE(TracePass::make());
     }

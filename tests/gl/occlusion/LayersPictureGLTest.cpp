@@ -6,8 +6,6 @@
 #include "tests/gl/Spheres.h"
 #include "tests/unit/occlusion/Bodies.h"
 
-#include <cstdlib>
-
 namespace shoal {
 namespace {
 
@@ -53,10 +51,9 @@ class LayersPicture : public WithContext {
         environment.uploadLight(light);
         std::optional<LayersGpu> layers;
         if (method) {
-            auto made = LayersGpu::make(body_.mesh(), *method);
-            EXPECT_TRUE(made) << made.error().message();
-            EXPECT_EQ(made->method(), *method);
-            layers = std::move(*made);
+            auto made = tests::valueOf(LayersGpu::make(body_.mesh(), *method));
+            EXPECT_EQ(made.method(), *method);
+            layers = std::move(made);
         }
         const glm::vec3 towards = glm::normalize(towardsEye);
         const render::View view{.eyeWorld = place + 5.0f * towards,

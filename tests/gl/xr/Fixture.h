@@ -4,14 +4,10 @@
 
 #include "engine/core/Files.h"
 #include "engine/platform/Window.h"
+#include "tests/Test.h"
 #include "tests/gl/xr/VirtualDisplay.h"
 #include "tests/gl/xr/runtime/FakeRuntime.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/gtc/quaternion.hpp>
-
-#include <filesystem>
 #include <regex>
 
 namespace shoal::test {
@@ -53,11 +49,7 @@ class WithFakeRuntime : public testing::Test {
         static const auto display = VirtualDisplay::open(); // of all cases
         if (!display) GTEST_SKIP() << "needs Xvfb";
     }
-    void openWindow() {
-        auto window = platform::Window::open({"test", 64, 64, false, false});
-        ASSERT_TRUE(window) << window.error().message();
-        window_ = std::move(*window);
-    }
+    void openWindow() { window_ = tests::valueOf(platform::Window::open({"test", 64, 64, false, false})); }
     // Puts the middle between the eyes there, in LOCAL.
     void placeHead(glm::vec3 at, glm::quat turn = {1, 0, 0, 0}) {
         for (size_t eye = 0; eye < 2; ++eye) {

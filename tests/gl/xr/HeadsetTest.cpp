@@ -1,14 +1,8 @@
 // A headset through the real loader and the fake runtime of the tests.
 #include "engine/xr/Headset.h"
 #include "engine/xr/Tracked.h"
+#include "tests/Test.h"
 #include "tests/gl/xr/Fixture.h"
-
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <limits>
 
 namespace shoal::xr {
 namespace {
@@ -20,21 +14,19 @@ class HeadsetGL : public test::WithFakeRuntime {
         if (!IsSkipped()) openWindow();
     }
 
-    static Headset open() {
-        auto headset = Headset::open({96, 60});
-        if (!headset) throw std::runtime_error(headset.error().message());
-        return *std::move(headset);
-    }
+    static Headset open() { return tests::valueOf(Headset::open({96, 60})); }
     // One turn of a game's loop that shows nothing.
     static Frame emptyFrame(Headset& headset) {
-        const Status polled = headset.poll();
-        EXPECT_TRUE(polled) << polled.error().message();
+        EXPECT_TRUE(tests::succeeded(headset.poll()));
         if (!headset.wantsFrames()) return {};
-        const auto frame = headset.waitFrame();
-        EXPECT_TRUE(frame) << frame.error().message();
+        const auto frame = tests::valueOf(headset.waitFrame());
         EXPECT_TRUE(headset.begin());
         EXPECT_TRUE(headset.end({}));
-        return *frame;
+        return frame;
+    }
+    static const Tracking& next(Headset& headset) {
+        emptyFrame(headset);
+        return headset.tracking();
     }
     static Headset focused() {
         Headset headset = open();
@@ -97,8 +89,7 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
         glm::angleAxis(-1.2f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.4f, glm::vec3(1, 0, 0));
     placeHead({2, 0.3f, -1}, turn);
     Headset headset = focused();
-    emptyFrame(headset);
-    const Tracking& now = headset.tracking();
+    const Tracking& now = next(headset);
     ASSERT_TRUE(now.headTracked);
     EXPECT_LT(glm::length(now.worldFromHead.position), 1e-5f);
     const glm::vec3 ahead = now.worldFromHead.orientation * glm::vec3(0, 0, -1);
@@ -109,11 +100,9 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
 
     // A step to the side is a step in the dive, until it is centred anew.
     for (XrView& view : fake.views) view.pose.position.y += 0.25f;
-    emptyFrame(headset);
-    EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.25f, 1e-5f);
+    EXPECT_NEAR(next(headset).worldFromHead.position.y, 0.25f, 1e-5f);
     fake.sayRecentred();
-    emptyFrame(headset);
-    EXPECT_LT(glm::length(headset.tracking().worldFromHead.position), 1e-5f);
+    EXPECT_LT(glm::length(next(headset).worldFromHead.position), 1e-5f);
 }
 
 // A change that the runtime announces holds from the time that it says: until then LOCAL is where it was.
@@ -148,8 +137,7 @@ TEST_F(HeadsetGL, TheFloorIsKnownWhereTheRuntimeKnowsIt) {
     for (XrView& view : fake.views) view.pose.position.y = 0.2f; // the origin of the dive, above LOCAL's
     const auto floor = [&] {
         Headset headset = focused();
-        emptyFrame(headset);
-        return headset.tracking().floor_m;
+        return next(headset).floor_m;
     };
     const auto offer = [&](XrReferenceSpaceType type, float y) {
         fake.referenceSpaces[type] = {{0, 0, 0, 1}, {3, y, 1}};
@@ -177,38 +165,32 @@ TEST_F(HeadsetGL, PosesThatAreOnlyValidAreTaken) {
     Headset headset = focused();
     emptyFrame(headset);
     for (XrView& view : fake.views) view.pose.position.y += 0.25f;
-    emptyFrame(headset);
-    EXPECT_TRUE(headset.tracking().headTracked);
+    EXPECT_TRUE(next(headset).headTracked);
     EXPECT_FALSE(headset.tracking().positionLost);
     EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.25f, 1e-5f);
 }
 
 TEST_F(HeadsetGL, KnowsWhenTheHeadIsLost) {
     Headset headset = focused();
-    emptyFrame(headset);
-    const glm::vec3 known = headset.tracking().worldFromHead.position;
+    const glm::vec3 known = next(headset).worldFromHead.position;
     for (const XrViewStateFlags flags : {XrViewStateFlags(0), XR_VIEW_STATE_POSITION_VALID_BIT}) {
         fake.viewFlags = flags;
         fake.views[0].pose.position.x = 7;
-        emptyFrame(headset);
-        EXPECT_FALSE(headset.tracking().headTracked) << flags;
+        EXPECT_FALSE(next(headset).headTracked) << flags;
         EXPECT_EQ(headset.tracking().worldFromHead.position, known);
     }
     fake.viewFlags = 0xf;
     fake.views[0].pose.orientation = {0, 0, 0, 0}; // no rotation at all
-    emptyFrame(headset);
-    EXPECT_FALSE(headset.tracking().headTracked);
+    EXPECT_FALSE(next(headset).headTracked);
     fake.views[0].pose = {{0, 0, 0, 1}, {-0.032f, 0, 0}};
-    emptyFrame(headset);
-    EXPECT_TRUE(headset.tracking().headTracked);
+    EXPECT_TRUE(next(headset).headTracked);
 }
 
 // Without a position, or with a guess where it was measured before, the head turns where it was.
 TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
     Headset headset = focused();
     for (XrView& view : fake.views) view.pose.position.y += 0.25f;
-    emptyFrame(headset);
-    const glm::vec3 known = headset.tracking().worldFromHead.position;
+    const glm::vec3 known = next(headset).worldFromHead.position;
     float yaw = 0;
     for (const XrViewStateFlags flags :
          {XrViewStateFlags(XR_VIEW_STATE_ORIENTATION_VALID_BIT),
@@ -219,8 +201,7 @@ TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
         for (XrView& view : fake.views)
             view.pose = {{0, std::sin(yaw / 2), 0, std::cos(yaw / 2)},
                          {std::numeric_limits<float>::quiet_NaN(), 3, 3}};
-        emptyFrame(headset);
-        const Tracking& now = headset.tracking();
+        const Tracking& now = next(headset);
         EXPECT_TRUE(now.headTracked) << flags;
         EXPECT_TRUE(now.positionLost) << flags;
         EXPECT_LT(glm::distance(now.worldFromHead.position, known), 1e-6f) << flags;
@@ -231,8 +212,7 @@ TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
     }
     fake.viewFlags = 0xf;
     placeHead({0, 0.5f, 0});
-    emptyFrame(headset);
-    EXPECT_FALSE(headset.tracking().positionLost);
+    EXPECT_FALSE(next(headset).positionLost);
     EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.5f, 1e-5f);
 }
 
@@ -240,8 +220,7 @@ TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
 TEST_F(HeadsetGL, AHeadThatOnlyTurnsIsDrawnFrom) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
     Headset headset = focused();
-    emptyFrame(headset);
-    const Tracking& now = headset.tracking();
+    const Tracking& now = next(headset);
     EXPECT_TRUE(now.headTracked);
     EXPECT_EQ(now.worldFromHead.position, glm::vec3(0));
     EXPECT_NEAR(glm::distance(now.eyes[0].worldFromEye.position, now.eyes[1].worldFromEye.position), 0.063f,
@@ -255,9 +234,8 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     const Frame frame = begin(headset);
     EXPECT_TRUE(frame.drawn);
     for (const Picture picture : {Picture::LeftEye, Picture::RightEye, Picture::Panel}) {
-        const auto framebuffer = headset.acquire(picture);
-        ASSERT_TRUE(framebuffer) << framebuffer.error().message();
-        glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+        const auto framebuffer = tests::valueOf(headset.acquire(picture));
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glClearColor(100 / 255.0f, 50 / 255.0f, static_cast<float>(picture) / 255.0f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         ASSERT_TRUE(headset.release(picture));
@@ -323,9 +301,8 @@ TEST_F(HeadsetGL, DepthGoesWithTheEyes) {
         begin(headset);
         for (const Picture picture :
              {Picture::LeftEye, Picture::RightEye, Picture::LeftDepth, Picture::RightDepth}) {
-            const auto framebuffer = headset.acquire(picture);
-            ASSERT_TRUE(framebuffer) << framebuffer.error().message();
-            glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+            const auto framebuffer = tests::valueOf(headset.acquire(picture));
+            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
             glClearDepth(picture == Picture::LeftDepth ? 0.25 : 0.75);
             glClear(GL_DEPTH_BUFFER_BIT);
             ASSERT_TRUE(headset.release(picture));
@@ -353,8 +330,7 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
         fake.hands[1].joints[i] = {0xf, {{0, 0, 0, 1}, {0.01f * static_cast<float>(i), 0, -0.4f}}, 0.01f};
     fake.controllers[0] = {true, {{0, 0, 0, 1}, {-0.3f, -0.2f, -0.5f}}, 0.7f, 0.2f, true};
     Headset headset = focused();
-    emptyFrame(headset);
-    const Tracking& now = headset.tracking();
+    const Tracking& now = next(headset);
     EXPECT_FALSE(now.hands[0].tracked);
     ASSERT_TRUE(now.hands[1].tracked);
     EXPECT_NEAR(now.hands[1].joints[25].position.x, 0.25f, 1e-6f);
@@ -366,8 +342,7 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     EXPECT_FALSE(now.controllers[1].worldFromGrip);
 
     fake.say(XR_SESSION_STATE_VISIBLE); // a menu of the runtime: what is pressed there is not ours
-    emptyFrame(headset);
-    EXPECT_FALSE(headset.tracking().controllers[0].worldFromGrip);
+    EXPECT_FALSE(next(headset).controllers[0].worldFromGrip);
 }
 
 // The fake runtime knows what the registry says that each has, and complains of all else.
@@ -401,8 +376,7 @@ TEST_F(HeadsetGL, JointsThatAreMadeUpFromAControllerAreNotAskedFor) {
     fake.hands[1].isMadeUp = true;
     const auto tracked = [&](int hand) {
         Headset headset = focused();
-        emptyFrame(headset);
-        return headset.tracking().hands[static_cast<size_t>(hand)].tracked;
+        return next(headset).hands[static_cast<size_t>(hand)].tracked;
     };
     EXPECT_TRUE(tracked(1)) << "a runtime that cannot tell";
     fake.extensions.insert(XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME);
@@ -416,10 +390,7 @@ TEST_F(HeadsetGL, AHandIsTrackedWhereAllItsJointsAreKnown) {
     fake.hands[0].active = true;
     for (auto& joint : fake.hands[0].joints) joint = {0xf, {{0, 0, 0, 1}, {0, 0, -0.4f}}, 0.01f};
     Headset headset = focused();
-    const auto seen = [&] {
-        emptyFrame(headset);
-        return headset.tracking().hands[0];
-    };
+    const auto seen = [&] { return next(headset).hands[0]; };
     for (size_t i = 0; i < 13; ++i)
         fake.hands[0].joints[i].locationFlags = 0x3; // guessed: valid, not tracked
     EXPECT_EQ(seen().confidence, 0.5f);
@@ -438,8 +409,7 @@ TEST_F(HeadsetGL, WorksWithoutHandTracking) {
     fake.hands[0].active = true;
     Headset headset = focused();
     EXPECT_FALSE(headset.properties().bareHands);
-    emptyFrame(headset);
-    EXPECT_FALSE(headset.tracking().hands[0].tracked);
+    EXPECT_FALSE(next(headset).hands[0].tracked);
     EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));
 }
 
@@ -482,26 +452,20 @@ TEST_F(HeadsetGL, VibratesWithLimitsAndStops) {
 
 TEST_F(HeadsetGL, ChoosesPicturesThatAreKnownToBeCoded) {
     fake.formats = {GL_RGBA16F};
-    auto none = Headset::open({96, 60});
-    ASSERT_FALSE(none);
-    EXPECT_NE(none.error().message().find("GL_SRGB8_ALPHA8"), std::string::npos);
+    EXPECT_THAT(tests::errorOf(Headset::open({96, 60})).message(), testing::HasSubstr("GL_SRGB8_ALPHA8"));
     fake.formats = {GL_RGBA8};
     EXPECT_TRUE(Headset::open({96, 60}));
 }
 
 TEST(ActiveRuntime, IsNamed) {
     setenv("XR_RUNTIME_JSON", FAKE_RUNTIME_JSON, 1);
-    const auto name = activeRuntime();
-    ASSERT_TRUE(name) << name.error().message();
-    EXPECT_EQ(*name, "Fake runtime");
+    EXPECT_EQ(tests::valueOf(activeRuntime()), "Fake runtime");
 }
 
 TEST(ActiveRuntime, IsSaidToBeMissing) {
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
-    const auto name = activeRuntime();
-    ASSERT_FALSE(name);
-    EXPECT_NE(name.error().message().find("no headset runtime is active"), std::string::npos)
-        << name.error().message();
+    EXPECT_THAT(tests::errorOf(activeRuntime()).message(),
+                testing::HasSubstr("no headset runtime is active"));
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <atomic>
 #include <future>
 
@@ -28,10 +27,8 @@ class LostRuntime : public XrProgram {
         log::setUp(false);
         {
             Application application(o);
-            const Status opened = application.open();
-            ASSERT_TRUE(opened) << opened.error().message();
-            const Status played = application.run(true);
-            EXPECT_TRUE(played) << played.error().message();
+            ASSERT_TRUE(tests::succeeded(application.open()));
+            EXPECT_TRUE(tests::succeeded(application.run(true)));
             EXPECT_EQ(application.screens().top(), Screen::Paused);
             const MenuPage& page = application.screens().menu().page();
             EXPECT_NE(page.error.find(about), std::string::npos) << page.error;
@@ -41,10 +38,9 @@ class LostRuntime : public XrProgram {
         }
         const std::string said = testing::internal::GetCapturedStderr();
         EXPECT_NE(said.find(about), std::string::npos) << said;
-        const auto recording = tests::readRecorded(o.record);
-        ASSERT_TRUE(recording) << recording.error().message();
-        EXPECT_GE(recording->ticks(), 29u * 120 / 30);
-        expectReplays(*recording);
+        const auto recording = tests::valueOf(tests::readRecorded(o.record));
+        EXPECT_GE(recording.ticks(), 29u * 120 / 30);
+        expectReplays(recording);
     }
 };
 TEST_F(LostRuntime, AHeadsetPulledOut) {
@@ -91,14 +87,13 @@ TEST_F(LostRuntime, ComesBackAndTheDiveGoesOnInIt) {
     EXPECT_EQ(outcome.status, 0) << outcome.said;
     EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said; // of the loss
     EXPECT_EQ(gone, 4); // lost, asked in vain, asked with success, played to the end
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording) << recording.error().message();
-    const std::vector<int> lengths = pauses(*recording);
+    const auto recording = tests::valueOf(tests::readRecorded(o.record));
+    const std::vector<int> lengths = pauses(recording);
     ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
     EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
     // 110 frames, of which some pass until it is focused and for 0.3 s steady.
     EXPECT_NEAR(lengths[3], (110 - 30) * 4 / 3, 8);
-    expectReplays(*recording);
+    expectReplays(recording);
 }
 TEST_F(LostRuntime, APlayerWithTheMouseIsLeftAlone) {
     int polls = 0;
@@ -117,15 +112,14 @@ TEST_F(LostRuntime, APlayerWithTheMouseIsLeftAlone) {
     const Outcome outcome = run(o);
     EXPECT_EQ(outcome.status, 0) << outcome.said;
     EXPECT_EQ(polls, 30);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording) << recording.error().message();
-    const std::vector<int> lengths = pauses(*recording);
+    const auto recording = tests::valueOf(tests::readRecorded(o.record));
+    const std::vector<int> lengths = pauses(recording);
     ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
-    EXPECT_GE(lengths[3], 1); // how many ticks the window's last 25 frames take depends on the machine
+    EXPECT_GE(lengths[3], 1);      // how many ticks the window's last 25 frames take depends on the machine
     // The mouse has one hand, which the headset did not show.
-    const game::TickInput last = inputAt(*recording, recording->ticks() - 1);
+    const game::TickInput last = inputAt(recording, recording.ticks() - 1);
     EXPECT_TRUE(last.hands[0].tracked || last.hands[1].tracked);
-    expectReplays(*recording);
+    expectReplays(recording);
 }
 TEST_F(XrProgram, AScriptEndsWithASentenceWhereTheHeadsetIsPulledOut) {
     fake.onWait = [](FakeRuntime& f) {

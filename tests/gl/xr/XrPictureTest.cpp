@@ -6,11 +6,6 @@
 #include "input/hands/MouseHands.h"
 #include "tests/gl/xr/Fixture.h"
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <map>
-
 namespace shoal::app {
 namespace {
 
@@ -28,18 +23,13 @@ class XrPicture : public test::WithFakeRuntime {
         if (IsSkipped()) return;
         openWindow();
         ASSERT_TRUE(window_);
-        auto plan = makeSessionConfig({.xr = true});
-        ASSERT_TRUE(plan) << plan.error().message();
-        plan_ = std::move(*plan);
-        auto cast = CreatureModels::load(plan_->species, game::speciesShown(plan_->species, plan_->dive),
-                                         "light", reflectanceIn({}), render::Detail::Lean);
-        ASSERT_TRUE(cast) << cast.error().message();
-        creatures_ = std::move(*cast);
+        plan_ = tests::valueOf(makeSessionConfig({.xr = true}));
+        creatures_ = tests::valueOf(CreatureModels::load(plan_->species,
+                                                         game::speciesShown(plan_->species, plan_->dive),
+                                                         "light", reflectanceIn({}), render::Detail::Lean));
         openEnvironment({});
-        auto sceneRenderer =
-            SceneRenderer::make(*creatures_, {.detail = render::Detail::Lean, .floorShadows = true});
-        ASSERT_TRUE(sceneRenderer) << sceneRenderer.error().message();
-        sceneRenderer_ = std::move(*sceneRenderer);
+        sceneRenderer_ = tests::valueOf(
+            SceneRenderer::make(*creatures_, {.detail = render::Detail::Lean, .floorShadows = true}));
         run_.emplace(*plan_);
         fake.keepPictures = true;
         fake.period_s = 1.0 / 22; // so that the picture is there after few of them
@@ -60,14 +50,12 @@ class XrPicture : public test::WithFakeRuntime {
     void openEnvironment(const Known& known) {
         environment_.reset();
         const Path film = dataRoot() / "content" / plan_->dive.video;
-        auto environment =
+        environment_ = tests::valueOf(
             Environment::open({.player = {.source = {.video = film.string(), .depth = known.depth},
                                           .roomIsSeen = true,
                                           .minRoughness = creatures_->minRoughness(),
                                           .lights = known.lights},
-                               .bothEyes = true});
-        ASSERT_TRUE(environment) << environment.error().message();
-        environment_ = std::move(*environment);
+                               .bothEyes = true}));
     }
 
     Status draw(int eye, const render::View& view, const gl::Target& canvas) {
@@ -82,8 +70,7 @@ class XrPicture : public test::WithFakeRuntime {
     void show(HeadsetDisplay& headset, float scale, const Painter& painter) {
         bool drew = false;
         for (int i = 0; i < 20; ++i) {
-            const Status waited = headset.begin();
-            ASSERT_TRUE(waited) << waited.error().message();
+            ASSERT_TRUE(tests::succeeded(headset.begin()));
             headset.feed(*run_);
             run_->advance(*headset.elapsed_s());
             game::Snapshot shown = run_->shown;
@@ -129,10 +116,9 @@ class XrPicture : public test::WithFakeRuntime {
 
 TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
     for (const int samples : {1, 4}) {
-        auto headset = HeadsetDisplay::open(*window_, plan_->rig, samples);
-        ASSERT_TRUE(headset) << headset.error().message();
+        auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, samples));
         for (const float scale : {1.0f, 0.6f}) {
-            show(*headset, scale);
+            show(headset, scale);
             ASSERT_TRUE(fake.last.eyes);
             const glm::ivec2 size(glm::vec2(200, 240) * scale + 0.5f);
             expectOrdinary(size, samples);
@@ -142,13 +128,12 @@ TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
 }
 
 TEST_F(XrPicture, MovesWithTheHead) {
-    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
-    ASSERT_TRUE(headset) << headset.error().message();
-    show(*headset, 1);
+    auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
+    show(headset, 1);
     // Leans, turns and tilts the head.
     const glm::quat turn = glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f));
     placeHead({0.1f, -0.05f, 0.2f}, turn);
-    show(*headset, 1);
+    show(headset, 1);
     expectOrdinary({200, 240}, 1);
 }
 
@@ -215,11 +200,10 @@ TEST_F(XrPicture, HalfCoverageOfTheRoomGivesHalfTheLight) {
                        .depth = {},
                        .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}};
     for (const int samples : {1, 4}) {
-        auto headset = HeadsetDisplay::open(*window_, plan_->rig, samples);
-        ASSERT_TRUE(headset) << headset.error().message();
+        auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, samples));
         for (const bool room : {true, false}) {
-            ASSERT_TRUE(headset->showRoom(room));
-            show(*headset, 1, half);
+            ASSERT_TRUE(headset.showRoom(room));
+            show(headset, 1, half);
             const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
             // 8 bits in, which are 2 of what was covered, and 8 bits out.
             EXPECT_NEAR(rgba[0], 255 * (room ? 0.5855 : 0.4),
@@ -318,9 +302,8 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
         shown.creatures.clear();
     };
     {
-        auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
-        ASSERT_TRUE(headset) << headset.error().message();
-        show(*headset, 1,
+        auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
+        show(headset, 1,
              {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
                            const auto&) { return sceneRenderer_->draw(eyes); },
               .depth =
@@ -334,9 +317,8 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
     fake.formats.push_back(GL_DEPTH_COMPONENT32F);
     const glm::quat down = glm::angleAxis(-0.3f, glm::vec3(1, 0, 0));
     for (XrView& view : fake.views) view.pose.orientation = {down.x, down.y, down.z, down.w};
-    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
-    ASSERT_TRUE(headset) << headset.error().message();
-    show(*headset, 1);
+    auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
+    show(headset, 1);
     ASSERT_TRUE(fake.last.eyes);
     const glm::mat3 envFromWorld = environment_->envFromWorld();
     for (const test::ShownEye& eye : *fake.last.eyes) {
@@ -382,17 +364,14 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
     for (const render::Composition composition : {Plain, VideoTexels})
         for (const int samples : {1, 4})
             for (const bool besideCamera : {false, true}) {
-                auto renderer =
+                sceneRenderer_ = tests::valueOf(
                     SceneRenderer::make(*creatures_, {.detail = render::Detail::Lean,
                                                       .floorShadows = true,
-                                                      .compositor = {.composition = composition}});
-                ASSERT_TRUE(renderer) << renderer.error().message();
-                sceneRenderer_ = std::move(*renderer);
+                                                      .compositor = {.composition = composition}}));
                 // One eye where the film's camera is, for which objects are put into the film's own texels.
                 fake.views[0].pose.position.x = besideCamera ? -0.032f : 0.0f;
                 fake.views[1].pose.position.x = besideCamera ? 0.032f : 0.0f;
-                auto headset = HeadsetDisplay::open(*window_, plan_->rig, samples);
-                ASSERT_TRUE(headset) << headset.error().message();
+                auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, samples));
                 showOnly_ = [&](game::Snapshot& shown) {
                     shown.hands = {};
                     // The animal has the same pose each time and does not swim.
@@ -401,7 +380,7 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
                                         .worldFromBody = glm::angleAxis(1.57f, glm::vec3(0, 1, 0)),
                                         .length = kLength_m}};
                 };
-                show(*headset, besideCamera ? 0.6f : 1.0f);
+                show(headset, besideCamera ? 0.6f : 1.0f);
                 ASSERT_TRUE(fake.last.eyes);
                 const test::ShownEye& eye = (*fake.last.eyes)[0];
                 ASSERT_TRUE(eye.depth);
@@ -441,9 +420,8 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
 }
 
 TEST_F(XrPicture, OnlookersSeeTheLeftEyesMiddle) {
-    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
-    ASSERT_TRUE(headset) << headset.error().message();
-    show(*headset, 1);
+    auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
+    show(headset, 1);
     // 200 x 240 cropped to a square of 200, on a window of 64: the rows from 20 to 220.
     const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
     std::vector<uint8_t> seen(64 * 64 * 4);
@@ -460,7 +438,7 @@ TEST_F(XrPicture, OnlookersSeeTheLeftEyesMiddle) {
         EXPECT_NEAR(mean(seen, 64, band * 16, band * 16 + 16),
                     mean(rgba, 200, 20 + band * 50, 70 + band * 50), 2)
             << band;
-    EXPECT_NEAR(headset->windowView().aspect, 1, 1e-6f);
+    EXPECT_NEAR(headset.windowView().aspect, 1, 1e-6f);
 }
 
 } // namespace

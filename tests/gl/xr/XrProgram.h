@@ -5,12 +5,9 @@
 #include "game/rules/Dive.h"
 #include "game/tools/Commands.h"
 #include "input/hands/MouseHands.h"
-#include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
 #include "tests/playthrough/Play.h"
 #include "tests/playthrough/Rooms.h"
-
-#include <algorithm>
 
 namespace shoal::app {
 
@@ -72,9 +69,7 @@ class XrProgram : public test::WithFakeRuntime {
         const Outcome outcome = run(o, frames);
         EXPECT_EQ(outcome.status, 0);
         EXPECT_EQ(outcome.said, "");
-        auto recording = tests::readRecorded(o.record);
-        if (!recording) throw std::runtime_error(recording.error().message());
-        return *std::move(recording);
+        return tests::valueOf(tests::readRecorded(o.record));
     }
     // Ends the game as the player does in the runtime's menu.
     static void leave(FakeRuntime& f) {
@@ -118,11 +113,9 @@ class XrProgram : public test::WithFakeRuntime {
     }
 
     static void expectReplays(const tests::Recorded& recording) {
-        auto files = game::loadDiveFiles("reef");
-        ASSERT_TRUE(files);
-        ASSERT_TRUE(game::roomOf(files->dive.video).moveTo(files->dive.space));
-        const Status same = game::replay(recording, *files);
-        EXPECT_TRUE(same) << same.error().message();
+        auto files = tests::valueOf(game::loadDiveFiles("reef"));
+        ASSERT_TRUE(game::roomOf(files.dive.video).moveTo(files.dive.space));
+        EXPECT_TRUE(tests::succeeded(game::replay(recording, files)));
     }
 
     // Returns lengths, in ticks, of the stretches with and without `pause`, in turn, first one with it.

@@ -1,11 +1,6 @@
 // Every malformed glTF file among the reference data yields a value or an Error in one sentence.
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 #include "tests/robustness/gltf/Sound.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 
 namespace shoal::scene {
 namespace {

@@ -4,12 +4,8 @@
 
 #include "engine/core/Log.h"
 #include "engine/core/Random.h"
-#include "tests/TestPaths.h"
 
-#include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <spdlog/spdlog.h>
 #include <unistd.h>

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "engine/scene/Model.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/Test.h"
 
 namespace shoal::scene {
 

@@ -1,14 +1,11 @@
 // Runs the whole program with a live video over a network that stalls and breaks.
+#include "tests/Test.h"
 #include "tests/robustness/program/Program.h"
 #include "tests/unit/live_server/HttpServer.h"
 
-#include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include <algorithm>
 #include <poll.h>
-#include <string>
-#include <vector>
 
 namespace shoal {
 namespace {

@@ -8,9 +8,6 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include <cmath>
-#include <functional>
-
 namespace shoal::media {
 namespace {
 
@@ -88,9 +85,11 @@ INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPicture,
 TEST(DamagedExr, SizesAreCheckedBeforeTheLibraryBelievesThem) {
     for (const char* name :
          {"exr_attribute_size", "exr_list_shorter_than_stated", "exr_unknown_attribute_size"}) {
-        const auto read = readHdr(tests::sourceFolder() / "tests/fuzz/regressions/Pictures" / name, kLimits);
-        ASSERT_FALSE(read.ok()) << name;
-        EXPECT_NE(read.error().reason.find("header is damaged"), std::string::npos) << read.error().reason;
+        EXPECT_THAT(
+            tests::errorOf(readHdr(tests::sourceFolder() / "tests/fuzz/regressions/Pictures" / name, kLimits))
+                .reason,
+            testing::HasSubstr("header is damaged"))
+            << name;
     }
 }
 

@@ -2,15 +2,10 @@
 // unfinished work, and reports that.
 #include "Program.h"
 #include "tests/Recorded.h"
+#include "tests/Test.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
@@ -64,10 +59,9 @@ TEST_F(Faults, SignalsEndADiveInOrder) {
         awaitRecording(child, 2);
         ::kill(child, signal);
         EXPECT_EQ(end(child), 128 + signal) << err();
-        const auto recorded = tests::readRecorded(folder_ / "a.replay");
-        ASSERT_TRUE(recorded) << recorded.error().message();
+        const auto recorded = tests::valueOf(tests::readRecorded(folder_ / "a.replay"));
         EXPECT_THAT(readText(folder_ / "s.json").value(),
-                    HasSubstr("\"ticks\": " + std::to_string(recorded->ticks()) + ","));
+                    HasSubstr("\"ticks\": " + std::to_string(recorded.ticks()) + ","));
         EXPECT_EQ(statusOf(play({"--hands", "replay:" + file("a.replay")})), 0) << err();
         fs::remove(folder_ / "a.replay");
     }
@@ -92,9 +86,8 @@ TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
     EXPECT_EQ(statusOf(words, [] { limitFiles(8192); }), 1);
     EXPECT_THAT(err(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
     EXPECT_TRUE(fs::exists(folder_ / "a.png")) << "it was played to its end";
-    const auto reader = sim::RecordingReader::open(folder_ / "a.replay");
-    ASSERT_TRUE(reader) << reader.error().message();
-    EXPECT_FALSE(reader->complete());
+    const auto reader = tests::valueOf(sim::RecordingReader::open(folder_ / "a.replay"));
+    EXPECT_FALSE(reader.complete());
 }
 
 TEST_F(Faults, AFullDiskLeavesOldLightAndPicturesAlone) {

@@ -2,10 +2,7 @@
 // is done.
 #include "Program.h"
 
-#include <array>
-#include <map>
 #include <span>
-#include <vector>
 
 namespace shoal {
 namespace {

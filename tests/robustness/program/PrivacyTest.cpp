@@ -1,10 +1,6 @@
 // The program uses no network, and leaves only the files that the command line names.
 #include "Program.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
+#include "tests/Test.h"
 
 namespace shoal {
 namespace {

@@ -2,20 +2,12 @@
 #pragma once
 
 #include "engine/core/Files.h"
-#include "tests/TestPaths.h"
+#include "tests/Test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <csignal>
-#include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
-#include <functional>
-#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <vector>
 
 namespace shoal::tests {
 

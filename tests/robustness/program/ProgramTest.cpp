@@ -1,17 +1,11 @@
 // The program as a person meets it: bad input gets one sentence on standard error and a non-zero exit, never
 // a crash, and nothing half written; scripts and replays end with the status that they promise.
 #include "Program.h"
+#include "tests/Test.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -62,11 +56,10 @@ TEST_F(Program, StartsWithoutTheLibrariesOfPicturesAndCameras) {
     const std::string command =
         std::string("LD_TRACE_LOADED_OBJECTS=1 '") + tests::program() + "' >" + list.string();
     ASSERT_EQ(std::system(command.c_str()), 0);
-    const auto libraries = readText(list);
-    ASSERT_TRUE(libraries);
-    EXPECT_NE(libraries->find("opencv_core"), std::string::npos) << "else nothing is listed";
+    const auto libraries = tests::valueOf(readText(list));
+    EXPECT_NE(libraries.find("opencv_core"), std::string::npos) << "else nothing is listed";
     for (const char* name : {"opencv_imgcodecs", "opencv_videoio", "gdal"})
-        EXPECT_EQ(libraries->find(name), std::string::npos) << name;
+        EXPECT_EQ(libraries.find(name), std::string::npos) << name;
 }
 
 TEST_F(Program, HelpNamesUnits) {

@@ -3,18 +3,13 @@
 // that of the frames' stamps, so nothing waits for a clock.
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
+#include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
 #include "tests/robustness/program/Program.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 
-#include <gtest/gtest.h>
-
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <cstdlib>
 #include <regex>
 
 namespace shoal {
@@ -122,12 +117,10 @@ class TrackedHands : public tests::Program {
     };
     Story story() const {
         Story out;
-        const auto recording = tests::readRecorded(replayFile());
-        EXPECT_TRUE(recording) << recording.error().message();
-        const auto files = game::loadDiveFiles("ring", folder_ / "content");
-        EXPECT_TRUE(files) << files.error().message();
+        const auto recording = tests::valueOf(tests::readRecorded(replayFile()));
+        const auto files = tests::valueOf(game::loadDiveFiles("ring", folder_ / "content"));
         const Status same =
-            game::replay(*recording, *files, [&](const game::Snapshot& now, const auto& events) {
+            game::replay(recording, files, [&](const game::Snapshot& now, const auto& events) {
                 out.events.insert(out.events.end(), events.begin(), events.end());
                 out.caught = now.caught;
                 out.handTicks += now.hands[1].visible && now.hands[1].joints[0].position.z < -0.3f;
@@ -183,9 +176,8 @@ TEST_F(TrackedHands, TheSameServiceGivesTheSameGame) {
         Server server;
         server.say(messages);
         ASSERT_EQ(run(play(server, 1.4, seed)).status, 0) << err();
-        const auto recording = tests::readRecorded(replayFile());
-        ASSERT_TRUE(recording);
-        for (size_t i = 0; i < recording->ticks(); ++i) run_.push_back(recording->hash(i));
+        const auto recording = tests::valueOf(tests::readRecorded(replayFile()));
+        for (size_t i = 0; i < recording.ticks(); ++i) run_.push_back(recording.hash(i));
     }
     EXPECT_EQ(hashes[0], hashes[1]);
 }

@@ -160,11 +160,7 @@ TEST(LookAngles, AreThoseOfTheViewThatTheyMake) {
 
 // The seed of a dive: the same in dives that can be compared, and another each time in dives for pleasure.
 
-uint64_t seedOf(const PlayOptions& options) {
-    const auto config = makeSessionConfig(options);
-    EXPECT_TRUE(config) << config.error().message();
-    return config ? config->seed : 0;
-}
+uint64_t seedOf(const PlayOptions& options) { return tests::valueOf(makeSessionConfig(options)).seed; }
 
 TEST(Seed, IsDrawnForADiveInAWindow) {
     PlayOptions options;

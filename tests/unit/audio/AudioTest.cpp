@@ -342,8 +342,7 @@ TEST(Clip, SaysWhyItCannotBeRead) {
 }
 
 TEST(Clip, NoDamageCrashesIt) {
-    std::ifstream file(dataRoot() / "content" / "sounds" / "touch.flac", std::ios::binary);
-    const std::string whole{std::istreambuf_iterator<char>(file), {}};
+    const auto whole = tests::valueOf(readText(dataRoot() / "content/sounds/touch.flac"));
     ASSERT_GT(whole.size(), 1000u);
     for (size_t i = 0; i < 200; ++i) { // a value or a reason, each time
         std::string damaged = whole;

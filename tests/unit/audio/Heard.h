@@ -36,14 +36,12 @@ inline Loudness loudness(std::span<const float> stereo) {
 inline std::vector<float> render(const Clip& clip, const Sound& shot, const Listener& listener,
                                  AudioOptions options) {
     options.loopback = true;
-    auto audio = Audio::open(options);
-    EXPECT_TRUE(audio) << audio.error().message();
-    if (!audio) return {};
-    EXPECT_EQ(audio->headphones(), options.headphones);
-    audio->add(clip);
-    audio->update(listener, {}, {&shot, 1});
+    auto audio = tests::valueOf(Audio::open(options));
+    EXPECT_EQ(audio.headphones(), options.headphones);
+    audio.add(clip);
+    audio.update(listener, {}, {&shot, 1});
     std::vector<float> samples(48000);
-    audio->render(samples);
+    audio.render(samples);
     return samples;
 }
 

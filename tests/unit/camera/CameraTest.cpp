@@ -1,7 +1,5 @@
 #include "engine/camera/CameraResponse.h"
-#include "engine/core/Image.h"
 #include "engine/core/Random.h"
-#include "engine/light/FrameView.h"
 #include "tests/Test.h"
 
 namespace shoal::camera {

@@ -4,7 +4,6 @@
 #include "content/make/depth/Ground.h"
 #include "content/make/depth/SphereSweep.h"
 #include "content/make/depth/TrackFilter.h"
-#include "engine/core/Image.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/DepthTrack.h"
 #include "tests/Test.h"
@@ -235,12 +234,6 @@ DepthEstimate ballBelow() {
 
 // Returns the frame twice, since a texel has to be known in two frames.
 std::vector<DepthEstimate> twice(const DepthEstimate& depth) { return {depth, depth}; }
-
-TEST(Ground, IsThePlaneThatMostOfItLiesIn) {
-    const Ground ground = findGround(twice(seenInPlaces()));
-    EXPECT_EQ(ground.trust, 1);
-    EXPECT_NEAR(glm::distance(ground.inverse, kPlane), 0, 0.005f * glm::length(kPlane));
-}
 
 // Each frame knows a tenth of the ground, all frames together three quarters; one frame in five believes that
 // it is twice as far.

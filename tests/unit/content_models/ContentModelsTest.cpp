@@ -9,9 +9,7 @@ namespace shoal::scene {
 namespace {
 
 Model load(const std::string& name) {
-    auto model = loadModel(dataRoot() / "content" / "models" / (name + ".glb"));
-    EXPECT_TRUE(model.ok()) << (model ? "" : model.error().reason);
-    return model ? std::move(*model) : Model{};
+    return tests::valueOf(loadModel(dataRoot() / "content" / "models" / (name + ".glb")));
 }
 
 Pose restOf(const Model& model) {
@@ -45,11 +43,13 @@ struct AnimalCase {
     std::vector<std::string> clips;
 };
 
-class Animals : public testing::TestWithParam<AnimalCase> {};
-
-TEST_P(Animals, FaceForwardAtTheirRealSizeCentredOnTheBody) {
+class Animals : public testing::TestWithParam<AnimalCase> {
+  protected:
     const AnimalCase& animal = GetParam();
     const Model model = load(animal.name);
+};
+
+TEST_P(Animals, FaceForwardAtTheirRealSizeCentredOnTheBody) {
     const Bounds bounds = posedBounds(model, restOf(model));
     // Tail fins are sampled at their meshes' columns, which may miss the longest ray: 2 %.
     const float tolerance = 0.02f * animal.length_m;
@@ -62,8 +62,6 @@ TEST_P(Animals, FaceForwardAtTheirRealSizeCentredOnTheBody) {
 // A dive draws some 35 of them on two cores, vertices on one. So each is one opaque body and at most one more
 // draw of translucent fins, whose two sides are separate skins: culling leaves the one that faces the eye.
 TEST_P(Animals, AreFewAndLeanDraws) {
-    const AnimalCase& animal = GetParam();
-    const Model model = load(animal.name);
     ASSERT_EQ(model.meshes.size(), 1u);
     const auto& parts = model.meshes[0].primitives;
     ASSERT_GE(parts.size(), 1u);
@@ -87,7 +85,6 @@ TEST_P(Animals, AreFewAndLeanDraws) {
 // The engine draws coarser meshes from afar, which it makes when it loads the model: the body must give way
 // well.
 TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
-    const Model model = load(GetParam().name);
     ASSERT_FALSE(model.meshes.empty());
     const Primitive& body = model.meshes[0].primitives[0];
     const std::vector<Lod> lods = makeLods(body);
@@ -96,7 +93,7 @@ TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
     EXPECT_LE(lods[1].indices.size(), body.indices.size() * 35 / 100);
     // The loss of half the triangles must not show: it moves the surface of an animal of 0.2 m by less than a
     // pixel at 0.6 m, where a metre has 1000 pixels.
-    EXPECT_LT(lods[0].error, 0.005f * GetParam().length_m);
+    EXPECT_LT(lods[0].error, 0.005f * animal.length_m);
     // meshoptimizer 0.22 can give the eyes alone for a small error.
     const auto longest = [&](const std::vector<uint32_t>& vertices) {
         glm::vec3 low = body.positions[vertices[0]], high = low;
@@ -109,11 +106,9 @@ TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
     for (const Lod& lod : lods) EXPECT_GT(longest(lod.vertices), 0.3f * longest(body.indices));
 }
 
-TEST_P(Animals, HoldTheClipsThatTheGamePlays) { expectClips(load(GetParam().name), GetParam().clips); }
+TEST_P(Animals, HoldTheClipsThatTheGamePlays) { expectClips(model, animal.clips); }
 
 TEST_P(Animals, ClipsLoopWithoutAJerk) {
-    const AnimalCase& animal = GetParam();
-    const Model model = load(animal.name);
     for (const Animation& clip : model.animations)
         for (const Channel& channel : clip.channels) {
             const size_t width = channel.target == Channel::Target::Rotation ? 4 : 3;
@@ -127,8 +122,6 @@ TEST_P(Animals, ClipsLoopWithoutAJerk) {
 
 // The tail sweeps sideways, as a fish's does, and further than the head.
 TEST_P(Animals, SwimSideways) {
-    const AnimalCase& animal = GetParam();
-    const Model model = load(animal.name);
     const int clip = model.findAnimation(animal.clips.front());
     ASSERT_GE(clip, 0);
     const int head = model.findNode("spine_0"), tail = model.findNode("spine_8");

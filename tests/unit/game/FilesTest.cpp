@@ -102,9 +102,8 @@ TEST_F(GameFiles, ScriptErrorsNameTheLine) {
 
 TEST_F(GameFiles, AScriptThatFailsSaysWhy) {
     const auto verdict = [&](const std::string& text) {
-        const auto script = loadScript(write(text));
-        EXPECT_TRUE(script) << script.error().message();
-        const Played played = playScript(*script, rig(), cove());
+        const auto script = tests::valueOf(loadScript(write(text)));
+        const Played played = playScript(script, rig(), cove());
         return played.verdict ? std::string("met") : played.verdict.error().message();
     };
     const std::string wait = "name = \"idle\"\n[[step]]\ndo = \"wait\"\nseconds = 1\n";

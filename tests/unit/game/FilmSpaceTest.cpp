@@ -1,10 +1,22 @@
 // Animals in the space of a film: made walls, a tunnel, a wall that comes nearer, a pillar.
+#include "game/rules/FilmSpace.h"
 #include "Fixture.h"
 #include "game/rules/Intent.h"
-#include "tests/playthrough/MadeSpace.h"
 
 namespace shoal::game {
 namespace {
+
+// Returns a synthetic space. distance_m: float(glm::vec3 dir, double time_s), positive.
+template <class Distance>
+std::shared_ptr<const FilmSpace> madeSpace(double length_s, int steps, const Distance& distance_m) {
+    std::vector<uint16_t> surface_mm;
+    for (int step = 0; step < steps; ++step)
+        for (int cell = 0; cell < FilmSpace::kCells; ++cell)
+            surface_mm.push_back(static_cast<uint16_t>(
+                1000 * std::min(distance_m(FilmSpace::directionOf(cell), step * length_s / steps),
+                                FilmSpace::kFar_m)));
+    return std::make_shared<const FilmSpace>(length_s, std::move(surface_mm));
+}
 
 // Returns the distance to a wall ahead, 1.6 m from the eyes.
 float toWall_m(glm::vec3 dir, double = 0) { return dir.z < -0.05f ? 1.6f / -dir.z : FilmSpace::kFar_m; }
@@ -138,7 +150,10 @@ void expectKept(const Kept& kept, const std::string& name) {
 
 TEST(FilmSpace, AnimalsKeepInFrontOfAWallAndInATunnel) {
     EXPECT_GT(watch(nullptr, 1, toWall_m, 5).sharkDeepest_m, 0.3f); // so there is something to keep
-    const auto toTunnel = [](glm::vec3 dir, double) { return toTunnel_m(dir, 2); };
+    // Along Z, of a radius of 2 m.
+    const auto toTunnel = [](glm::vec3 dir, double) {
+        return 2 / std::max(glm::length(glm::vec2(dir)), 1e-3f);
+    };
     for (uint64_t seed : {5, 6}) {
         expectKept(watch(madeSpace(1, 1, toWall_m), 1, toWall_m, seed), "wall");
         expectKept(watch(madeSpace(1, 1, toTunnel), 1, toTunnel, seed), "tunnel");

@@ -38,30 +38,6 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     EXPECT_EQ(count<EventKind::Miss>(one.events), 1);
 }
 
-TEST(Catching, OpeningEarlyLetsItEscape) {
-    OneFish one;
-    one.takeFish();
-    one.step(60);
-    one.moveGrip(kPlace, 1, 0);
-    EXPECT_EQ(count<EventKind::Escape>(one.events), 1);
-    EXPECT_EQ(count<EventKind::Catch>(one.events), 0);
-    EXPECT_EQ(one.world.score.points, 0);
-}
-
-TEST(Catching, ClosingOnNothingIsOneMiss) {
-    OneFish one;
-    const glm::vec3 elsewhere(0.4f, 0.2f, -0.5f);
-    one.moveGrip(elsewhere, 0, 0);
-    one.moveGrip(elsewhere, 0, 1);
-    one.step(120);
-    EXPECT_EQ(count<EventKind::Miss>(one.events), 1);
-    EXPECT_FALSE(one.took());
-    EXPECT_TRUE(one.world.hands[1].grasp.closed);
-    one.moveGrip(elsewhere, 1, 0);
-    EXPECT_FALSE(one.world.hands[1].grasp.closed);
-    EXPECT_EQ(count<EventKind::Miss>(one.events), 1);
-}
-
 TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
     OneFish one;
     const glm::vec3 aside = kPlace + glm::vec3(0, 0, 0.35f);
@@ -129,21 +105,6 @@ TEST(Touching, AGentleStrokePushesAwayAndIsFeltForAsLongAsItLasts) {
     EXPECT_LT(glm::length(push), 0.3f) << "gently";
     EXPECT_GT(felt, 10);
     EXPECT_LT(fastest, 0.3f) << "as slow as the hand";
-}
-
-TEST(Fright, AFastHandFrightensOnceAndTheFishCalmsDown) {
-    OneFish one;
-    one.hand(kPlace + glm::vec3(0.45f, 0, 0));
-    one.rest();
-    for (int i = 1; i <= 20; ++i) // 2 m/s towards it
-        one.hand(kPlace + glm::vec3(0.45f - 2.0f * static_cast<float>(i) / 120, 0, 0));
-    EXPECT_EQ(count<EventKind::Startle>(one.events), 1);
-    EXPECT_EQ(one.fish().state, Fish::State::Dart);
-    one.input.hands[1].tracked = false;
-    one.step(480);
-    EXPECT_EQ(one.fish().state, Fish::State::Cruise);
-    EXPECT_LT(one.fish().speed, 0.3f);
-    EXPECT_EQ(count<EventKind::Startle>(one.events), 1);
 }
 
 TEST(Fright, ASlowHandDoesNotFrighten) {

@@ -1,4 +1,5 @@
 // Files stand for devices here; umockdev.dies_by_* does the same with hidapi's.
+#include "engine/core/Files.h"
 #include "input/haptics/HidBus.h"
 #include "tests/Test.h"
 
@@ -19,10 +20,7 @@ struct GuardedFile {
 
     GuardedFile() { std::ofstream(name).close(); }
     ~GuardedFile() { std::remove(name.c_str()); }
-    std::string read() const {
-        std::ifstream in(name, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    std::string read() const { return tests::valueOf(readText(name)); }
 };
 
 TEST(CrashStop, WritesTheStopHoweverTheProgramDies) {

@@ -131,8 +131,7 @@ TEST(Devices, EachIsThereOnce) {
 }
 
 TEST(Devices, EachHasItsRule) {
-    std::ifstream file(dataRoot() / "content" / "udev" / "70-shoal-haptics.rules");
-    const std::string rules{std::istreambuf_iterator<char>(file), {}};
+    const auto rules = tests::valueOf(readText(dataRoot() / "content/udev/70-shoal-haptics.rules"));
     for (const DeviceRow& row : kDevices) {
         char rule[120];
         std::snprintf(rule, sizeof rule,

@@ -229,13 +229,6 @@ template <class Enough> void submitUntil(HapticOutput& output, float amplitude, 
     }
 }
 
-TEST(HapticOutput, TheNewestFrameReachesTheDevice) {
-    Watched device;
-    HapticOutput output(device.bus());
-    submitUntil(output, 1, [&] { return !device.told().empty(); });
-    EXPECT_EQ(device.told().front(), 255);
-}
-
 TEST(HapticOutput, ADeviceThatHangsHoldsNobodyUpAndThenGetsTheNewest) {
     constexpr int kNewest = 102, kBetween = 153; // 0.2 + 0.8 / 4 and / 2, of 255
     Watched device;

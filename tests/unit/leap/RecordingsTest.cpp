@@ -1,5 +1,6 @@
 // Measures the filter on real hands: the remaining jitter and the added delay. Prints a table.
 #include "tests/unit/leap_service/Recordings.h"
+#include "engine/math/Quantile.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/leap/LeapMessage.h"
@@ -67,12 +68,6 @@ void addResiduals(const std::vector<glm::dvec3>& x, std::vector<double>& out) {
     }
 }
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
-
 glm::dvec3 at(const Track& track, double t_s) {
     const auto after = std::upper_bound(track.t_s.begin(), track.t_s.end(), t_s);
     if (after == track.t_s.begin()) return track.raw.front();
@@ -111,8 +106,8 @@ Row measure(const Played& played) {
         latency_s += latency(track) * static_cast<double>(track.raw.size());
         samples += static_cast<double>(track.raw.size());
     }
-    return {static_cast<double>(played.frames - 1) / played.length_s, median(raw) * 1e3,
-            median(filtered) * 1e3, latency_s / samples * 1e3, played.losses};
+    return {static_cast<double>(played.frames - 1) / played.length_s, math::median(raw) * 1e3,
+            math::median(filtered) * 1e3, latency_s / samples * 1e3, played.losses};
 }
 
 void print(const char* name, const Row& row) {

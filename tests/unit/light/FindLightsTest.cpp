@@ -1,31 +1,11 @@
 // Lights of known place, size and strength are found there, and none is found where there is none.
-#include "engine/light/FindLights.h"
-#include "engine/light/Pyramid.h"
-#include "engine/math/Colour.h"
 #include "tests/Test.h"
-#include "tests/unit/light/Environments.h"
+#include "tests/unit/light/LightWatcher.h"
 
 namespace shoal::light {
 namespace {
 
-FoundLights lightsIn(const RadiancePyramid& radiance) {
-    LightFinder finder;
-    FoundLights found;
-    finder.find(radiance, found);
-    return found;
-}
-
-FoundLights lightsIn(const ImageRgbF& environment) {
-    RadiancePyramid radiance;
-    PyramidMaker().make(environment, 512, radiance);
-    return lightsIn(radiance);
-}
-
-FoundLights lightsIn(const ImageRgb8& frame) {
-    RadiancePyramid radiance;
-    PyramidMaker().make(viewOf(frame), 512, radiance);
-    return lightsIn(radiance);
-}
+template <class Picture> FoundLights lightsIn(const Picture& picture) { return LightWatcher().look(picture); }
 
 // Returns the middle of a square of two texels by two whose top left one this is.
 glm::dvec3 middleOf(int column, int row) {
@@ -173,17 +153,9 @@ TEST(FindLights, GroundIsLitByTheUpperHalf) {
 
 constexpr float kFrame_s = 1 / 24.0f;
 
-struct Watcher {
-    PyramidMaker pyramid;
-    RadiancePyramid radiance;
-    LightFinder finder;
-    FoundLights found;
-    LightOverTime steady;
-
+struct Watcher : LightWatcher {
     const ShadowLight& see(const ImageRgbF& environment, float dt_s = kFrame_s) {
-        pyramid.make(environment, 512, radiance);
-        finder.find(radiance, found);
-        return steady.follow(found, dt_s);
+        return steady.follow(look(environment), dt_s);
     }
 };
 

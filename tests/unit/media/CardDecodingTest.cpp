@@ -6,8 +6,6 @@
 #include "engine/media/VideoSource.h"
 #include "tests/unit/media/TestFiles.h"
 
-#include <cstring>
-
 namespace shoal::media {
 namespace {
 

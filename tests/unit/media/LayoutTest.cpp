@@ -5,7 +5,6 @@
 #include "tests/unit/media/TestFiles.h"
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 
 #include <bit>
 
@@ -162,12 +161,7 @@ TEST(StereoView, AFilmGoesByFramesThatHaveStructure) {
     EXPECT_EQ(layoutOfFilm([&](int) { return stereoPair(true, seen, 256, 256); }), Layout::TopBottom);
 }
 
-// Big endian; zeros before eight bytes.
-std::string be(uint64_t value, int bytes) {
-    std::string text;
-    for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>(i < 8 ? value >> (8 * i) & 0xff : 0);
-    return text;
-}
+std::string be(uint64_t value, int bytes) { return number(value, bytes, false); } // big endian
 
 std::string box(const std::string& name, const std::string& payload) {
     return be(payload.size() + 8, 4) + name + payload;
@@ -431,9 +425,7 @@ TEST(SphericalFilms, PixelsThatAreNotSquareCount) {
 
 TEST(SphericalFilms, OtherProjectionsAreRefused) {
     for (const auto& [boxes, name] : {std::pair(kCube, "a cube map"), {kMesh, "a mesh"}}) {
-        const auto player = filmThatSays(ImageRgb8(64, 32), sv3d(boxes, false));
-        ASSERT_FALSE(player);
-        EXPECT_EQ(player.error().reason,
+        EXPECT_EQ(tests::errorOf(filmThatSays(ImageRgb8(64, 32), sv3d(boxes, false))).reason,
                   fmt::format("is {}; only lat-long video can be shown, so convert it", name));
     }
 }

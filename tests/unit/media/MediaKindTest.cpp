@@ -5,8 +5,6 @@
 #include "tests/unit/Wav.h"
 #include "tests/unit/media/TestFiles.h"
 
-#include <cstdlib>
-
 namespace shoal::media {
 namespace {
 
@@ -40,13 +38,8 @@ std::string ftyp(const std::string& brands) {
 
 // A little-endian TIFF of one entry, a number of 32 bits.
 std::string tiff(int tag) {
-    const auto number = [](int value, int bytes) {
-        std::string out;
-        for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * i & 255);
-        return out;
-    };
-    return "II*\0"s + number(8, 4) + number(1, 2) + number(tag, 2) + number(4, 2) + number(1, 4) +
-           number(1, 4) + number(0, 4);
+    const auto of = [](int value, int bytes) { return number(static_cast<uint64_t>(value), bytes, true); };
+    return "II*\0"s + of(8, 4) + of(1, 2) + of(tag, 2) + of(4, 2) + of(1, 4) + of(1, 4) + of(0, 4);
 }
 
 TEST_F(MediaKinds, FirstBytesTell) {

@@ -12,13 +12,6 @@
 namespace shoal::media {
 namespace {
 
-std::string number(uint64_t value, int bytes, bool little) {
-    std::string text;
-    for (int i = 0; i < bytes; ++i)
-        text += static_cast<char>(value >> 8 * (little ? i : bytes - 1 - i) & 0xff);
-    return text;
-}
-
 struct Metadata {
     int orientation = 1;
     std::string xmp, profile;

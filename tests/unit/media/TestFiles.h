@@ -32,6 +32,16 @@ inline std::string readBytes(const Path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+// Returns a number's bytes; more than eight: with zeros before, or behind.
+inline std::string number(uint64_t value, int bytes, bool little) {
+    std::string text;
+    for (int i = 0; i < bytes; ++i) {
+        const int place = little ? i : bytes - 1 - i;
+        text += static_cast<char>(place < 8 ? value >> 8 * place & 0xff : 0);
+    }
+    return text;
+}
+
 // Frame i is uniform grey of level kFirstGrey + kGreyStep * i: numberOf() reads it back. JPEG at its default
 // quality keeps a uniform grey within one level, so up to 50 frames stay distinct.
 constexpr int kFirstGrey = 20, kGreyStep = 4;

@@ -37,14 +37,13 @@ TEST(Analytic, SphereIsHitWhereItIs) {
         if (!expected) continue;
         const glm::vec3 normal = ray.origin + static_cast<float>(*expected) * ray.direction;
         if (glm::dot(normal, ray.direction) > -kSteepEnough) continue;
-        const auto hit = cured.trace(ray.origin, ray.direction, 0);
-        ASSERT_TRUE(hit);
+        const auto hit = tests::valueOf(cured.trace(ray.origin, ray.direction, 0));
         // Blended, what is left is of third order in a pixel over the radius, and the normals' 2 x 8 bits:
         // 0.0083 rad over half a pixel. A fifth of a pixel holds both with a steep slope's factor of 1 / 0.4.
-        EXPECT_NEAR(static_cast<double>(hit->distance), *expected, facet + pixel / 5) << i;
+        EXPECT_NEAR(static_cast<double>(hit.distance), *expected, facet + pixel / 5) << i;
         // 0.0167 rad of rounding; in the wall between two cells the layer's own normal, half a pixel away and
         // steep.
-        EXPECT_GT(glm::dot(hit->normal, normal), std::cos(0.06f)) << i;
+        EXPECT_GT(glm::dot(hit.normal, normal), std::cos(0.06f)) << i;
         // The thesis' step may be a pixel's diagonal aside, where the slope towards the view is up to 3; or
         // it has a gap there and the ray goes on to the far side.
         const auto step = thesis.trace(ray.origin, ray.direction, 0);

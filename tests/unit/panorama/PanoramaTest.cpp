@@ -199,10 +199,9 @@ TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
 // where the others' mean is.
 TEST(Panorama, PillarsStayUpright) {
     const int width = 640;
-    const auto grown =
-        panoramaFromPhoto(dusk(width, 480, 300, 170, 9, {60, 250, 340, 560}, 10), {.fov_deg = 65});
-    ASSERT_TRUE(grown);
-    const ImageRgb8& out = grown->latLong;
+    const auto grown = tests::valueOf(
+        panoramaFromPhoto(dusk(width, 480, 300, 170, 9, {60, 250, 340, 560}, 10), {.fov_deg = 65}));
+    const ImageRgb8& out = grown.latLong;
     // Dark runs, followed up and down from the horizon.
     const int middle = out.height / 2, reach = static_cast<int>(18.0 / 180 * out.height);
     const auto dark = [&](int x, int y) { return out.at((x + out.width) % out.width, y)[0] < 60; };

@@ -1,8 +1,5 @@
 #include "engine/render/LayerPass.h"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
+#include "tests/Test.h"
 
 namespace shoal::render {
 namespace {

@@ -77,10 +77,15 @@ TEST(SoundCues, ANewDiveHasNoCaptionsOfTheLast) {
     EXPECT_TRUE(hasCaption(hear, EventKind::DiveStart));
 }
 
-// Every sound is used: a dive in which everything happens plays each of them.
-TEST(SoundCues, EverySoundIsPlayedOfSomething) {
+class HeardDive : public testing::Test {
+  protected:
+    void listen() { hear.listen(shown, {}, kFrame_s); }
     SoundCues hear;
     Snapshot shown;
+};
+
+// Every sound is used: a dive in which everything happens plays each of them.
+TEST_F(HeardDive, EverySoundIsPlayedOfSomething) {
     shown.creatures.resize(3);
     shown.creatures[0].heldBy = 0;
     shown.creatures[1] = {.id = 1, .position = {-2, 0, -0.5f}, .velocity = {1, 0, 0}, .length = 0.2f};
@@ -99,7 +104,7 @@ TEST(SoundCues, EverySoundIsPlayedOfSomething) {
         shown.timeLeft_s -= kFrame_s;
         shown.enclosure = 0.5f;
         for (size_t c = 1; c < 3; ++c) shown.creatures[c].position += shown.creatures[c].velocity * kFrame_s;
-        hear.listen(shown, {}, kFrame_s);
+        listen();
         note();
     }
     for (size_t sound = 0; sound < kSounds.size(); ++sound)
@@ -136,12 +141,10 @@ TEST(SoundCues, AHarderTouchIsLouderAndAllBonesAreOneTouch) {
 }
 
 // A pause silences the device; the bed is still asked for, or it would begin anew afterwards.
-TEST(SoundCues, TheBedNeverEnds) {
-    SoundCues hear;
-    Snapshot shown;
+TEST_F(HeardDive, TheBedNeverEnds) {
     for (const bool paused : {false, true, false}) {
         shown.paused = paused;
-        hear.listen(shown, {}, kFrame_s);
+        listen();
         const audio::Sound* bed = find(hear, Sound::BedOpen);
         ASSERT_TRUE(bed);
         EXPECT_TRUE(bed->everywhere);
@@ -149,14 +152,12 @@ TEST(SoundCues, TheBedNeverEnds) {
     }
 }
 
-TEST(SoundCues, TheBedsCrossOverInATunnel) {
-    SoundCues hear;
-    Snapshot shown;
-    hear.listen(shown, {}, kFrame_s);
+TEST_F(HeardDive, TheBedsCrossOverInATunnel) {
+    listen();
     EXPECT_FALSE(find(hear, Sound::BedTunnel));
     shown.enclosure = 1;
     for (int i = 0; i < 120; ++i) { // half way: both, and their powers still add to one
-        hear.listen(shown, {}, kFrame_s);
+        listen();
         const auto power = [&](Sound sound) {
             const audio::Sound* bed = find(hear, sound);
             const float full = rowOf(sound).gain;
@@ -165,24 +166,22 @@ TEST(SoundCues, TheBedsCrossOverInATunnel) {
         ASSERT_NEAR(power(Sound::BedOpen) + power(Sound::BedTunnel), 1, 1e-5);
     }
     EXPECT_TRUE(find(hear, Sound::BedOpen) && find(hear, Sound::BedTunnel));
-    for (int i = 0; i < 240; ++i) hear.listen(shown, {}, kFrame_s);
+    for (int i = 0; i < 240; ++i) listen();
     EXPECT_FALSE(find(hear, Sound::BedOpen));
 }
 
-TEST(SoundCues, AHeldFishStrugglesWhereItIs) {
-    Snapshot shown;
+TEST_F(HeardDive, AHeldFishStrugglesWhereItIs) {
     shown.creatures.resize(3);
     for (uint32_t i = 0; i < 3; ++i) shown.creatures[i].id = i;
     shown.creatures[1].heldBy = 0;
     shown.creatures[1].position = {0.2f, 0, -0.5f};
-    SoundCues hear;
-    hear.listen(shown, {}, kFrame_s);
+    listen();
     const audio::Sound* struggle = find(hear, Sound::Struggle);
     ASSERT_TRUE(struggle);
     EXPECT_EQ(struggle->position, shown.creatures[1].position);
     EXPECT_NE(struggle->id, find(hear, Sound::BedOpen)->id);
     shown.creatures[1].heldBy = -1;
-    hear.listen(shown, {}, kFrame_s);
+    listen();
     EXPECT_FALSE(find(hear, Sound::Struggle));
 }
 
@@ -201,45 +200,39 @@ TEST(SoundCues, AFishIsHeardPassingOnceAndOnlyNearAndFast) {
     EXPECT_EQ(passes(Sound::FishPassSmall, from({-2, 0, -0.5f}, {1, 0, 0}), 4, head), 0);
 }
 
-TEST(SoundCues, APassingIsNotRepeatedWithinSeconds) {
-    SoundCues hear;
-    Snapshot shown;
+TEST_F(HeardDive, APassingIsNotRepeatedWithinSeconds) {
     shown.creatures.resize(1);
     shown.creatures[0].position = {0, 0, -0.5f};
     shown.creatures[0].velocity = {1, 0, 0}; // nearest now, for ever
     int heard = 0;
     for (int i = 0; i < 10 * 120; ++i) {
-        hear.listen(shown, {}, kFrame_s);
+        listen();
         heard += count(hear, Sound::FishPassSmall);
     }
     EXPECT_EQ(heard, 3); // at 0, 4 and 8 s
 }
 
-TEST(SoundCues, TheLastFiveSecondsAreCounted) {
-    SoundCues hear;
-    Snapshot shown;
+TEST_F(HeardDive, TheLastFiveSecondsAreCounted) {
     int counts = 0;
     for (int i = 0; i < 8 * 120; ++i) {
         shown.timeLeft_s = 7.5f - static_cast<float>(i) * kFrame_s;
-        hear.listen(shown, {}, kFrame_s);
+        listen();
         counts += count(hear, Sound::Countdown);
     }
     EXPECT_EQ(counts, 5);
 }
 
-TEST(SoundCues, TheDiverBreathes) {
-    SoundCues hear;
+TEST_F(HeardDive, TheDiverBreathes) {
     int breaths = 0;
     for (int i = 0; i < 60 * 120; ++i) {
-        hear.listen({}, {}, kFrame_s);
+        listen();
         breaths += count(hear, Sound::Bubbles);
     }
     EXPECT_GE(breaths, 6); // a minute of breaths of six to nine seconds
     EXPECT_LE(breaths, 10);
 }
 
-TEST(SoundCues, CaptionsTellWhatAndWhereAndGo) {
-    SoundCues hear;
+TEST_F(HeardDive, CaptionsTellWhatAndWhereAndGo) {
     for (const glm::vec3 place :
          {glm::vec3(3, 0, 1), glm::vec3(-3, 0, 0)}) { // the same again only becomes new
         happens(hear, {.kind = EventKind::SharkNear, .position = place});
@@ -247,7 +240,7 @@ TEST(SoundCues, CaptionsTellWhatAndWhereAndGo) {
         EXPECT_EQ(hear.captions()[0].text, rowOf(EventKind::SharkNear).caption);
         EXPECT_EQ(hear.captions()[0].position, place);
     }
-    for (int i = 0; i < 300; ++i) hear.listen({}, {}, kFrame_s);
+    for (int i = 0; i < 300; ++i) listen();
     EXPECT_TRUE(hear.captions().empty());
 }
 

@@ -1,11 +1,11 @@
 // Tests of the samples that are read from a video's sound, and of their place in time.
 #include "engine/media/SoundTrack.h"
 #include "engine/audio/Audio.h"
+#include "engine/core/Files.h"
 #include "engine/media/Check.h"
 #include "tests/Test.h"
 #include "tests/unit/Wav.h"
 
-#include <numbers>
 #include <thread>
 
 namespace shoal::media {
@@ -164,8 +164,7 @@ TEST(SoundTrack, AmbisonicsComeAsFuMa) {
         const std::string command = "ffmpeg -v error -y -f lavfi -i \"aevalsrc='" + levels +
                                     "':s=48000:d=1\" -c:a pcm_s16le '" + file.path.string() + "' 2>/dev/null";
         if (std::system(command.c_str()) != 0) GTEST_SKIP() << "needs ffmpeg to make a sound";
-        std::ifstream stream(file.path, std::ios::binary);
-        std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        auto bytes = tests::valueOf(readText(file.path));
         const size_t table = bytes.find("stsd"), begin = bytes.rfind("moov", table);
         const auto grow = [&](size_t at) { // the box whose name is there
             const auto* size = reinterpret_cast<const uint8_t*>(&bytes[at - 4]);
@@ -223,8 +222,7 @@ TEST(SoundTrack, SaysWhyThereIsNone) {
 // Damaged files: silence or rubbish, in bounded time, never a crash or a hang.
 TEST(SoundTrack, NoDamageHarmsIt) {
     const std::string whole = numbered(kSecond / 4);
-    std::ifstream flac(dataRoot() / "content/sounds/touch.flac", std::ios::binary);
-    const std::string packed{std::istreambuf_iterator<char>(flac), {}};
+    const auto packed = tests::valueOf(readText(dataRoot() / "content/sounds/touch.flac"));
     for (size_t i = 0; i < 120; ++i) {
         std::string bytes = i % 2 ? whole : packed;
         for (size_t k = 0; k < 1 + i % 5; ++k)
