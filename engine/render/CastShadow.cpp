@@ -155,7 +155,7 @@ float fallOf(const FilmSurface& film, const glm::vec3& placeWorld, const Casting
     const auto gapAt = [&](float s) {
         const glm::vec3 place = from + s * dir;
         const float distance = glm::length(place);
-        return distance > 1e-4f ? film.map->distance_m(place / distance) - distance : INFINITY;
+        return distance > 1e-4f ? 1 / film.map->inverse_perM(place / distance) - distance : INFINITY;
     };
     float before = 0, gapBefore = gapAt(0);
     if (gapBefore <= 0 && gapBefore > -kTouch_m) return 0;
