@@ -23,12 +23,10 @@ struct CameraRequest {
 // Reader of a camera. Null: waits for the next picture; else: converts it, blue first. False: no more come.
 using CameraReader = std::function<bool(cv::Mat* bgr)>;
 
-// OpenCV's functions of these names, and openCamera(). They may throw. Empty, false or null on failure. The
-// plug-in exports one as `shoalCodecs`, with C linkage.
+// OpenCV's function of this name, and openCamera(). They may throw. Empty or null on failure. The plug-in
+// exports one as `shoalCodecs`, with C linkage.
 struct Codecs {
     cv::Mat (*imdecode)(cv::InputArray bytes, int flags);
-    bool (*imencode)(const std::string& extension, cv::InputArray bgr, std::vector<uint8_t>& bytes,
-                     const std::vector<int>& parameters);
     CameraReader (*openCamera)(int index, const CameraRequest& request);
 };
 

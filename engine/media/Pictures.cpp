@@ -9,13 +9,26 @@
 #include <fmt/ranges.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
+// Compresses with zlib, which is faster and makes smaller files than the code in the header. The header frees
+// the result.
+static unsigned char* compressed(unsigned char* bytes, int count, int* compressedCount, int) {
+    uLongf size = compressBound(static_cast<uLong>(count));
+    auto* out = static_cast<unsigned char*>(std::malloc(size));
+    if (out && compress2(out, &size, bytes, static_cast<uLong>(count), Z_BEST_SPEED) != Z_OK)
+        std::free(std::exchange(out, nullptr));
+    *compressedCount = static_cast<int>(size);
+    return out;
+}
+#define STBIW_ZLIB_COMPRESS compressed
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #include <stb_image_write.h>
@@ -176,14 +189,16 @@ Result<HdrPicture> decodePfm(ByteSpan bytes) {
 
 static_assert(std::endian::native == std::endian::little, "a negative scale marks little-endian values");
 
+// Appends to a string, for stb_image_write.
+void append(void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
+}
+
 // Encodes as Radiance RGBE, run-length coded.
 std::string encodeRadiance(const ImageRgbF& image) {
     assert(!image.empty());
     std::string bytes;
     bytes.reserve(image.pixels.size() * 4 / 3 + 128);
-    const auto append = [](void* to, void* data, int size) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
-    };
     stbi_write_hdr_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data());
     return bytes;
 }
@@ -217,22 +232,12 @@ void repair(HdrPicture& picture) {
         picture.notes.push_back(fmt::format("{} components were above 10^9 and count as 10^9", clamped));
 }
 
-// Encodes a picture of 3 or 4 channels, red first, by extension, and writes it.
-Status writeCoded(const Path& file, const cv::Mat& rgb, const char* extension) {
-    assert(!rgb.empty());
-    const auto with = codecs();
-    if (!with) return with.error();
-    std::string uncodable = fmt::format("the picture cannot be coded as {}", extension);
-    try {
-        const log::QuietStandardError quiet; // OpenCV 4.6 prints exceptions, whatever the log level
-        std::vector<uint8_t> bytes;
-        cv::Mat bgr;
-        cv::cvtColor(rgb, bgr, rgb.channels() == 4 ? cv::COLOR_RGBA2BGRA : cv::COLOR_RGB2BGR);
-        if ((*with)->imencode(extension, bgr, bytes, {})) return writeFileWhole(file, asText(bytes));
-    } catch (const std::exception& failure) {
-        uncodable += std::string(": ") + failure.what();
-    }
-    return Error{file.string(), uncodable};
+template <int kChannels> Status writePngOf(const Path& file, const Image<uint8_t, kChannels>& image) {
+    assert(!image.empty());
+    std::string bytes;
+    if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels, image.pixels.data(), 0))
+        return Error{file.string(), "there is no memory to code the picture"};
+    return writeFileWhole(file, bytes);
 }
 
 // Makes a TIFF upright as stored, because OpenCV would turn it, whatever it is asked for.
@@ -325,8 +330,8 @@ std::string HdrPicture::note() const {
     return notes.empty() ? "" : fmt::format("; {}", fmt::join(notes, "; "));
 }
 
-Status writePng(const Path& file, const ImageRgb8& image) { return writeCoded(file, viewOf(image), ".png"); }
-Status writePng(const Path& file, const ImageRgba8& image) { return writeCoded(file, viewOf(image), ".png"); }
+Status writePng(const Path& file, const ImageRgb8& image) { return writePngOf(file, image); }
+Status writePng(const Path& file, const ImageRgba8& image) { return writePngOf(file, image); }
 
 WrittenAs writtenAs(const Path& file) {
     const std::string extension = extensionOf(file);
@@ -341,7 +346,10 @@ Status writePicture(const Path& file, const ImageRgb8& image) {
     if (kind == WrittenAs::Png) return writePng(file, image);
     if (kind != WrittenAs::Jpeg)
         return Error{file.string(), "is of no kind that photos are written as; use .png or .jpg"};
-    return writeCoded(file, viewOf(image), ".jpg");
+    constexpr int kQuality = 95;
+    std::string bytes;
+    stbi_write_jpg_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(), kQuality);
+    return writeFileWhole(file, bytes);
 }
 
 Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {

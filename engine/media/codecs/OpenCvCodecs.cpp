@@ -20,7 +20,7 @@ static CameraReader openCamera(int index, const CameraRequest& request) {
 
 extern "C" {
 [[gnu::visibility("default")]] extern const Codecs shoalCodecs;
-const Codecs shoalCodecs = {cv::imdecode, cv::imencode, openCamera};
+const Codecs shoalCodecs = {cv::imdecode, openCamera};
 }
 
 } // namespace shoal::media
