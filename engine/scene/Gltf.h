@@ -123,8 +123,12 @@ size_t componentCount(const tinygltf::Accessor& accessor);
 std::vector<float> readFloats(const tinygltf::Model& gltf, int accessor);
 std::vector<uint32_t> readIntegers(const tinygltf::Model& gltf, int accessor); // unsigned
 
-// Fills model.textures, materials and images; images that no material uses stay empty.
+// Fills model.textures and materials; images get their number.
 void readMaterials(GltfFile& file, Model& model);
+
+// Fills model.images, of all materials or of the primitives' alone. Others stay empty: they may be of any
+// format, such as alternatives for extensions.
+void readImages(GltfFile& file, Model& model, bool ofPrimitives);
 
 // Fills model.nodes, order and skins. Checks that the nodes form trees, and that the joints of every skinned
 // node in the scene are in the scene.

@@ -306,7 +306,7 @@ std::vector<uint8_t> readUri(GltfFile& file, const std::string& uri, const std::
     return *bytes;
 }
 
-Result<Model> loadModel(const Path& path, const LoadLimits& limits) {
+Result<Model> loadModel(const Path& path, const std::string& variant, const LoadLimits& limits) {
     GltfFile file{.path = path, .limits = limits};
     try {
         readDocument(file);
@@ -314,6 +314,8 @@ Result<Model> loadModel(const Path& path, const LoadLimits& limits) {
         readMaterials(file, model);
         readNodes(file, model);
         readMeshes(file, model);
+        if (!variant.empty() && !applyVariant(model, variant)) fault("has no variant named ", variant);
+        readImages(file, model, !variant.empty());
         readAnimations(file, model);
         checkRestPose(model);
         for (const std::string& warning : file.warnings) log::warn("{}: {}", path.string(), warning);

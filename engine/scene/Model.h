@@ -156,8 +156,9 @@ struct LoadLimits {
 // Loads a model from a .glb or .gltf file, which is untrusted; reads only files at or below its own folder.
 // The result is valid: indices and joints are in range, positions finite, nodes without cycles. Generates
 // flat normals and tangents (per glTF, MikkTSpace's convention) if they are missing. Errors name the file and
-// the glTF element that is wrong. Each warning (odd, but drawable) is logged once.
-Result<Model> loadModel(const Path& file, const LoadLimits& limits = {});
+// the glTF element that is wrong. Each warning (odd, but drawable) is logged once. variant: applied, and only
+// its images are read; empty: all are, and applyVariant() may follow.
+Result<Model> loadModel(const Path& file, const std::string& variant = {}, const LoadLimits& limits = {});
 
 // Gives each primitive its material of this variant. False if there is no such variant.
 bool applyVariant(Model&, const std::string& variant);

@@ -221,14 +221,21 @@ void readMaterials(GltfFile& file, Model& model) {
     for (size_t i = 0; i < file.images.size(); ++i)
         if (file.images[i].contains("uri") == file.images[i].contains("bufferView"))
             fault(element("images", i), " has not exactly one of uri and bufferView");
-    // Images that no material uses may be of any format, such as alternatives for extensions.
-    for (const Material& material : model.materials)
-        for (const TextureUse& use : material.textures()) {
+}
+
+void readImages(GltfFile& file, Model& model, bool ofPrimitives) {
+    std::set<int> materials;
+    for (const Mesh& mesh : model.meshes)
+        for (const Primitive& primitive : mesh.primitives) materials.insert(primitive.material);
+    for (size_t i = 0; i < model.materials.size(); ++i) {
+        if (ofPrimitives && !materials.contains(static_cast<int>(i))) continue;
+        for (const TextureUse& use : model.materials[i].textures()) {
             if (use.texture < 0) continue;
             const int image = model.textures[use.texture].image;
             if (model.images[image].empty())
                 model.images[image] = readImage(file, file.images[image], element("images", image));
         }
+    }
 }
 
 void readVariants(const Json& root, GltfFile& file) {

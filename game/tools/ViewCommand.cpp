@@ -154,9 +154,7 @@ void Viewer::aim() {
 }
 
 Status Viewer::open() {
-    if (Status s = scene::loadModel(options_.model).moveTo(model_); !s) return s;
-    if (!options_.variant.empty() && !scene::applyVariant(model_, options_.variant))
-        return Error{options_.model, "has no variant named " + options_.variant};
+    if (Status s = scene::loadModel(options_.model, options_.variant).moveTo(model_); !s) return s;
     if (Status s = findClip(model_, options_.animation, options_.model).moveTo(clip_); !s) return s;
     if (!options_.out.empty()) {
         if (Status s = platform::Headless::open().moveTo(headless_); !s) return s;

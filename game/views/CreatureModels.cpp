@@ -94,12 +94,9 @@ std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model
 
 Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRequest& request,
                                                                    render::Reflectance reflectance) {
-    auto model = scene::loadModel(request.file);
-    if (!model) return model.error();
     ModelInstance instance;
-    instance.model = std::move(*model);
-    if (!request.variant.empty() && !scene::applyVariant(instance.model, request.variant))
-        return Error{request.file.string(), "has no variant named " + request.variant};
+    if (Status s = scene::loadModel(request.file, request.variant).moveTo(instance.model); !s)
+        return s.error();
     for (const std::string_view joint : request.joints) {
         instance.jointNodes.push_back(instance.model.findNode(std::string(joint)));
         if (instance.jointNodes.back() < 0)

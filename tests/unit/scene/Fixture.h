@@ -86,7 +86,7 @@ struct Gltf {
 
     Result<Model> load(const LoadLimits& limits = {}) const {
         const Folder folder;
-        return loadModel(folder.write("model.gltf", text()), limits);
+        return loadModel(folder.write("model.gltf", text()), {}, limits);
     }
     Model model() const { return tests::valueOf(load()); }
 };

@@ -207,12 +207,12 @@ TEST(Hostile, FilesAndLimits) {
     EXPECT_EQ(refusal(loadModel(path)), "");
     LoadLimits limits;
     limits.maxFileBytes = 4000;
-    EXPECT_THAT(refusal(loadModel(path, limits)),
+    EXPECT_THAT(refusal(loadModel(path, {}, limits)),
                 HasSubstr("buffers[0].uri (big.bin): is larger than the limit"));
     limits = {};
     limits.maxTotalBytes = 20'000;
     for (int i = 0; i < 10; ++i) file.root["buffers"].push_back(buffer);
-    EXPECT_THAT(refusal(loadModel(folder.write("a.gltf", file.text()), limits)),
+    EXPECT_THAT(refusal(loadModel(folder.write("a.gltf", file.text()), {}, limits)),
                 HasSubstr("more than the limit of 20000 bytes"));
     limits = {};
     limits.maxVertices = 2;
