@@ -198,10 +198,37 @@ bool hasSoundHeaders(const Path& file) {
     return read && sound;
 }
 
+// Returns whether each list of channels ends where its size says. OpenEXRCore reads so far, where the classes
+// of C++ read on to the empty name that ends a list, and may take the rest for attributes. A header is a
+// sequence of name, type, size and value, ended by an empty name (OpenEXR File Layout).
+bool listsEnd(ByteSpan file) {
+    size_t at = 8; // behind magic number and version
+    const auto text = [&] {
+        const size_t begin = at;
+        while (at < file.size() && file[at]) ++at;
+        return asText(file.subspan(std::min(begin, file.size()), at++ - begin));
+    };
+    constexpr uint8_t kSeveralParts = 0x10; // of the second byte of the version
+    do {
+        while (!text().empty()) {
+            const bool channels = text() == "chlist";
+            if (at + 4 > file.size() || little32(file, at) > file.size() - at - 4) return false;
+            const size_t end = at + 4 + little32(file, at);
+            at += 4;
+            while (channels && at < end && file[at]) text(), at += 16;
+            if (channels && at + 1 != end) return false;
+            at = end;
+        }
+    } while (file.size() > 8 && (file[5] & kSeveralParts) && at < file.size() && file[at]);
+    return true;
+}
+
 } // namespace
 
-Result<HdrPicture> decodeExr(const Path& name, const std::string& wanted, PictureLimits limits) try {
-    if (!hasSoundHeaders(name)) return Error{"", "its header is damaged, cut short or of an unread variant"};
+Result<HdrPicture> decodeExr(const Path& name, ByteSpan bytes, const std::string& wanted,
+                             PictureLimits limits) try {
+    if (!hasSoundHeaders(name) || !listsEnd(bytes))
+        return Error{"", "its header is damaged, cut short or of an unread variant"};
     Imf::MultiPartInputFile file(name.c_str(), kOnThisThread);
     std::vector<Layer> layers;
     std::string deep;

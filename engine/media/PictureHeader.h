@@ -130,7 +130,8 @@ std::string convertToSrgb(ByteSpan profile, ImageRgb8& picture);
 // Reads a layer of flat channels R, G and B, of luminance and chroma Y, RY and BY, or of Y alone, black
 // outside of its data window. Its size is that of the display window. layer: see readHdr(). Does not
 // convert the primaries. Takes memory only once the windows are within the limits.
-Result<HdrPicture> decodeExr(const Path& file, const std::string& layer, PictureLimits limits);
+Result<HdrPicture> decodeExr(const Path& file, ByteSpan bytes, const std::string& layer,
+                             PictureLimits limits);
 
 // Encodes as 32-bit floats, ZIP-compressed.
 Result<std::string> encodeExr(const ImageRgbF& image);

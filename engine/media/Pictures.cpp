@@ -313,7 +313,7 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits, const std::st
     if (!layer.empty() && header.kind != PictureKind::Exr) return Error{file.string(), kNoLayers};
     auto picture = header.kind == PictureKind::Pfm        ? decodePfm(bytes)
                    : header.kind == PictureKind::Radiance ? decodeRadiance(bytes)
-                                                          : decodeExr(file, layer, limits);
+                                                          : decodeExr(file, bytes, layer, limits);
     if (!picture) return Error{file.string(), picture.error().reason};
     repair(*picture);
     constexpr Primaries kRec709 = {0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};

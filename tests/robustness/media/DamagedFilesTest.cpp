@@ -83,8 +83,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPicture,
 
 // Found by tests/fuzz: OpenEXR allocated gigabytes for a size in a field that we had not checked.
 TEST(DamagedExr, SizesAreCheckedBeforeTheLibraryBelievesThem) {
-    for (const char* name :
-         {"exr_attribute_size", "exr_list_shorter_than_stated", "exr_unknown_attribute_size"}) {
+    for (const char* name : {"exr_attribute_size", "exr_list_shorter_than_stated", "exr_list_without_end",
+                             "exr_unknown_attribute_size"}) {
         EXPECT_THAT(
             tests::errorOf(readHdr(tests::sourceFolder() / "tests/fuzz/regressions/Pictures" / name, kLimits))
                 .reason,
