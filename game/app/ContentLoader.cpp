@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <numbers>
 #include <thread>
 
@@ -160,24 +161,30 @@ Status ContentLoader::open(const PlayOptions& options, SessionConfig& config, bo
         loaded_ = std::move(models);
     }
     wanted.player.minRoughness = models_.minRoughness();
+    std::future<Status> space; // found while shaders are compiled
     if (!environment_ || environment_->setup() != wanted) {
         renderer_.reset();
         environment_.reset();
         if (!progress_(1)) return Error{"", "left while it was loading"};
         if (Status s = Environment::open(wanted, progress_).moveTo(environment_); !s) return s;
         const environment::Player& film = environment_->player();
-        if (Status s =
-                findFilmSpace(film.hasDepthTrack() ? film.file() : Path(), options.environment, config);
-            !s)
-            return s;
+        space = std::async(std::launch::async, [&, file = film.hasDepthTrack() ? film.file() : Path()] {
+            return findFilmSpace(file, options.environment, config);
+        });
+    }
+    if (options.environment.isOwnVideo()) config.dive.videoLength_s = environment_->player().length_s();
+    const SceneRendererSetup setup = rendererSetup(options, *environment_, seesRoom);
+    Status made = Done{};
+    if (!renderer_ || renderer_->setup() != setup) {
+        renderer_.reset();
+        made = SceneRenderer::make(models_, setup).moveTo(renderer_);
+    }
+    if (space.valid()) {
+        if (Status s = space.get(); !s) return s;
         space_ = config.dive.space;
     }
     config.dive.space = space_;
-    if (options.environment.isOwnVideo()) config.dive.videoLength_s = environment_->player().length_s();
-    const SceneRendererSetup setup = rendererSetup(options, *environment_, seesRoom);
-    if (renderer_ && renderer_->setup() == setup) return Done{};
-    renderer_.reset();
-    return SceneRenderer::make(models_, setup).moveTo(renderer_);
+    return made;
 }
 
 } // namespace shoal::app
