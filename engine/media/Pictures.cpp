@@ -266,10 +266,13 @@ Result<ImageRgb8> decoded(const Path& file, PictureKind kind, const std::vector<
     try {
         const log::QuietStandardError quiet; // OpenCV 4.6 prints exceptions, whatever the log level
         ImageRgb8 avif;                      // outlives the matrix that views it
-        const cv::Mat bgr = kind != PictureKind::Avif
-                                ? (*with)->imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION)
-                            : decodeAvif(file, avif) ? viewOf(avif)
-                                                     : cv::Mat();
+        cv::Mat bgr;
+        // A damaged file with this text is left to GDCM, which may end the program.
+        if (!hasText(bytes, 128, "DICM"))
+            bgr = kind != PictureKind::Avif
+                      ? (*with)->imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION)
+                  : decodeAvif(file, avif) ? viewOf(avif)
+                                           : cv::Mat();
         if (!bgr.empty() && bgr.type() == CV_8UC3) {
             ImageRgb8 image(bgr.cols, bgr.rows);
             cv::cvtColor(bgr, viewOf(image), cv::COLOR_BGR2RGB);

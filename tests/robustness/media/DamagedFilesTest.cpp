@@ -93,6 +93,12 @@ TEST(DamagedExr, SizesAreCheckedBeforeTheLibraryBelievesThem) {
     }
 }
 
+// Found by tests/fuzz: OpenCV gave a damaged WebP to its decoder of DICOM, which ended the program.
+TEST(DamagedWebp, IsNotTakenForDicom) {
+    const Path file = tests::sourceFolder() / "tests/fuzz/regressions/Pictures/webp_with_dicom_mark";
+    EXPECT_THAT(tests::errorOf(readPhoto(file, kLimits)).reason, testing::HasSubstr("cannot be decoded"));
+}
+
 class DamagedVideo : public testing::TestWithParam<const char*> {};
 
 TEST_P(DamagedVideo, PlaysOrGivesAReason) {
