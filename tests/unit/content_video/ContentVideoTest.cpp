@@ -50,7 +50,7 @@ TEST(ContentVideos, TogetherAreNoLargerThanADownloadMayBe) {
     for (const auto& entry : std::filesystem::directory_iterator(kVideos)) {
         (entry.path().extension() == ".mkv" ? depthBytes : bytes) += entry.file_size();
         if (entry.path().string().ends_with(".small.mp4")) {
-            EXPECT_LE(entry.file_size(), 15'100'000u) << entry.path();
+            EXPECT_LE(entry.file_size(), 15'000'000u) << entry.path();
         }
     }
     EXPECT_LE(bytes, 90'000'000u);
