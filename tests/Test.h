@@ -58,7 +58,7 @@ T valueOf(std::optional<T> value, const std::source_location& at = std::source_l
 // Returns the result's error; with a value, an error without a reason.
 template <class T> Error errorOf(const Result<T>& result) { return result ? Error{} : result.error(); }
 
-// Of a result: with its reason where it is an error.
+// Returns success for a value, else failure with the reason of the error.
 template <class T> testing::AssertionResult succeeded(const Result<T>& result) {
     return result ? testing::AssertionSuccess() : testing::AssertionFailure() << result.error().message();
 }

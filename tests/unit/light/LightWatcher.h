@@ -14,7 +14,7 @@ struct LightWatcher {
     LightFinder finder;
     LightOverTime steady;
 
-    // Of the last picture.
+    // Returns the lights of the picture that was looked at last.
     FoundLights found() {
         FoundLights all;
         finder.find(radiance, all);
