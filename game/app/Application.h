@@ -2,79 +2,21 @@
 // screen and of dives. Main thread, which has the OpenGL context.
 #pragma once
 
-#include "engine/audio/Audio.h"
 #include "engine/gl/FramePace.h"
-#include "engine/media/SoundTrack.h"
 #include "engine/platform/Window.h"
 #include "game/app/ContentLoader.h"
 #include "game/app/Display.h"
+#include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
-#include "game/feedback/Feedback.h"
+#include "game/app/SoundAndHaptics.h"
 #include "game/views/DynamicQuality.h"
-#include "input/haptics/HapticDevices.h"
 
 #include <future>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace shoal::app {
-
-// Photo mode: the dive stands still, the camera is free and no text covers the picture; a press saves it and
-// a lat-long of all directions as PNG files in the player's folder for pictures.
-class PhotoMode {
-  public:
-    // The camera starts at the player's view. bindings: the keys that move the camera.
-    PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, const Bindings& bindings);
-
-    enum class Command { None, Picture, Leave };
-    // Moves the camera and returns the player's command; once a frame. fov_deg: the picture's, which the
-    // wheel changes.
-    Command step(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
-    // Saves the picture and a lat-long of all directions, and sets the notice.
-    void save(const ImageRgb8& picture, SceneRenderer& renderer);
-
-    game::Snapshot shown; // the dive's, with the free camera as the viewer
-    float fovBefore_deg;
-    std::optional<game::Notice> notice; // to show now
-
-  private:
-    glm::vec3 origin_;
-    LookAngles look_;
-};
-
-// Sound and haptic output of a dive, from the same snapshots and events as the picture.
-class SoundAndHaptics {
-  public:
-    // Opens sound and haptics. Without a sound device it is silent, which is logged. The options, whose
-    // volumes and strength are read in every frame, must outlive this. video: the file whose sound plays in
-    // step with the picture; empty: none.
-    SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s);
-    SoundAndHaptics(const SoundAndHaptics&) = delete; // the audio holds the track's address
-    SoundAndHaptics& operator=(const SoundAndHaptics&) = delete;
-
-    // Outputs a frame. attended: false while another window has the focus, which stops all haptics.
-    // videoPosition_s: time of the frame shown since the video's first.
-    void frame(const game::Snapshot& shown, const game::Events& events, float dt_s, bool attended,
-               double videoPosition_s, const glm::quat& worldFromFilm);
-    const haptics::HapticFrame& hapticFrame() const { return hapticFrame_; } // as sent by the last frame()
-    // Newest first; valid until the next frame().
-    std::span<const game::Caption> captions() const { return sounds_.captions(); }
-
-  private:
-    Status openSound();
-    void openVideoSound(const Path& video, double videoLength_s);
-
-    game::SoundCues sounds_;
-    game::HapticFeedback hapticFeedback_;
-    const PlayOptions& options_;
-    float volume_;                           // last volume set on the audio
-    std::optional<media::SoundTrack> track_; // declared before the audio, which reads it
-    std::optional<audio::Audio> audio_;
-    std::optional<haptics::HapticOutput> haptics_;
-    haptics::HapticFrame hapticFrame_;
-};
 
 class Application {
   public:

@@ -1,9 +1,9 @@
-// Application: its photo mode.
-#include "game/app/Application.h"
+#include "game/app/PhotoMode.h"
 
 #include "engine/core/Log.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/Pictures.h"
+#include "game/views/SceneRenderer.h"
 
 #include <GLFW/glfw3.h>
 #include <fmt/chrono.h>

@@ -1,5 +1,4 @@
-// Application: its sound and haptic output.
-#include "game/app/Application.h"
+#include "game/app/SoundAndHaptics.h"
 
 #include "engine/core/Log.h"
 

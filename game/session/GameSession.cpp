@@ -1,6 +1,7 @@
 #include "game/session/GameSession.h"
 
 #include "engine/core/Log.h"
+#include "game/session/Statistics.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

@@ -1,5 +1,4 @@
-// The sources of a session's input.
-#include "game/session/GameSession.h"
+#include "game/session/HandSource.h"
 
 #include "engine/core/Log.h"
 #include "engine/core/Number.h"

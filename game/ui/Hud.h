@@ -6,7 +6,7 @@
 #include "engine/gl/PassTimers.h"
 #include "engine/render/View.h"
 #include "game/feedback/Feedback.h"
-#include "game/session/GameSession.h"
+#include "game/session/Statistics.h"
 #include "game/ui/Pen.h"
 #include "game/views/DynamicQuality.h"
 #include "game/views/Environment.h"

@@ -1,5 +1,4 @@
-// CreatureModels: the poses of arms.
-#include "game/views/CreatureModels.h"
+#include "game/views/ArmPose.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>

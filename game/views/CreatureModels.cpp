@@ -3,6 +3,7 @@
 #include "engine/core/Log.h"
 #include "engine/core/RunProgram.h"
 #include "engine/math/Trigonometry.h"
+#include "game/views/ArmPose.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -2,6 +2,7 @@
 #include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 #include "game/app/ContentLoader.h"
+#include "game/views/ArmPose.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/DynamicQuality.h"
 #include "game/views/Environment.h"

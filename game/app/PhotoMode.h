@@ -1,0 +1,34 @@
+// In photo mode the dive stands still, the camera is free and no text covers the picture. A press saves the
+// picture and a lat-long of all directions as PNG files in the player's folder for pictures.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "game/rules/Snapshot.h"
+#include "game/session/Controls.h"
+
+namespace shoal::app {
+
+class SceneRenderer;
+
+class PhotoMode {
+  public:
+    // The camera starts at the player's view. bindings: the keys that move the camera.
+    PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, const Bindings& bindings);
+
+    enum class Command { None, Picture, Leave };
+    // Moves the camera and returns the player's command; once a frame. fov_deg: the picture's, which the
+    // wheel changes.
+    Command step(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
+    // Saves the picture and a lat-long of all directions, and sets the notice.
+    void save(const ImageRgb8& picture, SceneRenderer& renderer);
+
+    game::Snapshot shown; // the dive's, with the free camera as the viewer
+    float fovBefore_deg;
+    std::optional<game::Notice> notice; // to show now
+
+  private:
+    glm::vec3 origin_;
+    LookAngles look_;
+};
+
+} // namespace shoal::app
