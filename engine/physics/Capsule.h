@@ -12,6 +12,8 @@ struct Capsule {
     float radius = 0.01f;
 };
 
+inline glm::vec3 middle(const Capsule& c) { return 0.5f * (c.a + c.b); }
+
 // Nearest points of two capsules' core segments. Ericson 2005, "Real-Time Collision Detection", 5.1.9.
 struct Nearest {
     glm::vec3 onFirst{0}, onSecond{0};

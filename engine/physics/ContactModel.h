@@ -8,11 +8,11 @@
 //    shrinks no faster than the fastest pair of end points closes along it, so time may advance by the gap
 //    over that speed. Gap and line have closed forms for capsules (Ericson 2005, "Real-Time Collision
 //    Detection", 5.1.9), so nothing is missed at any speed.
-// 2. Lasting touch (ContactWorld.h). A contact keeps the side on which it began while the bone sinks in, as
+// 2. Lasting touch (Contact.h). A contact keeps the side on which it began while the bone sinks in, as
 //    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
 //    the depth keeps growing past the body's axis, and the push never flips. A pair that overlaps at first is
 //    pushed apart along the line of nearest points, or across both axes where these cross.
-// 3. Pushing (ContactWorld.h). A bone is infinitely heavy and does not bounce: a body leaves a contact with
+// 3. Pushing (Contact.h). A bone is infinitely heavy and does not bounce: a body leaves a contact with
 //    the bone's speed. Contacts that contradict one another (a fish between two hands) are balanced by
 //    regularised projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). A
 //    velocity used for one tick only (a split impulse) separates overlaps, so that they add no energy.

@@ -4,7 +4,7 @@
 
 #include "engine/core/Random.h"
 #include "engine/physics/ContactModel.h"
-#include "engine/physics/ContactWorld.h"
+#include "engine/physics/Contact.h"
 #include "engine/physics/Grip.h"
 #include "engine/scene/HandPose.h"
 #include "game/rules/FilmSpace.h"

@@ -82,15 +82,7 @@ void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
                                j});
     }
     bodies_.clear();
-    // Adds the swimmer's body if a solid hand's path in this tick comes near it.
     const auto addBody = [&](const Swimmer& swimmer, size_t id, const Species& kind) {
-        const auto near = [&](const Hand& hand) {
-            const glm::vec3 a = hand.before[hands::kPalmJoint].position, b = hand.palm().position;
-            const float reach_m = kind.bodyHalf_m + kind.bodyRadius_m;
-            return hand.solid &&
-                   physics::separation({a, b, 0.25f}, {swimmer.position, swimmer.position, reach_m}) < 0;
-        };
-        if (!near(hands[0]) && !near(hands[1])) return;
         const glm::vec3 reach = swimmer.forward * kind.bodyHalf_m, way = swimmer.velocity * kDt;
         const glm::vec3 nose = swimmer.position + reach, tail = swimmer.position - reach;
         bodies_.push_back({static_cast<uint32_t>(id),
@@ -108,7 +100,7 @@ void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
     }
     if (shark.present) addBody(shark, fish.size(), in.kindOf(shark));
     std::swap(contacts, last_);
-    physics::collide(bodies_, movers_, kDt, last_, contacts);
+    world_.touch(bodies_, movers_, kDt, last_, contacts);
 }
 
 void feel(const physics::Contact& contact, const Fish& f, Hands& hands) {

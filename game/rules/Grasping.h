@@ -4,8 +4,8 @@
 // How fingers lie on a fish and what force they bear: engine/physics/ContactModel.h, steps 4 and 5.
 #pragma once
 
-#include "engine/physics/ContactWorld.h"
 #include "engine/physics/Grip.h"
+#include "engine/physics/World.h"
 #include "game/rules/DiveState.h"
 
 #include <algorithm>
@@ -29,6 +29,7 @@ class HandContacts {
     void collide(std::span<Fish>, const DiveContext&, std::vector<physics::Contact>& contacts);
 
   private:
+    physics::World world_;
     std::vector<physics::Body> bodies_;
     std::vector<physics::Mover> movers_;
     std::vector<physics::Contact> last_;

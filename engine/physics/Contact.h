@@ -1,13 +1,13 @@
-// Finds the contacts between bones of hands and bodies during one tick, tracks lasting contacts from tick to
-// tick, and computes how they push; see ContactModel.h, steps 1 to 3.
+// The contact of a bone of a hand with a body during one tick, which lasts from tick to tick, and how it
+// pushes; see ContactModel.h, steps 1 to 3. World.h finds the pairs.
 #pragma once
 
 #include "engine/physics/Capsule.h"
 #include "engine/physics/ContactModel.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <vector>
 
 namespace shoal::physics {
 
@@ -41,11 +41,9 @@ struct Contact {
     float time = 0;             // time of first touch, 0 to 1 within the tick; 0 for lasting contacts
 };
 
-// Writes to out the contacts of this tick, at most one for each (body, group, tag), sorted by these. last:
-// the contacts of the previous tick. The result depends only on the arguments, not on the order of bodies and
-// movers. A mover that goes farther than kTeleport_m is only tested at its end.
-void collide(std::span<const Body>, std::span<const Mover>, float dt_s, std::span<const Contact> last,
-             std::vector<Contact>& out);
+// Returns the contact of the two in this tick, if any. last: all contacts of the previous tick, sorted by
+// body, group and tag. A mover that goes farther than kTeleport_m is only tested at its end.
+std::optional<Contact> contactOf(const Mover&, const Body&, float dt_s, std::span<const Contact> last);
 
 // The functions below compute the velocity of a free body after contacts with hands; see ContactModel.h, step
 // 3. All contacts must be of the same body.

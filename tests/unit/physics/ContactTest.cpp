@@ -1,7 +1,8 @@
-#include "engine/physics/ContactWorld.h"
+#include "engine/physics/Contact.h"
 #include "engine/core/Random.h"
 #include "engine/physics/Capsule.h"
 #include "engine/physics/ContactModel.h"
+#include "engine/physics/World.h"
 #include "tests/Test.h"
 
 #include <btBulletCollisionCommon.h>
@@ -16,6 +17,12 @@ constexpr float kTol = 1e-5f;
 
 Mover still(Capsule c, int tag = 0) { return {c, c, glm::vec3(0), glm::vec3(0), 0, tag}; }
 
+// Contacts of one tick in a world of its own.
+void collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
+             std::span<const Contact> last, std::vector<Contact>& out) {
+    World().touch(bodies, movers, dt_s, last, out);
+}
+
 // A sphere that pushes as fast as it goes.
 Mover sphere(glm::vec3 from, glm::vec3 to, float radius) {
     const glm::vec3 velocity = (to - from) / kDt;
@@ -28,7 +35,7 @@ Body fishAt(glm::vec3 at, float radius, float half, glm::vec3 velocity = glm::ve
     return {id, {at - reach - way, at + reach - way, radius}, {at - reach, at + reach, radius}, velocity};
 }
 
-TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
+TEST(Contact, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {0, 0, 0}, 5);
     // A sphere of 1 cm, 3.5 cm left of the axis: 5 mm deep.
     const Mover tip = still({{-0.035f, 0, 0.02f}, {-0.035f, 0, 0.02f}, 0.01f}, 7);
@@ -44,7 +51,7 @@ TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
     EXPECT_EQ(c.closingSpeed, 0);
 }
 
-TEST(ContactWorld, ClosingSpeedIsRelative) {
+TEST(Contact, ClosingSpeedIsRelative) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {-0.5f, 0, 0});
     const Mover tip = sphere({-0.06f, 0, 0}, {-0.03f, 0, 0}, 0.01f); // 3.6 m/s towards it
     std::vector<Contact> contacts;
@@ -57,7 +64,7 @@ TEST(ContactWorld, ClosingSpeedIsRelative) {
     EXPECT_TRUE(contacts[0].fresh);
 }
 
-TEST(ContactWorld, NothingTunnelsAtAnySpeedBelowATeleport) {
+TEST(Contact, NothingTunnelsAtAnySpeedBelowATeleport) {
     std::vector<Contact> contacts;
     const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
     for (float speed : {1.0f, 5.0f, 20.0f, 60.0f, 150.0f})
@@ -71,7 +78,7 @@ TEST(ContactWorld, NothingTunnelsAtAnySpeedBelowATeleport) {
             }
 }
 
-TEST(ContactWorld, ATeleportTouchesNothingOnItsWay) {
+TEST(Contact, ATeleportTouchesNothingOnItsWay) {
     std::vector<Contact> contacts;
     const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
     const Mover tip = sphere({-1, 0, 0}, {1, 0, 0}, 0.006f);
@@ -79,7 +86,7 @@ TEST(ContactWorld, ATeleportTouchesNothingOnItsWay) {
     EXPECT_TRUE(contacts.empty());
 }
 
-TEST(ContactWorld, ResultIsSortedAndIndependentOfOrderAndHistory) {
+TEST(Contact, ResultIsSortedAndIndependentOfOrderAndHistory) {
     std::vector<Body> bodies;
     std::vector<Mover> movers;
     for (uint32_t i = 0; i < 6; ++i)
@@ -106,7 +113,7 @@ TEST(ContactWorld, ResultIsSortedAndIndependentOfOrderAndHistory) {
 }
 
 // A finger that presses on past the axis keeps pushing the way it came from.
-TEST(ContactWorld, ALastingContactNeverFlipsHoweverDeepItGoes) {
+TEST(Contact, ALastingContactNeverFlipsHoweverDeepItGoes) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> last, now;
     float depth = 0;
@@ -129,7 +136,7 @@ TEST(ContactWorld, ALastingContactNeverFlipsHoweverDeepItGoes) {
     EXPECT_NEAR(depth, 0.038f + 0.015f, 0.002f); // both radii, and 15 mm past the axis
 }
 
-TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
+TEST(Contact, ABoneThatHasGoneRightThroughIsFree) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> last, now;
     int touching = 0;
@@ -145,7 +152,7 @@ TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
 }
 
 // A hand that appears inside a fish has no earlier position; even crossing core segments are separated.
-TEST(ContactWorld, ABodyThatAppearsInsideGetsAWayOut) {
+TEST(Contact, ABodyThatAppearsInsideGetsAWayOut) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> contacts;
     for (glm::vec3 across : {glm::vec3(0.03f, 0, 0), glm::vec3(0, 0.03f, 0), glm::vec3(0.01f, 0, 0.03f)}) {
@@ -161,7 +168,7 @@ TEST(ContactWorld, ABodyThatAppearsInsideGetsAWayOut) {
 }
 
 // The way out leads out, and no shorter way does: also of axes along one line and of spheres in one place.
-TEST(ContactWorld, TheWayOutOfCrossedAxesIsTheShortest) {
+TEST(Contact, TheWayOutOfCrossedAxesIsTheShortest) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     const glm::vec3 along = fish.after.b - fish.after.a;
     Random random(9, 1);

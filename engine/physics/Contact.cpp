@@ -1,4 +1,4 @@
-#include "engine/physics/ContactWorld.h"
+#include "engine/physics/Contact.h"
 
 #include <glm/geometric.hpp>
 
@@ -10,8 +10,6 @@
 namespace shoal::physics {
 
 namespace {
-
-glm::vec3 middle(const Capsule& c) { return 0.5f * (c.a + c.b); }
 
 auto key(const Contact& c) { return std::tuple(c.body, c.group, c.tag); }
 
@@ -132,24 +130,17 @@ template <class Goal> glm::vec3 solve(glm::vec3 velocity, std::span<const Contac
 
 } // namespace
 
-void collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
-             std::span<const Contact> last, std::vector<Contact>& out) {
-    out.clear();
-    for (const Body& body : bodies)
-        for (const Mover& mover : movers) {
-            const Pair pair(mover, body);
-            Contact c{.body = body.id, .group = mover.group, .tag = mover.tag};
-            const auto before = std::ranges::lower_bound(last, key(c), {}, key);
-            const bool lasted =
-                before != last.end() && key(*before) == key(c) && before->lasting && !pair.jumped;
-            if (lasted)
-                c.normal = renewedNormal(pair, before->normal);
-            else if (!begin(pair, c))
-                continue;
-            if (complete(pair, dt_s, c)) out.push_back(c);
-        }
-    // A total order, so the result does not depend on the callers' order.
-    std::ranges::sort(out, {}, key);
+std::optional<Contact> contactOf(const Mover& mover, const Body& body, float dt_s,
+                                 std::span<const Contact> last) {
+    const Pair pair(mover, body);
+    Contact c{.body = body.id, .group = mover.group, .tag = mover.tag};
+    const auto before = std::ranges::lower_bound(last, key(c), {}, key);
+    const bool lasted = before != last.end() && key(*before) == key(c) && before->lasting && !pair.jumped;
+    if (lasted)
+        c.normal = renewedNormal(pair, before->normal);
+    else if (!begin(pair, c))
+        return {};
+    return complete(pair, dt_s, c) ? std::optional(c) : std::nullopt;
 }
 
 glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact> contacts) {
