@@ -13,7 +13,7 @@
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
 #include "engine/occlusion/SmoothLight.h"
-#include "engine/water/Water.h"
+#include "engine/water/EstimateWater.h"
 
 #include <glm/gtc/quaternion.hpp>
 

@@ -1,106 +1,22 @@
-// Decoders of pictures and sound, through FFmpeg, and the conversion of decoded frames to the picture that is
-// shown and, if they are of high dynamic range, to linear light. Internal to this folder; each belongs to one
-// thread.
+// Decoders of pictures and sound, through FFmpeg. Internal to this folder; each belongs to one thread.
 #pragma once
 
-#include "engine/core/Image.h"
-#include "engine/core/Result.h"
-#include "engine/core/ThreadPool.h"
 #include "engine/media/Ffmpeg.h"
+#include "engine/media/FrameConverter.h"
 #include "engine/media/VideoFrame.h"
-
-extern "C" {
-#include <libavutil/pixdesc.h>
-}
 
 #include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <vector>
 
 namespace shoal::media {
 
-// --- Conversion
+constexpr int64_t kMaxVideoPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
 
-// Codes of ISO/IEC 23091-2 (ITU-T H.273) that a stream or a frame states.
-struct StatedColour {
-    AVColorSpace matrix = AVCOL_SPC_UNSPECIFIED;
-    AVColorPrimaries primaries = AVCOL_PRI_UNSPECIFIED;
-    AVColorTransferCharacteristic transfer = AVCOL_TRC_UNSPECIFIED;
-    AVColorRange range = AVCOL_RANGE_UNSPECIFIED;
-    AVPixelFormat format = AV_PIX_FMT_NONE;
-};
-
-struct FrameColour {
-    ColourMatrix matrix = ColourMatrix::Bt709;
-    AVColorPrimaries primaries = AVCOL_PRI_BT709;
-    Transfer transfer = Transfer::Sdr;
-    bool fullRange = false;
-    Status decodable = Done{}; // fails for luma that is no sum of codes: constant luminance, ICtCp
-};
-
-// Returns how frames of this size are decoded. PQ and HLG are of BT.2020 unless other colours are stated.
-// Primaries of SDR: BT.2020 and P3 if stated; all others are taken for BT.709, which they are near. Range: as
-// FFmpeg takes it, full for its formats of JPEG, and for grey without a statement.
-FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int height);
-
-// Returns BT.601 for Motion JPEG of any size (JFIF), else the matrix that is stated. Without a known code
-// (unspecified, or RGB) it follows from the size, as in other players: BT.709 from 1280 wide or above 576
-// high.
-ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
-
-// Weights of red and blue in luma; green's is 1 minus both.
-struct Luma {
-    double red, blue;
-};
-Luma lumaOf(ColourMatrix matrix);
-
-// Returns the light of a PQ code, 0 to 1, in units of reference white (SMPTE ST 2084; white: BT.2408).
-double lightFromPq(double code);
-
-// Returns the light of the scene, 0 to 1, for an HLG code, 0 to 1 (the inverse OETF of BT.2100).
-double sceneFromHlg(double code);
-
-// Returns the light that a display of 1000 cd/m^2 shows for a scene's light (the OOTF of BT.2100), per unit
-// of the scene's; in units of reference white. luminance: the scene's, 0 to 1.
-double hlgGain(double luminance);
-
-// Converts frames of all pixel formats of whole numbers. Keeps its threads and rows between frames.
-class FrameConverter {
-  public:
-    // bgr takes the frame's size; blue first, sRGB-coded. radianceLin: null, or takes the light of a PQ or
-    // HLG frame, reduced to at most kMaxLightSide a side by means over areas; else it becomes empty. Negative
-    // light of colours outside of Rec. 709 becomes 0. Fails if the pixel format is unknown.
-    //
-    // Colours brighter than white are shown divided by their largest channel: hue and saturation stay.
-    Status convert(const AVFrame& frame, const FrameColour& colour, ImageRgb8& bgr, ImageRgbF* radianceLin);
-
-    // Makes `out` own the frame and hold its planes, if it has three of YCbCr.
-    void share(const AVFrame& frame, const FrameColour& colour, VideoFrame& out);
-
-  private:
-    using Row = std::vector<float>;
-    struct Rows {
-        std::vector<uint16_t> codes;
-        std::array<Row, 3> channels; // red, green, blue; at first codes
-    };
-    Status begin(const AVFrame& frame, const FrameColour& colour);
-    void makeMatrix(const FrameColour& colour);
-    void readRow(int component, int y, Rows& rows) const;
-    void convertRow(int y, Rows& rows, uint8_t* bgr) const;
-    void convertBand(int band, ImageRgb8& bgr);
-
-    std::unique_ptr<ThreadPool> pool_;
-    std::vector<Rows> rows_; // by band
-    // The frame being converted:
-    const AVFrame* frame_ = nullptr;
-    const AVPixFmtDescriptor* format_ = nullptr;
-    bool isRgb_ = false, isPalette_ = false, isGrey_ = false;
-    Planes planes_; // without codes unless it has three planes of YCbCr
-    ImageRgbF* radianceLin_ = nullptr;
-};
+// Fails if pictures of that size are not played.
+Status checkPictureSize(int width, int height);
 
 // Converts a picture in planes (luma, blue and red difference), which are `strides` bytes a row, to the size
 // that bgr has. Each difference stands for two pixels of a row, the last one of an odd width for one, and for
@@ -108,13 +24,6 @@ class FrameConverter {
 // (BT.601 and 709). Values are within 0.6 of the formula's, clamped to 0 .. 255.
 void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>& strides,
            int rowsPerDifference, ColourMatrix matrix, bool fullRange, ImageRgb8& bgr);
-
-// --- Decoding
-
-constexpr int64_t kMaxVideoPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
-
-// Fails if pictures of that size are not played.
-Status checkPictureSize(int width, int height);
 
 // Pictures brought back from a graphics card, which decodes films by VAAPI or CUDA. Keeps its memory between
 // them.

@@ -1,4 +1,4 @@
-#include "engine/media/Decoder.h"
+#include "engine/media/FrameConverter.h"
 
 #include "engine/core/Vectorise.h"
 #include "engine/math/Colour.h"

@@ -1,4 +1,4 @@
-#include "engine/media/PictureHeader.h"
+#include "engine/media/OpenExr.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

@@ -1,7 +1,8 @@
-#include "engine/media/PictureHeader.h"
+#include "engine/media/PhotoMetadata.h"
 
 #include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
+#include "engine/media/PictureHeader.h"
 
 #include <fmt/core.h>
 #include <lcms2.h>

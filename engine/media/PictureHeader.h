@@ -1,6 +1,6 @@
-// Kind and size of a picture file, read from its first bytes so that limits hold before memory is taken;
-// metadata of photos; and OpenEXR pictures. Internal to this folder. Headers are read here because stb_image
-// knows neither WebP nor PFM, and OpenCV tells a size only by decoding.
+// Kind and size of a picture file, read from its first bytes so that limits hold before memory is taken.
+// Internal to this folder. Headers are read here because stb_image knows neither WebP nor PFM, and OpenCV
+// tells a size only by decoding.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -111,33 +111,5 @@ enum class TiffTag : uint32_t {
 // 2), or its one number, at most 2^32 - 1; empty or 0 if it is missing or cut short. bytes: the structure.
 ByteSpan tiffEntry(ByteSpan bytes, TiffTag tag);
 uint32_t tiffNumber(ByteSpan bytes, TiffTag tag);
-
-// --- Metadata of photos (PhotoMetadata.cpp)
-
-// Reads the metadata of a JPEG, PNG, WebP or TIFF, of an AVIF its orientation and profile alone; those of
-// other kinds are as if there were none. bytes: the whole file.
-PhotoMetadata photoMetadata(ByteSpan bytes, PictureKind kind);
-
-// Converts a picture in place to sRGB: relative colorimetric, with the black point of sRGB. profile: ICC,
-// untrusted; of red, green and blue, or of grey where all pixels are grey. Empty: none. Returns what was
-// done, a clause after "; "; empty: there is no profile, or it gives the colours of sRGB. A damaged one, or
-// one of other components than the picture's, is ignored.
-std::string convertToSrgb(ByteSpan profile, ImageRgb8& picture);
-
-// --- OpenEXR pictures, through OpenEXR's own library, on the calling thread (OpenExr.cpp). The errors have
-// no path.
-
-// Reads a layer of flat channels R, G and B, of luminance and chroma Y, RY and BY, or of Y alone, black
-// outside of its data window. Its size is that of the display window. layer: see readHdr(). Does not
-// convert the primaries. Takes memory only once the windows are within the limits.
-Result<HdrPicture> decodeExr(const Path& file, ByteSpan bytes, const std::string& layer,
-                             PictureLimits limits);
-
-// Encodes as 32-bit floats, ZIP-compressed.
-Result<std::string> encodeExr(const ImageRgbF& image);
-
-// Converts colours to Rec. 709 primaries; white stays white (Bradford's adaptation), and components that
-// become negative are 0. False, without a change, if these primaries span no colours.
-bool toRec709(ImageRgbF& image, const Primaries& from);
 
 } // namespace shoal::media

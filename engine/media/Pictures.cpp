@@ -4,6 +4,7 @@
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/Decoder.h"
+#include "engine/media/OpenExr.h"
 #include "engine/media/PictureHeader.h"
 
 #include <fmt/ranges.h>

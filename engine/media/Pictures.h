@@ -1,10 +1,10 @@
-// Reading and writing of picture files, with the metadata of photos. Any thread may call these functions.
+// Reading and writing of picture files. Any thread may call these functions.
 #pragma once
 
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/media/SphericalMetadata.h"
+#include "engine/media/PhotoMetadata.h"
 
 #include <array>
 #include <optional>
@@ -12,41 +12,6 @@
 #include <vector>
 
 namespace shoal::media {
-
-// --- Facts that cameras and editors write beside a photo's pixels: how it is stored (EXIF), which part of
-// the sphere it shows and how its camera was held (Google's Photo Sphere XMP, "GPano"), and its colours
-// (ICC). Sources: CIPA DC-008; ISO 23008-12, 6.5 (AVIF); developers.google.com/streetview/spherical-metadata;
-// ICC.1, annex B; Adobe's XMP specification, part 3.
-
-struct PhotoMetadata {
-    int orientation = 1; // SphericalMetadata.h
-    // Place of the upright picture in its panorama; empty: not stated, or ignored.
-    std::optional<PanoramaPlacement> placement;
-    bool placementIgnored = false; // it contradicts itself
-    float heading_deg = 0, pitch_deg = 0, roll_deg = 0;
-    std::vector<uint8_t> profile; // ICC, or made of a PNG's gAMA and cHRM; empty: none
-
-    // Returns whether the photo states that it is a part of a panorama, and not all of it.
-    bool isPart() const {
-        return placement &&
-               (placement->width < placement->fullWidth || placement->height < placement->fullHeight);
-    }
-    // Returns the rotation that makes the panorama's horizon level; both have the axes of env. Pitch lifts
-    // the middle of the picture; positive roll has turned the horizon counterclockwise in it. The heading
-    // tells where north is, which nothing here asks for: the middle of the picture stays ahead.
-    glm::quat envFromPhoto() const;
-    // Returns what is done for the orientation and the pose, a clause each after "; "; empty: nothing.
-    std::string note() const;
-};
-
-// Returns the layout of a photo that is lat-long by its shape and content, or by its metadata; Auto: an
-// ordinary photo.
-template <class Picture> Layout layoutOf(const Picture& photo, const PhotoMetadata& metadata) {
-    const Layout layout = layoutOf(photo);
-    return layout == Layout::Auto && metadata.placement ? Layout::Mono : layout;
-}
-
-// --- Pictures
 
 // Largest sizes; checked against the file's header before memory is allocated for the pixels.
 struct PictureLimits {

@@ -1,50 +1,20 @@
-// Stereo layouts of a frame, and their detection; and spherical metadata of videos and photos: projection,
-// stereo layout, the part of the sphere covered, and how the sphere is turned. Videos: Google's Spherical
-// Video V1 and V2 in MP4, Projection and StereoMode in Matroska, and V1 in its tags. Photos: Pictures.h.
-// Sources: google/spatial-media docs/spherical-video-rfc.md and -v2-rfc.md; ISO/IEC 14496-12; RFC 9559.
+// Spherical metadata of videos and photos: projection, stereo layout, the part of the sphere covered, and how
+// the sphere is turned. Videos: Google's Spherical Video V1 and V2 in MP4, Projection and StereoMode in
+// Matroska, and V1 in its tags. Photos: PhotoMetadata.h. Sources: google/spatial-media
+// docs/spherical-video-rfc.md and -v2-rfc.md; ISO/IEC 14496-12; RFC 9559.
 #pragma once
 
-#include "engine/core/EnumNames.h"
 #include "engine/core/Files.h"
-#include "engine/core/Image.h"
+#include "engine/media/StereoView.h"
 
 #include <glm/gtc/quaternion.hpp>
 
-#include <array>
 #include <optional>
 
 struct AVFormatContext;
 struct AVStream;
 
 namespace shoal::media {
-
-// Auto: to be detected, or unknown. The others name the left eye's half first.
-enum class Layout { Auto, Mono, TopBottom, LeftRight, BottomTop, RightLeft };
-
-// Part of a frame that one eye sees, pixels. The halves of an odd size are rounded down.
-struct EyePart {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
-// Returns an eye's part. eye: 0 left, 1 right. Both eyes see the whole of a mono frame. layout is not Auto.
-EyePart eyePart(Layout layout, int eye, int width, int height);
-
-// Guesses by the frame's shape alone, expecting 2:1 for each eye within 6 %: 2:1 is mono, 1:1 top-bottom, 4:1
-// left-right. Auto if the shape is ambiguous (16:9 is used for all three).
-Layout layoutFromShape(double width, double height);
-
-// Detects the layout from a frame: two eyes see the same but for small shifts along the rows, the halves of
-// one panorama do not. Compares halves in blocks that have structure. Mono if neither pair of halves is
-// alike, or both are; Auto if nothing can be told: blank, a fade, plain water. frame: either channel order.
-Layout layoutFromContent(const ImageRgb8& frame);
-
-// Detects a still picture's layout by its shape and content: 2:1 is mono unless it shows two eyes' pictures
-// squeezed; squares and 4:1 strips are as often ordinary pictures, so they must show two eyes. Auto: an
-// ordinary picture. Two eyes are looked for in 8-bit pictures alone.
-Layout layoutOf(const ImageRgb8& picture);
-Layout layoutOf(const ImageRgbF& picture);
-
-// --- Metadata
 
 // Other: fisheyes and whatever else FFmpeg names.
 enum class Projection { Unknown, Equirect, Cubemap, Mesh, Other };
@@ -115,7 +85,3 @@ void placeInSphere(const Picture& upright, Layout layout, const SphereBounds& bo
 template <>
 inline constexpr std::array shoal::kEnumNames<shoal::media::Projection> = {
     "unknown", "lat-long", "a cube map", "a mesh", "of another projection"};
-
-template <>
-inline constexpr std::array shoal::kEnumNames<shoal::media::Layout> = {
-    "auto", "mono", "top-bottom", "left-right", "bottom-top", "right-left"};

@@ -1,4 +1,4 @@
-#include "engine/media/SphericalMetadata.h"
+#include "engine/media/StereoView.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,4 +1,4 @@
-#include "engine/water/Water.h"
+#include "engine/water/EstimateWater.h"
 
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"

@@ -3,7 +3,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Files.h"
-#include "engine/media/live/LivePlayer.h"
+#include "engine/media/live/LiveFeed.h"
 #include "engine/xr/Headset.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandTracker.h"

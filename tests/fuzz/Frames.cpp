@@ -1,6 +1,6 @@
 // Decoded frames of all pixel formats and stated colours: width, height, format (2 bytes), matrix, primaries,
 // transfer, flags, then what the planes hold, over and over.
-#include "engine/media/Decoder.h"
+#include "engine/media/FrameConverter.h"
 #include "tests/fuzz/Target.h"
 
 using namespace shoal;

@@ -1,7 +1,7 @@
 // A film's planes become the same picture on the graphics card as on the processor, and 10 bits stay 10 bits.
 #include "Spheres.h"
 #include "engine/core/Random.h"
-#include "engine/media/Decoder.h"
+#include "engine/media/FrameConverter.h"
 #include "engine/render/EnvironmentGpu.h"
 
 namespace shoal {

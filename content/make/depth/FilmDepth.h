@@ -3,7 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
-#include "engine/media/SphericalMetadata.h"
+#include "engine/media/StereoView.h"
 
 #include <functional>
 

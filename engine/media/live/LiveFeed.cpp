@@ -1,7 +1,8 @@
-#include "engine/media/live/LivePlayer.h"
+#include "engine/media/live/LiveFeed.h"
 
 #include "engine/core/Number.h"
 #include "engine/media/Codecs.h"
+#include "engine/media/VideoFrame.h"
 
 #include <algorithm>
 #include <atomic>

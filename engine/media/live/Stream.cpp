@@ -1,6 +1,6 @@
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Decoder.h"
-#include "engine/media/live/LivePlayer.h"
+#include "engine/media/live/LiveFeed.h"
 #include "engine/media/live/PacketQueue.h"
 
 extern "C" {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/math/Colour.h"
-#include "engine/media/Decoder.h"
+#include "engine/media/FrameConverter.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

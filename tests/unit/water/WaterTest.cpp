@@ -1,10 +1,10 @@
 // Tests that known water is found again in frames made with it.
-#include "engine/water/Water.h"
 #include "engine/core/Files.h"
 #include "engine/core/Random.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/Pictures.h"
+#include "engine/water/EstimateWater.h"
 #include "tests/Test.h"
 #include "tests/unit/water/SeenThrough.h"
 
