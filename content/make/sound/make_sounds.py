@@ -348,7 +348,7 @@ def feed():
 
 
 def collect():
-    """A bottle for the collection: G and the D above it, struck softly on glass, whose partials lie apart as a plate's do."""
+    """A bottle for the collection: G and the D above it, softly on glass, whose partials lie apart as those of a plate do."""
     seconds = 1.5
     x = empty(seconds)
     for at, f, gain in ((0.0, 784.0, 0.8), (0.16, 1174.7, 1)):
@@ -356,7 +356,7 @@ def collect():
         tone = sum(g * np.sin(2 * np.pi * ratio * f * t) * np.exp(-t / decay)
                    for ratio, g, decay in ((1, 1, 0.34), (1.004, 0.5, 0.40), (2.32, 0.22, 0.13), (4.25, 0.06, 0.05)))
         add(x, gain * tone * np.clip(t / 0.004, 0, 1), at)
-    return fade(answer(band(x, 150, 5000, 1.5), 1.0, 300, 3000, 0.3, 175), 0.003, 0.5)
+    return fade(answer(band(x, 150, 5000, 1.5), 1.0, 300, 3000, 0.14, 175), 0.003, 0.5)
 
 
 # LUFS: beds over all of it, other sounds their loudest 400 ms. What matters more to the player is louder.
