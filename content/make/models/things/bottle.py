@@ -11,10 +11,10 @@ from things.thing import Sheet, Thing, bound, skin
 LENGTH = 0.24
 GLASS, SHELL = (0, 0, 448, 256), (448, 0, 64, 64)
 # Height above the foot and radius, metres: the punt below, the foot, the wall, the shoulder, the neck, the lip, the mouth.
-PROFILE = np.array([(0.020, 0.0005), (0.017, 0.010), (0.009, 0.019), (0.001, 0.0265), (0.000, 0.0300), (0.0022, 0.0330), (0.006, 0.0340),
+PROFILE = np.array([(0.020, 0.0), (0.017, 0.010), (0.009, 0.019), (0.001, 0.0265), (0.000, 0.0300), (0.0022, 0.0330), (0.006, 0.0340),
                     (0.050, 0.0340), (0.098, 0.0340), (0.142, 0.0338), (0.155, 0.0318), (0.166, 0.0270), (0.176, 0.0210), (0.187, 0.0165),
                     (0.202, 0.0145), (0.220, 0.0138), (0.2245, 0.0140), (0.2255, 0.0162), (0.2330, 0.0164), (0.2385, 0.0150),
-                    (0.2400, 0.0125), (0.2385, 0.0102), (0.230, 0.0095), (0.215, 0.0092), (0.213, 0.0005)])
+                    (0.2400, 0.0125), (0.2385, 0.0102), (0.230, 0.0095), (0.215, 0.0092), (0.213, 0.0)])
 LONG = np.linalg.norm(np.diff(PROFILE, axis=0), axis=1)
 ALONG = np.append(0, np.cumsum(LONG)) / LONG.sum()
 HEIGHT, WIDE = Curve(np.stack([ALONG, PROFILE[:, 0]], -1)), Curve(np.stack([ALONG, PROFILE[:, 1]], -1))
