@@ -26,11 +26,13 @@ class Glb:
         self.binary.extend(data)
         return self._append('bufferViews', view)
 
-    def accessor(self, array, dtype='<f4', target=None, bounds=False):
+    def accessor(self, array, dtype='<f4', target=None, bounds=False, normalized=False):
         a = np.ascontiguousarray(array, dtype=dtype)
         width = 1 if a.ndim == 1 else int(np.prod(a.shape[1:]))
         item = {'bufferView': self._view(a.tobytes(), target), 'componentType': COMPONENT[a.dtype],
                 'count': len(a), 'type': KIND[width]}
+        if normalized:
+            item['normalized'] = True
         if bounds:
             flat = a.reshape(len(a), width)
             item['min'] = [float(v) for v in flat.min(0)]
@@ -66,16 +68,22 @@ class Glb:
             item['alphaMode'] = 'BLEND'
         return self._append('materials', item)
 
-    def primitive(self, part, material):
-        """part: a mesh.Part with weights as (joint indices, weights), four to a vertex."""
+    def primitive(self, part, material, compact=False):
+        """part: a mesh.Part with weights as (joint indices, weights), four to a vertex. compact: weights and uvs as
+        integers."""
         vertex = 34962
         attributes = {'POSITION': self.accessor(part.positions, target=vertex, bounds=True),
                       'NORMAL': self.accessor(part.normals, target=vertex),
                       'TANGENT': self.accessor(part.tangents, target=vertex)}
         if part.uvs is not None:
-            attributes['TEXCOORD_0'] = self.accessor(part.uvs, target=vertex)
+            uvs = np.round(part.uvs * 65535) if compact else part.uvs
+            attributes['TEXCOORD_0'] = self.accessor(uvs, '<u2' if compact else '<f4', vertex, normalized=compact)
         attributes['JOINTS_0'] = self.accessor(part.joints, 'u1', vertex)
-        attributes['WEIGHTS_0'] = self.accessor(part.weights, target=vertex)
+        weights = part.weights
+        if compact:  # the heaviest takes the rounding, so that they sum to one
+            weights = np.round(part.weights * 255)
+            weights[:, 0] += 255 - weights.sum(1)
+        attributes['WEIGHTS_0'] = self.accessor(weights, 'u1' if compact else '<f4', vertex, normalized=compact)
         small = len(part.positions) < 65535
         indices = self.accessor(part.triangles.reshape(-1), '<u2' if small else '<u4', 34963)
         return {'attributes': attributes, 'indices': indices, 'material': material}
@@ -110,7 +118,7 @@ class Glb:
                                       'skeleton': skeleton})
 
     def animation(self, name, times, channels):
-        """channels: list of (node, 'rotation' | 'translation', values of one per time)."""
+        """channels: list of (node, 'rotation' | 'translation' | 'scale', values of one per time)."""
         clock = self.accessor(times, bounds=True)
         item = {'name': name, 'samplers': [], 'channels': []}
         for node, path, values in channels:

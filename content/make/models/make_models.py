@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes content/models/*.glb: every animal, both hands and both arms. Same program, same bytes.
+"""Makes content/models/*.glb: every animal, both hands, both arms and every loose thing. Same program, same bytes.
 
 Usage: make_models.py [NAME ...] [--out FOLDER]. Needs Python 3, numpy and Pillow.
 """
@@ -17,18 +17,20 @@ sys.dont_write_bytecode = True
 ANIMALS = ('clownfish', 'angelfish', 'snapper', 'sardine', 'boxfish', 'idol', 'ray', 'shark', 'jellyfish', 'humpback')
 HANDS = ('hand_left', 'hand_right')
 ARMS = ('arm_left', 'arm_right')
+THINGS = ('mussel', 'stone', 'bottle')
+ALL = ANIMALS + HANDS + ARMS + THINGS
 
 
 def main():
     models = HERE.parent.parent / 'models'
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('names', nargs='*', metavar='NAME', help=', '.join(ANIMALS + HANDS + ARMS))
+    parser.add_argument('names', nargs='*', metavar='NAME', help=', '.join(ALL))
     parser.add_argument('--out', type=Path, default=models, help='folder of the .glb files')
     options = parser.parse_args()
-    unknown = set(options.names) - set(ANIMALS + HANDS + ARMS)
+    unknown = set(options.names) - set(ALL)
     if unknown:
         parser.error(f'unknown: {", ".join(sorted(unknown))}')
-    wanted = options.names or ANIMALS + HANDS + ARMS
+    wanted = options.names or ALL
     options.out.mkdir(parents=True, exist_ok=True)
 
     def report(name, started, size, triangles, vertices):
@@ -37,9 +39,9 @@ def main():
 
     for name in wanted:
         started = time.monotonic()
-        if name in ANIMALS:
-            animal = importlib.import_module(f'species.{name}').make()
-            report(name, started, *animal.write(options.out / f'{name}.glb'))
+        if name in ANIMALS + THINGS:
+            made = importlib.import_module(f'{"species" if name in ANIMALS else "things"}.{name}').make()
+            report(name, started, *made.write(options.out / f'{name}.glb'))
     hands = [name for name in wanted if name in HANDS]
     if hands:
         started = time.monotonic()

@@ -296,12 +296,76 @@ def dive_over():
     return fade(x + 0.18 * bubbles_at(empty(seconds), times, 154, 0.002, 0.006, rise=0.2), 0.003, 1.0)
 
 
+def struck(seconds, seed, modes, length):
+    """A hard thing struck: modes (frequency, gain, decay), and the grit of the touch, `length` seconds of it."""
+    t = time(seconds)
+    x = sum(gain * np.sin(2 * np.pi * f * t) * np.exp(-t / decay) for f, gain, decay in modes)
+    grit = unit(band(noise(seconds, seed), 900, 4200)) * np.exp(-t / length)
+    return (x + 0.35 * grit) * np.clip(t / 0.0008, 0, 1)
+
+
+def crack():
+    """A mussel's shell gives way: a snap, splinters within a twentieth of a second, the halves knock; a small bubble leaves."""
+    seconds = 0.45
+    x = empty(seconds)
+    add(x, struck(0.2, 160, ((610, 0.8, 0.012), (1480, 0.7, 0.007), (2630, 0.5, 0.004)), 0.005), 0.004)
+    random = np.random.default_rng(161)
+    for at in 0.012 + 0.045 * random.random(11) ** 1.5:
+        f = random.uniform(1400, 3800)
+        add(x, struck(0.05, 162, ((f, 1, 0.0022), (0.43 * f, 0.5, 0.004)), 0.0015) * random.uniform(0.15, 0.6), at)
+    add(x, struck(0.2, 163, ((330, 0.9, 0.022), (870, 0.4, 0.010)), 0.003) * 0.6, 0.062)
+    x = answer(band(x, 150, 4500, 1.5), 0.25, 250, 2000, 0.15, 164)
+    return fade(x + 0.9 * bubbles_at(empty(seconds), (0.12, 0.17), 165, 0.0022, 0.0032, rise=0.3), 0.002, 0.12)
+
+
+def knock():
+    """A stone or a bottle against rock: one dull hard blow, and the water's short answer."""
+    x = empty(0.35)
+    add(x, struck(0.3, 166, ((240, 0.9, 0.030), (690, 1, 0.017), (1310, 0.5, 0.010), (2240, 0.3, 0.006)), 0.003), 0.004)
+    add(x, struck(0.2, 167, ((720, 0.5, 0.012), (1370, 0.3, 0.008)), 0.002) * 0.35, 0.047)
+    return fade(answer(band(x, 110, 3000, 1.5), 0.3, 150, 1500, 0.25, 168), 0.002, 0.12)
+
+
+def throw():
+    """An arm sweeps forward through the water and lets go; a wake of a few small bubbles."""
+    seconds = 0.75
+    x = swish(seconds, 0.2, ((110, 420, 0.13, 1), (380, 1200, 0.085, 0.6), (1100, 2600, 0.05, 0.22)), 169)
+    times = 0.26 + np.cumsum(np.random.default_rng(170).exponential(0.06, 5))
+    return fade(x + 0.16 * bubbles_at(empty(seconds), times, 171, 0.0015, 0.003), 0.03, 0.3)
+
+
+def feed():
+    """Small mouths at flesh: soft quick clicks, a few at once, each with the sip of water that it takes in."""
+    seconds = 0.75
+    x = empty(seconds)
+    random = np.random.default_rng(172)
+    for at in 0.02 + np.cumsum(random.uniform(0.018, 0.062, 14)):
+        f = random.uniform(700, 1700)
+        nibble = struck(0.09, 173, ((f, 1, 0.006), (2.1 * f, 0.3, 0.003)), 0.003)
+        sip = swish(0.09, 0.02, ((500, 1800, 0.014, 0.14),), random.integers(174, 400))
+        add(x, fade(nibble + sip, 0.001, 0.03) * random.uniform(0.35, 1), at)
+    return fade(answer(band(x, 200, 3200, 1.5), 0.2, 300, 2000, 0.2, 173), 0.003, 0.1)
+
+
+def collect():
+    """A bottle for the collection: G and the D above it, softly on glass, whose partials lie apart as those of a plate do."""
+    seconds = 1.5
+    x = empty(seconds)
+    for at, f, gain in ((0.0, 784.0, 0.8), (0.16, 1174.7, 1)):
+        t = time(seconds - at)
+        tone = sum(g * np.sin(2 * np.pi * ratio * f * t) * np.exp(-t / decay)
+                   for ratio, g, decay in ((1, 1, 0.34), (1.004, 0.5, 0.40), (2.32, 0.22, 0.13), (4.25, 0.06, 0.05)))
+        add(x, gain * tone * np.clip(t / 0.004, 0, 1), at)
+    return fade(answer(band(x, 150, 5000, 1.5), 1.0, 300, 3000, 0.14, 175), 0.003, 0.5)
+
+
 # LUFS: beds over all of it, other sounds their loudest 400 ms. What matters more to the player is louder.
 LEVELS = {
     bed_open: -23, bed_tunnel: -23, struggle: -23,
     catch: -17, dive_start: -18, dive_over: -18, shark_bite: -18, shark_bump: -20, shark_near: -20, whale_song: -18, fish_pass_large: -23,
     escape: -22, release: -22, startle: -24, touch: -25, countdown: -24, bubbles: -24, fish_pass_small: -25, miss: -27,
     miss_too_far: -25, miss_behind: -25, miss_too_fast: -25, miss_too_early: -25,
+    crack: -22, knock: -24, throw: -25, feed: -26, collect: -20,
 }
 LOOPS = {bed_open, bed_tunnel, struggle}
 

@@ -275,6 +275,38 @@ TEST(OtherAnimals, AreAsLargeAsInLifeAndHoldTheClipsThatTheGamePlays) {
     }
 }
 
+// A thing without its weed is as large as in life and centred on its origin: its capsule lies along Z.
+TEST(Things, AreCentredAtTheirRealSizeAndLoseTheirWeed) {
+    struct Case {
+        const char* name;
+        glm::vec3 size_m; // across, high, long
+        std::vector<std::string> clips;
+    };
+    for (const Case& thing : {Case{"mussel", {0.038f, 0.046f, 0.09f}, {"loose", "drift", "open"}},
+                              Case{"stone", {0.064f, 0.046f, 0.085f}, {"loose", "drift"}},
+                              Case{"bottle", {0.068f, 0.068f, 0.24f}, {}}}) {
+        SCOPED_TRACE(thing.name);
+        const Model model = load(thing.name);
+        const auto boundsIn = [&](const std::string& clip) { // at rest if there is none of this name
+            Pose pose = restOf(model);
+            if (const int index = model.findAnimation(clip); index >= 0) animate(model, index, 0, pose);
+            updateGlobals(model, pose);
+            return posedBounds(model, pose);
+        };
+        for (const std::string& clip : thing.clips) EXPECT_GE(model.findAnimation(clip), 0) << clip;
+        const Bounds rest = boundsIn("rest"), bare = boundsIn("loose"), open = boundsIn("open");
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR((bare.high - bare.low)[axis], thing.size_m[axis], 0.002f) << axis;
+            EXPECT_NEAR(bare.high[axis], -bare.low[axis], 0.002f) << axis;
+        }
+        // The game measures the length at rest, with weed.
+        EXPECT_NEAR(rest.high.z - rest.low.z, thing.size_m.z, 0.003f);
+        EXPECT_EQ(boundsIn("drift").high.y > 0.14f, !thing.clips.empty());  // its weed
+        EXPECT_EQ(open.low.x < 1.5f * bare.low.x, thing.clips.size() == 3); // its shells gape
+        EXPECT_LE(triangles(model), 3000u);
+    }
+}
+
 struct HandPoseCase {
     const char* name;
     hands::HandShape shape;

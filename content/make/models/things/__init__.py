@@ -1,0 +1,1 @@
+"""Loose things that hands pick up and throw, one to a module."""

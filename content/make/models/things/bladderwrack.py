@@ -1,0 +1,132 @@
+"""A tuft of bladderwrack, Fucus vesiculosus: flat olive fronds that fork, with a midrib and gas bladders in pairs. It hangs on
+a joint named "weed", with three chains of joints that sway."""
+
+import numpy as np
+
+import paint
+from mesh import join, quaternion, quaternion_product, strongest_four, unit
+from paint import bump, mix, rgb, step
+from things.thing import GONE, skin
+
+HEIGHT = 0.15          # metres
+CHAINS, LINKS = 3, 3   # joints: weed, then weed_0_0 .. weed_2_2
+FORK = 0.42            # share of a frond's length below its fork
+BLADE, BLADDER = (384, 0, 128, 216), (384, 216, 128, 40)  # tiles
+STILL = [0.0, 1.0]     # phases of a clip that holds still
+
+
+def joints(at, first):
+    """first: number of the joint "weed", which hangs on joint 0; at: where it is fastened, a little inside of the body."""
+    out = [('weed', 0, at, None)]
+    for k in range(CHAINS):
+        for j in range(LINKS):
+            out.append((f'weed_{k}_{j}', first if j == 0 else first + LINKS * k + j, at + [0, HEIGHT * j / LINKS, 0], None))
+    return out
+
+
+def frame(t, at, angle, lean, long, branch, seed):
+    """Middle line of a blade at t, 0 to 1 along it, and the directions across it and out of it. lean: metres that its tip is
+    off along x and z; branch: 1 or -1, for the two ways after the fork."""
+    side = unit([np.cos(angle), 0.1, 0.55 * np.sin(angle)])
+    out = unit(np.cross(side, [0, 1, 0]))
+    twist = 0.9 * np.sin(2.3 * seed) * t + 0.25 * np.sin(11 * t + seed)
+    across = np.cos(twist)[..., None] * side + np.sin(twist)[..., None] * out
+    face = np.cos(twist)[..., None] * out - np.sin(twist)[..., None] * side
+    middle = at + np.stack([lean[0] * t ** 1.3, long * (t - 0.12 * t * t), lean[1] * t ** 1.3], -1)
+    apart = (0.042 if branch > 0 else -0.026) * np.clip(t - FORK, 0, 1) ** 1.15 + 0.004 * np.sin(6.5 * t + 2.1 * seed) * t
+    return middle + apart[..., None] * side + (0.0055 * np.sin(8 * t + seed) * t)[..., None] * out, across, face
+
+
+def blade(start, *line):
+    """The two sides of one way of a frond, from start on."""
+    def place(sign):
+        def at_uv(u, v):
+            s = 2 * u - 1
+            middle, across, face = frame(v, *line)
+            half = 0.0014 + 0.0036 * step(0.02, 0.35, v) + 0.0010 * step(0.80, 0.92, v)
+            half = half * np.sqrt(np.clip(1 - ((v - 0.88) / 0.121) ** 2 * (v > 0.88), 0.05, 1))
+            thick = (0.0006 + 0.0016 * step(0.85, 0.93, v)) * (1 - s * s)
+            return middle + (half * s)[..., None] * across + (sign * thick)[..., None] * face
+        return at_uv
+    rows = np.append(np.linspace(start, 0.88, 11 if start == 0 else 7), [0.95, 1])
+    out = frame(np.array([0.5]), *line)[2][0]
+    return join([skin(place(sign), [0, 0.5, 1], rows, sign * out) for sign in (1, -1)])
+
+
+def bladder(t, side, *line):
+    def place(u, v):
+        middle, across, face = (w[0] for w in frame(np.array([t]), *line))
+        turn, r = 2 * np.pi * u, np.sin(np.pi * v)
+        ahead = unit(np.cross(across, face)) * (1 if np.cross(across, face)[1] > 0 else -1)
+        return (middle + side * 0.0036 * across + (0.0034 * r * np.cos(turn))[..., None] * across
+                + (0.0033 * r * np.sin(turn))[..., None] * face + (0.0056 * np.cos(np.pi * v))[..., None] * ahead)
+    rows, columns = [0, 0.26, 0.74, 1], np.linspace(0, 1, 7)
+    return skin(place, columns, rows, place(*np.meshgrid(columns, rows)) - place(0.0, 0.5) / 2 - place(0.5, 0.5) / 2, closed=True)
+
+
+def tuft(at, first, reach, sheet):
+    """Fronds that lean up to about reach metres along Z from where they are fastened. first: number of the joint "weed"."""
+    sheet.paint(BLADE, lambda u, v: np.stack([0.01 * u, HEIGHT * v, 0 * u], -1), paint_blade)
+    sheet.paint(BLADDER, lambda u, v: np.stack([0.02 * u, 0.01 * v, 0 * u], -1), paint_bladder)
+    fronds = ((0, 0.3, (0.034, 0.2), 0.160), (1, 1.9, (-0.032, -0.4), 0.166), (2, 2.8, (-0.004, 0.5), 0.140), (1, 1.1, (0.014, -0.45), 0.112))
+    parts = []
+    for k, (chain, angle, lean, long) in enumerate(fronds):
+        line = at, angle, (lean[0], lean[1] * reach), long
+        for start, branch in ((0, -1), (FORK - 0.02, 1)):
+            made = [sheet.placed(blade(start, *line, branch, 3 * k), BLADE)]
+            for t in ((0.34, 0.70) if branch < 0 else (0.58,)):
+                made += [sheet.placed(bladder(t + 0.03 * np.sin(5 * k), side, *line, branch, 3 * k), BLADDER) for side in (-1, 1)]
+            parts.append(follow(join(made), at, first, chain))
+    return parts
+
+
+def follow(part, at, first, chain):
+    """Each vertex follows the two nearest joints of its chain."""
+    along = np.clip((part.positions[:, 1] - at[1]) / HEIGHT * LINKS - 0.35, 0, LINKS - 1)
+    low = np.minimum(along.astype(int), LINKS - 2)
+    weights = np.zeros((len(part.positions), first + 1 + CHAINS * LINKS))
+    every = np.arange(len(weights))
+    weights[every, first + 1 + chain * LINKS + low] = 1 - (along - low)
+    weights[every, first + 2 + chain * LINKS + low] = along - low
+    part.joints, part.weights = strongest_four(weights)
+    return part
+
+
+def paint_blade(u, v, p):
+    s = np.abs(2 * u - 1)
+    tone = paint.fbm(611, p[..., 0] * 260, p[..., 1] * 90, octaves=4)
+    colour = mix(rgb('#4c3f16'), rgb('#85702a'), step(-0.5, 0.6, tone + 0.35 * (v - 0.4)))
+    rib = bump(s, 0.13) * step(0.95, 0.6, v)
+    ripe = step(0.82, 0.91, v)  # receptacles, full of warts
+    colour = mix(colour, rgb('#33280f'), 0.65 * rib)
+    colour = mix(colour, rgb('#b39a45'), 0.55 * ripe)
+    colour = mix(colour, rgb('#30260e'), 0.6 * step(0.15, 0.0, v))
+    dots = step(0.34, 0.15, paint.cells(612, u * 9, v * 110)[0]) * ripe
+    colour = colour * (1 - 0.25 * dots + 0.15 * bump(s - 0.97, 0.06))[..., None]
+    return colour, 0.0005 * rib + 0.0003 * dots + 0.00012 * tone, 0.42 + 0.08 * tone
+
+
+def paint_bladder(u, v, p):
+    tone = paint.fbm(613, np.cos(2 * np.pi * u) * 2, np.sin(2 * np.pi * u) * 2, v * 4, octaves=3)
+    colour = mix(rgb('#65541d'), rgb('#947e36'), step(-0.5, 0.5, tone))
+    colour = mix(colour, rgb('#4c3f16'), 0.7 * step(0.22, 0.0, np.minimum(v, 1 - v)))
+    return colour, 0.0001 * tone, 0.30 + 0.06 * tone
+
+
+def drift():
+    """Channels of a gentle sway, whole turns of sines."""
+    phases = np.linspace(0, 1, 13)
+    channels = {('weed', 'scale'): np.ones((len(phases), 3))}
+    for k in range(CHAINS):
+        for j in range(LINKS):
+            turn = 2 * np.pi * (phases - 0.14 * j) + 1.3 * k
+            lean = quaternion([0, 0, 1], (0.05 + 0.045 * j) * np.sin(turn))
+            nod = quaternion([1, 0, 0], (0.04 + 0.03 * j) * np.sin(turn + 1.9))
+            channels[f'weed_{k}_{j}', 'rotation'] = quaternion_product(lean, nod)
+    for values in channels.values():
+        values[-1] = values[0]
+    return phases, channels
+
+
+def gone():
+    return {('weed', 'scale'): np.full((2, 3), GONE)}
