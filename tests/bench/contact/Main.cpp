@@ -17,6 +17,7 @@ using glm::dvec3;
 constexpr Method kMethods[] = {
     {.name = "Shoal"},
     {.name = "Shoal, every pair", .everyPair = true},
+    {.name = "Shoal, moved at once", .atOnce = true},
     {.name = "capsules, 1 step", .substeps = 1},
     {.name = "capsules, 4 steps", .substeps = 4},
     {.name = "capsules, 16 steps", .substeps = 16},

@@ -44,6 +44,7 @@ struct Method {
     int substeps = 0;
     bool ellipsoids = false;
     bool continuous = false; // with Bullet's own continuous collision
+    bool atOnce = false;     // ours, but a fish goes on with its new speed for the rest of the tick
     bool everyPair = false;  // ours without the game's rough test of which fish are near a hand
     float scale = 100;       // Bullet's units a metre: its constants are for bodies of 0.05 to 10 units
 };
@@ -51,7 +52,8 @@ struct Method {
 class Ours final : public World {
   public:
     Ours(const Method& method, const std::vector<Fish>& fish, const Bones& bones)
-        : everyPair_(method.everyPair), fish_(fish), parting_(fish.size(), vec3(0)), bones_(bones) {}
+        : atOnce_(method.atOnce), everyPair_(method.everyPair), fish_(fish), parting_(fish.size(), vec3(0)),
+          bones_(bones) {}
 
     Fish fish(size_t index) const override { return fish_[index]; }
 
@@ -80,7 +82,12 @@ class Ours final : public World {
             const uint32_t body = contacts_[i].body;
             while (end < contacts_.size() && contacts_[end].body == body) ++end;
             const std::span<const physics::Contact> own(&contacts_[i], end - i);
-            fish_[body].velocity = physics::pushed(fish_[body].velocity, own);
+            Fish& f = fish_[body];
+            const vec3 velocity = physics::pushed(f.velocity, own);
+            float begun = 1; // as a share of the tick; lasting contacts have 0
+            for (const physics::Contact& c : own) begun = std::min(begun, c.time);
+            if (atOnce_) f.place += (velocity - f.velocity) * (1 - begun) * dt_s;
+            f.velocity = velocity;
             parting_[body] = physics::separating(own);
             for (const physics::Contact& c : own)
                 touches.push_back({static_cast<int>(body), c.group * kHandBones + c.tag, c.normal, c.depth,
@@ -102,7 +109,7 @@ class Ours final : public World {
         return false;
     }
 
-    bool everyPair_;
+    bool atOnce_, everyPair_;
     std::vector<Fish> fish_;
     std::vector<vec3> parting_; // velocities of the next tick that are not kept
     Bones bones_;
