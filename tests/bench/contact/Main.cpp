@@ -26,6 +26,7 @@ constexpr Method kMethods[] = {
     {.name = "ellipsoids, 1 step", .substeps = 1, .ellipsoids = true},
     {.name = "ellipsoids, 4 steps", .substeps = 4, .ellipsoids = true},
     {.name = "ellipsoids, 16 steps", .substeps = 16, .ellipsoids = true},
+    {.name = "ellipsoids, 4 steps, in metres", .substeps = 4, .ellipsoids = true, .scale = 1},
 };
 constexpr float kBoneRadius_m = 0.008f, kBoneHalf_m = 0.020f, kRadii_m = kFishRadius_m + kBoneRadius_m;
 constexpr int kRounds = 40, kTimedRounds = 15;
