@@ -3,7 +3,7 @@
 // values.
 #include "engine/core/Random.h"
 #include "tests/bench/Bench.h"
-#include "tests/bench/contact/Worlds.h"
+#include "tests/bench/contact/Simulations.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/quaternion.hpp>
@@ -82,7 +82,7 @@ class Measuring {
             return Bones{frame.bone({-start + (flung ? 0 : speed * time), aside, z}, {0, 1, 0})};
         };
         const auto world =
-            makeWorld(method_, {{frame.origin, frame.turn[2], flung ? -way : vec3(0)}}, bones(0));
+            makeSimulation(method_, {{frame.origin, frame.turn[2], flung ? -way : vec3(0)}}, bones(0));
         const int ticks = static_cast<int>((start + 0.06) / (speed * dt)) + 6;
         bool found = false;
         for (int i = 0; i < ticks; ++i) {
@@ -135,7 +135,7 @@ class Measuring {
             else
                 step *= 0.97;
         }
-        const auto world = makeWorld(method_, {{frame.origin, frame.turn[2]}}, bones);
+        const auto world = makeSimulation(method_, {{frame.origin, frame.turn[2]}}, bones);
         for (int i = 0; i < 120; ++i) {
             tick(*world, bones, 1.0 / 120);
             if (i > 0 || touches_.empty()) continue;
@@ -160,7 +160,7 @@ class Measuring {
             return Bones{frame.bone({-x, 0, z}, {0, 1, 0}), frame.bone({x, 0, z}, {0, 1, 0})};
         };
         const vec3 place = frame.origin + frame.turn[0] * random.between(-0.005f, 0.005f);
-        const auto world = makeWorld(method_, {{place, frame.turn[2]}}, bones(0));
+        const auto world = makeSimulation(method_, {{place, frame.turn[2]}}, bones(0));
         const double dt = 1.0 / rate, end = (away - nearest) / speed + 0.5;
         double fastest = 0;
         for (int i = 0; i * dt < end; ++i) {
@@ -183,7 +183,7 @@ class Measuring {
             const Frame frame(random);
             f = {frame.origin * vec3(0.4f, 0.3f, 0.4f), frame.turn[2], 0.2f * frame.turn[2]};
         }
-        const auto world = makeWorld(method_, fish, fistsAt(0));
+        const auto world = makeSimulation(method_, fish, fistsAt(0));
         double spent_us = 0, fastest = 0, fastestBone = 0;
         for (int i = 0; i < 240; ++i) {
             const Bones from = fistsAt(i / 120.0), to = fistsAt((i + 1) / 120.0);
@@ -237,7 +237,7 @@ class Measuring {
         ++all.count;
     }
 
-    void tick(World& world, const Bones& to, double dt) {
+    void tick(Simulation& world, const Bones& to, double dt) {
         world.tick(to, static_cast<float>(dt), touches_);
         noteFlips();
     }

@@ -39,7 +39,7 @@ END {
         short(mean(bullet, "strike", "passed through, %", "", "")), short(mean(bullet, "strike", "first touch, ms", "", "")), short(mean(bullet, "forty fish", "cost, times ours", "", ""))
     printf "Bullet is better at one thing: a struck fish of ours goes on only in the next tick, and ends %s mm off its place in the mean of all speeds, %s mm by Bullet's sixteen steps. ", \
         short(mean(ours, "strike", "off its place, mm", "", "")), short(mean(bullet, "strike", "off its place, mm", "", ""))
-    printf "If it went on at once, from the time of first touch, it would be %s mm. Without the game's rough test of which fish are near a hand ours would cost %s times as much, more than Bullet's one step, which has a tree of boxes.\n\n", \
+    printf "If it went on at once, from the time of first touch, it would be %s mm. Ours finds near pairs by Bullet's tree of boxes; with every pair tried it would cost %s times as much.\n\n", \
         short(mean(moved, "strike", "off its place, mm", "", "")), short(mean("Shoal, every pair", "forty fish", "cost, times ours", "", ""))
     print "A bone strikes the side of a fish, at 0.1 to 20 m/s and 60 to 240 ticks a second (the tables below have each):\n"
     print "| contacts by | cost, of ours | first touch, ms off | direction, degrees off | depth, mm off | fish off its place, mm | speed gained, % | passed through, % | flung fish passed through, % |"

@@ -2,7 +2,7 @@
 // ellipsoids. All take the same fish and the same movements of bones. World frame, metres and seconds.
 #pragma once
 
-#include "engine/physics/ContactWorld.h"
+#include "engine/physics/World.h"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -29,9 +29,9 @@ struct Touch {
     float seen_s = 0; // time at which normal and depth are right
 };
 
-class World {
+class Simulation {
   public:
-    virtual ~World() = default;
+    virtual ~Simulation() = default;
     // Moves the bones evenly to other places, and the fish by one tick. Writes all touches; a pair may have
     // one in each substep.
     virtual void tick(const Bones& to, float dt_s, std::vector<Touch>& touches) = 0;
@@ -45,11 +45,11 @@ struct Method {
     bool ellipsoids = false;
     bool continuous = false; // with Bullet's own continuous collision
     bool atOnce = false;     // ours, but a fish goes on with its new speed for the rest of the tick
-    bool everyPair = false;  // ours without the game's rough test of which fish are near a hand
+    bool everyPair = false;  // ours without Bullet's tree of boxes, which finds the pairs that are near
     float scale = 100;       // Bullet's units a metre: its constants are for bodies of 0.05 to 10 units
 };
 
-class Ours final : public World {
+class Ours final : public Simulation {
   public:
     Ours(const Method& method, const std::vector<Fish>& fish, const Bones& bones)
         : atOnce_(method.atOnce), everyPair_(method.everyPair), fish_(fish), parting_(fish.size(), vec3(0)),
@@ -72,11 +72,18 @@ class Ours final : public World {
             const vec3 velocity = f.velocity + parting_[i];
             f.place += velocity * dt_s;
             parting_[i] = vec3(0);
-            if (everyPair_ || nearHand(f, to))
-                bodies_.push_back({static_cast<uint32_t>(i), before, capsuleOf(f), velocity});
+            bodies_.push_back({static_cast<uint32_t>(i), before, capsuleOf(f), velocity});
         }
         std::swap(contacts_, last_);
-        physics::collide(bodies_, movers_, dt_s, last_, contacts_);
+        if (everyPair_) {
+            contacts_.clear();
+            for (const physics::Body& body : bodies_)
+                for (const physics::Mover& mover : movers_)
+                    if (const auto found = physics::contactOf(mover, body, dt_s, last_))
+                        contacts_.push_back(*found);
+        } else {
+            world_.touch(bodies_, movers_, dt_s, last_, contacts_);
+        }
         touches.clear();
         for (size_t i = 0, end = 0; i < contacts_.size(); i = end) {
             const uint32_t body = contacts_[i].body;
@@ -101,15 +108,8 @@ class Ours final : public World {
         return {f.place - kFishHalf_m * f.axis, f.place + kFishHalf_m * f.axis, kFishRadius_m};
     }
 
-    // The game's own test (HandContacts::collide), with the end of each hand's first bone for its palm.
-    bool nearHand(const Fish& f, const Bones& to) const {
-        const Capsule around{f.place, f.place, kFishHalf_m + kFishRadius_m};
-        for (size_t i = 0; i < to.size(); i += kHandBones)
-            if (physics::separation({bones_[i].b, to[i].b, 0.25f}, around) < 0) return true;
-        return false;
-    }
-
     bool atOnce_, everyPair_;
+    physics::World world_;
     std::vector<Fish> fish_;
     std::vector<vec3> parting_; // velocities of the next tick that are not kept
     Bones bones_;
@@ -144,7 +144,7 @@ class Ellipsoid final : public btConvexInternalShape {
     btVector3 radii_;
 };
 
-class Bullet final : public World {
+class Bullet final : public Simulation {
   public:
     Bullet(const Method& method, const std::vector<Fish>& fish, const Bones& bones)
         : substeps_(method.substeps), scale_(method.scale), before_(bones), velocities_(fish.size()) {
@@ -250,7 +250,8 @@ class Bullet final : public World {
     btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
 };
 
-inline std::unique_ptr<World> makeWorld(const Method& m, const std::vector<Fish>& fish, const Bones& bones) {
+inline std::unique_ptr<Simulation> makeSimulation(const Method& m, const std::vector<Fish>& fish,
+                                                  const Bones& bones) {
     if (m.substeps == 0) return std::make_unique<Ours>(m, fish, bones);
     return std::make_unique<Bullet>(m, fish, bones);
 }
