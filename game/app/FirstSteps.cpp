@@ -31,7 +31,7 @@ static std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const g
     for (const game::CreatureView& creature : shown.creatures) {
         const glm::vec3 way = creature.position - shown.headWorld;
         const float distance = glm::length(way);
-        if (!isCatchable(species[creature.species])) continue;
+        if (!isFish(species[creature.species])) continue;
         if (distance > kReach_m || distance < 0.3f) continue;
         const float cosine = glm::dot(way / distance, ahead);
         if (cosine > bestCosine) bestCosine = cosine, best = creature.position;

@@ -321,6 +321,9 @@ MenuPage Screens::howToPlayPage() {
     for (const game::Text rule :
          {game::Text("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their "
                      "way."),
+          game::Text("A mussel that you hold cracks, and fish come to feed. A stone thrown at the shark's "
+                     "head turns "
+                     "it away. Take bottles out of the sea."),
           game::Text("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
                      "away.")})
         page.text.push_back(in(rule));

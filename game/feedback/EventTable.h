@@ -35,6 +35,11 @@ namespace shoal::game {
     ROW(SharkNear, "shark_near", 1) \
     ROW(SharkBite, "shark_bite", 1) \
     ROW(SharkBump, "shark_bump", 1) \
+    ROW(Crack, "crack", 1) \
+    ROW(Knock, "knock", 0.8f) \
+    ROW(Throw, "throw", 0.8f) \
+    ROW(Feed, "feed", 0.9f) \
+    ROW(Collect, "collect", 1) \
     ROW(WhaleSong, "whale_song", 1) \
     ROW(Bubbles, "bubbles", 0.3f) \
     ROW(Countdown, "countdown", 0.8f) \
@@ -91,6 +96,13 @@ constexpr std::array kEventRows = std::to_array<EventRow>({
     {EventKind::MissTooEarly, "miss_too_early", Text("closed too early"), Sound::MissTooEarly},
     {EventKind::MissBehind, "miss_behind", Text("behind it"), Sound::MissBehind},
     {EventKind::Sting, "sting", Text("it stings"), Sound::Startle, 1, 0, {HapticPulse::Where::Hand, 0, 0.9f, 0, 220, 0.3f}},
+    {EventKind::Throw, "throw", {}, Sound::Throw},
+    {EventKind::Knock, "knock", {}, Sound::Knock, 0.3f, 0.3f},
+    {EventKind::Crack, "crack", Text("the mussel cracks"), Sound::Crack, 1, 0, {HapticPulse::Where::Hand, 0, 0.9f, 0, 200, 0.08f}},
+    {EventKind::Feed, "feed", Text("fish come to feed"), Sound::Feed},
+    {EventKind::NoGuest, "no_guest", Text("no fish is near enough to feed"), Sound::Miss},
+    {EventKind::SharkTurns, "shark_turns", Text("the shark turns away"), Sound::FishPassLarge, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 30, 0.4f}},
+    {EventKind::Collect, "collect", Text("out of the sea"), Sound::Collect, 1, 0, {HapticPulse::Where::Hand, 0, 0.6f, 0, 160, 0.15f}},
     {EventKind::Goal, "goal", Text("goal reached"), Sound::Catch, 0.7f},
     {EventKind::Encounter, "encounter", Text("a whale sings"), Sound::WhaleSong, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 24, 1.5f}},
     {EventKind::SharkNear, "shark_near", Text("the shark is near"), Sound::SharkNear, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 30, 0.6f}},

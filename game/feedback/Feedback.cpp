@@ -168,6 +168,7 @@ void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, flo
     for (size_t i = 0; i < shown.creatures.size(); ++i) {
         const CreatureView& creature = shown.creatures[i];
         quiet_s_[i] = std::max(0.0f, quiet_s_[i] - dt_s);
+        if (creature.gait.motion >= Motion::Drift) continue; // a loose thing
         if (creature.heldBy >= 0)
             struggling(creature);
         else

@@ -14,9 +14,9 @@ namespace shoal::game {
 
 constexpr int kMaxSteps = 1000, kMaxExpects = 200;
 
-constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "open",  "wave",   "hover",
-                                                  "offer", "rest",  "hold",  "look",  "wait",   "restart",
-                                                  "pause", "again", "point", "press", "release"};
+constexpr std::array<const char*, 18> kDoNames = {"reach",   "move",  "close", "open",  "throw", "wave",
+                                                  "hover",   "offer", "rest",  "hold",  "look",  "wait",
+                                                  "restart", "pause", "again", "point", "press", "release"};
 constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
 constexpr std::array<const char*, 2> kAtNames = {"shark", "fish"}, kWaterNames = {"open", "film"};
 
@@ -148,7 +148,7 @@ static const CreatureView* sharkOf(const Snapshot& now, const SpeciesTable& spec
 
 static bool isFree(const CreatureView& creature, const ScriptStep& step, const SpeciesTable& species) {
     const Species& kind = species[creature.species];
-    const bool asked = step.kind == "any" ? isCatchable(kind) : kind.name == step.kind;
+    const bool asked = step.kind == "any" ? isFish(kind) : kind.name == step.kind;
     return asked && creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
 }
 
@@ -250,7 +250,7 @@ bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s)
 bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s) const {
     if (step.phase) return now.phase == *step.phase;
     const auto isNear = [&](const CreatureView& creature) {
-        return isCatchable(species_[creature.species]) &&
+        return isFish(species_[creature.species]) &&
                glm::distance(creature.position, hands_[step.hand].graspWorld) < step.near_m;
     };
     if (step.near_m > 0) return spent_s >= step.seconds && std::ranges::any_of(now.creatures, isNear);
@@ -295,6 +295,13 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
         moveHand(step.hand, now.worldFromView * step.to, step.speed);
         hand.target = -1;
         return glm::distance(hand.graspWorld, now.worldFromView * step.to) < 0.01f;
+    case Do::Throw: {
+        const CreatureView* shark = step.at == ScriptStep::At::Shark ? sharkOf(now, species_) : nullptr;
+        hand.target = -1;
+        hand.closedGoal = 0;
+        moveHand(step.hand, shark ? shark->position : now.worldFromView * step.to, step.speed);
+        return hand.closed <= 0;
+    }
     case Do::Close:
         hand.closedGoal = 1;
         follow(step.hand, now);
@@ -414,7 +421,7 @@ void ScriptRun::observe(std::span<const Event> events, uint64_t stateHash, const
     hash_.add(stateHash);
     for (const Event& event : events) occurred_.push_back({event.kind, static_cast<float>(tick_) * kDt});
     for (const CreatureView& creature : after.creatures)
-        if (isCatchable(species_[creature.species]) && creature.heldBy < 0)
+        if (isFish(species_[creature.species]) && creature.heldBy < 0)
             lowestFish_m_ = std::min(lowestFish_m_, creature.position.y);
     last_ = after;
 }

@@ -20,6 +20,7 @@ struct ScriptStep {
         Move,  // bring it to the place `to`, with `speed`
         Close, // close it (and keep following the fish just reached for)
         Open,
+        Throw, // swing it towards the place `to`, or `at` "shark", with `speed`, and open it on the way
         Wave,  // swing it 0.5 m to both sides of where it is at `speed` m/s for `seconds`
         Hover, // bring it towards the middle of the shark, for `seconds`
         Offer, // bring the held fish as near to the shark's mouth as the hand reaches, for `seconds`
@@ -46,7 +47,7 @@ struct ScriptStep {
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
     enum class At { Shark, Fish };
-    std::optional<At> at;           // Look at the shark, or Point at a fish, not at the numbers below
+    std::optional<At> at; // Look or Throw at the shark, or Point at a fish, not at the numbers below
     glm::vec3 offset{0}, to{0};     // viewer's frame, metres
     glm::vec2 pointer_px{640, 360}; // place in a window of 1280x720: +x right, +y down
     float near_m = 0;

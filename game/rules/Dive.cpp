@@ -70,7 +70,7 @@ void Dive::begin(uint64_t seed) {
     state_.random = Random(seed, 1);
     state_.tick = 0;
     state_.phase = Phase::Diving;
-    state_.begun = false;
+    state_.begun = state_.toldOfNoGuest = false;
     state_.score = {.species = std::vector<SpeciesTally>(files_.species.size()),
                     .reached = std::vector<bool>(files_.dive.goals.size())};
     for (Hand& hand : state_.hands) {
@@ -78,7 +78,7 @@ void Dive::begin(uint64_t seed) {
         hand.grasp.window = 0;
         hand.intent = {};
         hand.lastMiss = Miss::None;
-        hand.stung_s = hand.rested_s = hand.nextVisit_s = 0;
+        hand.stung_s = hand.rested_s = hand.nextVisit_s = hand.bait_s = 0;
     }
     state_.contacts.clear();
     spawnFish(files_, state_.random, state_.fish);
@@ -108,16 +108,18 @@ void Dive::step(const TickInput& input, Events& events) {
     trackHands(input, s.view, s.hands);
     readIntents(s.hands, s.fish, in);
     frightenByHands(s.fish, in, s.random, events);
-    followHands(s.hands, s.fish);
+    followHands(s.hands, s.fish, in);
     touch(events);
     closeHands(s.hands, s.fish, in, events);
     chooseVisitors(s.hands, s.fish, in, s.random);
+    offerBait(s.hands, s.fish, s.toldOfNoGuest, events);
     swimFish(s.fish, in, neighbours_, s.random);
     if (s.shark.present) {
         decide(s.shark, in, events);
         swimShark(s.shark, in);
         bite(s.shark, s.hands, s.fish, s.score, in, events);
     }
+    thingMover_.move(world_, s.fish, s.shark, in, s.random, events);
     passBy(s.passer, passerId(), s.score, in, events);
     countCatches(s.hands, s.fish, s.score, in, events);
     for (Hand& hand : s.hands)
@@ -129,7 +131,7 @@ void Dive::step(const TickInput& input, Events& events) {
 void Dive::touch(Events& events) {
     DiveState& s = state_;
     const DiveContext in = context();
-    handContacts_.collide(s.fish, in, s.contacts);
+    handContacts_.collide(world_, s.fish, in, s.contacts);
     forEachCreature(s.contacts, [&](int id, std::span<const physics::Contact> own) {
         if (id == static_cast<int>(s.fish.size()))
             return bumpHands(s.shark, own, s.hands, s.fish, in, events);
@@ -163,13 +165,17 @@ void Dive::reachGoals(Events& events) {
 
 // Snapshots.
 
-static void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
+static void showHand(const Hand& hand, const DiveContext& in, HandView& view) {
     view.visible = hand.visible;
     view.grip = hand.grip;
     view.joints = hand.fingers.shown;
     view.holds = hand.grasp.holds;
     view.touching = hand.touching;
-    view.holdProgress = view.holds < 0 ? 0 : std::min(1.0f, fish[view.holds].hold.time_s / kHoldToCatch_s);
+    view.holdProgress = 0;
+    if (view.holds < 0) return;
+    const Fish& held = in.state.fish[view.holds];
+    const float time_s = holdTime_s(in.kindOf(held));
+    if (time_s > 0) view.holdProgress = std::min(1.0f, held.hold.time_s / time_s);
 }
 
 // Returns the weight of a mark at a time: 1 within it, down to 0 over kRamp_s on both sides.
@@ -214,7 +220,8 @@ void Dive::snapshot(Snapshot& out) const {
         out.goals[i] = {progressOf(dive.goals[i], s.score), s.score.reached[i]};
     out.worldFromView = s.view.worldFromView;
     out.headWorld = s.view.headWorld;
-    for (size_t h = 0; h < s.hands.size(); ++h) showHand(s.hands[h], s.fish, out.hands[h]);
+    const DiveContext in = context();
+    for (size_t h = 0; h < s.hands.size(); ++h) showHand(s.hands[h], in, out.hands[h]);
     const bool passing = s.passer.state == Passer::State::Passing;
     out.creatures.resize(static_cast<size_t>(passerId()) + (passing ? 1 : 0));
     const auto show = [&](size_t id, const Swimmer& from, int species) -> CreatureView& {
@@ -229,13 +236,14 @@ void Dive::snapshot(Snapshot& out) const {
                 .shape = from.shape};
         return view;
     };
-    const DiveContext in = context();
     for (size_t i = 0; i < s.fish.size(); ++i) {
         const Fish& fish = s.fish[i];
         CreatureView& view = show(i, fish, fish.species);
         view.heldBy = fish.heldBy;
         view.catchable = fish.catchable;
-        view.hidden = in.hides(fish.position);
+        const bool gone = fish.state == Fish::State::Gone;
+        if (gone) view.position = {0, -1000, 0};
+        view.hidden = gone || in.hides(fish.position);
     }
     if (s.shark.present) show(s.fish.size(), s.shark, s.shark.species);
     if (passing) show(static_cast<size_t>(passerId()), s.passer, dive.encounter.species);
@@ -419,8 +427,8 @@ template <class T> auto fieldsOf(const T& state) {
     SHOAL_TIE(9, a, b, c, d, e, f, g, h, i);
     SHOAL_TIE(11, a, b, c, d, e, f, g, h, i, j, k);
     SHOAL_TIE(12, a, b, c, d, e, f, g, h, i, j, k, l);
-    SHOAL_TIE(15, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
-    SHOAL_TIE(23, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w);
+    SHOAL_TIE(16, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+    SHOAL_TIE(26, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z);
 #undef SHOAL_TIE
 }
 

@@ -7,6 +7,7 @@
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Grasping.h"
 #include "game/rules/Snapshot.h"
+#include "game/rules/Things.h"
 
 #include <span>
 #include <vector>
@@ -50,7 +51,9 @@ class Dive {
     DiveRules rules_;
     DiveState state_;
     // Scratch memory, no part of the state.
+    physics::World world_;
     HandContacts handContacts_;
+    ThingMover thingMover_;
     std::vector<Neighbours> neighbours_;
 };
 

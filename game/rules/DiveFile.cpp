@@ -38,6 +38,9 @@ static Species readOne(TomlTable& table) {
     table.flag("stings", s.stings);
     table.number("curiosity", s.curiosity, 0, 1);
     table.choice("company", kCompanyNames, s.company);
+    table.choice("thing", kThingNames, s.thing);
+    table.number("density", s.density_kgpm3, 100, 8000);
+    table.number("drag", s.drag, 0.05f, 3);
     if (s.shark || s.giant) s.points = 0;
     table.whole("points", s.points, 0, 1000);
     if (s.name.empty()) table.complain("name", "must not be empty");
@@ -63,9 +66,11 @@ static int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark 
     return index;
 }
 
-static School readSchool(TomlTable& table, const SpeciesTable& known) {
+static School readSchool(TomlTable& table, const SpeciesTable& known, bool things) {
     School school;
     school.species = speciesNamed(table, known);
+    if ((known[school.species].thing != Thing::None) != things)
+        table.complain("species", things ? "must be a loose thing" : "must not be a loose thing");
     table.need("count");
     table.whole("count", school.count, 1, kMaxFish);
     table.range("radius", school.radiusLow_m, school.radiusHigh_m, 0.6f, 6);
@@ -175,11 +180,13 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             root.complain("video", "must name a file below content/");
         root.need("school");
         int fish = 0;
-        root.tables("school", kMaxFish, [&](TomlTable& table) {
-            const School& school = dive.schools.emplace_back(readSchool(table, known));
-            if (school.heightLow_m < dive.floor_m + 0.1f) table.complain("height", "reaches into the floor");
-            fish += school.count;
-        });
+        for (const bool things : {false, true})
+            root.tables(things ? "thing" : "school", kMaxFish, [&](TomlTable& table) {
+                const School& school = dive.schools.emplace_back(readSchool(table, known, things));
+                if (school.heightLow_m < dive.floor_m + 0.1f)
+                    table.complain("height", "reaches into the floor");
+                fish += school.count;
+            });
         if (fish > kMaxFish) root.complain("school", "has more than " + std::to_string(kMaxFish) + " fish");
         root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
         root.table("encounter", [&](TomlTable& table) { dive.encounter = readEncounter(table, known); });

@@ -22,6 +22,10 @@ class FilmSpace; // game/rules/FilmSpace.h
 enum class Company { Alone, Pair, Shoal };
 constexpr std::array<const char*, 3> kCompanyNames = {"alone", "pair", "shoal"};
 
+// A loose thing, which lies in the sea and is thrown; see game/rules/Things.h.
+enum class Thing { None, Mussel, Stone, Bottle };
+constexpr std::array<const char*, 4> kThingNames = {"none", "mussel", "stone", "bottle"};
+
 // One text in English, German and French, in this order; empty: English stands for it.
 using InLanguages = std::array<std::string, 3>;
 
@@ -47,9 +51,14 @@ struct Species {
     bool coasts = false;    // beats its tail in bursts and glides between them
     bool stings = false;    // stings a hand that closes on it, and cannot be held
     float curiosity = 0.5f; // 0 to 1: how readily it comes to look at a hand that rests
+    Thing thing = Thing::None;
+    float density_kgpm3 = 1100; // of a loose thing
+    float drag = 0.5f;          // coefficient, on its mean projected area
 };
 
 inline bool isCatchable(const Species& kind) { return !kind.shark && !kind.giant && !kind.stings; }
+
+inline bool isFish(const Species& kind) { return isCatchable(kind) && kind.thing == Thing::None; }
 
 constexpr float kMaxSpeed_mps = 3; // top speed of a fish outside a hand, pushes included
 
@@ -61,6 +70,7 @@ int findSpecies(const SpeciesTable&, std::string_view name);
 // Errors name the file and, where they can, the line. Unknown keys are errors.
 Result<SpeciesTable> loadSpecies(const Path& file);
 
+// Fish of a species, or loose things.
 struct School {
     int species = 0; // index into the species table; never the shark
     int count = 1;

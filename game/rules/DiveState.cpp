@@ -1,5 +1,7 @@
 #include "game/rules/DiveState.h"
 
+#include "game/rules/Things.h"
+
 namespace shoal::game {
 
 // Fish and shark as a dive begins.
@@ -39,10 +41,11 @@ static Fish spawnOne(const School& school, int schoolIndex, const Species& kind,
     }
     startCircling(fish, position, outward, route.direction, route.cruise_mps);
     fish.gait.phase_s = random.between(0, 2);
+    if (kind.thing != Thing::None) startDrifting(fish, kind);
     return fish;
 }
 
-// Returns, of twelve random fish, the one farthest from all others.
+// Returns, of twelve random fish or things, the one farthest from all others.
 static Fish spawnWithRoom(const DiveFiles& files, int schoolIndex, float mainDirection, const Fish* leader,
                           const std::vector<Fish>& others, Random& random) {
     const School& school = files.dive.schools[schoolIndex];
@@ -106,6 +109,7 @@ static bool nearUnit(const glm::quat& q) {
 static void stop(Hand& hand) {
     hand.velocity = hand.calmVelocity = hand.ownVelocity = hand.calmAcceleration = glm::vec3(0);
     hand.velocities.fill(glm::vec3(0));
+    hand.trail.fill(hand.palm().position);
     hand.grasp.window = 0;
 }
 
@@ -145,6 +149,8 @@ static void updateVelocities(glm::vec3 palmBefore, const Viewpoint& view, Hand& 
     hand.velocity = (hand.palm().position - hand.before[hands::kPalmJoint].position) / kDt;
     const glm::vec3 change = (hand.velocity - hand.calmVelocity) * (1.0f / 6);
     hand.calmVelocity += change;
+    std::shift_right(hand.trail.begin(), hand.trail.end(), 1);
+    hand.trail[0] = hand.palm().position;
     const glm::vec3 own =
         view.worldFromView * ((hand.lastGood.joints[hands::kPalmJoint].position - palmBefore) / kDt);
     hand.ownVelocity += (own - hand.ownVelocity) * (1.0f / 6);
@@ -188,7 +194,8 @@ void trackHands(const TickInput& input, Viewpoint& view, Hands& hands) {
 // Goals.
 
 int progressOf(const Goal& goal, const Score& score) {
-    const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught));
+    const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught)) -
+                           std::popcount(score.things);
     const std::array<int, kGoalNames.size()> progress = {
         goal.species < 0 ? score.caught : score.species[goal.species].caught, different, score.points,
         score.lost == 0 ? goal.count : 0, score.bestCombo}; // by GoalKind

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/core/Random.h"
-#include "engine/physics/ContactModel.h"
 #include "engine/physics/Contact.h"
+#include "engine/physics/ContactModel.h"
 #include "engine/physics/Grip.h"
 #include "engine/scene/HandPose.h"
 #include "game/rules/FilmSpace.h"
@@ -73,9 +73,19 @@ struct Visit {
     float rest_s = 0;   // seconds before its next visit
 };
 
+// What a loose thing does besides what all that can be taken does; see game/rules/Things.h.
+struct Looseness {
+    glm::vec3 home{0};   // where it drifts on seaweed, or comes up
+    float time_s = 0;    // since it was let go; of a bottle out of sight: until it comes up
+    bool thrown = false; // by a hand, and has struck nothing yet
+    bool spent = false;  // a mussel that was cracked
+};
+
+// A fish, or a loose thing: all that a hand can take hold of.
 struct Fish : Swimmer {
-    // Cruise: swims its circle. Dart: flees. Held: in a hand. Mouth: in the shark's mouth.
-    enum class State { Cruise, Dart, Held, Mouth };
+    // Cruise: swims its circle. Dart: flees. Held: in a hand. Mouth: in the shark's mouth. Of loose things:
+    // Drift: hangs on seaweed. Loose: moved by the physics world; its velocity is `push`. Gone: out of sight.
+    enum class State { Cruise, Dart, Held, Mouth, Drift, Loose, Gone };
 
     int species = 0; // index into the species table
     int school = 0;  // index into DiveFile::schools
@@ -93,14 +103,17 @@ struct Fish : Swimmer {
     int heldBy = -1;         // 0 left, 1 right, -1 none
     FishHold hold;
     Visit visit;
+    Looseness loose;
     float catchable = 0;  // as CreatureView's
     int catchableBy = -1; // the hand that takes it then: 0 left, 1 right, -1 none
 
-    bool free() const { return state != State::Held && state != State::Mouth; }
+    bool swims() const { return state == State::Cruise || state == State::Dart; }
+    bool free() const { return swims() || state == State::Drift || state == State::Loose; }
 
     auto fields() const {
         return std::tie(static_cast<const Swimmer&>(*this), species, school, route, push, separation, state,
-                        flight, touchedUntil, uncatchable_s, heldBy, hold, visit, catchable, catchableBy);
+                        flight, touchedUntil, uncatchable_s, heldBy, hold, visit, loose, catchable,
+                        catchableBy);
     }
 };
 
@@ -190,6 +203,8 @@ struct FingerWrap {
     int pressCount = 0;
 };
 
+constexpr int kThrowTicks = 10; // ticks (83 ms) whose mean velocity a thrown thing gets
+
 struct Hand {
     bool visible = false;
     bool known = false;       // lastGood has been set
@@ -199,11 +214,12 @@ struct Hand {
     Joints joints{}, before{};
     std::array<glm::vec3, hands::kJointCount> velocities{}; // joints', smoothed over about 25 ms
     glm::vec3 graspCentre{0};
-    glm::vec3 velocity{0};         // velocity of the palm, over the last tick
-    glm::vec3 calmVelocity{0};     // the same, smoothed over about 50 ms
-    glm::vec3 ownVelocity{0};      // the same relative to the head, without the help's part
-    glm::vec3 calmAcceleration{0}; // derivative of calmVelocity, smoothed, m/s2
-    float grip = 0;                // 0 open to 1 fist
+    glm::vec3 velocity{0};                          // velocity of the palm, over the last tick
+    glm::vec3 calmVelocity{0};                      // the same, smoothed over about 50 ms
+    glm::vec3 ownVelocity{0};                       // the same relative to the head, without the help's part
+    std::array<glm::vec3, kThrowTicks + 1> trail{}; // the palm's places in the last ticks, newest first
+    glm::vec3 calmAcceleration{0};                  // derivative of calmVelocity, smoothed, m/s2
+    float grip = 0;                                 // 0 open to 1 fist
     std::array<TouchView, hands::kHandParts> touching{}; // felt by each finger and the palm
     Grasp grasp;
     Intent intent;
@@ -213,6 +229,8 @@ struct Hand {
     float stung_s = 0;     // seconds left in which a stung hand cannot hold
     float rested_s = 0;    // seconds for which it has rested, open and in view
     float nextVisit_s = 0; // seconds before the next fish may come to look at it
+    float bait_s = 0;      // seconds for which a cracked mussel draws fish to it
+    bool fed = false;      // one of these has come
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
     glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
@@ -275,6 +293,7 @@ struct Score {
     int lost = 0;     // to the shark
     uint64_t run = 0; // species of the present run, a bit each; the table holds at most 64
     int bestCombo = 0;
+    uint64_t things = 0;               // kinds of loose things among the species caught, a bit each
     std::vector<SpeciesTally> species; // by index into the species table
     std::vector<bool> reached;         // by index into DiveFile::goals
 
@@ -290,6 +309,12 @@ struct Score {
         const int given = kindPoints * combo();
         points += given;
         return given;
+    }
+    // Counts a loose thing taken out of the sea, outside of all runs.
+    void countThing(int kind, int kindPoints) {
+        things |= uint64_t{1} << kind;
+        ++species[kind].caught;
+        points += kindPoints;
     }
     void countLoss(int kind) {
         ++lost;
@@ -312,6 +337,7 @@ struct DiveState {
     uint64_t totalTicks = 0;
     Phase phase = Phase::Diving;
     bool begun = false, paused = false, restartHeld = false;
+    bool toldOfNoGuest = false;
     Score score;
     Viewpoint view;
     Hands hands;
@@ -335,6 +361,7 @@ struct DiveContext {
     const Species& kindOf(const Shark& shark) const { return species[shark.species]; }
     glm::vec3 head() const { return state.view.headWorld; }
     bool hides(glm::vec3 place) const { return film.hides(head(), place); }
+    Thing thingOf(const Fish& fish) const { return kindOf(fish).thing; }
     // Returns whether a hand can take hold of the fish now.
     bool mayBeTaken(const Fish& f) const { return f.free() && f.uncatchable_s <= 0 && !kindOf(f).stings; }
 };

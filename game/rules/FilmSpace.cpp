@@ -104,6 +104,8 @@ FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
                 std::min(surface_mm[step * kCells + cell], static_cast<uint16_t>(1000 * kFar_m));
         fillBorder(to);
     }
+    directions_.resize(kCells);
+    for (int cell = 0; cell < kCells; ++cell) directions_[cell] = directionOf(cell);
     for (const Room of : {Room::Fish, Room::Shark}) makeRoom(of);
 }
 
@@ -165,6 +167,22 @@ float FilmSpace::lookUp(const std::vector<uint16_t>& grid, const Moment& moment,
     return 0.001f * (before + (after - before) * moment.share);
 }
 
+glm::vec3 FilmSpace::corner(const Moment& moment, int x, int y) const {
+    const auto mirror = [](int& beyond, int& along) {
+        if (beyond >= 0 && beyond < kSide) return;
+        beyond = beyond < 0 ? -1 - beyond : 2 * kSide - 1 - beyond;
+        along = kSide - 1 - along;
+    };
+    mirror(y, x);
+    mirror(x, y);
+    const int cell = std::clamp(y, 0, kSide - 1) * kSide + std::clamp(x, 0, kSide - 1);
+    const auto inStep = [&](size_t step) {
+        return static_cast<float>(surface_mm_[step * kStride + cellAt(cell)]);
+    };
+    const float before = inStep(moment.before), after = inStep(moment.after);
+    return directions_[cell] * (0.001f * (before + (after - before) * moment.share));
+}
+
 float FilmMoment::gap_m(glm::vec3 place) const {
     const float distance = glm::length(place);
     return space_->room_m(moment_, distance > 1e-4f ? place : kUp, of_) - distance;
@@ -206,6 +224,30 @@ float FilmMoment::overshoot_m(const physics::Capsule& body) const {
 glm::vec3 FilmMoment::pulledIn(glm::vec3 place, const physics::Capsule& body, float most_m) const {
     const float moved_m = std::min(overshoot_m(body), most_m);
     return moved_m > 0 ? place - place * (moved_m / glm::length(place)) : place;
+}
+
+void FilmMoment::triangles(glm::vec3 low, glm::vec3 high, const physics::Ground::Visit& visit) const {
+    constexpr int kSide = FilmSpace::kSide;
+    constexpr float kCellsPerRad = 0.5f * kSide; // a cell is widest at the octahedron's corners
+    const glm::vec3 centre = 0.5f * (low + high);
+    const float reach = 0.5f * glm::length(high - low), distance = glm::length(centre);
+    const float angle = distance > 2 * reach ? 1.05f * reach / distance : 4.0f; // the arc sine, from above
+    const int range = std::min(kSide / 2, 2 + static_cast<int>(kCellsPerRad * angle));
+    const glm::vec2 middle = unfolded(distance > 0 ? centre : kUp);
+    const int left = static_cast<int>(middle.x) - range, top = static_cast<int>(middle.y) - range;
+    std::array<std::array<glm::vec3, kSide + 1>, 2> rows;
+    for (int y = 0; y <= 2 * range; ++y) {
+        const auto &above = rows[(y + 1) % 2], &here = rows[y % 2];
+        for (int x = 0; x <= 2 * range; ++x) rows[y % 2][x] = space_->corner(moment_, left + x, top + y);
+        for (int x = 0; y > 0 && x < 2 * range; ++x) {
+            const glm::vec3 a = above[x], b = above[x + 1], c = here[x], d = here[x + 1];
+            const glm::vec3 least = glm::min(glm::min(a, b), glm::min(c, d)),
+                            most = glm::max(glm::max(a, b), glm::max(c, d));
+            if (glm::any(glm::greaterThan(least, high)) || glm::any(glm::lessThan(most, low))) continue;
+            visit(a, b, d);
+            visit(a, d, c);
+        }
+    }
 }
 
 bool FilmMoment::hides(glm::vec3 headWorld, glm::vec3 place) const {

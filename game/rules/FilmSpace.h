@@ -7,6 +7,7 @@
 
 #include "engine/math/Octahedron.h"
 #include "engine/physics/Capsule.h"
+#include "engine/physics/World.h"
 
 #include <glm/vec3.hpp>
 
@@ -49,6 +50,9 @@ class FilmSpace {
 
     // Returns the distance from the camera to the surface that the film shows.
     float surface_m(const Moment& at, glm::vec3 dir) const { return lookUp(surface_mm_, at, dir); }
+    // Returns the place of the surface in the middle of a cell. x, y: 0 to kSide - 1, or up to kSide beyond
+    // an edge of the unfolded square, where the octahedron goes on.
+    glm::vec3 corner(const Moment& at, int x, int y) const;
     // Returns the distance from the camera up to which bodies may be: at most the surface's, and changing so
     // slowly, with time and direction, that a body kept within it swims and does not jump.
     float room_m(const Moment& at, glm::vec3 dir, Room of = Room::Fish) const {
@@ -61,6 +65,7 @@ class FilmSpace {
 
     double length_s_;
     int steps_;
+    std::vector<glm::vec3> directions_; // of the cells
     // The grids of all steps, each with a border of one cell that repeats the octahedron's adjacent cells.
     std::vector<uint16_t> surface_mm_;
     std::array<std::vector<uint16_t>, 2> room_mm_; // by Room
@@ -94,6 +99,8 @@ class FilmMoment {
     // Returns the place moved towards the camera by as far as the body, whose middle it is, reaches out of
     // its room, but by no more than most_m.
     glm::vec3 pulledIn(glm::vec3 place, const physics::Capsule& body, float most_m) const;
+    // Calls visit() for each triangle between the middles of cells that may reach into the box.
+    void triangles(glm::vec3 low, glm::vec3 high, const physics::Ground::Visit& visit) const;
     // Returns whether a surface of the film lies between the head and the place.
     bool hides(glm::vec3 headWorld, glm::vec3 place) const;
 

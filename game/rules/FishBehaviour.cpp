@@ -44,7 +44,7 @@ static void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, con
     const bool companions = a.route.leader == b.route.leader;
     const glm::vec3 apart = a.position - b.position;
     const float squared = glm::dot(apart, apart);
-    if ((!companions && squared > kSight_m * kSight_m) || !b.free()) return;
+    if ((!companions && squared > kSight_m * kSight_m) || !b.swims()) return;
     const float spacing = kindA.spacing * kindA.length_m;
     const float room = companions ? spacing : roomBetween(kindA, kindB);
     const float distance = std::sqrt(squared);
@@ -65,14 +65,14 @@ static void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, con
 void gatherNeighbours(std::span<const Fish> fish, const SpeciesTable& species, std::span<Neighbours> out) {
     std::fill(out.begin(), out.end(), Neighbours{});
     for (size_t i = 0; i < fish.size(); ++i) {
-        if (!fish[i].free()) continue;
+        if (!fish[i].swims()) continue;
         for (size_t j = 0; j < i; ++j)
             gatherPair(fish[i], species[fish[i].species], out[i], fish[j], species[fish[j].species], out[j]);
     }
 }
 
 void startle(Fish& f, int id, glm::vec3 from, const DiveContext& in, Random& random, Events& events) {
-    if (!f.free()) return;
+    if (!f.swims()) return;
     // The flight leads away from the danger, more level than up or down, and not through the player.
     const glm::vec3 away = normalizedOr(f.position - from, f.forward), fromHead = f.position - in.head();
     const glm::vec3 outward = normalizedOr({fromHead.x, 0, fromHead.z}, {0, 0, -1});
@@ -93,6 +93,7 @@ void frightenByHands(std::span<Fish> fish, const DiveContext& in, Random& random
             Fish& f = fish[i];
             const int id = static_cast<int>(i);
             if (f.state != Fish::State::Cruise || f.flight.rest_s > 0 || helpedTo(hand, id)) continue;
+            if (feeds(f, in.state.hands)) continue;
             const glm::vec3 apart = f.position - hand.graspCentre;
             const float distance = glm::length(apart);
             if (distance > 0.8f || distance < 1e-4f) continue;
@@ -106,12 +107,14 @@ void frightenByHands(std::span<Fish> fish, const DiveContext& in, Random& random
 
 // Visits.
 
-constexpr float kStill_mps = 0.2f; // a hand slower than this rests...
-constexpr float kFast_mps = 0.6f;  // ...until it is faster than this
-constexpr float kRest_s = 1;       // rest before the first visitor comes
-constexpr float kNext_s = 2;       // time between two visitors
-constexpr int kVisitors = 2;       // visitors of a hand at a time
-constexpr float kInView = 0.82f;   // cosine of the angle from the middle of the view: 35 degrees
+constexpr float kStill_mps = 0.2f;    // a hand slower than this rests...
+constexpr float kFast_mps = 0.6f;     // ...until it is faster than this
+constexpr float kRest_s = 1;          // rest before the first visitor comes
+constexpr float kNext_s = 2;          // time between two visitors
+constexpr int kVisitors = 2;          // visitors of a hand at a time
+constexpr int kGuests = 5;            // the same where it has a cracked mussel...
+constexpr float kNextGuest_s = 0.25f; // ...and the time between two of them
+constexpr float kInView = 0.82f;      // cosine of the angle from the middle of the view: 35 degrees
 constexpr float kNearest_m = 0.25f, kFarthest_m = 2.2f; // distance of a possible visitor from the hand
 constexpr float kComes_s = 7;                           // longest time on its way
 constexpr float kThere_m = 0.12f;                       // distance from its place at which it has arrived
@@ -137,19 +140,23 @@ static void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random
     const Hand& hand = hands[visit.hand];
     const bool there = glm::distance(f.position, visitedPlace(hand)) < kThere_m;
     visit.left_s -= there ? kDt : kDt * (visit.linger_s / kComes_s);
-    if (f.state == Fish::State::Cruise && hand.rested_s > 0 && visit.left_s > 0) return;
+    const bool stays = hand.bait_s > 0 || (hand.rested_s > 0 && visit.left_s > 0);
+    if (f.state == Fish::State::Cruise && stays) return;
     visit.hand = -1;
     visit.rest_s = random.between(6, 14);
 }
 
-// Returns the fish ahead of the player with the least distance over curiosity; -1: none may come.
+// Returns the fish with the least distance over curiosity, ahead of the player where nothing but curiosity
+// draws it; -1: none may come.
 static int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     return leastCost(fish, kNever, [&](const Fish& f) {
         const float curiosity = in.kindOf(f).curiosity;
-        if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || f.visit.rest_s > 0) return kNever;
-        if (curiosity <= 0 || f.uncatchable_s > 0 || f.flight.rest_s > 0) return kNever;
+        if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || curiosity <= 0) return kNever;
         const float distance = glm::distance(f.position, hand.graspCentre);
-        if (distance < kNearest_m || distance > kFarthest_m) return kNever;
+        if (distance > kFarthest_m) return kNever;
+        if (hand.bait_s > 0) return in.hides(f.position) ? kNever : distance / curiosity;
+        if (f.visit.rest_s > 0 || f.uncatchable_s > 0 || f.flight.rest_s > 0) return kNever;
+        if (distance < kNearest_m) return kNever;
         if (glm::dot(f.position - in.head(), in.state.view.ahead()) < 0.3f) return kNever;
         return distance / curiosity;
     });
@@ -166,8 +173,10 @@ void chooseVisitors(Hands& hands, std::span<Fish> fish, const DiveContext& in, R
     }
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
-        if (hand.rested_s < kRest_s || hand.nextVisit_s > 0 || visitors[h] >= kVisitors) continue;
-        hand.nextVisit_s = kNext_s;
+        const bool baited = hand.bait_s > 0;
+        if (!baited && hand.rested_s < kRest_s) continue;
+        if (hand.nextVisit_s > 0 || visitors[h] >= (baited ? kGuests : kVisitors)) continue;
+        hand.nextVisit_s = baited ? kNextGuest_s : kNext_s;
         const int id = nextVisitor(hand, fish, in);
         if (id < 0) continue;
         Visit& visit = fish[id].visit;
@@ -189,6 +198,7 @@ constexpr float kRockShy_m = 0.4f;     // gap to the film's surfaces below which
 constexpr float kRockForesee_s = 0.5f; // look-ahead at which it wants that gap
 constexpr float kGiveRoom_mps = 2.0f;  // greatest speed at which an approaching wall moves it
 constexpr float kSharkShy_m = 0.95f;
+constexpr float kHungry = 3.5f;       // speed on the way to food, in cruising speeds
 constexpr float kVisitSlow_m = 0.25f; // distance from a visited place below which it slows down
 constexpr float kSteepest = 0.42f;    // sine of the pitch while cruising...
 constexpr float kSteepestDart = 0.6f; // ...and in flight
@@ -247,7 +257,7 @@ Desire visit(const Fish& f, const Hand& hand) {
     const float distance = glm::length(apart);
     const float share = std::min(1.0f, distance / kVisitSlow_m);
     const glm::vec3 looks = normalizedOr(hand.graspCentre - f.position, f.forward);
-    desire.speed = 1.3f * f.route.cruise_mps * share;
+    desire.speed = (hand.bait_s > 0 ? kHungry : 1.3f) * f.route.cruise_mps * share;
     desire.way =
         normalizedOr(apart, looks) * (f.route.cruise_mps * share) + looks * (0.2f * f.route.cruise_mps);
     return desire;
@@ -474,8 +484,9 @@ void swimFish(std::span<Fish> fish, const DiveContext& in, std::span<Neighbours>
         const int id = static_cast<int>(i);
         f.uncatchable_s = std::max(0.0f, f.uncatchable_s - kDt);
         f.flight.rest_s = std::max(0.0f, f.flight.rest_s - kDt);
-        if (f.state == Fish::State::Held) struggle(f, in.state.hands[f.heldBy], random);
-        if (!f.free()) continue;
+        if (f.state == Fish::State::Held && in.thingOf(f) == Thing::None)
+            struggle(f, in.state.hands[f.heldBy], random);
+        if (!f.swims()) continue;
         advanceFlight(f);
         chooseRoute(f, id, fish, in, random);
         swim(f, id, neighbours[i], in);

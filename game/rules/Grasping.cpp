@@ -4,6 +4,7 @@
 #include "engine/physics/ContactModel.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Intent.h"
+#include "game/rules/Things.h"
 
 namespace shoal::game {
 
@@ -63,7 +64,7 @@ static void wrapFinger(int finger, const physics::Capsule& body, Hand& hand) {
     }
 }
 
-void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
+void HandContacts::collide(physics::World& world, std::span<Fish> fish, const DiveContext& in,
                            std::vector<physics::Contact>& contacts) {
     const Hands& hands = in.state.hands;
     const Shark& shark = in.state.shark;
@@ -93,14 +94,16 @@ void HandContacts::collide(std::span<Fish> fish, const DiveContext& in,
     for (size_t i = 0; i < fish.size(); ++i) {
         Fish& f = fish[i];
         f.separation = glm::vec3(0);
-        if (f.state == Fish::State::Mouth || (f.heldBy >= 0 && !hands[f.heldBy].solid)) continue;
+        if (f.state == Fish::State::Mouth || f.state == Fish::State::Gone ||
+            (f.heldBy >= 0 && !hands[f.heldBy].solid))
+            continue;
         f.hold.noPush_s = std::max(0.0f, f.hold.noPush_s - kDt);
         if (f.hold.noPush_s > 0) continue;
         addBody(f, i, in.kindOf(f));
     }
     if (shark.present) addBody(shark, fish.size(), in.kindOf(shark));
     std::swap(contacts, last_);
-    world_.touch(bodies_, movers_, kDt, last_, contacts);
+    world.touch(bodies_, movers_, kDt, last_, contacts);
 }
 
 void feel(const physics::Contact& contact, const Fish& f, Hands& hands) {
@@ -188,7 +191,7 @@ static void wrapAround(const Fish& f, Hand& hand, const DiveContext& in) {
     wrapFingers(capsuleOf(f, in.kindOf(f), physics::kEnclosed_m), hand);
 }
 
-static void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
+static void grab(Fish& f, int id, Hand& hand, int h, const DiveContext& in, Events& events) {
     hand.grasp.holds = hand.grasp.encloses = id;
     hand.grasp.window = 0;
     hand.grasp.firmest = 1; // so that it takes hold again only after it has opened
@@ -196,7 +199,7 @@ static void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
     f.state = Fish::State::Held;
     f.heldBy = h;
     f.push = glm::vec3(0);
-    f.gait.set(Motion::Struggle);
+    f.gait.set(in.thingOf(f) == Thing::None ? Motion::Struggle : Motion::Loose);
     f.hold = {};
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
     f.hold.palmFromBody = palmFromWorld * f.worldFromBody;
@@ -253,11 +256,11 @@ static void takeBetweenHands(Hands& hands, std::span<Fish> fish, const DiveConte
     forEachCreature(in.state.contacts, [&](int id, std::span<const physics::Contact> own) {
         if (taken || own.front().group == own.back().group || id >= static_cast<int>(fish.size())) return;
         Fish& f = fish[id];
-        if (!in.mayBeTaken(f) || in.hides(f.position)) return;
+        if (!in.mayBeTaken(f) || in.hides(f.position) || in.thingOf(f) != Thing::None) return;
         if (holdOn(id, in.state, glm::vec3(0)).margin_N < physics::kFirm_N) return;
         const Species& kind = in.kindOf(f);
         const int h = graspGap(f, kind, hands[0]) < graspGap(f, kind, hands[1]) ? 0 : 1;
-        grab(f, id, hands[h], h, events);
+        grab(f, id, hands[h], h, in, events);
         taken = true;
     });
 }
@@ -267,7 +270,7 @@ static bool takeHold(Hand& hand, int h, int id, Fish& f, const DiveContext& in, 
     wrapAround(f, hand, in);
     hand.grasp.encloses = id;
     if (holdOn(id, in.state, glm::vec3(0)).margin_N > physics::kFirm_N) {
-        grab(f, id, hand, h, events);
+        grab(f, id, hand, h, in, events);
         return true;
     }
     if (id == hand.intent.fish && in.assist != Assist::None)
@@ -370,6 +373,7 @@ void drop(Hand& hand, int h, std::span<Fish> fish, const DiveContext& in, Events
     const int id = hand.grasp.holds;
     hand.grasp.holds = hand.grasp.encloses = -1;
     Fish& f = fish[id];
+    if (in.thingOf(f) != Thing::None) return letGo(f, id, hand, h, in, events);
     swimOff(f, hand, in);
     events.push_back({f.hold.counted ? EventKind::Release : EventKind::Escape, id, h, f.position});
 }
@@ -382,6 +386,10 @@ void countCatches(Hands& hands, std::span<Fish> fish, Score& score, const DiveCo
         Fish& f = fish[id];
         f.hold.time_s += kDt;
         f.bank = f.speed = 0;
+        if (in.thingOf(f) != Thing::None) {
+            if (!holdThing(f, id, hand, h, score, in, events)) drop(hand, h, fish, in, events);
+            continue;
+        }
         f.gait.set(Motion::Struggle);
         f.gait.advance(1.6f);
         if (hand.solid && !keepsHold(f, id, hand, in)) {
@@ -418,14 +426,15 @@ void easeFingers(Hand& hand) {
     }
 }
 
-void followHands(const Hands& hands, std::span<Fish> fish) {
+void followHands(const Hands& hands, std::span<Fish> fish, const DiveContext& in) {
     for (const Hand& hand : hands) {
         if (hand.grasp.holds < 0) continue;
         Fish& f = fish[hand.grasp.holds];
         const glm::quat palm = hand.palm().orientation;
         const glm::vec3 was = f.position;
         // The tail beats at 4 Hz, strongest at first.
-        const float beat = tailBeat(f) * (0.3f * tired(f.hold.time_s));
+        const bool lives = in.thingOf(f) == Thing::None;
+        const float beat = lives ? tailBeat(f) * (0.3f * tired(f.hold.time_s)) : 0;
         const glm::quat wriggle(1, 0, 0.5f * beat, 0.2f * beat);
         const float settle = std::min(1.0f, f.hold.time_s / physics::kSettle_s);
         f.worldFromBody =

@@ -26,10 +26,10 @@ class HandContacts {
   public:
     // Replaces the last tick's contacts by this tick's, sorted by creature id, hand and joint. The shark's id
     // is fish.size(). Resets the separation velocities of all fish and counts down their noPush_s.
-    void collide(std::span<Fish>, const DiveContext&, std::vector<physics::Contact>& contacts);
+    void collide(physics::World&, std::span<Fish>, const DiveContext&,
+                 std::vector<physics::Contact>& contacts);
 
   private:
-    physics::World world_;
     std::vector<physics::Body> bodies_;
     std::vector<physics::Mover> movers_;
     std::vector<physics::Contact> last_;
@@ -68,8 +68,8 @@ void drop(Hand&, int h, std::span<Fish>, const DiveContext&, Events&);
 // Advances all holds, after everything has moved: a held fish may slip out, or is caught and then let go.
 void countCatches(Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
 
-// Moves held fish with the hands that hold them.
-void followHands(const Hands&, std::span<Fish>);
+// Moves what hands hold with them.
+void followHands(const Hands&, std::span<Fish>, const DiveContext&);
 
 // Bends the body and beats the tail of a fish in the hand: it curls away from the palm, and bouts of
 // struggling alternate with rests, each bout weaker than the last.

@@ -188,7 +188,7 @@ std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species,
         return std::max(0.0f, across_m - 0.3f * c.length) / along(c);
     };
     target = leastCost(now.creatures, kNever, [&](const CreatureView& c) {
-        const bool free = c.heldBy < 0 && c.gait.motion != Motion::Struggle;
+        const bool free = c.heldBy < 0 && c.gait.motion != Motion::Struggle && c.gait.motion != Motion::Open;
         if (!isCatchable(species[c.species]) || !free || c.hidden) return kNever;
         if (along(c) < kNear_m || along(c) > kFar_m || beside(c) >= kNone) return kNever;
         return beside(c) + kNearerPer_m * along(c) - (static_cast<int>(c.id) == target ? kKeptTo : 0);

@@ -30,7 +30,7 @@ static float futureOpenRadius(glm::vec3 place, const DiveContext& in) {
     return std::min(openRadius(place, in, kSoon_s), openRadius(place, in, kLater_s));
 }
 
-static glm::vec3 mouthOf(const Shark& shark, const DiveContext& in) {
+glm::vec3 mouthOf(const Shark& shark, const DiveContext& in) {
     return shark.position + shark.forward * (0.46f * in.kindOf(shark).length_m);
 }
 
@@ -53,12 +53,13 @@ static float threatSpare(const Shark& shark, int hand, const DiveContext& in) {
 }
 
 // Returns a fish that struggles in a hand, -1 if none does.
-static int strugglingFish(const DiveState& state) {
+static int strugglingFish(const DiveContext& in) {
     int struggling = -1;
-    for (const Hand& hand : state.hands) {
+    for (const Hand& hand : in.state.hands) {
         const int held = hand.grasp.holds;
-        if (held >= 0 && !state.fish[held].hold.counted && state.fish[held].hold.time_s > 0.12f)
-            struggling = held;
+        if (held < 0 || in.thingOf(in.state.fish[held]) != Thing::None) continue;
+        const FishHold& hold = in.state.fish[held].hold;
+        if (!hold.counted && hold.time_s > 0.12f) struggling = held;
     }
     return struggling;
 }
@@ -167,7 +168,7 @@ static void breakFree(Shark& shark, Fish& f) {
 void decide(Shark& shark, const DiveContext& in, Events& events) {
     shark.bumpRest_s = std::max(0.0f, shark.bumpRest_s - kDt);
     shark.state_s += kDt;
-    const int struggling = strugglingFish(in.state);
+    const int struggling = strugglingFish(in);
     shark.interest = struggling >= 0 ? shark.interest + kDt : std::max(0.0f, shark.interest - 0.03f * kDt);
     switch (shark.state) {
     case State::Circle:
@@ -181,6 +182,17 @@ void decide(Shark& shark, const DiveContext& in, Events& events) {
     case State::Leave:
         if (isFarOut(shark, in) || shark.state_s > 15) shark.set(State::Circle);
     }
+}
+
+void turnAway(Shark& shark, bool struck, const DiveContext& in, Events& events) {
+    const bool strikes = shark.state == State::Strike;
+    if (strikes ? !struck : shark.state != State::Prowl && shark.state != State::Threaten) return;
+    shark.prey = -1;
+    shark.visit_s = 0;
+    shark.set(State::Leave);
+    events.push_back({.kind = EventKind::SharkTurns,
+                      .creature = static_cast<int>(in.state.fish.size()),
+                      .position = shark.position});
 }
 
 void bite(Shark& shark, Hands& hands, std::span<Fish> fish, Score& score, const DiveContext& in,

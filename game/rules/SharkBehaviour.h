@@ -43,6 +43,13 @@ void swimShark(Shark&, const DiveContext&);
 // Takes the prey out of the hand at the end of a strike, carries it off and loses it far out.
 void bite(Shark&, Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
 
+// Returns the place of the shark's mouth.
+glm::vec3 mouthOf(const Shark&, const DiveContext&);
+
+// Sends the shark off, if it prowls or threatens, or else if it strikes and was struck; it lets go of
+// nothing.
+void turnAway(Shark&, bool struck, const DiveContext&, Events&);
+
 // Bumps the hands that its body meets; they drop what they hold.
 void bumpHands(Shark&, std::span<const physics::Contact>, Hands&, std::span<Fish>, const DiveContext&,
                Events&);

@@ -25,8 +25,10 @@ constexpr float kDt = sim::kTick_s;
 enum class Phase { Diving, Results };
 
 // The animation clips of a species' model; kMotionNames are their names in the file.
-enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
-constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
+// Loose things drift on seaweed at first, are loose, or (mussels) open.
+enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite, Drift, Loose, Open };
+constexpr std::array<const char*, 9> kMotionNames = {"swim", "dart",  "struggle", "cruise", "lunge",
+                                                     "bite", "drift", "loose",    "open"};
 
 // The bend that is added to a body's clip, and the amplitude to which the clip's tail wave is scaled.
 struct BodyShape {
@@ -142,6 +144,13 @@ enum class EventKind {
     MissTooEarly, // the fish had not yet come between the fingers
     MissBehind,   // the hand was behind the fish
     Sting,        // a hand closed on something that stings, and cannot hold for a while
+    Throw,        // a hand throws a loose thing
+    Knock,        // a loose thing knocks on another, or on rock
+    Crack,        // a mussel cracks in a hand
+    Feed,         // the first fish comes to feed on it
+    NoGuest,      // none did; told once a dive
+    SharkTurns,   // a stone turns the shark away
+    Collect,      // a bottle is taken out of the sea
     Goal,         // a goal of the dive is reached
     Encounter,    // something large sets out to pass by
     SharkNear,    // the shark turns towards the player
@@ -158,7 +167,8 @@ struct Event {
     std::optional<glm::vec3> position{}; // world frame; empty: everywhere
     int part = -1;                       // hands::Finger or hands::kPalmPart
     float closing_mps = 0;               // closing speed of hand and creature
-    // Set for a Catch: its species, its points (combo included), and the combo, which multiplies the points.
+    // Set for a Catch: its species, its points (combo included), and the combo, which multiplies the points;
+    // for a Collect: species and points.
     int species = -1; // index into the species table
     int points = 0;
     int combo = 0;

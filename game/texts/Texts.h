@@ -185,6 +185,12 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "ihrem Weg.",
      "Les poissons craignent une main rapide et sont curieux d’une main au repos : bouge lentement, ou "
      "attends sur leur chemin."},
+    {"A mussel that you hold cracks, and fish come to feed. A stone thrown at the shark's head turns it away. "
+     "Take bottles out of the sea.",
+     "Eine Muschel, die du hältst, bricht auf, und Fische kommen fressen. Ein Stein an den Kopf des Hais "
+     "vertreibt ihn. Hole Flaschen aus dem Meer.",
+     "Une moule que tu tiens s’ouvre, et des poissons viennent manger. Une pierre lancée à la tête du requin le "
+     "fait fuir. Sors les bouteilles de la mer."},
     {"The shark is drawn to a struggling fish. When it points at your hand, let go or pull away.",
      "Zappelnde Fische locken den Hai an. Zeigt er auf deine Hand, lass los oder zieh sie weg.",
      "Le requin est attiré par un poisson qui se débat. S’il vise ta main, lâche prise ou écarte-toi."},
@@ -388,6 +394,12 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"closed too early", "zu früh geschlossen", "fermée trop tôt"},
     {"behind it", "dahinter", "derrière lui"},
     {"it stings", "es brennt", "ça pique"},
+    {"the mussel cracks", "die Muschel bricht auf", "la moule s’ouvre"},
+    {"fish come to feed", "Fische kommen fressen", "des poissons viennent manger"},
+    {"no fish is near enough to feed", "kein Fisch ist nah genug, um zu fressen",
+     "aucun poisson n’est assez près pour manger"},
+    {"the shark turns away", "der Hai dreht ab", "le requin se détourne"},
+    {"out of the sea", "aus dem Meer geholt", "sortie de la mer"},
     {"a whale sings", "ein Wal singt", "une baleine chante"},
 
     // Field guide

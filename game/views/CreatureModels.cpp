@@ -223,12 +223,14 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                                                         glm::mat4_cast(creature.worldFromBody),
                                                     glm::vec3(creature.length / instance.length_m));
         scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
-        // The bounding sphere, of 0.7 body lengths, holds all fins however the body bends.
+        // The bounding sphere, of 0.7 body lengths, holds all fins however the body bends, and another of 2.2
+        // the seaweed on which a thing drifts.
+        const float bound = creature.length * (creature.gait.motion == game::Motion::Drift ? 2.2f : 0.7f);
         pass.add({.model = instance.model,
                   .gpu = instance.gpu,
                   .pose = instance.pose,
                   .worldFromModel = worldFromModel,
-                  .bound = {creature.position, creature.length * 0.7f},
+                  .bound = {creature.position, bound},
                   .parts = spheres_,
                   .body = &instance.body,
                   .highlight = creature.catchable,

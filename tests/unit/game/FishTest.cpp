@@ -174,14 +174,16 @@ Statistics swimFor(const DiveFiles& files, uint64_t seed, int seconds) {
         dive.step({}, events);
         dive.snapshot(now);
         for (size_t i = 0; i < now.creatures.size(); ++i)
-            s.largestStep = std::max(s.largestStep,
-                                     glm::distance(now.creatures[i].position, before.creatures[i].position));
+            if (files.species[now.creatures[i].species].thing == Thing::None)
+                s.largestStep = std::max(
+                    s.largestStep, glm::distance(now.creatures[i].position, before.creatures[i].position));
         before = now;
         if (tick % 12) continue;
         ++frames;
         for (size_t i = 0; i < now.creatures.size(); ++i) {
             const CreatureView& c = now.creatures[i];
             const Species& kind = files.species[c.species];
+            if (kind.thing != Thing::None) continue;
             const float speed = glm::length(c.velocity);
             const glm::vec3 forward = c.worldFromBody * glm::vec3(0, 0, 1);
             s.minUpright = std::min(s.minUpright, (c.worldFromBody * glm::vec3(0, 1, 0)).y);
