@@ -4,9 +4,12 @@
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 #include <btBulletDynamicsCommon.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -22,6 +25,7 @@ constexpr float kStepShare = 0.5f;   // a loose body moves by at most this share
 constexpr int kMaxSteps = 8;         // ...and the tick is cut into at most this many steps
 constexpr float kMaxLoose_mps = 15;  // greatest speed of a loose body
 constexpr float kMaxSpin_radps = 20;
+constexpr float kFar_m = 100;       // nothing is farther away
 constexpr float kKnock_mps = 0.15f; // slower meetings are no knocks
 
 enum Group { kBones = 1, kBodies = 2, kLoose = 4, kGround = 8 };
@@ -37,6 +41,25 @@ float volume_m3(const LooseBody& b) {
 // Dynamics", 6.4. For a cylinder across its path it would be twice that.
 float addedMass_kg(const LooseBody& b) { return 0.5f * kWater_kgpm3 * volume_m3(b); }
 float inertia_kg(const LooseBody& b) { return b.density_kgpm3 * volume_m3(b) + addedMass_kg(b); }
+
+// A box around capsules, to leave out what is far from all of them.
+struct Box {
+    glm::vec3 low{kFar_m}, high{-kFar_m};
+
+    void add(const Capsule& c, float more_m = 0) {
+        low = glm::min(low, glm::min(c.a, c.b) - (c.radius + more_m));
+        high = glm::max(high, glm::max(c.a, c.b) + (c.radius + more_m));
+    }
+    bool meets(const Box& other) const {
+        return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high));
+    }
+};
+Box boxOf(const Body& body) {
+    Box box;
+    box.add(body.before, kLift_m);
+    box.add(body.after, kLift_m);
+    return box;
+}
 
 // A capsule around its own origin. For Bullet it is a segment with its radius as the margin.
 class CapsuleShape final : public btConvexInternalShape {
@@ -97,7 +120,6 @@ class GroundShape final : public btConcaveShape {
         });
     }
     void getAabb(const btTransform&, btVector3& low, btVector3& high) const override {
-        constexpr float kFar_m = 100;
         low.setValue(-kFar_m, -kFar_m, -kFar_m);
         high.setValue(kFar_m, kFar_m, kFar_m);
     }
@@ -169,7 +191,9 @@ class CapsulePair final : public btActivatingCollisionAlgorithm {
         if (manifold_) own_.releaseManifold(manifold_);
     }
     void processCollision(const btCollisionObjectWrapper* one, const btCollisionObjectWrapper* other,
-                          const btDispatcherInfo&, btManifoldResult* out) override {
+                          const btDispatcherInfo&, btManifoldResult*) override {
+        // Bullet's order is that in which the objects were made; ours is that of their ids.
+        if (idOf(one->getCollisionObject()) > idOf(other->getCollisionObject())) std::swap(one, other);
         const Object *a = objectOf(one->getCollisionObject()), *b = objectOf(other->getCollisionObject());
         if (own_.touching) {
             if (!a->mover) std::swap(a, b);
@@ -186,8 +210,9 @@ class CapsulePair final : public btActivatingCollisionAlgorithm {
         if (gap > 0) return;
         if (!manifold_) manifold_ = own_.getNewManifold(&a->body, &b->body);
         const glm::vec3 normal = distance > kCrossed_m ? apart / distance : glm::vec3(0, 1, 0);
-        out->setPersistentManifold(manifold_);
-        out->addContactPoint(bt(normal), bt(at.onSecond + normal * second.radius), gap);
+        btManifoldResult out(one, other);
+        out.setPersistentManifold(manifold_);
+        out.addContactPoint(bt(normal), bt(at.onSecond + normal * second.radius), gap);
     }
     btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
                                    btManifoldResult*) override {
@@ -314,7 +339,17 @@ struct World::Impl {
     void findPairs() {
         for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
             dispatcher.getManifoldByIndexInternal(i)->clearManifold();
-        broadphase.calculateOverlappingPairs(&dispatcher);
+        // The tree finds pairs as boxes move. What it would do besides, to sort out boxes that rest,
+        // allocates; so only pairs that are none any more are removed here.
+        btOverlappingPairCache& pairs = *broadphase.getOverlappingPairCache();
+        for (int i = pairs.getNumOverlappingPairs() - 1; i >= 0; --i) {
+            const btBroadphasePair& pair = pairs.getOverlappingPairArray()[i];
+            const auto volume = [](btBroadphaseProxy* proxy) -> const btDbvtVolume& {
+                return static_cast<btDbvtProxy*>(proxy)->leaf->volume;
+            };
+            if (!Intersect(volume(pair.m_pProxy0), volume(pair.m_pProxy1)))
+                pairs.removeOverlappingPair(pair.m_pProxy0, pair.m_pProxy1, &dispatcher);
+        }
         dispatcher.dispatchAllCollisionPairs(broadphase.getOverlappingPairCache(), world.getDispatchInfo(),
                                              &dispatcher);
     }
@@ -387,13 +422,26 @@ void World::touch(std::span<const Body> bodies, std::span<const Mover> movers, f
     Impl& w = *impl_;
     out.clear();
     w.clear();
+    std::array<Box, 2> reach; // of each hand
+    std::array<bool, 2> isNear{};
+    const auto handOf = [](const Mover& mover) { return static_cast<size_t>(mover.group) % 2; };
+    for (const Mover& mover : movers)
+        for (const Capsule& capsule : {mover.before, mover.after})
+            if (finite(capsule)) reach[handOf(mover)].add(capsule);
+    for (const Body& body : bodies) {
+        const Box box = boxOf(body);
+        const std::array<bool, 2> meets = {box.meets(reach[0]), box.meets(reach[1])};
+        for (size_t h = 0; h < 2; ++h) isNear[h] = isNear[h] || meets[h];
+        if (meets[0] || meets[1]) w.placeBody(body, body.before, body.after);
+    }
     for (size_t i = 0; i < movers.size(); ++i) {
+        if (!isNear[handOf(movers[i])]) continue;
         Object& object = w.at(w.bones, i, kBones);
         object.place(movers[i].before, movers[i].after);
         object.mover = &movers[i];
         if (object.active) w.world.updateSingleAabb(&object.body);
     }
-    for (const Body& body : bodies) w.placeBody(body, body.before, body.after);
+    if (!isNear[0] && !isNear[1]) return;
     Touching touching{last, dt_s, out};
     w.dispatcher.touching = &touching;
     w.findPairs();
@@ -418,6 +466,13 @@ void World::move(std::span<LooseBody> loose, std::span<const Body> bodies, const
     for (int i = 0; i < count; ++i) {
         const float share = static_cast<float>(i + 1) / static_cast<float>(count);
         for (const Body& body : bodies) {
+            const Box box = boxOf(body);
+            const auto isNear = [&](const LooseBody& b) {
+                Box around;
+                around.add({b.position, b.position, b.radius + b.half}, kMaxLoose_mps * dt_s);
+                return box.meets(around);
+            };
+            if (std::ranges::none_of(loose, isNear)) continue;
             const Capsule now = between(body.before, body.after, share);
             w.placeBody(body, now, now);
         }

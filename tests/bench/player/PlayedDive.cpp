@@ -108,7 +108,8 @@ template <class Source>
 PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSetup& setup,
                     const Watch& watch) {
     game::Dive dive(files.species, files.dive, setup.seed, setup.rules);
-    Player player(setup.skill, setup.device, setup.arm_m, setup.seed + 1000, files.species);
+    Player player(setup.skill, setup.device, setup.arm_m, setup.seed + 1000, files.species,
+                  setup.cracksMussels);
     PlayedDive played;
     game::Snapshot now;
     game::Events events;

@@ -17,7 +17,8 @@ struct PlayerSetup {
     game::DiveRules rules;
     float reachHelp = 1;
     float arm_m = 1.2f; // with hands: leaning forward, before a screen; 0.7 m: seated in a headset
-    uint64_t seed = 1;  // of the dive; the person's own follows from it
+    bool cracksMussels = false;
+    uint64_t seed = 1; // of the dive; the person's own follows from it
 };
 
 struct PlayedDive {

@@ -40,7 +40,7 @@ glm::vec3 rayOf(glm::vec2 px) { return glm::normalize(glm::vec3(px / kFocal_px, 
 
 } // namespace
 
-void Eyes::look(const game::Snapshot& shown, const std::vector<bool>& isPrey, double time_s) {
+void Eyes::look(const game::Snapshot& shown, const game::SpeciesTable& species, double time_s) {
     Sight sight;
     sight.time_s = time_s;
     const glm::quat viewFromWorld = glm::conjugate(shown.worldFromView);
@@ -51,8 +51,9 @@ void Eyes::look(const game::Snapshot& shown, const std::vector<bool>& isPrey, do
         if (std::fabs(at.x) > kHalfScreen_px.x || std::fabs(at.y) > kHalfScreen_px.y) continue;
         sight.fish.push_back({static_cast<int>(creature.id), creature.species, at,
                               creature.length * kFocal_px / -view.z, creature.catchable > 0.5f,
-                              isPrey[static_cast<size_t>(creature.species)], creature.heldBy >= 0,
-                              glm::length(view)});
+                              game::isFish(species[static_cast<size_t>(creature.species)]),
+                              species[static_cast<size_t>(creature.species)].thing == game::Thing::Mussel,
+                              creature.heldBy >= 0, glm::length(view)});
     }
     const game::HandView& hand = shown.hands[1];
     const glm::vec3 view = viewFromWorld * (hands::graspCentre(hand.joints) - shown.headWorld);
@@ -88,12 +89,12 @@ glm::vec3 Movement::at(double time_s) const {
     return from_ + (to_ - from_) * (t * t * t * (10 - 15 * t + 6 * t * t));
 }
 
-Player::Player(Skill skill, Device device, float arm_m, uint64_t seed, const game::SpeciesTable& species)
-    : skill_(skill), device_(device), arm_m_(arm_m), random_(seed, 77) {
-    for (const game::Species& kind : species) {
-        isPrey_.push_back(game::isCatchable(kind));
+Player::Player(Skill skill, Device device, float arm_m, uint64_t seed, const game::SpeciesTable& species,
+               bool cracksMussels)
+    : skill_(skill), device_(device), arm_m_(arm_m), random_(seed, 77), species_(species),
+      cracksMussels_(cracksMussels) {
+    for (const game::Species& kind : species)
         length_m_.push_back(kind.length_m * std::exp((skill == Skill::Novice ? 0.25f : 0.1f) * gauss()));
-    }
     const glm::vec3 start = device == Device::Mouse ? glm::vec3(0) : kHandRests;
     movement_.start(start, start, 0, 0);
     turn_ = random_.unit() < 0.5f ? -1.0f : 1.0f;
@@ -105,7 +106,7 @@ float Player::gauss() { // Box & Muller 1958
 }
 
 Action Player::frame(const game::Snapshot& shown, double time_s) {
-    eyes_.look(shown, isPrey_, time_s);
+    eyes_.look(shown, species_, time_s);
     if (time_s >= idleUntil_s_) {
         switch (doing_) {
         case Doing::Resting:
@@ -147,7 +148,8 @@ int Player::choose(double time_s) const {
     int best = -1;
     float bestCost = 1e9f;
     for (const SeenFish& fish : sight.fish) {
-        if (!fish.prey || fish.held) continue;
+        const bool bait = fish.mussel && cracksMussels_ && time_s >= nextMussel_s_;
+        if ((!fish.prey && !bait) || fish.held) continue;
         if (std::fabs(fish.at_px.x) > 560 || std::fabs(fish.at_px.y) > 320) continue;
         const auto tired = tiredOf_.find(fish.id);
         if (tired != tiredOf_.end() && time_s < tired->second) continue;
@@ -155,6 +157,7 @@ int Player::choose(double time_s) const {
         if (distance_m > 1.7f || speed_px > 700) continue; // looks small, or flees
         float cost = glm::distance(fish.at_px, sight.hand_px) / 300 + distance_m / 0.7f + speed_px / 250;
         if (fish.marked) cost -= 2;
+        if (bait) cost -= 1.5f;
         if (cost < bestCost) bestCost = cost, best = fish.id;
     }
     return best;
@@ -196,7 +199,7 @@ void Player::lookForAnother(double time_s) {
 // Lets the hand rest where it is, in the path of fish that come.
 void Player::wait(double time_s) {
     for (const SeenFish& fish : eyes_.now().fish)
-        if (fish.marked) {
+        if (fish.marked && fish.prey) {
             target_ = fish.id;
             return close(time_s);
         }
@@ -259,7 +262,7 @@ void Player::chase(double time_s) {
     if (time_s - since_s_ > static_cast<double>(kTires_s)) return giveUp(time_s);
     // Another that lights up beside it is as good.
     for (const SeenFish& other : eyes_.now().fish)
-        if (other.marked && !fish->marked) fish = &other, target_ = other.id;
+        if (other.marked && other.prey && !fish->marked) fish = &other, target_ = other.id;
     if (device_ == Device::Hands && time_s - judged_s_ > 0.4) {
         misjudged_m_ *= 0.6f; // hand and fish side by side show how far off it is
         judged_s_ = time_s;
@@ -274,6 +277,11 @@ void Player::close(double time_s) {
     since_s_ = time_s;
     const bool novice = skill_ == Skill::Novice;
     holdFor_s_ = std::max(1.25f, (novice ? 1.5f : 1.4f) + 0.12f * gauss());
+    const SeenFish* held = find(eyes_.now(), target_);
+    if (held && held->mussel) {
+        holdFor_s_ = 0.8f;
+        nextMussel_s_ = time_s + 8;
+    }
 }
 
 void Player::hold(double time_s) {

@@ -36,7 +36,8 @@ struct SeenFish {
     glm::vec2 at_px{0};
     float size_px = 0;   // its length's, if it were seen from the side: people allow for the way it turns
     bool marked = false; // highlighted: can be caught now
-    bool prey = false;   // no shark, whale or jellyfish
+    bool prey = false;   // a fish, no shark, whale or jellyfish
+    bool mussel = false;
     bool held = false;
     float distance_m = 0; // for those who see with two eyes and reach with a hand of their own
 };
@@ -54,8 +55,8 @@ struct Sight {
 // the reaction time.
 class Eyes {
   public:
-    // Takes what the screen shows now; call it once a frame. isPrey: by species.
-    void look(const game::Snapshot& shown, const std::vector<bool>& isPrey, double time_s);
+    // Takes what the screen shows now; call it once a frame.
+    void look(const game::Snapshot& shown, const game::SpeciesTable& species, double time_s);
 
     // Returns the sight that the person has understood by now, that of kReaction_s ago.
     const Sight& now() const { return sights_.front(); }
@@ -98,8 +99,8 @@ constexpr size_t kDoings = 5;
 class Player {
   public:
     // arm_m: reach of tracked hands from the eyes; a mouse's hand gets as far as the help with reach takes
-    // it.
-    Player(Skill, Device, float arm_m, uint64_t seed, const game::SpeciesTable&);
+    // it. cracksMussels: where few fish are about, it cracks a mussel to draw them.
+    Player(Skill, Device, float arm_m, uint64_t seed, const game::SpeciesTable&, bool cracksMussels = false);
 
     Action frame(const game::Snapshot& shown, double time_s);
 
@@ -125,7 +126,9 @@ class Player {
     Device device_;
     float arm_m_;
     Random random_;
-    std::vector<bool> isPrey_;
+    const game::SpeciesTable& species_;
+    bool cracksMussels_;
+    double nextMussel_s_ = 0;
     std::vector<float> length_m_; // believed length of each species
     Eyes eyes_;
     Movement movement_;

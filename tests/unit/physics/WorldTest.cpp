@@ -152,7 +152,11 @@ TEST(World, KeepsNothingFromTickToTick) {
     World old;
     for (int tick = 0; tick < 500; ++tick) one.step(old, tick);
     Fall other = one;
-    World fresh;
+    World fresh; // makes its objects in another order
+    Fall few;
+    std::swap(few.bodies[0], few.bodies[7]);
+    few.bodies.resize(1);
+    few.step(fresh, 0);
     for (int tick = 500; tick < 1000; ++tick) {
         one.step(old, tick);
         other.step(fresh, tick);
