@@ -25,6 +25,7 @@ constexpr float kStepShare = 0.5f;   // a loose body moves by at most this share
 constexpr int kMaxSteps = 8;         // ...and the tick is cut into at most this many steps
 constexpr float kMaxLoose_mps = 15;  // greatest speed of a loose body
 constexpr float kMaxSpin_radps = 20;
+constexpr float kGap_m = 0.001f;    // surfaces this near count as a contact that may close
 constexpr float kFar_m = 100;       // nothing is farther away
 constexpr float kKnock_mps = 0.15f; // slower meetings are no knocks
 
@@ -32,8 +33,16 @@ enum Group { kBones = 1, kBodies = 2, kLoose = 4, kGround = 8 };
 
 btVector3 bt(glm::vec3 v) { return {v.x, v.y, v.z}; }
 glm::vec3 vec(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-bool finite(glm::vec3 v) { return std::isfinite(glm::dot(v, v)); }
-bool finite(const Capsule& c) { return finite(c.a) && finite(c.b) && std::isfinite(c.radius); }
+// Returns whether a place or a velocity may enter the world; false for what is no number.
+bool mayEnter(glm::vec3 v) { return glm::dot(v, v) < kFar_m * kFar_m; }
+bool mayEnter(const Capsule& c) {
+    return mayEnter(c.a) && mayEnter(c.b) && c.radius > 0 && c.radius < kFar_m;
+}
+bool mayEnter(const Body& b) { return mayEnter(b.before) && mayEnter(b.after) && mayEnter(b.velocity); }
+bool mayEnter(const Mover& m) {
+    return mayEnter(m.before) && mayEnter(m.after) && mayEnter(0.1f * m.velocityA) &&
+           mayEnter(0.1f * m.velocityB);
+}
 float volume_m3(const LooseBody& b) {
     return std::numbers::pi_v<float> * b.radius * b.radius * (2 * b.half + 4.0f / 3 * b.radius);
 }
@@ -140,10 +149,8 @@ struct Object {
         body.setFlags(0); // no gyroscopic forces
     }
     void place(const Capsule& from, const Capsule& to) {
-        const glm::vec3 at = middle(to);
-        active = finite(from) && finite(to);
-        if (!active) return;
-        const glm::vec3 swept = at - middle(from), half = 0.5f * (to.b - to.a);
+        active = true;
+        const glm::vec3 at = middle(to), swept = at - middle(from), half = 0.5f * (to.b - to.a);
         shape.set(half, to.radius, swept, glm::distance(half, 0.5f * (from.b - from.a)));
         body.setWorldTransform(btTransform(btMatrix3x3::getIdentity(), bt(at)));
     }
@@ -178,6 +185,13 @@ class Dispatcher final : public btCollisionDispatcher {
         const Object *a = objectOf(one), *b = objectOf(other);
         if ((a && !a->active) || (b && !b->active)) return false;
         return ((a && a->mover) || (b && b->mover)) == (touching != nullptr);
+    }
+    btPersistentManifold* getNewManifold(const btCollisionObject* one,
+                                         const btCollisionObject* other) override {
+        btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(one, other);
+        // Bullet's own gap depends on the size that the bodies had when they first met.
+        manifold->setContactBreakingThreshold(kGap_m);
+        return manifold;
     }
 };
 
@@ -333,7 +347,7 @@ struct World::Impl {
         object.place(from, to);
         object.given = &body;
         object.body.setLinearVelocity(bt(body.velocity));
-        if (object.active) world.updateSingleAabb(&object.body);
+        world.updateSingleAabb(&object.body);
     }
 
     void findPairs() {
@@ -405,7 +419,7 @@ struct World::Impl {
         const btRigidBody& body = loose[b.id]->body;
         const glm::vec3 velocity = limited(vec(body.getLinearVelocity()), kMaxLoose_mps);
         const glm::vec3 spin = limited(vec(body.getAngularVelocity()), kMaxSpin_radps);
-        if (!finite(velocity) || !finite(spin)) return; // a degenerate contact: it stays for this step
+        if (!mayEnter(velocity) || !mayEnter(spin)) return; // a degenerate contact: it stays for this step
         b.velocity = velocity;
         b.position = vec(body.getWorldTransform().getOrigin()) + velocity * dt_s;
         b.spin = spin / (1 + (kSpinLoss_Hz + kSpinLoss * glm::length(spin)) * dt_s);
@@ -427,19 +441,20 @@ void World::touch(std::span<const Body> bodies, std::span<const Mover> movers, f
     const auto handOf = [](const Mover& mover) { return static_cast<size_t>(mover.group) % 2; };
     for (const Mover& mover : movers)
         for (const Capsule& capsule : {mover.before, mover.after})
-            if (finite(capsule)) reach[handOf(mover)].add(capsule);
+            if (mayEnter(mover)) reach[handOf(mover)].add(capsule);
     for (const Body& body : bodies) {
+        if (!mayEnter(body)) continue;
         const Box box = boxOf(body);
         const std::array<bool, 2> meets = {box.meets(reach[0]), box.meets(reach[1])};
         for (size_t h = 0; h < 2; ++h) isNear[h] = isNear[h] || meets[h];
         if (meets[0] || meets[1]) w.placeBody(body, body.before, body.after);
     }
     for (size_t i = 0; i < movers.size(); ++i) {
-        if (!isNear[handOf(movers[i])]) continue;
+        if (!isNear[handOf(movers[i])] || !mayEnter(movers[i])) continue;
         Object& object = w.at(w.bones, i, kBones);
         object.place(movers[i].before, movers[i].after);
         object.mover = &movers[i];
-        if (object.active) w.world.updateSingleAabb(&object.body);
+        w.world.updateSingleAabb(&object.body);
     }
     if (!isNear[0] && !isNear[1]) return;
     Touching touching{last, dt_s, out};
@@ -466,6 +481,7 @@ void World::move(std::span<LooseBody> loose, std::span<const Body> bodies, const
     for (int i = 0; i < count; ++i) {
         const float share = static_cast<float>(i + 1) / static_cast<float>(count);
         for (const Body& body : bodies) {
+            if (!mayEnter(body)) continue;
             const Box box = boxOf(body);
             const auto isNear = [&](const LooseBody& b) {
                 Box around;

@@ -107,14 +107,15 @@ void frightenByHands(std::span<Fish> fish, const DiveContext& in, Random& random
 
 // Visits.
 
-constexpr float kStill_mps = 0.2f;    // a hand slower than this rests...
-constexpr float kFast_mps = 0.6f;     // ...until it is faster than this
-constexpr float kRest_s = 1;          // rest before the first visitor comes
-constexpr float kNext_s = 2;          // time between two visitors
-constexpr int kVisitors = 2;          // visitors of a hand at a time
-constexpr int kGuests = 5;            // the same where it has a cracked mussel...
-constexpr float kNextGuest_s = 0.25f; // ...and the time between two of them
-constexpr float kInView = 0.82f;      // cosine of the angle from the middle of the view: 35 degrees
+constexpr float kStill_mps = 0.2f;   // a hand slower than this rests...
+constexpr float kFast_mps = 0.6f;    // ...until it is faster than this
+constexpr float kRest_s = 1;         // rest before the first visitor comes
+constexpr float kNext_s = 2;         // time between two visitors
+constexpr int kVisitors = 2;         // visitors of a hand at a time
+constexpr int kGuests = 5;           // the same where it has a cracked mussel...
+constexpr float kSmell_m = 3;        // ...the distance from which they come...
+constexpr float kNextGuest_s = 0.2f; // ...and the time between two of them
+constexpr float kInView = 0.82f;     // cosine of the angle from the middle of the view: 35 degrees
 constexpr float kNearest_m = 0.25f, kFarthest_m = 2.2f; // distance of a possible visitor from the hand
 constexpr float kComes_s = 7;                           // longest time on its way
 constexpr float kThere_m = 0.12f;                       // distance from its place at which it has arrived
@@ -153,7 +154,7 @@ static int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveC
         const float curiosity = in.kindOf(f).curiosity;
         if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || curiosity <= 0) return kNever;
         const float distance = glm::distance(f.position, hand.graspCentre);
-        if (distance > kFarthest_m) return kNever;
+        if (distance > (hand.bait_s > 0 ? kSmell_m : kFarthest_m)) return kNever;
         if (hand.bait_s > 0) return in.hides(f.position) ? kNever : distance / curiosity;
         if (f.visit.rest_s > 0 || f.uncatchable_s > 0 || f.flight.rest_s > 0) return kNever;
         if (distance < kNearest_m) return kNever;
@@ -198,7 +199,7 @@ constexpr float kRockShy_m = 0.4f;     // gap to the film's surfaces below which
 constexpr float kRockForesee_s = 0.5f; // look-ahead at which it wants that gap
 constexpr float kGiveRoom_mps = 2.0f;  // greatest speed at which an approaching wall moves it
 constexpr float kSharkShy_m = 0.95f;
-constexpr float kHungry = 3.5f;       // speed on the way to food, in cruising speeds
+constexpr float kHungry = 4.5f;       // speed on the way to food, in cruising speeds
 constexpr float kVisitSlow_m = 0.25f; // distance from a visited place below which it slows down
 constexpr float kSteepest = 0.42f;    // sine of the pitch while cruising...
 constexpr float kSteepestDart = 0.6f; // ...and in flight

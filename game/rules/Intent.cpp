@@ -22,6 +22,7 @@ constexpr std::array<Help, 3> kHelp = {{
 }}; // by Assist
 
 constexpr float kEnter = 0.85f;        // share of the range below which a fish becomes the target...
+constexpr float kThing = 0.3f;         // cost of a loose thing, in ranges
 constexpr float kKeep = 1.5f;          // ...above which it is dropped at once...
 constexpr float kForget_s = 0.35f;     // ...and time after which it is dropped beyond the range
 constexpr float kLook_s = 0.1f;        // look-ahead, about the time in which fingers close
@@ -58,8 +59,10 @@ float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
                          across * across / (help.across_m * help.across_m));
     };
     const float now = gapAt(hand.graspCentre), soon = gapAt(hand.graspCentre - apart * kLook_s);
+    // A thing is meant by who reaches right for it; else a fish beside it is.
+    const float thing = in.thingOf(f) != Thing::None ? kThing : 0;
     // The minimum of both: a fish in the hand stays the target although it is about to leave.
-    return std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
+    return thing + std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
 }
 
 void readIntent(Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
@@ -180,6 +183,7 @@ std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species,
     constexpr float kFull = 0.07f, kNone = 0.21f;
     constexpr float kKeptTo = 0.06f;      // bonus of the present target, a tangent...
     constexpr float kNearerPer_m = 0.08f; // ...and bonus for each metre that a fish is nearer
+    constexpr float kThingBeside = 0.06f; // malus of a loose thing, a tangent
     constexpr float kLead_s = 0.15f;      // look-ahead that makes up for the hand's delay behind the fish
     const glm::vec3 ray = now.worldFromView * rayView;
     const auto along = [&](const CreatureView& c) { return glm::dot(c.position - now.headWorld, ray); };
@@ -191,7 +195,8 @@ std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species,
         const bool free = c.heldBy < 0 && c.gait.motion != Motion::Struggle && c.gait.motion != Motion::Open;
         if (!isCatchable(species[c.species]) || !free || c.hidden) return kNever;
         if (along(c) < kNear_m || along(c) > kFar_m || beside(c) >= kNone) return kNever;
-        return beside(c) + kNearerPer_m * along(c) - (static_cast<int>(c.id) == target ? kKeptTo : 0);
+        const float thing = species[c.species].thing != Thing::None ? kThingBeside : 0;
+        return thing + beside(c) + kNearerPer_m * along(c) - (static_cast<int>(c.id) == target ? kKeptTo : 0);
     });
     if (target < 0) return std::nullopt;
     const CreatureView& fish = now.creatures[target];

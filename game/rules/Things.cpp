@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kCrack_s = 0.5f;    // time until a held mussel cracks...
 constexpr float kShowOpen_s = 0.6f; // ...and until it is let go after that
-constexpr float kBait_s = 7;        // time for which it draws fish
+constexpr float kBait_s = 9;        // time for which it draws fish
 constexpr float kThere_m = 0.18f;   // distance of a fish from its place at the hand at which it feeds
 constexpr float kThrow_mps = 0.5f;  // a slower hand only lets go
 constexpr float kAimed_mps = 4;     // least speed of an aimed throw at a target 1 m away...

@@ -1,5 +1,6 @@
 // make_fuzz_seeds FOLDER: one or more valid inputs for each fuzz target, in FOLDER/TARGET.
 #include "content/make/depth/DepthTrackWriter.h"
+#include "engine/core/Random.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Pictures.h"
 #include "game/rules/Dive.h"
@@ -211,11 +212,20 @@ void ticks() {
     put("Tick", "reaching", bytes);
 }
 
+// A scene of six fish, twelve bones and four things, at places of chance near the middle.
+void scenes() {
+    std::string bytes = {6, 12, 4};
+    Random random(5, 1);
+    for (int i = 0; i < 1200; ++i) bytes += static_cast<char>(i % 2 ? random.below(12) : random.below(256));
+    put("World", "crowd", bytes);
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
     if (count != 2) return 2;
     folder = arguments[1];
-    for (const auto make : {models, replays, texts, metadata, pictures, depthTracks, devices, ticks}) make();
+    for (const auto make : {models, replays, texts, metadata, pictures, depthTracks, devices, ticks, scenes})
+        make();
     return 0;
 }

@@ -3,8 +3,10 @@
 
 #include "engine/core/Files.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
 #include <span>
 #include <stdexcept>
@@ -16,6 +18,23 @@ namespace shoal::fuzz {
 inline void expect(bool holds) {
     if (!holds) std::abort();
 }
+
+// Reads the input from the front; zeros once it is used up.
+class Bytes {
+  public:
+    Bytes(const uint8_t* data, size_t size) : rest_(data, size) {}
+    bool empty() const { return rest_.empty(); }
+    template <class T> T next() {
+        T value{};
+        const size_t count = std::min(sizeof value, rest_.size());
+        std::memcpy(&value, rest_.data(), count);
+        rest_ = rest_.subspan(count);
+        return value;
+    }
+
+  private:
+    std::span<const uint8_t> rest_;
+};
 
 // The bytes of a run as a file, for parsers that read files: in a folder in memory that goes with the
 // process.

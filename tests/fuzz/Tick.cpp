@@ -9,25 +9,9 @@
 #include <cstring>
 
 using namespace shoal;
+using fuzz::Bytes;
 
 namespace {
-
-// Reads the input from the front; zeros once it is used up.
-class Bytes {
-  public:
-    Bytes(const uint8_t* data, size_t size) : rest_(data, size) {}
-    bool empty() const { return rest_.empty(); }
-    template <class T> T next() {
-        T value{};
-        const size_t count = std::min(sizeof value, rest_.size());
-        std::memcpy(&value, rest_.data(), count);
-        rest_ = rest_.subspan(count);
-        return value;
-    }
-
-  private:
-    std::span<const uint8_t> rest_;
-};
 
 // The hand before, a little or wholly changed.
 void change(hands::HandPose& hand, Bytes& bytes) {

@@ -292,7 +292,9 @@ void Player::hold(double time_s) {
     close_ = false;
     tiredOf_[target_] = time_s + 2;
     target_ = -1;
-    doing_ = Doing::Resting;
+    // Fish come to its cracked mussel, so it waits for them.
+    doing_ = time_s < nextMussel_s_ ? Doing::Waiting : Doing::Resting;
+    since_s_ = time_s;
     const bool novice = skill_ == Skill::Novice;
     idleUntil_s_ =
         time_s + static_cast<double>(novice ? random_.between(0.5f, 1.0f) : random_.between(0.3f, 0.6f));

@@ -147,13 +147,15 @@ struct Fall {
     }
 };
 
-// The other world has made its objects in another order, and comes in while they fall on one another.
+// The other world has made its objects in another order and of another size, and comes in while they fall on
+// one another.
 TEST(World, KeepsNothingFromTickToTick) {
     for (const int from : {30, 60, 120, 500}) {
         Fall one;
         World old, fresh;
         Fall reversed;
         std::ranges::reverse(reversed.bodies);
+        for (LooseBody& b : reversed.bodies) b.radius *= 0.2f;
         reversed.step(fresh, 0);
         for (int tick = 0; tick < from; ++tick) one.step(old, tick);
         Fall other = one;
@@ -175,6 +177,10 @@ TEST(World, ForgetsWhatANumberThatIsNoneWouldDo) {
     std::vector<Contact> contacts;
     world.touch({&fish, 1}, {&bone, 1}, kDt, {}, contacts);
     EXPECT_TRUE(contacts.empty());
+    Body swift = still(4, {0, 1, 0});
+    swift.velocity.x = none;
+    world.move({&stone, 1}, {&swift, 1}, Floor(0), kDt, knocks);
+    EXPECT_TRUE(std::isfinite(stone.velocity.x));
     world.move({&stone, 1}, {&fish, 1}, Floor(0), kDt, knocks);
     EXPECT_TRUE(std::isfinite(stone.position.y));
 }
