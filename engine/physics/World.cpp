@@ -46,10 +46,10 @@ bool mayEnter(const Mover& m) {
 float volume_m3(const LooseBody& b) {
     return std::numbers::pi_v<float> * b.radius * b.radius * (2 * b.half + 4.0f / 3 * b.radius);
 }
-// The water that a body has to move along, as if it were a sphere: Batchelor 1967, "An Introduction to Fluid
-// Dynamics", 6.4. For a cylinder across its path it would be twice that.
-float addedMass_kg(const LooseBody& b) { return 0.5f * kWater_kgpm3 * volume_m3(b); }
-float inertia_kg(const LooseBody& b) { return b.density_kgpm3 * volume_m3(b) + addedMass_kg(b); }
+// Returns its mass and that of the water that it has to move along, as if it were a sphere: Batchelor 1967,
+// "An Introduction to Fluid Dynamics", 6.4. For a cylinder across its path the water's part would be twice
+// that.
+float inertia_kg(const LooseBody& b) { return (b.density_kgpm3 + 0.5f * kWater_kgpm3) * volume_m3(b); }
 
 // A box around capsules, to leave out what is far from all of them.
 struct Box {
@@ -419,7 +419,8 @@ struct World::Impl {
         const btRigidBody& body = loose[b.id]->body;
         const glm::vec3 velocity = limited(vec(body.getLinearVelocity()), kMaxLoose_mps);
         const glm::vec3 spin = limited(vec(body.getAngularVelocity()), kMaxSpin_radps);
-        if (!mayEnter(velocity) || !mayEnter(spin)) return; // a degenerate contact: it stays for this step
+        if (!mayEnter(velocity) || !mayEnter(spin) || !mayEnter(vec(body.getWorldTransform().getOrigin())))
+            return; // a degenerate contact: it stays for this step
         b.velocity = velocity;
         b.position = vec(body.getWorldTransform().getOrigin()) + velocity * dt_s;
         b.spin = spin / (1 + (kSpinLoss_Hz + kSpinLoss * glm::length(spin)) * dt_s);

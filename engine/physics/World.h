@@ -60,8 +60,6 @@ class World {
   public:
     World();
     ~World();
-    World(const World&) : World() {} // a copy needs none of the memory
-    World& operator=(const World&) { return *this; }
 
     // Writes to out the contacts of bones with bodies in this tick, at most one for each (body, group, tag),
     // sorted by these. last: the contacts of the previous tick. The result depends only on the arguments, not

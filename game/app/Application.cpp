@@ -449,8 +449,7 @@ void Application::simulate() {
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {
-        if (event.kind == game::EventKind::Catch && event.species >= 0 && event.position &&
-            play_->popups.size() < play_->popups.capacity())
+        if (event.species >= 0 && event.position && play_->popups.size() < play_->popups.capacity())
             play_->popups.push_back(
                 {event.points, event.combo, &config_.species[event.species], *event.position});
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;

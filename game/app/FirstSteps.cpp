@@ -39,8 +39,10 @@ static std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const g
     return best;
 }
 
-static bool holdsAFish(const game::Snapshot& shown) {
-    return shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0;
+static bool holdsAFish(const game::Snapshot& shown, const game::SpeciesTable& species) {
+    return std::ranges::any_of(shown.hands, [&](const game::HandView& hand) {
+        return hand.holds >= 0 && isFish(species[shown.creatures[static_cast<size_t>(hand.holds)].species]);
+    });
 }
 
 // Draws a hand as a white sign with a dark outline: rounded bones, and the palm.
@@ -100,7 +102,7 @@ void Tutorial::followSteps(const game::Snapshot& shown, float elapsed_s) {
     const bool catchable =
         std::ranges::any_of(shown.creatures, [](const auto& creature) { return creature.catchable > 0.5f; });
     near_s_ = catchable ? near_s_ + elapsed_s : 0;
-    away_s_ = catchable || holdsAFish(shown) ? 0 : away_s_ + elapsed_s;
+    away_s_ = catchable || holdsAFish(shown, species_) ? 0 : away_s_ + elapsed_s;
     // The target stays for one demonstration, so that the ghost hand does not jump from fish to fish.
     if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
@@ -152,7 +154,7 @@ void Tutorial::followHints(const game::Snapshot& shown, std::span<const game::Ev
     sinceCatch_s_ = shown.caught > caught_ ? 0 : sinceCatch_s_ + elapsed_s;
     caught_ = shown.caught;
     for (const game::Event& event : events) {
-        if (event.kind == game::EventKind::SharkNear && holdsAFish(shown)) say(Shark);
+        if (event.kind == game::EventKind::SharkNear && holdsAFish(shown, species_)) say(Shark);
         if (event.kind == game::EventKind::MissTooFast && caught_ < kUnderstood) say(FastHand);
     }
     if (sinceCatch_s_ > kWithout_s && caught_ < kUnderstood) {

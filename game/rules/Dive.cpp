@@ -74,8 +74,9 @@ void Dive::begin(uint64_t seed) {
     state_.score = {.species = std::vector<SpeciesTally>(files_.species.size()),
                     .reached = std::vector<bool>(files_.dive.goals.size())};
     for (Hand& hand : state_.hands) {
-        hand.grasp.holds = -1;
+        hand.grasp.holds = hand.grasp.encloses = -1;
         hand.grasp.window = 0;
+        hand.fed = false;
         hand.intent = {};
         hand.lastMiss = Miss::None;
         hand.stung_s = hand.rested_s = hand.nextVisit_s = hand.bait_s = 0;
@@ -147,9 +148,11 @@ void Dive::touch(Events& events) {
 void Dive::endWhenOver(Events& events) {
     DiveState& s = state_;
     if (rules_.freeSwim || s.tick < static_cast<uint32_t>(files_.dive.duration_s * sim::kTickRate_Hz)) return;
-    for (int h = 0; h < 2; ++h)
-        if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, s.fish, context(), events);
     s.phase = Phase::Results;
+    for (int h = 0; h < 2; ++h) {
+        s.hands[h].bait_s = 0;
+        if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, s.fish, context(), events);
+    }
     events.push_back({EventKind::DiveOver});
 }
 

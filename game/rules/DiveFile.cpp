@@ -129,6 +129,8 @@ static Goal readGoal(TomlTable& table, const SpeciesTable& known) {
     table.choice("kind", kGoalNames, goal.kind);
     if (table.has("species")) {
         goal.species = speciesNamed(table, known);
+        const Thing thing = known[goal.species].thing;
+        if (thing == Thing::Mussel || thing == Thing::Stone) table.complain("species", "cannot be caught");
         if (goal.kind != GoalKind::Catch) table.complain("species", "belongs to goals of kind \"catch\"");
     }
     if (goal.kind == GoalKind::NoLoss) return goal;

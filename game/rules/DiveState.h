@@ -73,7 +73,7 @@ struct Visit {
     float rest_s = 0;   // seconds before its next visit
 };
 
-// What a loose thing does besides what all that can be taken does; see game/rules/Things.h.
+// The state of a loose thing beyond that of all that can be taken; see game/rules/Things.h.
 struct Looseness {
     glm::vec3 home{0};   // where it drifts on seaweed, or comes up
     float time_s = 0;    // since it was let go; of a bottle out of sight: until it comes up
@@ -83,7 +83,7 @@ struct Looseness {
 
 // A fish, or a loose thing: all that a hand can take hold of.
 struct Fish : Swimmer {
-    // Cruise: swims its circle. Dart: flees. Held: in a hand. Mouth: in the shark's mouth. Of loose things:
+    // Cruise: swims its circle. Dart: flees. Held: in a hand. Mouth: in the shark's mouth. And loose things:
     // Drift: hangs on seaweed. Loose: moved by the physics world; its velocity is `push`. Gone: out of sight.
     enum class State { Cruise, Dart, Held, Mouth, Drift, Loose, Gone };
 

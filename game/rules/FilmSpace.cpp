@@ -188,6 +188,11 @@ float FilmMoment::gap_m(glm::vec3 place) const {
     return space_->room_m(moment_, distance > 1e-4f ? place : kUp, of_) - distance;
 }
 
+float FilmMoment::surfaceGap_m(glm::vec3 place) const {
+    const float distance = glm::length(place);
+    return space_->surface_m(moment_, distance > 1e-4f ? place : kUp) - distance;
+}
+
 glm::vec3 FilmMoment::inward(glm::vec3 place) const {
     constexpr float kApart_m = 0.1f;
     glm::vec3 slope;
@@ -228,7 +233,7 @@ glm::vec3 FilmMoment::pulledIn(glm::vec3 place, const physics::Capsule& body, fl
 
 void FilmMoment::triangles(glm::vec3 low, glm::vec3 high, const physics::Ground::Visit& visit) const {
     constexpr int kSide = FilmSpace::kSide;
-    constexpr float kCellsPerRad = 0.5f * kSide; // a cell is widest at the octahedron's corners
+    constexpr float kCellsPerRad = 0.5f * kSide; // cells are narrowest at the octahedron's corners
     const glm::vec3 centre = 0.5f * (low + high);
     const float reach = 0.5f * glm::length(high - low), distance = glm::length(centre);
     const float angle = distance > 2 * reach ? 1.05f * reach / distance : 4.0f; // the arc sine, from above

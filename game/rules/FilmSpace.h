@@ -65,7 +65,7 @@ class FilmSpace {
 
     double length_s_;
     int steps_;
-    std::vector<glm::vec3> directions_; // of the cells
+    std::vector<glm::vec3> directions_; // one for each cell
     // The grids of all steps, each with a border of one cell that repeats the octahedron's adjacent cells.
     std::vector<uint16_t> surface_mm_;
     std::array<std::vector<uint16_t>, 2> room_mm_; // by Room
@@ -86,10 +86,12 @@ class FilmMoment {
     }
     bool known() const { return space_ != nullptr; }
     // Returns the distance from the place outwards to the end of the room for bodies; negative beyond it.
-    // Requires known(), as the next two do.
+    // Requires known(), as the next three do.
     float gap_m(glm::vec3 place) const;
     // Returns the direction in which that gap grows fastest, unit length.
     glm::vec3 inward(glm::vec3 place) const;
+    // Returns the distance from the place outwards to the surface that the film shows; negative beyond it.
+    float surfaceGap_m(glm::vec3 place) const;
     // Steers the wanted way off the film's surfaces: reduces its outward component, and adds up to 2 * push
     // inwards, more for a smaller gap. soon: predicted place of the body; gap_m: its gap there; shy_m: the
     // gap that it wants. Returns the missing share of shy_m, 0 to 2.

@@ -129,7 +129,7 @@ void pushFish(Fish& f, int id, std::span<const physics::Contact> own, const Dive
         f.touchedUntil[h][part] = in.state.tick + kTouchKept;
         const Hand& hand = in.state.hands[h];
         const float palmClosing = glm::dot(hand.calmVelocity - f.velocity, contact.normal);
-        if (helpedTo(hand, id)) continue;
+        if (helpedTo(hand, id) || feeds(f, in.state.hands)) continue;
         if (palmClosing > kGentle_mps || f.flight.touchedGently_s > kPatience_s ||
             (hand.grasp.closed && hand.grasp.window == 0))
             startle(f, id, hand.palm().position, in, random, events);

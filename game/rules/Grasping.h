@@ -62,7 +62,8 @@ physics::Hold holdOn(int fish, const DiveState&, glm::vec3 asked_N);
 // Once the dive is over, hands take nothing.
 void closeHands(Hands&, std::span<Fish>, const DiveContext&, Events&);
 
-// Lets the held fish go: with a Release if it has counted as a catch, else an Escape. h: 0 left, 1 right.
+// Lets the held fish go: with a Release if it has counted as a catch, else an Escape. A thing is let go by
+// letGo(). h: 0 left, 1 right.
 void drop(Hand&, int h, std::span<Fish>, const DiveContext&, Events&);
 
 // Advances all holds, after everything has moved: a held fish may slip out, or is caught and then let go.

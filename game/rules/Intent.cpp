@@ -22,9 +22,9 @@ constexpr std::array<Help, 3> kHelp = {{
 }}; // by Assist
 
 constexpr float kEnter = 0.85f;        // share of the range below which a fish becomes the target...
-constexpr float kThing = 0.3f;         // cost of a loose thing, in ranges
 constexpr float kKeep = 1.5f;          // ...above which it is dropped at once...
 constexpr float kForget_s = 0.35f;     // ...and time after which it is dropped beyond the range
+constexpr float kThing = 0.3f;         // cost of a loose thing, in ranges
 constexpr float kLook_s = 0.1f;        // look-ahead, about the time in which fingers close
 constexpr float kSlow_mps = 0.9f;      // speed relative to the fish that counts as none...
 constexpr float kTooFast_mps = 1.8f;   // ...and above which nothing is caught

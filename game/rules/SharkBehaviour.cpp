@@ -41,7 +41,9 @@ static float fromMouth(const Shark& shark, const Hand& hand, const DiveContext& 
 // Returns the hand that holds a fish, or else the one nearest to the shark's mouth; -1 if none is visible.
 static int watchedHand(const Shark& shark, const DiveContext& in) {
     return leastCost(in.state.hands, kNever, [&](const Hand& hand) {
-        return hand.visible ? fromMouth(shark, hand, in) - (hand.grasp.holds >= 0 ? 10.0f : 0.0f) : kNever;
+        const int held = hand.grasp.holds;
+        const bool holds = held >= 0 && in.thingOf(in.state.fish[held]) == Thing::None;
+        return hand.visible ? fromMouth(shark, hand, in) - (holds ? 10.0f : 0.0f) : kNever;
     });
 }
 
@@ -190,9 +192,7 @@ void turnAway(Shark& shark, bool struck, const DiveContext& in, Events& events) 
     shark.prey = -1;
     shark.visit_s = 0;
     shark.set(State::Leave);
-    events.push_back({.kind = EventKind::SharkTurns,
-                      .creature = static_cast<int>(in.state.fish.size()),
-                      .position = shark.position});
+    events.push_back({EventKind::SharkTurns, static_cast<int>(in.state.fish.size()), -1, shark.position});
 }
 
 void bite(Shark& shark, Hands& hands, std::span<Fish> fish, Score& score, const DiveContext& in,

@@ -89,7 +89,7 @@ struct HandView {
     float grip = 0;                                        // 0 open to 1 fist
     std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
     int holds = -1;                                        // creature id
-    float holdProgress = 0;                                // share of kHoldToCatch_s that it has been held
+    float holdProgress = 0;                                // share of holdTime_s() that it has been held
     std::array<TouchView, hands::kHandParts> touching{};   // five fingers and the palm
     // Direction from the wrist to the elbow, world frame: unit where a tracker gives it, else 0. The session
     // adds it; the rules do not know it.
@@ -145,7 +145,7 @@ enum class EventKind {
     MissBehind,   // the hand was behind the fish
     Sting,        // a hand closed on something that stings, and cannot hold for a while
     Throw,        // a hand throws a loose thing
-    Knock,        // a loose thing knocks on another, or on rock
+    Knock,        // a loose thing knocks on rock, on another or on an animal
     Crack,        // a mussel cracks in a hand
     Feed,         // the first fish comes to feed on it
     NoGuest,      // none did; told once a dive

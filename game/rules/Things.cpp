@@ -22,14 +22,15 @@ constexpr float kAimFar_m = 4;      // farthest target of an aimed throw
 constexpr std::array<float, 3> kAim = {2, 0.94f, 0.82f}; // cosine of the angle that help bridges, by Assist
 constexpr float kFrightens_mps = 1;                      // speed of a thrown thing that frightens fish...
 constexpr float kFrightens_m = 0.3f;                     // ...at this distance
-constexpr float kEyes_m = 0.45f;   // distance from the shark's snout at which a stone turns it away
-constexpr float kSnout_m = 0.35f;  // distance from its mouth at which a strike is one on the snout
-constexpr float kKnock_mps = 0.4f; // slower knocks are silent
-constexpr float kPushed = 0.4f;    // share of a thing's speed that it gives to a fish
-constexpr float kBack_s = 12;      // time after which a thing that is out of view drifts again
-constexpr float kInView = 0.3f;    // cosine of the angle from the middle of the view
-constexpr float kSurface_m = 1.7f; // height at which a bottle is out of reach and gone
-constexpr float kSpring_Hz = 0.8f; // rate at which seaweed swings back to its place
+constexpr float kEyes_m = 0.45f;    // distance from the shark's snout at which a stone turns it away
+constexpr float kSnout_m = 0.35f;   // distance from its mouth at which a strike is one on the snout
+constexpr float kKnock_mps = 0.4f;  // slower knocks are silent
+constexpr float kPushed = 0.4f;     // share of a thing's speed that it gives to a fish
+constexpr float kBack_s = 12;       // time after which a thing that is out of view drifts again
+constexpr float kInView = 0.3f;     // cosine of the angle from the middle of the view
+constexpr float kSurface_m = 1.7f;  // height at which a bottle is out of reach and goes when nobody looks
+constexpr float kThrowMax_mps = 12; // greatest speed of a throw
+constexpr float kSpring_Hz = 0.8f;  // rate at which seaweed swings back to its place
 constexpr float kForearm_m = 0.25f, kForearmRadius_m = 0.035f;
 
 physics::LooseBody looseBody(const Fish& f, int id, const Species& kind) {
@@ -134,15 +135,33 @@ void drift(Fish& f, const DiveContext& in) {
     f.gait.advance(1);
 }
 
-// Sends what has lain about unseen back to its place, and a bottle at the surface out of sight.
+// Sends a thing that has lain about unseen back to its place, and a bottle at the surface out of sight.
 void comeBack(Fish& f, const DiveContext& in) {
     const Species& kind = in.kindOf(f);
     f.loose.time_s += kDt;
-    const bool lies = f.loose.time_s > kBack_s && !inView(f.position, in) && !inView(f.loose.home, in);
-    if (kind.thing == Thing::Bottle ? f.position.y > kSurface_m : lies) startDrifting(f, kind);
+    const bool unseen = !inView(f.position, in);
+    const bool lies = f.loose.time_s > kBack_s && unseen && !inView(f.loose.home, in);
+    const bool isUp = kind.thing == Thing::Bottle && f.position.y > kSurface_m;
+    if (lies || (isUp && unseen)) startDrifting(f, kind);
 }
 
-// What a thrown thing does to the animals near it.
+// Brings in a thing that a wall of the film has overtaken, or that is below the floor; it loses its speed
+// outwards.
+void stayInside(Fish& f, const Species& kind, const DiveContext& in) {
+    const auto stop = [&](glm::vec3 out) { f.push -= out * std::max(0.0f, glm::dot(f.push, out)); };
+    const float deep = in.film.known() ? 0.5f * kind.bodyRadius_m - in.film.surfaceGap_m(f.position) : 0;
+    if (deep > 0) {
+        const glm::vec3 outwards = normalizedOr(f.position, kUp);
+        f.position -= outwards * std::min(deep, kMaxSpeed_mps * kDt);
+        stop(outwards);
+    }
+    const float low = in.dive.floor_m + 0.5f * kind.bodyRadius_m;
+    if (f.position.y >= low) return;
+    f.position.y = low;
+    stop(-kUp);
+}
+
+// A thrown thing frightens the fish near it, and a stone turns the shark away.
 void frighten(Fish& f, std::span<Fish> fish, Shark& shark, const DiveContext& in, Random& random,
               Events& events) {
     if (!f.loose.thrown || glm::length(f.push) < kFrightens_mps) return;
@@ -172,7 +191,6 @@ void knock(const physics::Knock& k, std::span<Fish> fish, Shark& shark, const Di
     } else if (k.other == fish.size() && shark.present && f.loose.thrown && in.thingOf(f) == Thing::Stone &&
                glm::distance(k.point, mouthOf(shark, in)) < kSnout_m)
         turnAway(shark, true, in, events);
-    f.loose.thrown = false;
 }
 
 } // namespace
@@ -183,7 +201,9 @@ void startDrifting(Fish& f, const Species& kind) {
     f.loose = {.home = f.loose.home};
     f.position = f.loose.home;
     f.push = f.velocity = f.separation = f.spin = glm::vec3(0);
-    f.speed = 0;
+    f.speed = f.uncatchable_s = 0;
+    f.forward = normalizedOr({f.forward.x, 0, f.forward.z}, {0, 0, 1});
+    f.worldFromBody = bodyTurn(f.forward, 0);
     f.state = Fish::State::Drift;
     f.gait.set(Motion::Drift);
     if (kind.thing != Thing::Bottle) return;
@@ -203,9 +223,11 @@ void letGo(Fish& f, int id, const Hand& hand, int h, const DiveContext& in, Even
     f.hold.noPush_s = physics::kLoose_s;
     f.uncatchable_s = f.loose.spent ? kNever : 0.3f;
     f.loose.time_s = 0;
-    f.push = (hand.trail.front() - hand.trail.back()) / (kThrowTicks * kDt);
+    f.push = limited((hand.trail.front() - hand.trail.back()) / (kThrowTicks * kDt), kThrowMax_mps);
     const float speed = glm::length(f.push);
-    f.loose.thrown = speed > kThrow_mps;
+    // A hand that the shark bumps drops it, and so does one at the end of the dive.
+    const bool opens = hand.grip < kGripOpens && in.state.phase == Phase::Diving;
+    f.loose.thrown = opens && !f.loose.spent && speed > kThrow_mps;
     f.spin = glm::vec3(0);
     if (f.loose.thrown && in.thingOf(f) == Thing::Stone && in.assist != Assist::None)
         if (const Swimmer* target = targetOf(f.position, f.push / speed, in)) {
@@ -220,6 +242,7 @@ bool holdThing(Fish& f, int id, Hand& hand, int h, Score& score, const DiveConte
     const Species& kind = in.kindOf(f);
     const glm::vec3 hollow = hand.hollow(kind.bodyRadius_m) - hand.graspCentre;
     f.hold.palmOffset += (glm::conjugate(hand.palm().orientation) * hollow - f.hold.palmOffset) * (20 * kDt);
+    f.gait.advance(1);
     if (hand.solid && hand.grip < kGripOpens) return false;
     const bool due = f.hold.time_s >= holdTime_s(kind) + 0.5f * kDt;
     if (kind.thing == Thing::Mussel && due && !f.loose.spent) {
@@ -249,6 +272,7 @@ void offerBait(Hands& hands, std::span<const Fish> fish, bool& told, Events& eve
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         if (hand.bait_s <= 0) continue;
+        if (hand.untrackedTicks > kHandDropTicks) hand.bait_s = 0;
         hand.bait_s = std::max(0.0f, hand.bait_s - kDt);
         const auto eats = [&](const Fish& f) {
             return f.visit.hand == h && glm::distance(f.position, visitedPlace(hand)) < kThere_m;
@@ -258,9 +282,7 @@ void offerBait(Hands& hands, std::span<const Fish> fish, bool& told, Events& eve
         const bool inVain = hand.bait_s == 0 && !hand.fed && !told;
         told = told || inVain;
         if (came || inVain)
-            events.push_back({.kind = came ? EventKind::Feed : EventKind::NoGuest,
-                              .hand = h,
-                              .position = hand.graspCentre});
+            events.push_back({came ? EventKind::Feed : EventKind::NoGuest, -1, h, hand.graspCentre});
     }
 }
 
@@ -268,6 +290,9 @@ void ThingMover::move(physics::World& world, std::span<Fish> fish, Shark& shark,
                       Random& random, Events& events) {
     loose_.clear();
     bodies_.clear();
+    loose_.reserve(fish.size());
+    bodies_.reserve(fish.size() + 3);
+    knocks_.reserve(4 * fish.size());
     const auto addBody = [&](const Swimmer& s, size_t id, const Species& kind) {
         const physics::Capsule now = capsuleOf(s, kind);
         const glm::vec3 way = s.velocity * kDt;
@@ -281,7 +306,6 @@ void ThingMover::move(physics::World& world, std::span<Fish> fish, Shark& shark,
         } else if (f.state == Fish::State::Loose)
             loose_.push_back(looseBody(f, static_cast<int>(i), in.kindOf(f)));
     }
-    if (loose_.empty()) return;
     for (size_t i = 0; i < fish.size(); ++i)
         if (fish[i].swims() || fish[i].state == Fish::State::Held) addBody(fish[i], i, in.kindOf(fish[i]));
     if (shark.present) addBody(shark, fish.size(), in.kindOf(shark));
@@ -305,16 +329,19 @@ void ThingMover::move(physics::World& world, std::span<Fish> fish, Shark& shark,
         f.spin = b.spin;
         f.worldFromBody = b.worldFromBody;
         f.forward = f.worldFromBody * glm::vec3(0, 0, 1);
-        f.velocity = (b.position - f.position) / kDt;
-        // What a wall of the film has overtaken comes in again.
-        f.position = in.film.pulledIn(b.position, capsuleOf(f, kind), kMaxSpeed_mps * kDt);
-        f.position.y = std::max(f.position.y, in.dive.floor_m + kind.bodyRadius_m);
+        const glm::vec3 was = f.position;
+        f.position = b.position;
+        stayInside(f, kind, in);
+        f.velocity = (f.position - was) / kDt;
+        if (glm::length(f.push) < 0.5f * kFrightens_mps) f.loose.thrown = false;
         f.gait.advance(1);
     }
-    for (const physics::Knock& k : knocks_) {
-        knock(k, fish, shark, in, random, events);
-        if (k.other < fish.size() && fish[k.other].state == Fish::State::Loose)
-            fish[k.other].loose.thrown = false;
+    for (const physics::Knock& k : knocks_) knock(k, fish, shark, in, random, events);
+    for (const physics::Knock& k : knocks_) { // a knock ends a throw, but not one on a held fish or an arm
+        const bool isArm = k.other != physics::kGroundId && k.other > fish.size();
+        if (!isArm && (k.other >= fish.size() || fish[k.other].heldBy < 0))
+            fish[k.loose].loose.thrown = false;
+        if (k.other < fish.size()) fish[k.other].loose.thrown = false;
     }
     for (const physics::LooseBody& b : loose_) {
         frighten(fish[b.id], fish, shark, in, random, events);

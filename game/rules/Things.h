@@ -6,8 +6,8 @@
 // A mussel that is held for half a second cracks; fish around lose their fear and come to feed at the hand. A
 // stone frightens the fish that it passes, and turns the shark away where it passes close before its eyes; on
 // the snout of a striking shark it saves the fish. A bottle comes up from the bottom and rises out of reach;
-// held as long as a fish it is out of the sea. What lies about unseen for a while drifts at its old place
-// again.
+// held as long as a fish it is out of the sea. A mussel or stone that has lain unseen for a while drifts
+// at its old place again.
 #pragma once
 
 #include "engine/physics/World.h"
@@ -18,7 +18,8 @@
 
 namespace shoal::game {
 
-// Makes it wait where it is: a bottle at the bottom, out of sight, and others on seaweed.
+// Makes a thing wait at its place, which is where it is at first: a bottle at the bottom, out of sight, and
+// others on seaweed.
 void startDrifting(Fish&, const Species&);
 
 // Returns how long a hand holds it until it is cracked, caught or collected; 0: that changes nothing.

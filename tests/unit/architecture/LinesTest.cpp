@@ -5,7 +5,7 @@ namespace shoal {
 namespace {
 
 // Lower them with the code. Raising one is a decision, not a repair.
-constexpr int kMaxProductLines = 47900, kMaxTestLines = 49300;
+constexpr int kMaxProductLines = 47895, kMaxTestLines = 49470;
 
 // Prints the lines of each folder that has any; returns their sum.
 int linesBelow(const std::set<std::string>& tops) {

@@ -198,6 +198,7 @@ TEST(Things, HelpAimsAStoneAtTheShark) {
         Hand& hand = one.world.hands[1];
         for (size_t i = 0; i < hand.trail.size(); ++i)
             hand.trail[i] = hand.palm().position + glm::vec3(0, 0, 0.025f * static_cast<float>(i));
+        hand.grip = 0;
         letGo(one.fish(), 0, hand, 1, one.world.context(), one.events);
         const glm::vec3 thrown = one.fish().push;
         if (assist == Assist::None) {
@@ -235,6 +236,56 @@ TEST(Things, DriftAgainOnceTheyHaveLainUnseenForAWhile) {
     seen.place({0, -0.4f, -0.8f}, {0, -0.1f, 0});
     seen.run(15);
     EXPECT_EQ(seen.fish().state, Fish::State::Loose);
+}
+
+TEST(Things, AMusselThatComesBackIsWholeAndLevel) {
+    OneThing one("mussel");
+    one.take();
+    for (int i = 0; i < 75; ++i) one.hand(kPlace, 1);
+    ASSERT_TRUE(one.fish().loose.spent);
+    one.moveGrip(kPlace, 1, 0);
+    ASSERT_EQ(one.fish().state, Fish::State::Loose);
+    one.fish().position = {0, -1, 0.8f};
+    one.fish().loose.home = {0, -0.2f, 0.7f}; // both behind the back
+    one.run(14);
+    EXPECT_EQ(one.fish().state, Fish::State::Drift);
+    EXPECT_TRUE(one.world.context().mayBeTaken(one.fish()));
+    EXPECT_NEAR((one.fish().worldFromBody * kUp).y, 1, 1e-5f);
+    EXPECT_EQ(one.shown().creatures[0].gait.motion, Motion::Drift);
+}
+
+// A film of level sand 0.9 m below the camera, above the dive's own floor.
+TEST(Things, ComeToRestOnTheFilmsSand) {
+    std::vector<uint16_t> surface;
+    for (int step = 0; step < 8; ++step)
+        for (int cell = 0; cell < FilmSpace::kCells; ++cell) {
+            const float down = -FilmSpace::directionOf(cell).y;
+            surface.push_back(static_cast<uint16_t>(down > 0.12f ? 900 / down : 7500));
+        }
+    DiveFile file = OneThing("stone").world.file();
+    file.space = std::make_shared<const FilmSpace>(4.0, surface);
+    OpenDive dive(bay().species, file, 5, {});
+    Fish& stone = dive.fish[0];
+    stone.position = {0.1f, -0.3f, -0.7f};
+    stone.state = Fish::State::Loose;
+    stone.loose.thrown = true;
+    dive.run(4);
+    EXPECT_NEAR(stone.position.y, -0.9f + 0.025f, 0.02f);
+    EXPECT_LT(glm::length(stone.velocity), 0.1f);
+    EXPECT_LT(glm::length(stone.push), 0.1f);
+    EXPECT_FALSE(stone.loose.thrown);
+    EXPECT_GE(count<EventKind::Knock>(dive.events), 1);
+}
+
+TEST(Things, TheEndOfTheDiveThrowsNothing) {
+    OneThing one("stone");
+    one.take();
+    one.world.state().tick = static_cast<uint32_t>(one.world.file().duration_s * 120) - 20;
+    glm::vec3 at = kPlace;
+    for (int i = 0; i < 30; ++i) one.hand(at += glm::vec3(0.01f, 0, 0), 1);
+    EXPECT_EQ(count<EventKind::DiveOver>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Throw>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Release>(one.events), 1);
 }
 
 // A film whose surfaces are all 1.5 m away.
