@@ -444,6 +444,7 @@ void World::touch(std::span<const Body> bodies, std::span<const Mover> movers, f
         for (const Capsule& capsule : {mover.before, mover.after})
             if (mayEnter(mover)) reach[handOf(mover)].add(capsule);
     for (const Body& body : bodies) {
+        w.at(w.bodies, body.id, kBodies); // takes its memory now, wherever the body is
         if (!mayEnter(body)) continue;
         const Box box = boxOf(body);
         const std::array<bool, 2> meets = {box.meets(reach[0]), box.meets(reach[1])};
@@ -451,8 +452,8 @@ void World::touch(std::span<const Body> bodies, std::span<const Mover> movers, f
         if (meets[0] || meets[1]) w.placeBody(body, body.before, body.after);
     }
     for (size_t i = 0; i < movers.size(); ++i) {
-        if (!isNear[handOf(movers[i])] || !mayEnter(movers[i])) continue;
         Object& object = w.at(w.bones, i, kBones);
+        if (!isNear[handOf(movers[i])] || !mayEnter(movers[i])) continue;
         object.place(movers[i].before, movers[i].after);
         object.mover = &movers[i];
         w.world.updateSingleAabb(&object.body);

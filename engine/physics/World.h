@@ -49,7 +49,6 @@ class Ground {
   public:
     using Visit = std::function<void(glm::vec3, glm::vec3, glm::vec3)>;
     virtual void triangles(glm::vec3 low, glm::vec3 high, const Visit& visit) const = 0;
-
     float friction = 0;
 
   protected:
