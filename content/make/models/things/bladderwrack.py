@@ -48,7 +48,7 @@ def blade(start, *line):
             thick = (0.0006 + 0.0016 * step(0.85, 0.93, v)) * (1 - s * s)
             return middle + (half * s)[..., None] * across + (sign * thick)[..., None] * face
         return at_uv
-    rows = np.append(np.linspace(start, 0.88, 11 if start == 0 else 7), [0.95, 1])
+    rows = np.append(np.linspace(start, 0.88, 6 if start == 0 else 4), [0.95, 1])
     out = frame(np.array([0.5]), *line)[2][0]
     return join([skin(place(sign), [0, 0.5, 1], rows, sign * out) for sign in (1, -1)])
 
@@ -60,7 +60,7 @@ def bladder(t, side, *line):
         ahead = unit(np.cross(across, face)) * (1 if np.cross(across, face)[1] > 0 else -1)
         return (middle + side * 0.0036 * across + (0.0034 * r * np.cos(turn))[..., None] * across
                 + (0.0033 * r * np.sin(turn))[..., None] * face + (0.0056 * np.cos(np.pi * v))[..., None] * ahead)
-    rows, columns = [0, 0.26, 0.74, 1], np.linspace(0, 1, 7)
+    rows, columns = [0, 0.26, 0.74, 1], np.linspace(0, 1, 5)
     return skin(place, columns, rows, place(*np.meshgrid(columns, rows)) - place(0.0, 0.5) / 2 - place(0.5, 0.5) / 2, closed=True)
 
 
