@@ -115,9 +115,8 @@ class CapsuleShape final : public btConvexInternalShape {
 // The ground, whose triangles come from the caller; nothing is stored.
 class GroundShape final : public btConcaveShape {
   public:
-    GroundShape() {
-        m_shapeType = TERRAIN_SHAPE_PROXYTYPE;
-    } // CUSTOM_CONCAVE_SHAPE_TYPE would be a distance field
+    // Bullet takes CUSTOM_CONCAVE_SHAPE_TYPE for a distance field, and asks it for no triangles.
+    GroundShape() { m_shapeType = TERRAIN_SHAPE_PROXYTYPE; }
     const Ground* ground = nullptr;
 
     void processAllTriangles(btTriangleCallback* callback, const btVector3& low,

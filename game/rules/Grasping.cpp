@@ -83,14 +83,6 @@ void HandContacts::collide(physics::World& world, std::span<Fish> fish, const Di
                                j});
     }
     bodies_.clear();
-    const auto addBody = [&](const Swimmer& swimmer, size_t id, const Species& kind) {
-        const glm::vec3 reach = swimmer.forward * kind.bodyHalf_m, way = swimmer.velocity * kDt;
-        const glm::vec3 nose = swimmer.position + reach, tail = swimmer.position - reach;
-        bodies_.push_back({static_cast<uint32_t>(id),
-                           {tail - way, nose - way, kind.bodyRadius_m},
-                           {tail, nose, kind.bodyRadius_m},
-                           swimmer.velocity});
-    };
     for (size_t i = 0; i < fish.size(); ++i) {
         Fish& f = fish[i];
         f.separation = glm::vec3(0);
@@ -99,9 +91,9 @@ void HandContacts::collide(physics::World& world, std::span<Fish> fish, const Di
             continue;
         f.hold.noPush_s = std::max(0.0f, f.hold.noPush_s - kDt);
         if (f.hold.noPush_s > 0) continue;
-        addBody(f, i, in.kindOf(f));
+        bodies_.push_back(bodyOf(f, i, in.kindOf(f)));
     }
-    if (shark.present) addBody(shark, fish.size(), in.kindOf(shark));
+    if (shark.present) bodies_.push_back(bodyOf(shark, fish.size(), in.kindOf(shark)));
     std::swap(contacts, last_);
     world.touch(bodies_, movers_, kDt, last_, contacts);
 }

@@ -59,7 +59,7 @@ float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
                          across * across / (help.across_m * help.across_m));
     };
     const float now = gapAt(hand.graspCentre), soon = gapAt(hand.graspCentre - apart * kLook_s);
-    // A thing is meant by who reaches right for it; else a fish beside it is.
+    // Only a hand that reaches right for a thing means it; otherwise it means a fish beside it.
     const float thing = in.thingOf(f) != Thing::None ? kThing : 0;
     // The minimum of both: a fish in the hand stays the target although it is about to leave.
     return thing + std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
@@ -183,7 +183,7 @@ std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species,
     constexpr float kFull = 0.07f, kNone = 0.21f;
     constexpr float kKeptTo = 0.06f;      // bonus of the present target, a tangent...
     constexpr float kNearerPer_m = 0.08f; // ...and bonus for each metre that a fish is nearer
-    constexpr float kThingBeside = 0.06f; // malus of a loose thing, a tangent
+    constexpr float kThingBeside = 0.06f; // penalty of a loose thing, a tangent
     constexpr float kLead_s = 0.15f;      // look-ahead that makes up for the hand's delay behind the fish
     const glm::vec3 ray = now.worldFromView * rayView;
     const auto along = [&](const CreatureView& c) { return glm::dot(c.position - now.headWorld, ray); };

@@ -3,7 +3,7 @@
 // every machine.
 #pragma once
 
-#include "engine/physics/Capsule.h"
+#include "engine/physics/Contact.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
 
@@ -33,6 +33,13 @@ struct Swimmer {
 inline physics::Capsule capsuleOf(const Swimmer& s, const Species& kind, float maxRadius_m = 1) {
     const glm::vec3 half = s.forward * kind.bodyHalf_m;
     return {s.position - half, s.position + half, std::min(kind.bodyRadius_m, maxRadius_m)};
+}
+
+// Returns the swimmer as a body of the physics world, over the last tick.
+inline physics::Body bodyOf(const Swimmer& s, size_t id, const Species& kind) {
+    const physics::Capsule now = capsuleOf(s, kind);
+    const glm::vec3 way = s.velocity * kDt;
+    return {static_cast<uint32_t>(id), {now.a - way, now.b - way, now.radius}, now, s.velocity};
 }
 
 // Small fish can beat faster (Wardle 1975, "Limit of fish swimming speed"), but a display could not show it.

@@ -293,12 +293,6 @@ void ThingMover::move(physics::World& world, std::span<Fish> fish, Shark& shark,
     loose_.reserve(fish.size());
     bodies_.reserve(fish.size() + 3);
     knocks_.reserve(4 * fish.size());
-    const auto addBody = [&](const Swimmer& s, size_t id, const Species& kind) {
-        const physics::Capsule now = capsuleOf(s, kind);
-        const glm::vec3 way = s.velocity * kDt;
-        bodies_.push_back(
-            {static_cast<uint32_t>(id), {now.a - way, now.b - way, now.radius}, now, s.velocity});
-    };
     for (size_t i = 0; i < fish.size(); ++i) {
         Fish& f = fish[i];
         if (f.state == Fish::State::Drift || f.state == Fish::State::Gone) {
@@ -307,8 +301,9 @@ void ThingMover::move(physics::World& world, std::span<Fish> fish, Shark& shark,
             loose_.push_back(looseBody(f, static_cast<int>(i), in.kindOf(f)));
     }
     for (size_t i = 0; i < fish.size(); ++i)
-        if (fish[i].swims() || fish[i].state == Fish::State::Held) addBody(fish[i], i, in.kindOf(fish[i]));
-    if (shark.present) addBody(shark, fish.size(), in.kindOf(shark));
+        if (fish[i].swims() || fish[i].state == Fish::State::Held)
+            bodies_.push_back(bodyOf(fish[i], i, in.kindOf(fish[i])));
+    if (shark.present) bodies_.push_back(bodyOf(shark, fish.size(), in.kindOf(shark)));
     for (size_t h = 0; h < 2; ++h) { // their ids come after the shark's
         const Hand& hand = in.state.hands[h];
         if (!hand.solid) continue;
