@@ -428,8 +428,7 @@ struct World::Impl {
     }
 };
 
-World::World() : impl_(std::make_unique<Impl>()) {}
-World::~World() = default;
+World::World() : impl_(makeHidden<Impl>()) {}
 
 void World::touch(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
                   std::span<const Contact> last, std::vector<Contact>& out) {

@@ -7,12 +7,12 @@
 // the C library's trigonometry. The world's memory grows at first; then no call allocates.
 #pragma once
 
+#include "engine/core/Hidden.h"
 #include "engine/physics/Contact.h"
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -58,7 +58,6 @@ class Ground {
 class World {
   public:
     World();
-    ~World();
 
     // Writes to out the contacts of bones with bodies in this tick, at most one for each (body, group, tag),
     // sorted by these. last: the contacts of the previous tick. The result depends only on the arguments, not
@@ -74,7 +73,7 @@ class World {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    Hidden<Impl> impl_;
 };
 
 } // namespace shoal::physics
