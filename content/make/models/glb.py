@@ -49,9 +49,9 @@ class Glb:
             known.append(sampler)
         return self._append('textures', {'sampler': known.index(sampler), 'source': image})
 
-    def material(self, name, base, normal=None, metal_rough=None, rough=1.0, metal=1.0, blend=False, glow=None):
+    def material(self, name, base, normal=None, metal_rough=None, rough=1.0, metal=1.0, blend=False, glow=None, both=False):
         """base: texture index or linear RGBA; metal_rough: texture index (G roughness, B metallic); glow: texture index of
-        what it emits."""
+        what it emits; both: it is seen from both sides."""
         pbr = {'metallicFactor': metal, 'roughnessFactor': rough}
         if isinstance(base, int):
             pbr['baseColorTexture'] = {'index': base}
@@ -66,6 +66,8 @@ class Glb:
             item['emissiveTexture'], item['emissiveFactor'] = {'index': glow}, [1.0, 1.0, 1.0]
         if blend:
             item['alphaMode'] = 'BLEND'
+        if both:
+            item['doubleSided'] = True
         return self._append('materials', item)
 
     def primitive(self, part, material, compact=False):

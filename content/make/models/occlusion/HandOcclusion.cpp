@@ -165,9 +165,18 @@ Result<render::BakedOcclusion> fitCreature(const Path& file) {
     if (!model) return model.error();
     scene::Pose rest;
     scene::restPose(*model, rest);
-    const scene::Surface surface = scene::posedSurface(*model, rest);
-    const bool arm = model->findNode("forearm") >= 0;
-    const size_t maximum = arm ? kArmParts : model->findAnimation("bite") < 0 ? kCreatureParts : kHunterParts;
+    scene::Surface surface = scene::posedSurface(*model, rest);
+    const bool arm = model->findNode("forearm") >= 0, drifts = model->findNode("weed") >= 0;
+    // Seaweed is thin and hides little, and would be near every hand.
+    std::vector<uint32_t> solid;
+    for (size_t i = 0; i < surface.indices.size(); i += 3)
+        if (!model->nodes[surface.nodesOf[surface.indices[i]]].name.starts_with("weed"))
+            solid.insert(solid.end(), &surface.indices[i], &surface.indices[i] + 3);
+    surface.indices = std::move(solid);
+    const size_t maximum = arm                                ? kArmParts
+                           : drifts                           ? 1
+                           : model->findAnimation("bite") < 0 ? kCreatureParts
+                                                              : kHunterParts;
     return render::BakedOcclusion{
         render::skinHash(*model),
         occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf},

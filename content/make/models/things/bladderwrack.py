@@ -4,7 +4,7 @@ a joint named "weed", with three chains of joints that sway."""
 import numpy as np
 
 import paint
-from mesh import join, quaternion, quaternion_product, strongest_four, unit
+from mesh import Part, facing, join, quaternion, quaternion_product, strongest_four, tangent_frame, unit
 from paint import bump, mix, rgb, step
 from things.thing import GONE, skin
 
@@ -38,30 +38,25 @@ def frame(t, at, angle, lean, long, branch, seed):
 
 
 def blade(start, *line):
-    """The two sides of one way of a frond, from start on."""
-    def place(sign):
-        def at_uv(u, v):
-            s = 2 * u - 1
-            middle, across, face = frame(v, *line)
-            half = 0.0014 + 0.0036 * step(0.02, 0.35, v) + 0.0010 * step(0.80, 0.92, v)
-            half = half * np.sqrt(np.clip(1 - ((v - 0.88) / 0.121) ** 2 * (v > 0.88), 0.05, 1))
-            thick = (0.0006 + 0.0016 * step(0.85, 0.93, v)) * (1 - s * s)
-            return middle + (half * s)[..., None] * across + (sign * thick)[..., None] * face
-        return at_uv
-    rows = np.append(np.linspace(start, 0.88, 6 if start == 0 else 4), [0.95, 1])
-    out = frame(np.array([0.5]), *line)[2][0]
-    return join([skin(place(sign), [0, 0.5, 1], rows, sign * out) for sign in (1, -1)])
+    """One way of a frond, from start on, without thickness; it is seen from both sides."""
+    def place(u, v):
+        middle, across, _ = frame(v, *line)
+        half = 0.0014 + 0.0036 * step(0.02, 0.35, v) + 0.0010 * step(0.80, 0.92, v)
+        half = half * np.sqrt(np.clip(1 - ((v - 0.88) / 0.121) ** 2 * (v > 0.88), 0.25, 1))
+        return middle + (half * (2 * u - 1))[..., None] * across
+    rows = np.append(np.linspace(start, 0.88, 5 if start == 0 else 4), 1)
+    return skin(place, [0, 1], rows, frame(np.array([0.5]), *line)[2][0])
 
 
 def bladder(t, side, *line):
-    def place(u, v):
-        middle, across, face = (w[0] for w in frame(np.array([t]), *line))
-        turn, r = 2 * np.pi * u, np.sin(np.pi * v)
-        ahead = unit(np.cross(across, face)) * (1 if np.cross(across, face)[1] > 0 else -1)
-        return (middle + side * 0.0036 * across + (0.0034 * r * np.cos(turn))[..., None] * across
-                + (0.0033 * r * np.sin(turn))[..., None] * face + (0.0056 * np.cos(np.pi * v))[..., None] * ahead)
-    rows, columns = [0, 0.26, 0.74, 1], np.linspace(0, 1, 5)
-    return skin(place, columns, rows, place(*np.meshgrid(columns, rows)) - place(0.0, 0.5) / 2 - place(0.5, 0.5) / 2, closed=True)
+    """An octahedron: bladders are six pixels wide in a hand's reach."""
+    middle, across, face = (w[0] for w in frame(np.array([t]), *line))
+    ahead = unit(np.cross(across, face)) * (1 if np.cross(across, face)[1] > 0 else -1)
+    out = np.array([across, face, -across, -face, ahead, -ahead])
+    triangles = [(k, (k + 1) % 4, 4) for k in range(4)] + [((k + 1) % 4, k, 5) for k in range(4)]
+    return facing(Part(middle + side * 0.0038 * across + np.array([0.0039] * 4 + [0.0062] * 2)[:, None] * out, out,
+                       tangent_frame(out, np.roll(out, 1, axis=0), np.tile(ahead, (6, 1))),
+                       np.array([(0, 0.5), (0.5, 0.5), (1, 0.5), (0.5, 0.5), (0.5, 0), (0.5, 1)]), np.array(triangles)))
 
 
 def tuft(at, first, reach, sheet):
@@ -74,8 +69,8 @@ def tuft(at, first, reach, sheet):
         line = at, angle, (lean[0], lean[1] * reach), long
         for start, branch in ((0, -1), (FORK - 0.02, 1)):
             made = [sheet.placed(blade(start, *line, branch, 3 * k), BLADE)]
-            for t in ((0.34, 0.70) if branch < 0 else (0.58,)):
-                made += [sheet.placed(bladder(t + 0.03 * np.sin(5 * k), side, *line, branch, 3 * k), BLADDER) for side in (-1, 1)]
+            for t, sides in (((0.34, (-1, 1)), (0.70, (1,))) if branch < 0 else ((0.58, (-1,)),)):
+                made += [sheet.placed(bladder(t + 0.03 * np.sin(5 * k), side, *line, branch, 3 * k), BLADDER) for side in sides]
             parts.append(follow(join(made), at, first, chain))
     return parts
 

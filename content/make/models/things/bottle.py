@@ -88,4 +88,4 @@ def make():
     away = place(*np.meshgrid(np.linspace(0, 1, 25), ALONG)) * [1, 1, 0]
     glass = skin(place, np.linspace(0, 1, 25), ALONG, away, closed=True)
     parts = [sheet.placed(glass, GLASS), *(sheet.placed(part, SHELL) for part in barnacles())]
-    return Thing('bottle', [('bottle', None, np.zeros(3), None)], [bound(part, 0) for part in parts], sheet, [])
+    return Thing('bottle', [('bottle', None, np.zeros(3), None)], [bound(part, 0) for part in parts], sheet, [], [])

@@ -22,8 +22,8 @@ RIM = Curve([(VENTRAL, 0.66), (-6, 0.78), (-1, 0.90), (5, 0.975), (11, 1.0), (18
 BEAK = np.array([0, -0.0137, -LENGTH / 2])
 LIGAMENT = np.array([0, np.sin(np.radians(DORSAL)), np.cos(np.radians(DORSAL))])
 FASTENED = BEAK + 0.62 * 0.60 * LENGTH * LIGAMENT - [0, 0.002, 0]
-ROWS = 0.5 - 0.5 * np.cos(np.pi * np.linspace(0, 1, 8))  # closer where the shell turns down to its rim
-COLUMNS = 0.5 + 0.25 * (np.linspace(-1, 1, 11) + np.sin(np.pi / 2 * np.linspace(-1, 1, 11)))
+ROWS = 0.5 - 0.5 * np.cos(np.pi * np.linspace(0, 1, 7))  # closer where the shell turns down to its rim
+COLUMNS = 0.5 + 0.25 * (np.linspace(-1, 1, 9) + np.sin(np.pi / 2 * np.linspace(-1, 1, 9)))
 
 
 def flat(u, v):
@@ -117,10 +117,10 @@ def make():
     for tile, place, painter in ((OUTER, outer, paint_outer), (INNER, inner, paint_inner), (FLESH, mound, paint_flesh)):
         sheet.paint(tile, place, painter)
     left = np.array([1.0, 0, 0])
-    shell = [sheet.placed(skin(outer, COLUMNS, ROWS, left), OUTER), sheet.placed(skin(inner, COLUMNS, ROWS[::2], -left), INNER)]
-    soft = [sheet.placed(skin(place, np.linspace(0, 1, 6), np.linspace(0, 1, 6), -left), FLESH) for place in (mound, lining)]
+    shell = [sheet.placed(skin(outer, COLUMNS, ROWS, left), OUTER), sheet.placed(skin(inner, COLUMNS[::2], ROWS[::2], -left), INNER)]
+    soft = [sheet.placed(skin(place, np.linspace(0, 1, 5), np.linspace(0, 1, 5), -left), FLESH) for place in (mound, lining)]
     parts = [bound(part, 1) for part in (*shell, soft[0])] + [bound(mirrored(part), 2) for part in (*shell, soft[1])]
-    parts += bladderwrack.tuft(FASTENED, 3, 0.020, sheet)
+    weed = bladderwrack.tuft(FASTENED, 3, 0.020, sheet)
     open_turns = turned(1)
     joints = [('mussel', None, np.zeros(3), None), ('left', 0, BEAK, open_turns[0]), ('right', 0, BEAK, open_turns[1]),
               *bladderwrack.joints(FASTENED, 3)]
@@ -129,6 +129,6 @@ def make():
         return {(name, 'rotation'): np.tile(turn, (keys, 1)) for name, turn in zip(('left', 'right'), turned(share))}
     phases, sway = bladderwrack.drift()
     still, gone = bladderwrack.STILL, bladderwrack.gone()
-    return Thing('mussel', joints, parts, sheet,
+    return Thing('mussel', joints, parts, sheet, weed,
                  [('drift', 2.8, phases, {**sway, **shells(0, len(phases))}), ('loose', 1.0, still, {**gone, **shells(0, 2)}),
                   ('open', 1.0, still, {**gone, **shells(1, 2)})])

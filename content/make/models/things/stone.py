@@ -57,7 +57,7 @@ def make():
     sheet = Sheet(512, 256)
     sheet.paint(TILE, place, painter)
     body = skin(place, GRID_U, GRID_V, place(*np.meshgrid(GRID_U, GRID_V)), closed=True)
-    parts = [bound(sheet.placed(body, TILE), 0), *bladderwrack.tuft(FASTENED, 1, 0.030, sheet)]
+    parts, weed = [bound(sheet.placed(body, TILE), 0)], bladderwrack.tuft(FASTENED, 1, 0.030, sheet)
     joints = [('stone', None, np.zeros(3), None), *bladderwrack.joints(FASTENED, 1)]
-    return Thing('stone', joints, parts, sheet,
+    return Thing('stone', joints, parts, sheet, weed,
                  [('drift', 3.2, *bladderwrack.drift()), ('loose', 1.0, bladderwrack.STILL, bladderwrack.gone())])

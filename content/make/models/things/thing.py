@@ -67,8 +67,9 @@ class Sheet:
 class Thing:
     name: str
     joints: list   # (name, parent's number or None, place in metres, rest rotation)
-    parts: list    # bound to joints
+    parts: list    # the body's, bound to joints
     sheet: Sheet
+    weed: list     # the parts of the seaweed on which it drifts
     clips: list    # (name, duration, phases, {(joint's name, 'rotation' or 'scale'): values for each phase})
 
     def write(self, path):
@@ -80,11 +81,13 @@ class Thing:
             binds[k, :3, 3] = -np.asarray(place)
         pictures = [glb.texture(paint.jpeg(self.sheet.colour, 84)), glb.texture(paint.jpeg(self.sheet.normal, 80)),
                     glb.texture(paint.jpeg(paint.shrink(self.sheet.gloss, 4), 84))]
-        whole = join(self.parts)
-        primitive = glb.primitive(whole, glb.material(self.name, *pictures, metal=0.0), compact=True)
-        glb.node(self.name, mesh=glb.mesh(self.name, [primitive]), skin=glb.skin(nodes, binds, nodes[0]))
+        wholes = [join(parts) for parts in (self.parts, self.weed) if parts]
+        primitives = [glb.primitive(whole, glb.material(self.name, *pictures, metal=0.0, both=k > 0), compact=True)
+                      for k, whole in enumerate(wholes)]
+        glb.node(self.name, mesh=glb.mesh(self.name, primitives), skin=glb.skin(nodes, binds, nodes[0]))
         names = [joint[0] for joint in self.joints]
         for name, duration, phases, moved in self.clips:
             glb.animation(name, np.asarray(phases) * duration,
                           [(nodes[names.index(joint)], path, values) for (joint, path), values in moved.items()])
-        return glb.save(path), len(whole.triangles), len(whole.positions)
+        return glb.save(path), *(sum(len(rows(whole)) for whole in wholes)
+                                for rows in (lambda w: w.triangles, lambda w: w.positions))
