@@ -169,6 +169,7 @@ void ObjectPass::add(const Object& object) {
                                                                   : depth::LightHarmonics{},
                         .body = -1,
                         .albedo = object.body ? object.body->albedo : glm::vec3(0),
+                        .opacity = object.opacity,
                         .highlight = object.highlight,
                         .isInRoom = object.isInRoom});
     parts_.insert(parts_.end(), parts.begin(), parts.end());
@@ -309,8 +310,10 @@ void ObjectPass::sortVisible(const EyePicture& picture) {
                             : blended                 ? Stage::Blended
                                                       : Stage::Opaque;
         const float distance = glm::distance(object.bound.centre, picture.view.eyeWorld);
-        order_.push_back({stage, stage == Stage::Blended ? -distance : distance,
-                          object.seen.behind == BehindFilm::Perhaps, i});
+        const bool cut = object.seen.behind == BehindFilm::Perhaps, fades = object.opacity < 1;
+        if (fades && stage == Stage::Opaque) order_.push_back({Stage::FadedDepth, distance, cut, i});
+        const Stage seen = fades && stage == Stage::Opaque ? Stage::Blended : stage;
+        order_.push_back({seen, seen == Stage::Blended ? -distance : distance, cut, i});
     }
     std::sort(order_.begin(), order_.end());
 }
@@ -336,6 +339,7 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
     if (unlit) features = (features & ~(VERTEX_DIFFUSE | MIRRORS | PHONG_RINGS)) | VERTEX_LIT | UNLIT;
     if (shaded(item)) features |= OCCLUDED;
     if (next.cut) features |= FILM_DEPTH;
+    if (objects_[item.object].opacity < 1) features |= ALPHA_BLEND;
     if (layers_ && !unlit)
         features = (features & ~OCCLUSION_MAP) | LAYERS |
                    (layers_->method() == occlusion::LayerMethod::Thesis ? LAYERS_THESIS : 0u);
@@ -379,7 +383,8 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
         const bool blended = next.stage == Stage::Blended;
         gl::setEnabled(GL_BLEND, blended || next.cut);
         glDepthMask(!blended);
-        const GLboolean coloured = next.stage != Stage::DepthAlone;
+        glDepthFunc(blended ? GL_LEQUAL : GL_LESS);
+        const GLboolean coloured = next.stage != Stage::DepthAlone && next.stage != Stage::FadedDepth;
         glColorMask(coloured, coloured, coloured, coloured);
         drawItem(*current, items_[next.item], features, picture);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -387,6 +392,7 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     }
     glFrontFace(GL_CCW);
     glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
     if (soon)
@@ -403,7 +409,7 @@ void ObjectPass::setMaterial(const gl::Program& program, const Item& item, unsig
             packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
         program.setArray("phongRings_angleWeight[0]", packed);
     }
-    program.set("baseColourLin", material.baseColourLin);
+    program.set("baseColourLin", material.baseColourLin * glm::vec4(1, 1, 1, objects_[item.object].opacity));
     program.set("emissiveLin", material.emissiveLin);
     const bool lean = detail_ == Detail::Lean;
     program.set("metallic", lean ? item.primitive->gloss.meanMetallic : material.metallic);

@@ -38,6 +38,7 @@ class ObjectPass {
         Sphere bound;                        // world; holds the posed model; outside the view it is not drawn
         std::span<const Sphere> parts = {};  // smaller spheres that together hold it; empty: unknown
         const BodyOccluders* body = nullptr; // its occluders; null: no occlusion with other bodies
+        float opacity = 1;                   // below 1, what is behind shows through it; it hides itself
         float highlight = 0;                 // strength of a rim that marks it for the player, 0 to 1
         bool isInRoom = false; // whether it stands for something in the player's room, such as a hand
         // Its light minus that at the film's camera; null: none. Not used in the player's room.
@@ -85,7 +86,7 @@ class ObjectPass {
         depth::LightHarmonics matteDifference; // for render/LightDifference.glsl
         int body;                              // index in near_; -1: none, or without occlusion
         glm::vec3 albedo;                      // mean albedo of its own body
-        float highlight;
+        float opacity, highlight;
         bool isInRoom;
         Shade shade{};
         Seen seen{}; // in the view that is drawn
@@ -99,7 +100,12 @@ class ObjectPass {
         bool mirrored;       // whether its transform turns triangles clockwise (glTF 2.0, 3.7.4)
     };
 
-    enum class Stage { DepthAlone, Opaque, Blended };
+    enum class Stage {
+        DepthAlone,
+        Opaque,
+        FadedDepth,
+        Blended
+    }; // FadedDepth: as DepthAlone, after the opaque
     struct ToDraw {
         Stage stage;
         float order; // within the stage

@@ -18,7 +18,7 @@ namespace {
 using Bytes = std::span<const uint8_t>;
 
 constexpr std::string_view kMagic = "SHOALRE2";
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 constexpr uint32_t kMaxInputBytes = 65536, kMaxHeaderBytes = 1u << 20;
 constexpr uint64_t kMaxFileBytes = uint64_t{4} << 30;
 constexpr auto kBlockTicks = static_cast<uint32_t>(kTickRate_Hz);

@@ -450,8 +450,8 @@ void Application::simulate() {
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {
         if (event.species >= 0 && event.position && play_->popups.size() < play_->popups.capacity())
-            play_->popups.push_back(
-                {event.points, event.combo, &config_.species[event.species], *event.position});
+            play_->popups.push_back({event.points, event.combo, &config_.species[event.species],
+                                     *event.position, event.length_m, event.mass_kg});
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
     for (Popup& popup : play_->popups) popup.age_s += static_cast<float>(play_->elapsed_s);

@@ -106,6 +106,7 @@ constexpr std::array kEventRows = std::to_array<EventRow>({
     {EventKind::Goal, "goal", Text("goal reached"), Sound::Catch, 0.7f},
     {EventKind::Encounter, "encounter", Text("a whale sings"), Sound::WhaleSong, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 24, 1.5f}},
     {EventKind::SharkNear, "shark_near", Text("the shark is near"), Sound::SharkNear, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 30, 0.6f}},
+    {EventKind::SharkAims, "shark_aims", Text("the shark is after your hand"), Sound::SharkNear, 1, 0, {HapticPulse::Where::Body, 0, 0.6f, 0, 45, 0.5f}},
     {EventKind::SharkBump, "shark_bump", Text("the shark bumps you"), Sound::SharkBump, 0.5f, 0.4f, {HapticPulse::Where::HandAndBody, 1, 1, 40, 40, 0.25f}},
     {EventKind::SharkSteal, "shark_steal", Text("the shark bites"), Sound::SharkBite, 1, 0, {HapticPulse::Where::HandAndBody, 1, 1, 40, 40, 0.25f}},
     {EventKind::DiveStart, "dive_start", Text("the dive begins"), Sound::DiveStart},

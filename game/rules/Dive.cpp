@@ -1,6 +1,7 @@
 #include "game/rules/Dive.h"
 
 #include "engine/core/Hash.h"
+#include "game/rules/FishBehaviour.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
 
@@ -82,7 +83,7 @@ void Dive::begin(uint64_t seed) {
         hand.stung_s = hand.rested_s = hand.nextVisit_s = hand.bait_s = 0;
     }
     state_.contacts.clear();
-    spawnFish(files_, state_.random, state_.fish);
+    spawnFish(files_, state_.random, Random(seed, 2), state_.fish);
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
     state_.passer = {};
@@ -116,12 +117,13 @@ void Dive::step(const TickInput& input, Events& events) {
     offerBait(s.hands, s.fish, s.toldOfNoGuest, events);
     swimFish(s.fish, in, neighbours_, s.random);
     if (s.shark.present) {
-        decide(s.shark, in, events);
+        decide(s.shark, s.fish, in, s.random, events);
         swimShark(s.shark, in);
         bite(s.shark, s.hands, s.fish, s.score, in, events);
     }
     thingMover_.move(world_, s.fish, s.shark, in, s.random, events);
     passBy(s.passer, passerId(), s.score, in, events);
+    showCatches(s.fish, in, events);
     countCatches(s.hands, s.fish, s.score, in, events);
     for (Hand& hand : s.hands)
         if (hand.visible) easeFingers(hand);
@@ -174,7 +176,12 @@ static void showHand(const Hand& hand, const DiveContext& in, HandView& view) {
     view.joints = hand.fingers.shown;
     view.holds = hand.grasp.holds;
     view.touching = hand.touching;
-    view.holdProgress = 0;
+    view.ready = view.haste = view.holdProgress = 0;
+    for (const Fish& f : in.state.fish)
+        if (f.catchableBy >= 0 && &in.state.hands[f.catchableBy] == &hand)
+            view.ready = std::max(view.ready, f.catchable);
+    view.outOfReach = outOfReach(hand, in.state.fish, in);
+    if (hand.solid && view.ready == 0 && !hand.grasp.closed) view.haste = hasteOf(hand, in.state.fish, in);
     if (view.holds < 0) return;
     const Fish& held = in.state.fish[view.holds];
     const float time_s = holdTime_s(in.kindOf(held));
@@ -234,7 +241,7 @@ void Dive::snapshot(Snapshot& out) const {
                 .position = from.position,
                 .worldFromBody = from.worldFromBody,
                 .velocity = from.velocity,
-                .length = files_.species[species].length_m,
+                .length = lengthOf(from, files_.species[species]),
                 .gait = from.gait,
                 .shape = from.shape};
         return view;
@@ -428,6 +435,7 @@ template <class T> auto fieldsOf(const T& state) {
     SHOAL_TIE(7, a, b, c, d, e, f, g);
     SHOAL_TIE(8, a, b, c, d, e, f, g, h);
     SHOAL_TIE(9, a, b, c, d, e, f, g, h, i);
+    SHOAL_TIE(10, a, b, c, d, e, f, g, h, i, j);
     SHOAL_TIE(11, a, b, c, d, e, f, g, h, i, j, k);
     SHOAL_TIE(12, a, b, c, d, e, f, g, h, i, j, k, l);
     SHOAL_TIE(16, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);

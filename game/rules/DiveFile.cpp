@@ -26,6 +26,7 @@ static Species readOne(TomlTable& table) {
     table.flag("shark", s.shark);
     table.flag("giant", s.giant);
     table.number("length", s.length_m, 0.03f, s.giant ? 30.0f : 5.0f);
+    table.number("varies", s.varies, 0, 0.5f);
     table.number("body_radius", s.bodyRadius_m, 0.01f, 0.6f);
     table.number("body_half", s.bodyHalf_m, 0, 2);
     table.number("cruise", s.cruise_mps, 0.05f, 2);
@@ -35,6 +36,7 @@ static Species readOne(TomlTable& table) {
     table.number("spacing", s.spacing, 0.6f, 5);
     table.number("stride", s.stride, 0.2f, 1.5f);
     table.flag("coasts", s.coasts);
+    table.number("hold", s.hold_s, 0.2f, 5);
     table.flag("stings", s.stings);
     table.number("curiosity", s.curiosity, 0, 1);
     table.choice("company", kCompanyNames, s.company);

@@ -38,6 +38,7 @@ struct Species {
     bool shark = false;         // hunts instead of being caught
     bool giant = false;         // passes in an encounter instead of being caught
     float length_m = 0.2f;      // nose to tail
+    float varies = 0.2f;        // greatest difference of a fish's length from that, a share of it
     float bodyRadius_m = 0.03f; // radius of the collision capsule along the body's Z
     float bodyHalf_m = 0.05f;   // half the length of the capsule's core segment
     float cruise_mps = 0.3f;
@@ -49,6 +50,7 @@ struct Species {
     float spacing = 1.2f;   // distance to companions, body lengths, centre to centre
     float stride = 0.65f;   // body lengths that it swims in one beat of the tail
     bool coasts = false;    // beats its tail in bursts and glides between them
+    float hold_s = 1;       // how long it must be held to count
     bool stings = false;    // stings a hand that closes on it, and cannot be held
     float curiosity = 0.5f; // 0 to 1: how readily it comes to look at a hand that rests
     Thing thing = Thing::None;

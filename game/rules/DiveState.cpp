@@ -64,7 +64,7 @@ static Fish spawnWithRoom(const DiveFiles& files, int schoolIndex, float mainDir
     return best;
 }
 
-void spawnFish(const DiveFiles& files, Random& random, std::vector<Fish>& out) {
+void spawnFish(const DiveFiles& files, Random& random, Random sizes, std::vector<Fish>& out) {
     out.clear();
     for (size_t i = 0; i < files.dive.schools.size(); ++i) {
         const School& school = files.dive.schools[i];
@@ -77,6 +77,9 @@ void spawnFish(const DiveFiles& files, Random& random, std::vector<Fish>& out) {
             Fish fish = spawnWithRoom(files, static_cast<int>(i), mainDirection,
                                       joins ? &out[leader] : nullptr, out, random);
             fish.route.leader = leader;
+            const Species& kind = files.species[school.species];
+            const float more = sizes.unit(), less = sizes.unit(); // middle sizes are the most common
+            if (kind.thing == Thing::None) fish.size = 1 + kind.varies * (more - less);
             out.push_back(fish);
         }
     }

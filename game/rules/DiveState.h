@@ -83,9 +83,10 @@ struct Looseness {
 
 // A fish, or a loose thing: all that a hand can take hold of.
 struct Fish : Swimmer {
-    // Cruise: swims its circle. Dart: flees. Held: in a hand. Mouth: in the shark's mouth. And loose things:
+    // Cruise: swims its circle. Dart: flees. Held: in a hand. Shown: caught, it turns to the player before it
+    // swims off. Mouth: in the shark's mouth. And loose things:
     // Drift: hangs on seaweed. Loose: moved by the physics world; its velocity is `push`. Gone: out of sight.
-    enum class State { Cruise, Dart, Held, Mouth, Drift, Loose, Gone };
+    enum class State { Cruise, Dart, Held, Shown, Mouth, Drift, Loose, Gone };
 
     int species = 0; // index into the species table
     int school = 0;  // index into DiveFile::schools
@@ -136,11 +137,12 @@ struct Shark : Swimmer {
     int watched = -1;       // the threatened hand: 0 left, 1 right
     float aimed_s = 0;      // seconds for which it has pointed at that hand
     float threatRest_s = 0; // seconds before it may threaten again
+    float warned_s = 0;     // seconds since it began to threaten
 
     auto fields() const {
         return std::tie(static_cast<const Swimmer&>(*this), present, species, direction, state, state_s,
-                        visit_s, interest, nextVisit, prey, mouth, bumpRest_s, watched, aimed_s,
-                        threatRest_s);
+                        visit_s, interest, nextVisit, prey, mouth, bumpRest_s, watched, aimed_s, threatRest_s,
+                        warned_s);
     }
 
     void set(State next) {
@@ -158,8 +160,8 @@ struct Passer : Swimmer {
     auto fields() const { return std::tie(static_cast<const Swimmer&>(*this), state); }
 };
 
-// Make fish and shark as a dive begins.
-void spawnFish(const DiveFiles&, Random&, std::vector<Fish>& out);
+// Make fish and shark as a dive begins. sizes: generator of the fishes' sizes alone.
+void spawnFish(const DiveFiles&, Random&, Random sizes, std::vector<Fish>& out);
 Shark spawnShark(const DiveFiles&, Random&);
 
 // One of the player's hands: its tracked joints, what it touches, what it grasps, and the fingers as they

@@ -8,6 +8,9 @@
 
 namespace shoal::game {
 
+// A fish's mass over the cube of its length, as common among fish that are not slender (Froese 2006, "Cube
+// law, condition factor and weight-length relationships").
+constexpr float kMass_kgpm3 = 20;
 constexpr uint32_t kTouchKept = 12; // ticks for which a touch is remembered
 constexpr float kGentle_mps = 0.6f; // speed of a palm below which its touch does not frighten...
 constexpr float kPatience_s = 1.5f; // ...for this time
@@ -86,7 +89,7 @@ void HandContacts::collide(physics::World& world, std::span<Fish> fish, const Di
     for (size_t i = 0; i < fish.size(); ++i) {
         Fish& f = fish[i];
         f.separation = glm::vec3(0);
-        if (f.state == Fish::State::Mouth || f.state == Fish::State::Gone ||
+        if (f.state == Fish::State::Shown || f.state == Fish::State::Mouth || f.state == Fish::State::Gone ||
             (f.heldBy >= 0 && !hands[f.heldBy].solid))
             continue;
         f.hold.noPush_s = std::max(0.0f, f.hold.noPush_s - kDt);
@@ -205,7 +208,7 @@ static void grab(Fish& f, int id, Hand& hand, int h, const DiveContext& in, Even
 }
 
 // Starts the flight of a released fish: away from the player and roughly the way it looks.
-static void swimOff(Fish& f, const Hand& hand, const DiveContext& in) {
+static void swimOff(Fish& f, glm::vec3 carried_mps, const DiveContext& in) {
     f.hold.struggle = 0;
     f.hold.noPush_s = physics::kLoose_s;
     f.heldBy = -1;
@@ -219,7 +222,7 @@ static void swimOff(Fish& f, const Hand& hand, const DiveContext& in) {
         normalizedOr(glm::vec3(outward.x, 0.2f * outward.y, outward.z) * 0.7f + looks * 0.5f, outward);
     f.forward = levelled(normalizedOr(looks, f.flight.heading), 0.6f);
     f.speed = std::min(0.5f, in.kindOf(f).dart_mps);
-    f.push = limited(0.3f * hand.calmVelocity, 0.6f);
+    f.push = limited(0.3f * carried_mps, 0.6f);
     f.velocity = f.forward * f.speed + f.push;
 }
 
@@ -332,7 +335,7 @@ static bool keepsHold(Fish& f, int id, const Hand& hand, const DiveContext& in) 
     FishHold& hold = f.hold;
     // The fish is drawn into the hollow of the hand at first; then friction keeps it where it lies.
     if (hold.time_s < physics::kSettle_s) {
-        const glm::vec3 hollow = palmFromWorld * (hand.hollow(kind.bodyRadius_m) - hand.graspCentre);
+        const glm::vec3 hollow = palmFromWorld * (hand.hollow(f.size * kind.bodyRadius_m) - hand.graspCentre);
         hold.palmOffset += (hollow - hold.palmOffset) * (20 * kDt);
     }
     const physics::Hold grip = holdOn(id, in.state, askedForce_N(f, kind, hand));
@@ -366,8 +369,31 @@ void drop(Hand& hand, int h, std::span<Fish> fish, const DiveContext& in, Events
     hand.grasp.holds = hand.grasp.encloses = -1;
     Fish& f = fish[id];
     if (in.thingOf(f) != Thing::None) return letGo(f, id, hand, h, in, events);
-    swimOff(f, hand, in);
-    events.push_back({f.hold.counted ? EventKind::Release : EventKind::Escape, id, h, f.position});
+    swimOff(f, hand.calmVelocity, in);
+    events.push_back({EventKind::Escape, id, h, f.position});
+}
+
+// Counts the held fish, which leaves the hand.
+static void countCatch(Fish& f, int id, Hand& hand, int h, Score& score, const DiveContext& in,
+                       Events& events) {
+    const Species& kind = in.kindOf(f);
+    const float length_m = lengthOf(f, kind);
+    f.hold.counted = true;
+    f.hold.struggle = 0;
+    f.state = Fish::State::Shown;
+    f.heldBy = hand.grasp.holds = hand.grasp.encloses = -1;
+    const int points = score.countCatch(f.species, kind.points);
+    float& largest_m = score.species[f.species].largest_m;
+    largest_m = std::max(largest_m, length_m);
+    events.push_back({.kind = EventKind::Catch,
+                      .creature = id,
+                      .hand = h,
+                      .position = f.position,
+                      .species = f.species,
+                      .points = points,
+                      .combo = score.combo(),
+                      .length_m = length_m,
+                      .mass_kg = kMass_kgpm3 * length_m * length_m * length_m});
 }
 
 void countCatches(Hands& hands, std::span<Fish> fish, Score& score, const DiveContext& in, Events& events) {
@@ -388,18 +414,38 @@ void countCatches(Hands& hands, std::span<Fish> fish, Score& score, const DiveCo
             drop(hand, h, fish, in, events);
             continue;
         }
-        if (!f.hold.counted && f.hold.time_s >= kHoldToCatch_s + 0.5f * kDt) {
-            f.hold.counted = true;
-            const int points = score.countCatch(f.species, in.kindOf(f).points);
-            events.push_back({.kind = EventKind::Catch,
-                              .creature = id,
-                              .hand = h,
-                              .position = f.position,
-                              .species = f.species,
-                              .points = points,
-                              .combo = score.combo()});
-        }
-        if (f.hold.counted && f.hold.time_s >= kHoldToCatch_s + kShowCatch_s) drop(hand, h, fish, in, events);
+        if (f.hold.time_s >= in.kindOf(f).hold_s + 0.5f * kDt) countCatch(f, id, hand, h, score, in, events);
+    }
+}
+
+void showCatches(std::span<Fish> fish, const DiveContext& in, Events& events) {
+    constexpr float kShownNear_m = 0.4f, kShownFar_m = 0.5f; // distance of a fish of no length from the eyes
+    constexpr float kApproach_Hz = 5, kTurn_Hz = 9, kRise_mps = 0.04f;
+    for (size_t i = 0; i < fish.size(); ++i) {
+        Fish& f = fish[i];
+        if (f.state != Fish::State::Shown) continue;
+        const glm::vec3 was = f.position, fromHead = f.position - in.head();
+        const float distance = glm::length(fromHead), room = 0.5f * lengthOf(f, in.kindOf(f));
+        const glm::vec3 away = normalizedOr(fromHead, in.state.view.ahead());
+        const float wanted = std::clamp(distance, kShownNear_m + room, kShownFar_m + room);
+        f.position += away * ((wanted - distance) * kApproach_Hz * kDt) + kUp * (kRise_mps * kDt);
+        f.position = in.film.pulledIn(f.position, capsuleOf(f, in.kindOf(f)), kMaxSpeed_mps * kDt);
+        f.velocity = (f.position - was) / kDt;
+        // It shows its side, and its face a little.
+        const glm::vec3 left = leftOf(away), side = glm::dot(f.forward, left) < 0 ? -left : left;
+        const glm::quat turned = bodyTurn(levelled(normalizedOr(side - 0.4f * away, side), 0.2f), 0);
+        f.worldFromBody = blended(f.worldFromBody, turned, kTurn_Hz * kDt);
+        f.forward = f.worldFromBody * glm::vec3(0, 0, 1);
+        f.shape.amplitude = eased(f.shape.amplitude, tailAmplitude(0.5f), 12);
+        for (float* bend : {&f.shape.bendLeft, &f.shape.bendUp}) *bend = eased(*bend, 0, 12);
+        f.shape.beats += 2 * kDt;
+        f.gait.set(Motion::Swim);
+        f.gait.advance(1);
+        f.hold.time_s += kDt;
+        if (f.hold.time_s < in.kindOf(f).hold_s + kShowCatch_s) continue;
+        swimOff(f, glm::vec3(0), in);
+        events.push_back(
+            {.kind = EventKind::Release, .creature = static_cast<int>(i), .position = f.position});
     }
 }
 

@@ -14,12 +14,11 @@
 
 namespace shoal::game {
 
-constexpr int kCloseWindow = 12;  // ticks after it has stopped closing in which a hand still takes hold
-constexpr int kHelpedWindow = 22; // the same for a hand that is helped to a fish
-constexpr float kHoldToCatch_s = 1;
-constexpr float kShowCatch_s = 0.2f; // time from the catch until the fish is let go
-constexpr float kUncatchable_s = 2;  // time before a fish can be caught again, after a catch or the shark
-constexpr float kSting_s = 1;        // time in which a stung hand cannot hold
+constexpr int kCloseWindow = 12;      // ticks after it has stopped closing in which a hand still takes hold
+constexpr int kHelpedWindow = 22;     // the same for a hand that is helped to a fish
+constexpr float kShowCatch_s = 0.75f; // time for which a caught fish turns to the player
+constexpr float kUncatchable_s = 2;   // time before a fish can be caught again, after a catch or the shark
+constexpr float kSting_s = 1;         // time in which a stung hand cannot hold
 
 // Finds the contacts of a tick. Holds scratch memory only, no state; allocates only in the first tick.
 class HandContacts {
@@ -62,12 +61,14 @@ physics::Hold holdOn(int fish, const DiveState&, glm::vec3 asked_N);
 // Once the dive is over, hands take nothing.
 void closeHands(Hands&, std::span<Fish>, const DiveContext&, Events&);
 
-// Lets the held fish go: with a Release if it has counted as a catch, else an Escape. A thing is let go by
-// letGo(). h: 0 left, 1 right.
+// Lets the held fish escape. A thing is let go by letGo(). h: 0 left, 1 right.
 void drop(Hand&, int h, std::span<Fish>, const DiveContext&, Events&);
 
-// Advances all holds, after everything has moved: a held fish may slip out, or is caught and then let go.
+// Advances all holds, after everything has moved: a held fish may slip out, or is caught and leaves the hand.
 void countCatches(Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
+
+// Turns caught fish to the player; then they swim off.
+void showCatches(std::span<Fish>, const DiveContext&, Events&);
 
 // Moves what hands hold with them.
 void followHands(const Hands&, std::span<Fish>, const DiveContext&);

@@ -122,7 +122,7 @@ void readIntents(Hands& hands, std::span<Fish> fish, const DiveContext& in) {
 }
 
 glm::vec3 pushIntoHollow(const Fish& f, const Species& kind, const Hand& hand) {
-    const glm::vec3 way = hand.hollow(kind.bodyRadius_m) - f.position;
+    const glm::vec3 way = hand.hollow(f.size * kind.bodyRadius_m) - f.position;
     const glm::vec3 wanted = hand.calmVelocity + limited(way * physics::kDrawRate_Hz, physics::kDrawMax_mps);
     return limited(wanted, kMaxSpeed_mps) - f.forward * f.speed;
 }
@@ -130,7 +130,7 @@ glm::vec3 pushIntoHollow(const Fish& f, const Species& kind, const Hand& hand) {
 void helpClosing(Fish& f, Hand& hand, const DiveContext& in) {
     Intent& intent = hand.intent;
     intent.helps = true;
-    const glm::vec3 apart = f.position - hand.hollow(in.kindOf(f).bodyRadius_m);
+    const glm::vec3 apart = f.position - hand.hollow(f.size * in.kindOf(f).bodyRadius_m);
     const glm::vec3 step = limited(apart, kMoveHand_mps * kDt);
     intent.movedView = limited(intent.movedView + glm::conjugate(in.state.view.worldFromView) * step,
                                kHelp[static_cast<size_t>(in.assist)].moveHand_m);
@@ -141,7 +141,14 @@ bool isClosing(const Hand& hand) {
     return hand.grasp.window > 0 || (hand.intent.closing_Hz > kClosing_Hz && hand.grip > kBegun);
 }
 
-Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
+// The fish that a hand points at, as the eyes see it.
+struct PointedAt {
+    int id = -1;
+    float beyond_m = 0;  // how much farther from the eyes than the hand it is
+    glm::vec3 across{0}; // from the line of sight through the hand to the fish
+};
+
+static PointedAt pointedAt(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     constexpr float kCone = 0.12f, kBeside_m = 0.12f; // cone around the line of sight: tangent, radius at eye
     constexpr float kFarthestMeant_m = 3;
     const glm::vec3 sight = normalizedOr(hand.graspCentre - in.head(), {0, 0, -1});
@@ -151,20 +158,40 @@ Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in)
     const int id = leastCost(fish, 1, [&](const Fish& f) {
         if (!f.free() || f.uncatchable_s > 0 || in.hides(f.position)) return kNever;
         if (along(f) < 0.2f || along(f) > kFarthestMeant_m) return kNever;
-        const float room = kBeside_m + 0.5f * in.kindOf(f).length_m + kCone * along(f);
+        const float room = kBeside_m + 0.5f * lengthOf(f, in.kindOf(f)) + kCone * along(f);
         const float beside = glm::length(across(f));
         // Depth counts a little: of two fish beside the line the nearer one was meant.
         return beside > room ? kNever : beside / room + 0.15f * std::fabs(beyond(f));
     });
-    if (id < 0) return Miss::Nothing;
-    const Fish& meant = fish[id];
+    if (id < 0) return {};
+    return {id, beyond(fish[id]), across(fish[id])};
+}
+
+static float reachBeyond(const Fish& f, const DiveContext& in) {
+    return kGraspRadius_m + in.kindOf(f).bodyRadius_m;
+}
+
+Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
+    const PointedAt at = pointedAt(hand, fish, in);
+    if (at.id < 0) return Miss::Nothing;
+    const Fish& meant = fish[at.id];
     if (hand.intent.fastest_mps > kFastHand_mps || meant.state == Fish::State::Dart) return Miss::TooFast;
-    const float depth = beyond(meant); // distance beyond the hand, metres
-    const float reach = kGraspRadius_m + in.kindOf(meant).bodyRadius_m;
-    if (depth > reach) return Miss::TooFar;
-    const bool leaves = glm::dot(meant.velocity, across(meant)) > 0;
-    if (depth < -reach || (leaves && glm::length(across(meant)) > reach)) return Miss::Behind;
+    const float reach = reachBeyond(meant, in);
+    if (at.beyond_m > reach) return Miss::TooFar;
+    const bool leaves = glm::dot(meant.velocity, at.across) > 0;
+    if (at.beyond_m < -reach || (leaves && glm::length(at.across) > reach)) return Miss::Behind;
     return Miss::TooEarly;
+}
+
+int outOfReach(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
+    constexpr float kAhead = 0.82f; // cosine of 35 degrees from the middle of the view, where no hand rests
+    const glm::vec3 way = normalizedOr(hand.graspCentre - in.head(), in.state.view.ahead());
+    const bool points = hand.solid && !hand.grasp.closed && glm::dot(way, in.state.view.ahead()) > kAhead;
+    if (!points || hand.intent.fish >= 0) return -1;
+    const PointedAt at = pointedAt(hand, fish, in);
+    const bool far =
+        at.id >= 0 && isFish(in.kindOf(fish[at.id])) && at.beyond_m > reachBeyond(fish[at.id], in);
+    return far ? at.id : -1;
 }
 
 EventKind eventOf(Miss miss) {
@@ -183,6 +210,7 @@ std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species,
     constexpr float kFull = 0.07f, kNone = 0.21f;
     constexpr float kKeptTo = 0.06f;      // bonus of the present target, a tangent...
     constexpr float kNearerPer_m = 0.08f; // ...and bonus for each metre that a fish is nearer
+    constexpr float kOnIt = 0.06f;        // bonus of a fish that the ray meets, a tangent
     constexpr float kThingBeside = 0.06f; // penalty of a loose thing, a tangent
     constexpr float kLead_s = 0.15f;      // look-ahead that makes up for the hand's delay behind the fish
     const glm::vec3 ray = now.worldFromView * rayView;
@@ -196,7 +224,8 @@ std::optional<float> reachHelp(const Snapshot& now, const SpeciesTable& species,
         if (!isCatchable(species[c.species]) || !free || c.hidden) return kNever;
         if (along(c) < kNear_m || along(c) > kFar_m || beside(c) >= kNone) return kNever;
         const float thing = species[c.species].thing != Thing::None ? kThingBeside : 0;
-        return thing + beside(c) + kNearerPer_m * along(c) - (static_cast<int>(c.id) == target ? kKeptTo : 0);
+        return thing + beside(c) + kNearerPer_m * along(c) - (beside(c) == 0 ? kOnIt : 0) -
+               (static_cast<int>(c.id) == target ? kKeptTo : 0);
     });
     if (target < 0) return std::nullopt;
     const CreatureView& fish = now.creatures[target];

@@ -53,6 +53,9 @@ Miss missOf(const Hand&, std::span<const Fish>, const DiveContext&);
 
 EventKind eventOf(Miss);
 
+// Returns the fish that an open, empty hand points at and that is farther away than it reaches; -1: none.
+int outOfReach(const Hand&, std::span<const Fish>, const DiveContext&);
+
 // Returns the distance from the eye, metres, that a pointer's hand on the ray should have: that of the fish
 // near it, predicted a short time ahead; empty if no catchable fish is near the ray. rayView: unit, viewer's
 // frame; hand_m: the hand's distance now. target: id of the fish, -1 none; it stays until the pointer is

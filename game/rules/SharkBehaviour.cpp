@@ -1,6 +1,7 @@
 #include "game/rules/SharkBehaviour.h"
 
 #include "engine/math/Trigonometry.h"
+#include "game/rules/FishBehaviour.h"
 #include "game/rules/Grasping.h"
 
 #include <algorithm>
@@ -85,7 +86,21 @@ static void decideCircling(Shark& shark, const DiveContext& in, Events& events) 
 // Ends a threat or a strike.
 static void goOn(Shark& shark) { shark.set(shark.visit_s > 0 ? State::Prowl : State::Leave); }
 
-static void decideProwling(Shark& shark, const DiveContext& in, int struggling) {
+// Warns the player, and scatters the fish near its mouth.
+static void threaten(Shark& shark, int hand, std::span<Fish> fish, const DiveContext& in, Random& random,
+                     Events& events) {
+    shark.set(State::Threaten);
+    shark.watched = hand;
+    shark.aimed_s = 0;
+    const glm::vec3 mouth = mouthOf(shark, in);
+    events.push_back({EventKind::SharkAims, static_cast<int>(fish.size()), hand, mouth});
+    for (size_t i = 0; i < fish.size(); ++i)
+        if (fish[i].state == Fish::State::Cruise && glm::distance(fish[i].position, mouth) < kScatter_m)
+            startle(fish[i], static_cast<int>(i), mouth, in, random, events);
+}
+
+static void decideProwling(Shark& shark, std::span<Fish> fish, const DiveContext& in, int struggling,
+                           Random& random, Events& events) {
     if (openRadius(shark.position, in) > kVisitRoom_m) shark.visit_s -= kDt; // else it waits for room
     shark.threatRest_s -= kDt;
     if (shark.visit_s <= 0) return shark.set(State::Leave);
@@ -95,9 +110,7 @@ static void decideProwling(Shark& shark, const DiveContext& in, int struggling) 
     const bool holds = struggling >= 0 && hand.grasp.holds == struggling;
     if (fromMouth(shark, hand, in) >= kThreatFrom_m || threatSpare(shark, h, in) <= kThreatSpare_m) return;
     if (!holds && shark.threatRest_s > 0) return;
-    shark.set(State::Threaten);
-    shark.watched = h;
-    shark.aimed_s = 0;
+    threaten(shark, h, fish, in, random, events);
 }
 
 static void decideThreatening(Shark& shark, const DiveContext& in, int struggling) {
@@ -167,16 +180,18 @@ static void breakFree(Shark& shark, Fish& f) {
     shark.mouth = -1;
 }
 
-void decide(Shark& shark, const DiveContext& in, Events& events) {
+void decide(Shark& shark, std::span<Fish> fish, const DiveContext& in, Random& random, Events& events) {
     shark.bumpRest_s = std::max(0.0f, shark.bumpRest_s - kDt);
     shark.state_s += kDt;
+    const bool hunts = shark.state == State::Threaten || shark.state == State::Strike;
+    shark.warned_s = hunts ? shark.warned_s + kDt : 0;
     const int struggling = strugglingFish(in);
     shark.interest = struggling >= 0 ? shark.interest + kDt : std::max(0.0f, shark.interest - 0.03f * kDt);
     switch (shark.state) {
     case State::Circle:
         return decideCircling(shark, in, events);
     case State::Prowl:
-        return decideProwling(shark, in, struggling);
+        return decideProwling(shark, fish, in, struggling, random, events);
     case State::Threaten:
         return decideThreatening(shark, in, struggling);
     case State::Strike:
@@ -198,7 +213,9 @@ void turnAway(Shark& shark, bool struck, const DiveContext& in, Events& events) 
 void bite(Shark& shark, Hands& hands, std::span<Fish> fish, Score& score, const DiveContext& in,
           Events& events) {
     const glm::vec3 mouth = mouthOf(shark, in);
-    if (shark.state == State::Strike && glm::distance(mouth, fish[shark.prey].position) < kJaws_m)
+    const bool strikes = shark.state == State::Strike && shark.warned_s >= kWarned_s;
+    if (strikes && fish[shark.prey].hold.time_s >= kGrasped_s &&
+        glm::distance(mouth, fish[shark.prey].position) < kJaws_m)
         steal(shark, fish[shark.prey], shark.prey, hands, score, events);
     if (shark.mouth >= 0) {
         Fish& f = fish[shark.mouth];

@@ -15,13 +15,16 @@ constexpr float kFarOut_m = 0.6f;        // distance from its circle at which it
 constexpr float kBumpRest_s = 2;         // time between two bumps
 constexpr float kNotice_s = 1;           // time without bumps at the start of a visit
 constexpr float kTempted = 4;            // Shark::interest above which it comes before a visit is due
-constexpr float kStrikeFrom_m = 2.0f;    // greatest distance of a strike's start
-constexpr float kAim_s = 1.1f;    // time for which it points at a hand, in full view, before it may strike
-constexpr float kAimed = 0.92f;   // cosine of the angle within which it points at a hand
-constexpr float kThreat_s = 4.5f; // longest threat
-constexpr float kThreatRest_s = 2.5f;         // time between two threats
+constexpr float kStrikeFrom_m = 2.2f;    // greatest distance of a strike's start
+constexpr float kAim_s = 0.7f;     // time for which it points at a hand, in full view, before it may strike
+constexpr float kWarned_s = 1.2f;  // least time from the warning to the bite...
+constexpr float kGrasped_s = 0.5f; // ...and from the grasp to the bite
+constexpr float kScatter_m = 1.2f; // distance from its mouth at which fish flee when it threatens
+constexpr float kAimed = 0.92f;    // cosine of the angle within which it points at a hand
+constexpr float kThreat_s = 3.5f;  // longest threat
+constexpr float kThreatRest_s = 4.0f;         // time between two threats
 constexpr float kThreatFrom_m = 2.6f;         // greatest distance from mouth to hand for a threat
-constexpr float kThreatRoom_m = 0.7f;         // least distance from mouth to hand in a threat...
+constexpr float kThreatRoom_m = 1.4f;         // least distance from mouth to hand in a threat...
 constexpr float kThreatSpare_m = 0.6f;        // ...and how much more than that it wants at the start
 constexpr float kSoon_s = 1.2f, kLater_s = 3; // look-ahead times for approaching walls
 constexpr float kVisitRoom_m = 2.2f;          // open radius below which the visit's clock stops
@@ -34,8 +37,8 @@ float openRadius(glm::vec3 place, const DiveContext&, float ahead_s = 0);
 // Places the shark where the film leaves room for it, before it is first seen.
 void startInRoom(Shark&, const DiveContext&);
 
-// Chooses its state. Once the dive is over it begins no visit.
-void decide(Shark&, const DiveContext&, Events&);
+// Chooses its state; a threat scatters the fish near it. Once the dive is over it begins no visit.
+void decide(Shark&, std::span<Fish>, const DiveContext&, Random&, Events&);
 
 // Swims for a tick as its state demands.
 void swimShark(Shark&, const DiveContext&);

@@ -89,8 +89,11 @@ struct HandView {
     float grip = 0;                                        // 0 open to 1 fist
     std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
     int holds = -1;                                        // creature id
-    float holdProgress = 0;                                // share of holdTime_s() that it has been held
-    std::array<TouchView, hands::kHandParts> touching{};   // five fingers and the palm
+    float ready = 0;        // CreatureView::catchable of the creature that it takes
+    int outOfReach = -1;    // creature that it points at and that is too far away, -1 none
+    float haste = 0;        // 0 to 1: how nearly it frightens the animals in front of it
+    float holdProgress = 0; // share of holdTime_s() that it has been held
+    std::array<TouchView, hands::kHandParts> touching{}; // five fingers and the palm
     // Direction from the wrist to the elbow, world frame: unit where a tracker gives it, else 0. The session
     // adds it; the rules do not know it.
     glm::vec3 towardsElbow{0};
@@ -99,6 +102,7 @@ struct HandView {
 struct SpeciesTally {
     int caught = 0, lost = 0; // lost: to the shark
     bool touched = false;     // by a hand, in this dive
+    float largest_m = 0;      // of those caught; 0: none
 };
 
 // One of the dive's goals, DiveFile::goals.
@@ -154,6 +158,7 @@ enum class EventKind {
     Goal,         // a goal of the dive is reached
     Encounter,    // something large sets out to pass by
     SharkNear,    // the shark turns towards the player
+    SharkAims,    // it points at a hand: the warning before a strike
     SharkBump,    // the shark hits a hand
     SharkSteal,   // the shark takes a fish out of a hand
     DiveStart,
@@ -172,7 +177,8 @@ struct Event {
     int species = -1; // index into the species table
     int points = 0;
     int combo = 0;
-    int goal = -1; // index into DiveFile::goals, for a Goal
+    float length_m = 0, mass_kg = 0; // of a Catch
+    int goal = -1;                   // index into DiveFile::goals, for a Goal
 };
 
 using Events = std::vector<Event>; // functions append to it

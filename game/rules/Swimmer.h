@@ -27,12 +27,15 @@ struct Swimmer {
     glm::quat worldFromBody{1, 0, 0, 0};
     Gait gait;
     BodyShape shape;
+    float size = 1; // length over its species' length
 };
+
+inline float lengthOf(const Swimmer& s, const Species& kind) { return s.size * kind.length_m; }
 
 // Returns the body's collision shape, no thicker than maxRadius_m.
 inline physics::Capsule capsuleOf(const Swimmer& s, const Species& kind, float maxRadius_m = 1) {
-    const glm::vec3 half = s.forward * kind.bodyHalf_m;
-    return {s.position - half, s.position + half, std::min(kind.bodyRadius_m, maxRadius_m)};
+    const glm::vec3 half = s.forward * (s.size * kind.bodyHalf_m);
+    return {s.position - half, s.position + half, std::min(s.size * kind.bodyRadius_m, maxRadius_m)};
 }
 
 // Returns the swimmer as a body of the physics world, over the last tick.

@@ -214,7 +214,7 @@ void startDrifting(Fish& f, const Species& kind) {
 }
 
 float holdTime_s(const Species& kind) {
-    return kind.thing == Thing::Stone ? 0 : kind.thing == Thing::Mussel ? kCrack_s : kHoldToCatch_s;
+    return kind.thing == Thing::Stone ? 0 : kind.thing == Thing::Mussel ? kCrack_s : kind.hold_s;
 }
 
 void letGo(Fish& f, int id, const Hand& hand, int h, const DiveContext& in, Events& events) {

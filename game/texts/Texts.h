@@ -385,6 +385,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"something large passes", "etwas Großes zieht vorbei", "quelque chose de grand passe"},
     {"the last seconds", "die letzten Sekunden", "les dernières secondes"},
     {"the shark is near", "der Hai ist nah", "le requin est proche"},
+    {"the shark is after your hand", "der Hai nimmt deine Hand ins Visier", "le requin vise ta main"},
     {"the shark bumps you", "der Hai rempelt dich an", "le requin te heurte"},
     {"the shark bites", "der Hai beißt zu", "le requin mord"},
     {"the dive begins", "der Tauchgang beginnt", "la plongée commence"},

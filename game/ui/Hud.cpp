@@ -42,18 +42,69 @@ static bool project(const Pen& pen, const render::View& view, const glm::vec3& w
     return true;
 }
 
-static void drawHold(const Pen& pen, const HudInfo& info) {
-    for (const game::HandView& hand : info.snapshot->hands) {
+// Strokes the path in a colour on a dark casing, so that it stands out before any picture: at least 3 to 1
+// against the casing's 6 pixels at 720 lines.
+static void strokeCased(const Pen& pen, uint32_t tint, float strength, float width_px, bool closed) {
+    const auto shade = [&](uint32_t colour, float most) {
+        return (colour & 0xFFFFFF) | (static_cast<uint32_t>(255 * most * strength) << 24);
+    };
+    const ImVector<ImVec2> path = pen.list->_Path; // stroking clears it
+    const ImDrawFlags flags = closed ? ImDrawFlags_Closed : ImDrawFlags_None;
+    pen.list->PathStroke(shade(IM_COL32(0, 10, 20, 0), 0.65f), flags,
+                         width_px + (closed ? 0.5f : 0.2f) * pen.line);
+    pen.list->AddPolyline(path.Data, path.Size, shade(tint, 1), flags, width_px);
+}
+
+// Draws a rim around an animal: closed around what a hand can take, in dashes around what is too far away.
+static void drawRim(const Pen& pen, const render::View& view, const game::CreatureView& animal,
+                    float strength, bool dashed) {
+    const glm::vec3 half = animal.worldFromBody * glm::vec3(0, 0, 0.3f * animal.length);
+    ImVec2 nose, tail, middle, above;
+    const glm::vec3 up = view.worldFromEye * glm::vec3(0, 0.28f * animal.length, 0);
+    if (!project(pen, view, animal.position + half, nose) ||
+        !project(pen, view, animal.position - half, tail) || !project(pen, view, animal.position, middle) ||
+        !project(pen, view, animal.position + up, above))
+        return;
+    const float radius = std::hypot(above.x - middle.x, above.y - middle.y) + 0.3f * pen.line;
+    const float along = std::atan2(nose.y - tail.y, nose.x - tail.x);
+    constexpr float kHalfTurn = 3.14159265f;
+    const int segments = std::clamp(static_cast<int>(radius), 6, 24);
+    if (!dashed) {
+        pen.list->PathArcTo(nose, radius, along - kHalfTurn / 2, along + kHalfTurn / 2, segments);
+        pen.list->PathArcTo(tail, radius, along + kHalfTurn / 2, along + 3 * kHalfTurn / 2, segments);
+        return strokeCased(pen, colour::kGold, strength, 0.13f * pen.line, true);
+    }
+    for (int dash = 0; dash < 4; ++dash) {
+        const float from = along + kHalfTurn * (0.5f * static_cast<float>(dash) + 0.12f);
+        pen.list->PathArcTo(dash == 0 || dash == 3 ? nose : tail, radius, from, from + 0.26f * kHalfTurn, 6);
+        strokeCased(pen, kWhite, strength, 0.09f * pen.line, false);
+    }
+}
+
+// Marks what a hand can take, what is out of its reach, how long it has held its catch, and that it is about
+// to frighten animals.
+static void drawMarks(const Pen& pen, const HudInfo& info) {
+    const game::Snapshot& s = *info.snapshot;
+    for (const game::CreatureView& animal : s.creatures)
+        if (animal.catchable > 0.05f) drawRim(pen, *info.view, animal, animal.catchable, false);
+    constexpr float kTop = -1.5707963f, kTurn = 6.2831853f;
+    for (const game::HandView& hand : s.hands) {
+        if (hand.outOfReach >= 0 && hand.visible)
+            drawRim(pen, *info.view, s.creatures[hand.outOfReach], 0.8f, true);
         ImVec2 at;
-        if (!hand.visible || hand.holds < 0 || hand.holdProgress <= 0 ||
-            !project(pen, *info.view, hand.joints[0].position, at))
-            continue;
+        if (!hand.visible || !project(pen, *info.view, hand.joints[0].position, at)) continue;
         const float radius = pen.line * 1.6f;
-        constexpr float kTop = -1.5707963f;
-        pen.list->PathArcTo(at, radius, 0, 6.2831853f, 48);
-        pen.list->PathStroke(IM_COL32(0, 10, 20, 120), 0, pen.line * 0.32f);
-        pen.list->PathArcTo(at, radius, kTop, kTop + 6.2831853f * std::min(hand.holdProgress, 1.0f), 48);
-        pen.list->PathStroke(kGold, 0, pen.line * 0.22f);
+        if (hand.holds >= 0 && hand.holdProgress > 0) {
+            pen.list->PathArcTo(at, radius, 0, kTurn, 48);
+            pen.list->PathStroke(IM_COL32(0, 10, 20, 120), 0, pen.line * 0.32f);
+            pen.list->PathArcTo(at, radius, kTop, kTop + kTurn * std::min(hand.holdProgress, 1.0f), 48);
+            pen.list->PathStroke(kGold, 0, pen.line * 0.22f);
+        }
+        for (int wake = 0; wake < 3 && hand.haste > 0; ++wake) { // three arcs, as a wave before the hand
+            const float from = kTurn * static_cast<float>(wake) / 3;
+            pen.list->PathArcTo(at, radius * (1 + 0.25f * hand.haste), from, from + kTurn / 5, 12);
+            strokeCased(pen, kOrange, hand.haste, 0.12f * pen.line, false);
+        }
     }
 }
 
@@ -77,9 +128,13 @@ static void drawPopups(const Pen& pen, const HudInfo& info) {
         if (!project(pen, *info.view, popup.position, at)) continue;
         std::string text = fmt::format("+{} {}", popup.points, animalName(*popup.species, 1, pen.language));
         if (popup.combo > 1) text += fmt::format("  \u00d7{}", popup.combo);
+        if (popup.length_m > 0)
+            text += fmt::format("  {:.0f} cm, {}", 100 * popup.length_m,
+                                popup.mass_kg < 1 ? fmt::format("{:.0f} g", 1000 * popup.mass_kg)
+                                                  : fmt::format("{:.1f} kg", popup.mass_kg));
         const float rise = 3 * pen.line * popup.age_s / Popup::kStay_s;
         const float lowest = pen.size.y - (2 + 1.6f * static_cast<float>(info.captions.size())) * pen.line;
-        pen.label(at.x, std::clamp(at.y - 3 * pen.line - rise, pen.line, std::max(lowest, pen.line)), 0.5f,
+        pen.label(at.x, std::clamp(at.y - 4.5f * pen.line - rise, pen.line, std::max(lowest, pen.line)), 0.5f,
                   TextSize::Body, kGold, text);
     }
 }
@@ -213,7 +268,7 @@ void Hud::draw(const HudInfo& info, glm::ivec2 size) {
     pen.camera = info.camera;
     if (info.part != HudPart::Panel) {
         if (info.vignette > 0) drawVignette(pen, info.vignette);
-        drawHold(pen, info);
+        if (info.inDive) drawMarks(pen, info);
         drawPopups(pen, info);
     }
     if (info.part != HudPart::Marks) drawText(pen, info);

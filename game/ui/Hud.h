@@ -37,12 +37,13 @@ inline const std::string& animalName(const game::Species& animal, int count, gam
 // Part to draw. In a headset the text is on a panel, and marks are at their places in the world.
 enum class HudPart { All, Panel, Marks };
 
-// Points that rise where a fish was caught: "+25 snapper".
+// Points that rise where a fish was caught, with its length and weight: "+25 snapper  31 cm, 600 g".
 struct Popup {
-    static constexpr float kStay_s = 1.6f;
+    static constexpr float kStay_s = 2.0f;
     int points = 0, combo = 0;
     const game::Species* species = nullptr;
-    glm::vec3 position{0}; // world
+    glm::vec3 position{0};           // world
+    float length_m = 0, mass_kg = 0; // 0: not shown
     float age_s = 0;
 };
 

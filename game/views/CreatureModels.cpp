@@ -16,6 +16,7 @@ namespace shoal::app {
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
 constexpr std::array kHandModels = {"models/hand_left.glb", "models/hand_right.glb"};
 constexpr std::array kArmModels = {"models/arm_left.glb", "models/arm_right.glb"};
+constexpr float kHoldingOpacity = 0.4f;
 constexpr float kArmMargin = 1.3f; // factor on an arm's bounding spheres: a bend moves its flesh
 constexpr float kMinSwing =
     0.01f; // swing of the tail in a clip, body lengths: below, there is no wave to scale
@@ -241,7 +242,10 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
         const game::HandView& hand = snapshot.hands[side];
         if (!hand.visible) continue;
         placeJoints(hand.joints, hands_[side].jointNodes, hands_[side].pose);
-        showPosed(hands_[side], 1, pass);
+        // A hand gives way to the fish that it holds, as quickly as the fish begins to struggle.
+        const float held =
+            hand.holds < 0 ? 0 : snapshot.creatures[static_cast<size_t>(hand.holds)].gait.blend;
+        showPosed(hands_[side], 1, pass, 1 - (1 - kHoldingOpacity) * held, hand.ready);
         const ArmPose arm =
             poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head, hand.towardsElbow);
         for (size_t k = 0; k < arm.size(); ++k)
@@ -250,7 +254,8 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
     }
 }
 
-void CreatureModels::showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass) {
+void CreatureModels::showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass, float opacity,
+                               float highlight) {
     scene::placeSpheres(instance.boundingSpheres, instance.pose, glm::mat4(1), spheres_);
     for (scene::Sphere& sphere : spheres_) sphere.radius *= margin;
     pass.add({.model = instance.model,
@@ -259,6 +264,8 @@ void CreatureModels::showPosed(ModelInstance& instance, float margin, render::Ob
               .bound = scene::boundingSphereOf(spheres_),
               .parts = spheres_,
               .body = &instance.body,
+              .opacity = opacity,
+              .highlight = highlight,
               .isInRoom = true});
 }
 

@@ -95,7 +95,8 @@ class CreatureModels {
     static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
     void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail);
     // Adds an instance whose joints are posed in the world. margin: factor on its bounding spheres.
-    void showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass);
+    void showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass, float opacity = 1,
+                   float highlight = 0);
 
     float minRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // images of the last model loaded, while loading

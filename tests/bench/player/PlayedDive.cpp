@@ -116,9 +116,16 @@ PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSet
     dive.snapshot(now);
     float yaw = 0;
     bool closed = false;
+    double warned_s = 0;
+    bool heeds = false;
+    Random heed(setup.seed, 79);
     const int frames = static_cast<int>(files.dive.duration_s * kFrameRate_Hz);
     for (int frame = 0; frame < frames; ++frame) {
-        const Action action = player.frame(now, static_cast<double>(frame) / kFrameRate_Hz);
+        Action action = player.frame(now, static_cast<double>(frame) / kFrameRate_Hz);
+        const game::Shark& shark = dive.state().shark;
+        const bool aims =
+            shark.state == game::Shark::State::Threaten || shark.state == game::Shark::State::Strike;
+        if (heeds && aims && now.time_s - warned_s > kHeeds_s) action.close = false;
         played.closings += action.close && !closed;
         played.spent_s[static_cast<size_t>(player.doing())] += kFrame_s;
         closed = action.close;
@@ -132,6 +139,11 @@ PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSet
             dive.step(input, events);
             dive.snapshot(now);
             count(events, now, played);
+            for (const game::Event& event : events)
+                if (event.kind == game::EventKind::SharkAims) {
+                    warned_s = now.time_s;
+                    heeds = heed.unit() < setup.heedsShark;
+                }
             if (watch) watch(dive.state(), events);
         }
     }

@@ -11,6 +11,8 @@
 
 namespace shoal::player {
 
+constexpr double kHeeds_s = 0.6;
+
 struct PlayerSetup {
     Skill skill = Skill::Novice;
     Device device = Device::Mouse;
@@ -18,6 +20,8 @@ struct PlayerSetup {
     float reachHelp = 1;
     float arm_m = 1.2f; // with hands: leaning forward, before a screen; 0.7 m: seated in a headset
     bool cracksMussels = false;
+    // Share of the shark's warnings after which the hand is open from kHeeds_s on, until it aims no more.
+    float heedsShark = 0;
     uint64_t seed = 1; // of the dive; the person's own follows from it
 };
 

@@ -278,6 +278,7 @@ void Player::close(double time_s) {
     const bool novice = skill_ == Skill::Novice;
     holdFor_s_ = std::max(1.25f, (novice ? 1.5f : 1.4f) + 0.12f * gauss());
     const SeenFish* held = find(eyes_.now(), target_);
+    if (held) holdFor_s_ += species_[held->species].hold_s - 1; // until the ring is full
     if (held && held->mussel) {
         holdFor_s_ = 0.8f;
         nextMussel_s_ = time_s + 8;

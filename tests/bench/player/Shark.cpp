@@ -16,16 +16,30 @@ namespace {
 void report(const char* who, const player::SharkWatch& w) {
     const double n = w.dives, ticks = w.ticks / 100;
     std::printf(
-        "  %-17s a dive: %.2f steals of %.2f strikes, %.2f threats, %.1f grabs; %.2f bumps; farther out than "
+        "  %-24s loses a fish in %.2f of the dives; a dive: %.2f steals of %.2f strikes, %.2f threats, %.1f "
+        "grabs; %.2f bumps; farther out than "
         "the median fish %.0f %% (with room %.0f %% of %.0f %%), near %.2f (its middle %.2f) %%; circles "
         "%.0f, visits %.0f, "
         "threatens %.0f, strikes %.0f, leaves %.0f %%\n",
-        who, w.steals / n, w.strikes / n, w.threats / n, w.grabs / n, w.bumps / n, w.farther / ticks,
-        100 * w.fartherWithRoom / std::max(1.0, w.roomTicks), w.roomTicks / ticks, w.near / ticks,
-        w.middleNear / ticks, w.inState[0] / ticks, w.inState[1] / ticks, w.inState[2] / ticks,
-        w.inState[3] / ticks, w.inState[4] / ticks);
+        who, w.divesWithLoss / n, w.steals / n, w.strikes / n, w.threats / n, w.grabs / n, w.bumps / n,
+        w.farther / ticks, 100 * w.fartherWithRoom / std::max(1.0, w.roomTicks), w.roomTicks / ticks,
+        w.near / ticks, w.middleNear / ticks, w.inState[0] / ticks, w.inState[1] / ticks,
+        w.inState[2] / ticks, w.inState[3] / ticks, w.inState[4] / ticks);
     std::fflush(stdout);
 }
+
+struct Person {
+    const char* name;
+    player::Skill skill;
+    player::Device device;
+    float heeds = 0;
+};
+constexpr Person kPeople[] = {{"mouse, novice", player::Skill::Novice, player::Device::Mouse},
+                              {"hands, novice", player::Skill::Novice, player::Device::Hands},
+                              {"mouse, practised", player::Skill::Practised, player::Device::Mouse, 0.5f},
+                              {"hands, practised", player::Skill::Practised, player::Device::Hands, 0.5f},
+                              {"mouse, obeys warnings", player::Skill::Practised, player::Device::Mouse, 1},
+                              {"hands, obeys warnings", player::Skill::Practised, player::Device::Hands, 1}};
 
 } // namespace
 
@@ -35,32 +49,31 @@ int main(int count, char** arguments) {
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     const auto offers = game::loadScript(dataRoot() / "tests/playthrough/shark_steals.toml");
     if (!rig || !offers) return 1;
-    auto files = game::loadDiveFiles(count > 3 ? arguments[3]
-                                               : (dataRoot() / "tests/playthrough/dive/cove.toml").string());
-    if (!files) return std::fprintf(stderr, "%s\n", files.error().message().c_str()), 1;
-    for (const char* film : {"open water", "reef", "night", "kelp"}) {
-        files->dive.space.reset();
-        if (std::string_view(film) != "open water") {
+    for (const std::string film : {"open water", "reef", "night", "kelp"}) {
+        auto files = game::loadDiveFiles(count > 3 ? arguments[3] : film == "open water" ? "reef" : film);
+        if (!files) return std::fprintf(stderr, "%s\n", files.error().message().c_str()), 1;
+        if (film != "open water") {
             auto room = game::roomOf(film);
             if (!room) return 1;
             files->dive.space = *room;
         }
-        std::printf("%s:\n", film);
+        std::printf("%s:\n", film.c_str());
         const auto watching = [&](player::SharkWatch& watch) {
             watch.begin();
             return [&](const game::DiveState& s, const game::Events& events) {
                 watch.see(s, events, files->dive, files->species);
             };
         };
-        for (const auto device : {player::Device::Mouse, player::Device::Hands}) {
+        for (const Person& person : kPeople) {
             player::SharkWatch watch;
             for (int seed = from; seed < from + seeds; ++seed)
                 player::play(*files, *rig,
-                             {.skill = player::Skill::Practised,
-                              .device = device,
+                             {.skill = person.skill,
+                              .device = person.device,
+                              .heedsShark = person.heeds,
                               .seed = static_cast<uint64_t>(seed)},
                              watching(watch));
-            report(device == player::Device::Mouse ? "mouse, practised" : "hands, practised", watch);
+            report(person.name, watch);
         }
         player::SharkWatch watch;
         for (int seed = from; seed < from + seeds; ++seed) {

@@ -15,7 +15,7 @@
 namespace shoal::player {
 
 struct SharkWatch {
-    int dives = 0, steals = 0, bumps = 0, grabs = 0, threats = 0, strikes = 0;
+    int dives = 0, divesWithLoss = 0, steals = 0, bumps = 0, grabs = 0, threats = 0, strikes = 0;
     double ticks = 0, farther = 0; // farther: from the vertical axis than the median of the free fish
     double roomTicks = 0, fartherWithRoom = 0; // ticks in which the film leaves room farther out
     double near = 0;                 // within kNear_m of the eyes, after it has come there for no strike
@@ -25,6 +25,7 @@ struct SharkWatch {
 
     void begin() {
         ++dives;
+        stole_ = false;
         struck_ = false;
         before_ = game::Shark::State::Circle;
     }
@@ -34,7 +35,10 @@ struct SharkWatch {
         using game::EventKind;
         using State = game::Shark::State;
         for (const game::Event& event : events) {
-            steals += event.kind == EventKind::SharkSteal;
+            const bool steal = event.kind == EventKind::SharkSteal;
+            steals += steal;
+            divesWithLoss += steal && !stole_;
+            stole_ = stole_ || steal;
             bumps += event.kind == EventKind::SharkBump;
             grabs += event.kind == EventKind::Grab;
         }
@@ -65,6 +69,7 @@ struct SharkWatch {
 
   private:
     std::vector<float> radii_;
+    bool stole_ = false;
     bool struck_ = false; // true from a strike within kNear_m until it is farther away again
     game::Shark::State before_ = game::Shark::State::Circle;
 };

@@ -101,6 +101,7 @@ struct OneFish {
     // Places the fish here and stops its movement.
     void rest(glm::vec3 at = kPlace) {
         fish().position = at;
+        fish().size = 1; // as its species' file says
         fish().forward = {1, 0, 0};
         fish().speed = fish().route.cruise_mps = 0;
         fish().push = fish().velocity = glm::vec3(0);

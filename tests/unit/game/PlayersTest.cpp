@@ -69,8 +69,9 @@ TEST(SharkRoom, ItStealsKeepsItsDistanceAndSwimsFartherOutThanFish) {
     for (const char* film : {"reef", "night", "kelp"}) {
         ASSERT_TRUE(game::roomOf(film).moveTo(files.dive.space)) << film;
         const SharkWatch w = watched();
-        // It stole in 72 to 94 % of 32 dives; one set of eight dives in fifty has fewer than four thefts.
-        EXPECT_GE(w.steals, 4) << film;
+        // A fish that is offered counts after a second, before which the shark gets to it in 2 to 5 of 8
+        // dives.
+        EXPECT_GE(w.steals, 2) << film;
         EXPECT_GE(w.fartherWithRoom, 0.85 * w.roomTicks) << film;
         EXPECT_LE(w.middleNear, 0.05 * w.ticks) << film; // the reef's tunnel leaves no other place at times
     }

@@ -23,13 +23,23 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     EXPECT_EQ(count<EventKind::Catch>(one.events), 1) << "120 ticks after the grab";
     EXPECT_EQ(one.world.score.caught, 1);
     EXPECT_EQ(one.world.score.points, one.world.species()[one.fish().species].points);
-    one.step(30);
+    const Event* caught = first<EventKind::Catch>(one.events);
+    EXPECT_FLOAT_EQ(caught->length_m, one.world.species()[one.fish().species].length_m);
+    EXPECT_NEAR(caught->mass_kg, 0.044f, 0.001f); // 20 kg/m3 times the cube of 0.13 m
+
+    // The hand is free at once; the fish turns its side to the player, then swims off.
+    EXPECT_EQ(one.held(), -1);
+    one.step(60);
+    EXPECT_EQ(one.fish().state, Fish::State::Shown);
+    EXPECT_EQ(count<EventKind::Release>(one.events), 0);
+    EXPECT_LT(std::abs(glm::dot(one.fish().forward, glm::normalize(one.fish().position))), 0.5f);
+    one.step(31);
     EXPECT_EQ(count<EventKind::Release>(one.events), 1);
     EXPECT_EQ(count<EventKind::Escape>(one.events) + count<EventKind::Miss>(one.events), 0);
-    EXPECT_EQ(one.held(), -1);
 
-    // It swims off, and for two seconds nobody catches it again.
+    // For two seconds nobody catches it again.
     one.moveGrip(kPlace, 1, 0);
+    one.step(30);
     EXPECT_GT(glm::distance(one.fish().position, kPlace), 0.1f);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
@@ -305,14 +315,15 @@ TEST(SharkRules, TakesAStrugglingFishOutOfAHandAndLeaves) {
     EXPECT_EQ(count<EventKind::SharkSteal>(one.events), 1);
 }
 
-// A hand holds one fish after the other before a shark, which points at it for a second before each strike.
+// A hand holds one fish after the other before a shark, which points at it before each strike. From its
+// warning to the bite pass kWarned_s, and the fish is in the hand for kGrasped_s of them.
 TEST(SharkRules, NeverStrikesUnannounced) {
-    int strikes = 0;
-    for (const glm::vec3 at : {glm::vec3(0.3f, -0.1f, -3.2f), glm::vec3(2.2f, -0.1f, -1.6f)}) {
+    int strikes = 0, bites = 0;
+    for (const glm::vec3 at : {glm::vec3(0.3f, -0.1f, -3.8f), glm::vec3(2.7f, -0.1f, -2.1f)}) {
         SharkAt one(at);
-        int aimed = 0;
-        for (int i = 0; i < 1200; ++i) {
-            const int cycle = i % 160; // the hand is closed for 1.2 s, open for 0.13 s
+        int aimed = 0, warned = 0, held = 0;
+        for (int i = 0; i < 2600; ++i) {
+            const int cycle = i % 260; // the hand is closed for 1.2 s, open for a second
             if (cycle == 0) {
                 one.rest();
                 one.fish().uncatchable_s = 0;
@@ -321,12 +332,22 @@ TEST(SharkRules, NeverStrikesUnannounced) {
             one.hand(kPlace, cycle < 144 ? 1.0f : 0.0f);
             if (!before && one.shark.state == Shark::State::Strike) {
                 ++strikes;
-                EXPECT_GE(aimed, 120) << "ticks, at tick " << i;
+                EXPECT_GE(aimed, 84) << "ticks, at tick " << i;
             }
+            if (one.shark.mouth >= 0 && held > 0) {
+                ++bites;
+                EXPECT_GE(warned, 143) << "ticks, at tick " << i;
+                EXPECT_GE(held, 59) << "ticks, at tick " << i;
+            }
+            const bool hunts =
+                one.shark.state == Shark::State::Threaten || one.shark.state == Shark::State::Strike;
+            warned = hunts ? warned + 1 : 0;
+            held = one.held() >= 0 ? held + 1 : 0;
             aimed = one.shark.state == Shark::State::Threaten && one.pointsAtHand() ? aimed + 1 : 0;
         }
     }
     EXPECT_GE(strikes, 2);
+    EXPECT_GE(bites, 1);
 }
 
 // A fish that has become a catch during the strike is no prey any more.
