@@ -39,6 +39,12 @@ static std::string keysText(const Bindings::Keys& keys, game::Language language)
     return text;
 }
 
+static std::string capitalised(std::string name) {
+    if (!name.empty() && static_cast<unsigned char>(name[0]) < 0x80)
+        name[0] = static_cast<char>(std::toupper(name[0]));
+    return name;
+}
+
 static std::string goalText(const game::Goal& goal, const game::SpeciesTable& species,
                             game::Language language) {
     static constexpr std::array<game::Text, 5> kGoals = {
@@ -110,7 +116,12 @@ MenuPage Screens::page() {
                                    &S::settingsPage,  &S::groupPage, &S::handSizePage, &S::bindingsPage,
                                    &S::howToPlayPage, &S::guidePage, &S::animalPage,   &S::pausedPage,
                                    &S::resultsPage}; // by Screen
-    MenuPage page = (this->*kPages[static_cast<size_t>(stack_.back().screen)])();
+    const Screen screen = stack_.back().screen;
+    MenuPage page = (this->*kPages[static_cast<size_t>(screen)])();
+    if (screen == Screen::Guide || screen == Screen::Animal) { // names begin as titles do
+        page.title = capitalised(page.title);
+        for (MenuItem& item : items_) item.label = capitalised(item.label);
+    }
     page.camera = showsCamera();
     page.items = std::exchange(items_, {});
     page.error = error_;
@@ -175,8 +186,8 @@ MenuPage Screens::titlePage() {
     button("Field guide", [this] { push(Screen::Guide); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     return {.title = "Shoal",
-            .text = {in("Fish in the light of a film")},
-            .note = options_.xr ? in("Point with a finger and poke, or pull a controller’s trigger")
+            .text = {in("Catch fish with your bare hands")},
+            .note = options_.xr ? in("Poke with a fingertip, or pull a controller’s trigger")
                                 : in("Arrow keys and Enter, mouse or gamepad"),
             .layout = PageLayout::Side,
             .wordmark = true};
@@ -241,12 +252,12 @@ MenuPage Screens::handSizePage() {
     using enum hands::HandSizing::State;
     backButton();
     MenuPage page{.title = in("Hand size"),
-                  .text = {in("Hold one open hand still, palm to the camera and 30 cm away from it, as far "
-                              "as a sheet of A4 paper is long.")},
+                  .text = {in("Hold one open hand still, palm towards the camera and 30 cm away from it: the "
+                              "length of a sheet of A4 paper.")},
                   .progress = facts.handSizing.progress(),
                   .layout = PageLayout::Side};
     const auto state = facts.handSizing.state();
-    page.note = state == Elsewhere ? in("Nobody’s hand is that small or big: is it 30 cm away?")
+    page.note = state == Elsewhere ? in("No hand is that small or that big: is it 30 cm away?")
                 : state == Holding ? in("Keep it there")
                 : state == Done
                     ? in("Your hand has {} % of the usual size.", std::lround(100 * options_.hands.size))
@@ -263,7 +274,7 @@ MenuPage Screens::bindingsPage() {
                           .isButton = true,
                           .act = [this, action](const MenuEvent&) {
                               captured_ = action;
-                              message_ = in("Press a key or a button for: {}. Esc: leave it",
+                              message_ = in("Press a key or a button for “{}”. Esc: cancel",
                                             in(kActionRows[static_cast<size_t>(action)].label));
                           }});
     }
@@ -281,8 +292,8 @@ void Screens::captured(std::optional<Action> loser) {
     if (loser) {
         const char* label = in(kActionRows[static_cast<size_t>(*loser)].label);
         const std::string left = keysText(bindings_.of(*loser), language());
-        message_ = left.empty() ? in("It was taken from: {}, which has no key or button now", label)
-                                : in("It was taken from: {}, which keeps {}", label, left);
+        message_ = left.empty() ? in("Until now it was for “{}”, which has no key or button any more", label)
+                                : in("Until now it was for “{}”, which still has: {}", label, left);
     }
     options_.controls.bindings = bindings_.toText();
     keep("bindings");
@@ -310,22 +321,21 @@ MenuPage Screens::howToPlayPage() {
         page.text = {
             in("Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold the "
                "fish for a second, and it counts."),
-            in("The wheel reaches nearer or farther. Look around with the arrow keys or with the right "
+            in("The mouse wheel reaches nearer or farther. Look around with the arrow keys or with the right "
                "button held. Tab swaps hands."),
-            in("With a gamepad the left stick looks, the right stick reaches and the right trigger closes "
-               "your hand."),
-            in("Esc, the middle mouse button or Start on a gamepad pauses. All keys: Settings, Keys and "
-               "buttons."),
-            in("Different species one after the other count two, three, four and five times. Each dive has "
+            in("With a gamepad, look with the left stick, reach with the right one and close your hand with "
+               "the right trigger."),
+            in("Pause with Esc, the middle mouse button or Start on a gamepad. All keys are in the "
+               "settings."),
+            in("Different species in a row count double, then three, four and five times. Each dive has "
                "three goals. Jellyfish sting the hand that closes on them.")};
     for (const game::Text rule :
-         {game::Text("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their "
-                     "way."),
-          game::Text("A mussel that you hold cracks, and fish come to feed. A stone thrown at the shark's "
-                     "head turns "
-                     "it away. Take bottles out of the sea."),
-          game::Text("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
-                     "away.")})
+         {game::Text("Fish fear a fast hand and are curious about one that keeps still: move slowly, or wait "
+                     "in their way."),
+          game::Text("Hold a mussel until it cracks, and fish come to feed. A stone thrown at the shark’s "
+                     "head turns it away. Take bottles out of the sea."),
+          game::Text("A struggling fish draws the shark. When it points at your hand, let go or pull your "
+                     "hand away.")})
         page.text.push_back(in(rule));
     return page;
 }
@@ -375,7 +385,7 @@ MenuPage Screens::pausedPage() {
     else
         button("Start again", [this] { ask(Request::Kind::Restart); });
     if (facts.headsetLost && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
-    if (options_.xr) button("Look ahead again", [this] { ask(Request::Kind::Recentre); });
+    if (options_.xr) button("Recentre view", [this] { ask(Request::Kind::Recentre); });
     if (!options_.xr) button("Photo mode", [this] { ask(Request::Kind::Photo); });
     if (facts.mode != Mode::Dive) button("Field guide", [this] { push(Screen::Guide); });
     button("Settings", [this] { push(Screen::Settings); });
@@ -383,7 +393,7 @@ MenuPage Screens::pausedPage() {
     button("Title screen", [this] { ask(Request::Kind::Title); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     MenuPage page{.title = in("Paused"), .layout = PageLayout::Side};
-    if (options_.xr) page.note = in("Close a hand: go on");
+    if (options_.xr) page.note = in("Close a hand to go on");
     if (facts.mode == Mode::Dive) page.text = goalLines(facts.results.goals);
     return page;
 }

@@ -181,7 +181,7 @@ TEST_F(GamepadProgram, ASettingThatCannotTakeEffectIsSaidOnTheTitle) {
         std::filesystem::remove(film);
         p.choose("Settings");
         p.choose("Picture");
-        p.choose("Compositing");
+        p.choose("Animals in the film");
         p.wait(3);
         EXPECT_EQ(p.page(), Screen::Title);
         EXPECT_NE(p.error().find("film.png"), std::string::npos) << p.error();

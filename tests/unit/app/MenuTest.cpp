@@ -86,7 +86,9 @@ TEST_F(MenuTest, TheLanguageChangesThePage) {
     choose("Settings");
     choose("Text and captions");
     ASSERT_EQ(page().items[0].label, "Language");
-    screens_.input({.right = 1}); // English
+    EXPECT_EQ(page().items[0].value, "automatic");
+    screens_.input({.right = 1});
+    EXPECT_EQ(page().items[0].value, "English");
     screens_.input({.right = 1}); // German
     EXPECT_EQ(options_.text.language, LanguageChoice::German);
     EXPECT_EQ(page().items[0].label, "Sprache");
@@ -152,10 +154,10 @@ TEST_F(MenuTest, TheHandIsMeasuredOnAPageOfTheHandsSettings) {
     EXPECT_TRUE(page().camera);
     EXPECT_TRUE(page().text.empty());
     screens_.facts.handsNeed =
-        game::Notice{"To find your hands before the webcam, run once: {}", "get_models"};
+        game::Notice{"Before the webcam can find your hands, run this once: {}", "get_models"};
     screens_.refresh();
     ASSERT_EQ(page().text.size(), 1u);
-    EXPECT_NE(page().text[0].find("run once: get_models"), std::string::npos);
+    EXPECT_NE(page().text[0].find("run this once: get_models"), std::string::npos);
     choose("Measure my hand");
     ASSERT_EQ(screens_.top(), Screen::HandSize);
     EXPECT_TRUE(page().camera);
@@ -184,15 +186,15 @@ TEST_F(MenuTest, AKeyThatIsTakenIsSaid) {
     EXPECT_FALSE(screens_.capturesKey());
     EXPECT_EQ(bindings_.of(Action::SwapHands).keys[0], GLFW_KEY_P);
     EXPECT_EQ(bindings_.of(Action::Pause).keys[1], -1);
-    EXPECT_EQ(page().note, "It was taken from: Pause, which keeps Escape  (Start)");
+    EXPECT_EQ(page().note, "Until now it was for “Pause”, which still has: Escape  (Start)");
     Bindings read;
     ASSERT_TRUE(read.parse(options_.controls.bindings)) << options_.controls.bindings;
     EXPECT_EQ(read.of(Action::SwapHands).keys, bindings_.of(Action::SwapHands).keys);
     EXPECT_EQ(read.of(Action::Pause).keys, bindings_.of(Action::Pause).keys);
     choose("Fullscreen");
     screens_.capture({.keysPressed = {GLFW_KEY_F1}});
-    EXPECT_EQ(page().note, "It was taken from: Performance, which has no key or button now");
-    EXPECT_EQ(page().items[find("Performance")].value, "none");
+    EXPECT_EQ(page().note, "Until now it was for “Technical details”, which has no key or button any more");
+    EXPECT_EQ(page().items[find("Technical details")].value, "none");
 }
 
 // An arrow key that leads over the rows gives none of them a key.
@@ -469,7 +471,7 @@ TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
         choose(label);
         seen.insert(*screens_.top());
         if (*screens_.top() == Screen::Guide) {
-            choose("snapper");
+            choose("Snapper"); // as a title
             seen.insert(*screens_.top());
             back();
             ASSERT_EQ(screens_.top(), Screen::Guide);
