@@ -56,9 +56,9 @@ static std::string goalText(const game::Goal& goal, const game::SpeciesTable& sp
     return kGoals[static_cast<size_t>(goal.kind)].in(language, goal.count);
 }
 
-void Screens::open(Screen screen) {
+void Screens::open(Screen screen, size_t focus) {
     stack_.clear();
-    push(screen);
+    push(screen, 0, focus);
 }
 
 void Screens::openWithError(Screen screen, std::string error) {
@@ -88,13 +88,16 @@ bool Screens::showsCamera() const {
            (level.screen == Screen::SettingsGroup && level.index == static_cast<size_t>(SettingsPage::Hands));
 }
 
-void Screens::push(Screen screen, size_t index) {
+void Screens::push(Screen screen, size_t index, size_t focus) {
     if (!stack_.empty()) stack_.back().focus = menu_.focus();
     stack_.push_back({.screen = screen, .index = index});
     message_.clear();
     error_.clear();
     if (screen == Screen::Films) films_.look();
-    menu_.show(page(), 0);
+    const auto last = std::ranges::find(facts.dives, facts.dive->name, &DiveName::name);
+    if ((screen == Screen::Dives || screen == Screen::Swims) && last != facts.dives.end())
+        focus = static_cast<size_t>(last - facts.dives.begin());
+    menu_.show(page(), focus);
 }
 
 void Screens::back() {
@@ -216,13 +219,18 @@ MenuPage Screens::divesPage() {
 MenuPage Screens::filmsPage() {
     if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OpenFilm); });
     const auto [files, complete] = films_.found();
+    std::string folders;
+    for (const Path& folder : films_.folders()) folders += (folders.empty() ? "" : ", ") + folder.string();
     for (const Path& file : files)
         itemButton(file.filename().string(), [this, file] { ask(Request::Kind::OpenFilm, file.string()); });
     backButton();
     return {.title = in("My film or photo"),
-            .text = {in("Drop a 360-degree video or any photo on this window, or choose one of these.")},
+            .text = {in("Drop a 360-degree video or any photo on this window, or choose one of these."),
+                     in("To add some, put them in one of these folders: {}", folders),
+                     in("Videos: MP4, MKV, WebM, MOV. Photos: JPEG, PNG, WebP, TIFF, AVIF. High dynamic "
+                        "range: HDR, EXR, PFM.")},
             .note = !complete       ? in("Loading")
-                    : files.empty() ? in("There are no films or photos in your folders yet.")
+                    : files.empty() ? in("There are no films or photos in these folders yet.")
                                     : ""};
 }
 

@@ -215,9 +215,15 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Drop a 360-degree video or any photo on this window, or choose one of these.",
      "Zieh ein 360-Grad-Video oder ein beliebiges Foto auf dieses Fenster, oder wähle eines von diesen.",
      "Dépose une vidéo à 360 degrés ou une photo sur cette fenêtre, ou choisis parmi celles-ci."},
-    {"There are no films or photos in your folders yet.",
-     "In deinen Ordnern sind noch keine Filme oder Fotos.",
-     "Il n’y a encore ni film ni photo dans tes dossiers."},
+    {"To add some, put them in one of these folders: {}", "Leg weitere in einen dieser Ordner: {}",
+     "Pour en ajouter, mets-les dans l’un de ces dossiers : {}"},
+    {"Videos: MP4, MKV, WebM, MOV. Photos: JPEG, PNG, WebP, TIFF, AVIF. High dynamic range: HDR, EXR, PFM.",
+     "Videos: MP4, MKV, WebM, MOV. Fotos: JPEG, PNG, WebP, TIFF, AVIF. Hoher Dynamikumfang: HDR, EXR, PFM.",
+     "Vidéos : MP4, MKV, WebM, MOV. Photos : JPEG, PNG, WebP, TIFF, AVIF. Grande gamme dynamique : HDR, EXR, "
+     "PFM."},
+    {"There are no films or photos in these folders yet.",
+     "In diesen Ordnern sind noch keine Filme oder Fotos.",
+     "Il n’y a encore ni film ni photo dans ces dossiers."},
     {"All dives are in {}", "Alle Tauchgänge finden in {} statt", "Toutes les plongées se passent dans {}"},
     {"The dive’s own film", "Der Film des Tauchgangs", "Le film de la plongée"},
 

@@ -29,11 +29,9 @@ void Menu::show(MenuPage page, size_t focus) {
     sliding_.reset();
     scroll_ = textScroll_ = 0;
     areas_.clear();
-    focus_ = focus;
-    if (focus_ >= page_.items.size() || !page_.items[focus_].enabled) {
-        focus_ = page_.items.size() - 1; // one step further is the first item
-        moveFocus(1);
-    }
+    const auto enabled = std::ranges::find(page_.items, true, &MenuItem::enabled);
+    const bool given = focus < page_.items.size() && page_.items[focus].enabled;
+    focus_ = given ? focus : static_cast<size_t>(enabled - page_.items.begin());
 }
 
 void Menu::update(MenuPage page) {
@@ -41,14 +39,14 @@ void Menu::update(MenuPage page) {
     focus_ = std::min(focus_, page_.items.empty() ? 0 : page_.items.size() - 1);
 }
 
+// Stops at the ends: the item above the first is not the last, which quits the game on some pages.
 void Menu::moveFocus(int steps) {
-    const auto count = static_cast<int>(page_.items.size());
-    const int way = steps < 0 ? -1 : 1;
-    for (int left = std::abs(steps); left > 0; --left)
-        for (int tries = 0; tries < count; ++tries) {
-            focus_ = static_cast<size_t>((static_cast<int>(focus_) + way + count) % count);
-            if (page_.items[focus_].enabled) break;
-        }
+    const int way = steps < 0 ? -1 : 1, count = static_cast<int>(page_.items.size());
+    for (int at = static_cast<int>(focus_) + way; steps != 0 && at >= 0 && at < count; at += way) {
+        if (!page_.items[static_cast<size_t>(at)].enabled) continue;
+        focus_ = static_cast<size_t>(at);
+        steps -= way;
+    }
 }
 
 // Scrolls the list, and moves the focus to an item that is still in sight.

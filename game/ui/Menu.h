@@ -81,7 +81,7 @@ class Menu {
     }
 
   private:
-    void moveFocus(int steps);
+    void moveFocus(int steps);   // down positive
     void scrollBy(float pixels); // down positive
     float maxScroll() const;
     void scrollText(float pixels); // down positive

@@ -52,8 +52,9 @@ class MenuTest : public WithScreens {
     // With the arrow keys and Enter.
     void choose(std::string_view label) {
         ASSERT_LT(find(label), page().items.size()) << label << " is not on the page " << page().title;
-        for (size_t steps = 0; screens_.menu().focus() != find(label) && steps < 100; ++steps)
-            screens_.input({.down = 1});
+        const auto wanted = static_cast<int>(find(label)),
+                   focused = static_cast<int>(screens_.menu().focus());
+        screens_.input({.down = wanted - focused});
         screens_.input({.accept = true});
     }
     std::optional<Request> asked() { return screens_.takeRequest(); }
@@ -67,6 +68,39 @@ TEST_F(MenuTest, ADiveIsChosenByItsName) {
     const auto request = tests::valueOf(asked());
     EXPECT_EQ(request.kind, Request::Kind::Dive);
     EXPECT_EQ(request.name, "night");
+}
+
+// The first item and the last one are ends, as the last one quits the game.
+TEST_F(MenuTest, NoStepLeadsFromOneEndToTheOther) {
+    for (const Screen screen : {Screen::Title, Screen::Paused, Screen::Results}) {
+        screens_.open(screen);
+        screens_.input({.down = -1});
+        EXPECT_EQ(screens_.menu().focus(), 0u);
+        screens_.input({.down = 100});
+        EXPECT_EQ(page().items[screens_.menu().focus()].label, "Quit");
+        screens_.input({.down = 1});
+        EXPECT_EQ(page().items[screens_.menu().focus()].label, "Quit");
+    }
+}
+
+TEST_F(MenuTest, TheLastDiveHasTheFocus) {
+    dive_.name = "night";
+    for (const char* label : {"Dive", "Free swim"}) {
+        choose(label);
+        EXPECT_EQ(screens_.menu().focus(), 1u);
+        choose("Back");
+    }
+    screens_.open(Screen::Results);
+    choose("Choose a dive");
+    EXPECT_EQ(screens_.menu().focus(), 1u);
+}
+
+TEST_F(MenuTest, ThePageOfFilmsNamesItsFoldersAndFiles) {
+    choose("My film or photo");
+    ASSERT_EQ(page().text.size(), 3u);
+    for (const auto folder : {UserFolder::Videos, UserFolder::Pictures, UserFolder::Downloads})
+        EXPECT_NE(page().text[1].find(userFolder(folder).string()), std::string::npos);
+    EXPECT_NE(page().text[2].find("MP4"), std::string::npos);
 }
 
 TEST_F(MenuTest, AChangeHoldsAtOnceAndIsWritten) {
@@ -446,8 +480,8 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
         frame({.cursor = input.cursor});
     }
     void focus(size_t item) {
-        for (size_t steps = 0; screens_.menu().focus() != item && steps < 100; ++steps)
-            step(GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+        while (screens_.menu().focus() < item) step(GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+        while (screens_.menu().focus() > item) step(GLFW_KEY_UP, GLFW_GAMEPAD_BUTTON_DPAD_UP);
     }
     void choose(std::string_view label) {
         const size_t item = find(label);
