@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct ImDrawList;
 struct ImFont;
@@ -36,6 +37,7 @@ class Fonts {
     float pixels(TextSize size) const { return pixels_[static_cast<size_t>(size)]; }
 
   private:
+    std::array<std::vector<uint8_t>, 2> files_; // of text and of headings, as read
     std::array<ImFont*, kTextScale.size()> fonts_{};
     std::array<float, kTextScale.size()> pixels_{};
 };

@@ -7,6 +7,7 @@
 #include "game/ui/Hud.h"
 
 #include <GLFW/glfw3.h>
+#include <imgui/imgui.h>
 
 #include <cctype>
 
@@ -350,6 +351,42 @@ TEST(Texts, TheSystemsLocaleChooses) {
     EXPECT_EQ(game::languageOf("fr"), game::Language::French);
     EXPECT_EQ(game::languageOf("nl_NL"), game::Language::English);
     EXPECT_EQ(game::languageOf("C"), game::Language::English);
+}
+
+// Code points of a text in UTF-8 without those beyond U+FFFF, which no text has.
+std::set<uint32_t> codePoints(std::string_view text) {
+    std::set<uint32_t> found;
+    for (size_t i = 0; i < text.size();) {
+        const auto byte = [&](size_t offset) { return static_cast<uint8_t>(text[i + offset]); };
+        const size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : 3;
+        uint32_t code = length == 1 ? byte(0) : byte(0) & (0xFF >> (length + 1));
+        for (size_t rest = 1; rest < length; ++rest) code = code << 6 | (byte(rest) & 0x3F);
+        found.insert(code);
+        i += length;
+    }
+    return found;
+}
+
+// The fonts beside the game draw every text in each of its sizes; the system's fonts play no part.
+TEST(Fonts, HaveEachSignOfTheTexts) {
+    std::string all = "\u2713\u25a1\u2605\u2190\u2192\u2039\u203a\u00d7\u00a0"; // those of code
+    for (const game::TextRow& row : game::kTexts)
+        for (const char* text : row) all += text;
+    for (const game::Species& kind : tests::valueOf(game::loadSpecies(dataRoot() / "content/species.toml")))
+        for (const game::InLanguages* texts : {&kind.one, &kind.several, &kind.fact})
+            for (const std::string& text : *texts) all += text;
+    const auto context = tests::valueOf(platform::Headless::open());
+    auto hud = tests::valueOf(Hud::make());
+    const gl::Target target(640, 360, 1);
+    target.bind();
+    const auto look = [&](const Pen& pen) {
+        for (const TextSize size : {TextSize::Small, TextSize::Body, TextSize::Heading, TextSize::Display})
+            for (const uint32_t code : codePoints(all))
+                EXPECT_TRUE(pen.fonts->at(size)->FindGlyphNoFallback(static_cast<ImWchar>(code)))
+                    << std::hex << code;
+    };
+    hud.draw({.part = HudPart::Panel, .inDive = false, .overlay = look, .text = {}, .notice = {}},
+             {640, 360});
 }
 
 // Contrast of WCAG 2.2, 1.4.3: of the relative luminances, at least 4.5 to 1.
