@@ -60,6 +60,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Attrape {} espèces différentes d’affilée"},
 
     // In the dive
+    {"Points", "Punkte", "Points"},
+    {"Time", "Zeit", "Temps"},
     {"{} caught", "{} gefangen", "{} attrapés"},
     {"Reach for a fish and close your hand on it", "Greif nach einem Fisch und schließe die Hand um ihn",
      "Tends la main vers un poisson et ferme-la sur lui"},

@@ -8,8 +8,8 @@
 namespace shoal::app {
 
 // Sizes in lines of text.
-constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 0.5f;
-constexpr float kWidth = 28, kSideWidth = 15, kPicture = 11;
+constexpr float kMargin = 1.3f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 1.1f, kRule = 0.4f;
+constexpr float kWidth = 28, kSideWidth = 16, kPicture = 11;
 constexpr float kTextStep = 2;
 constexpr float kTrackWidth = 6, kValueWidth = 10;
 constexpr int kMinRows = 3; // rows in sight beside a long text
@@ -19,8 +19,7 @@ static void drawScrollBar(const Pen& pen, const Rectangle& room, float height, f
     const float shown = room.high.y - room.low.y;
     if (height <= shown + 1) return;
     const float from = room.low.y + scroll * shown / height, right = room.high.x - 0.15f * pen.line;
-    pen.fill({{right - 0.2f * pen.line, from}, {right, from + shown * shown / height}}, colour::kGrey,
-             0.1f * pen.line);
+    pen.fill({{right - 0.15f * pen.line, from}, {right, from + shown * shown / height}}, colour::kAccent);
 }
 
 void Menu::show(MenuPage page, size_t focus) {
@@ -160,9 +159,10 @@ void Menu::place(const Pen& pen) {
     const float textTop = above;
     above += textRoom;
     const float height = std::min(above + rows + below, room) + 2 * margin;
-    const float left = side ? std::min(margin * 2, (pen.size.x - width) / 2) : (pen.size.x - width) / 2;
-    const float top = (pen.size.y - height) / 2;
-    panel_ = {{left, top}, {left + width, top + height}};
+    const float left = side ? std::min(margin, (pen.size.x - width) / 2) : (pen.size.x - width) / 2;
+    const float top = top_ = (pen.size.y - height) / 2;
+    panel_ = side ? Rectangle{{-line_, -line_}, {left + width, pen.size.y + line_}}
+                  : Rectangle{{left, top}, {left + width, top + height}};
     text_ = {{left, top + margin + textTop}, {left + width, top + margin + above}};
     textScroll_ = std::min(textScroll_, textHeight_ - textRoom);
     list_ = {{left, top + margin + above},
@@ -186,10 +186,12 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
     if (!area) return;
     const MenuItem& item = page_.items[index];
     const bool focused = index == focus_ && item.enabled;
-    const float y = area->low.y + (kRow - 1) / 2 * line_, x = area->low.x + 0.9f * line_;
+    const float y = area->low.y + (kRow - 1) / 2 * line_, x = area->low.x + 0.6f * kMargin * line_;
     if (focused) {
-        pen.fill(*area, colour::kFocus, 0.3f * line_);
-        pen.fill({area->low, {area->low.x + 0.25f * line_, area->high.y}}, colour::kGold, 0.1f * line_);
+        pen.fill(*area, colour::kFocus);
+        pen.fill({area->low, {area->low.x + 2 * pen.stroke(), area->high.y}}, colour::kAccent);
+    } else if (!item.value.empty()) {
+        pen.fill({{x, area->high.y - 1}, {area->high.x - 0.5f * line_, area->high.y}}, colour::kHair);
     }
     const uint32_t ink = item.enabled ? colour::kWhite : colour::kGrey;
     pen.text(x, y, 0, TextSize::Body, ink, item.label);
@@ -198,18 +200,18 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
     track.low.y = area->low.y;
     track.high.y = area->high.y;
     if (item.fraction) {
-        const float middle = (track.low.y + track.high.y) / 2, half = 0.14f * line_;
+        const float middle = (track.low.y + track.high.y) / 2, half = 0.08f * line_;
         const float at = track.low.x + *item.fraction * (track.high.x - track.low.x);
-        pen.fill({{track.low.x, middle - half}, {track.high.x, middle + half}}, colour::kTrack, half);
-        pen.fill({{track.low.x, middle - half}, {at, middle + half}}, colour::kGold, half);
-        pen.list->AddCircleFilled(ImVec2(at, middle), 0.36f * line_,
-                                  focused ? colour::kGold : colour::kWhite);
+        pen.fill({{track.low.x, middle - half}, {track.high.x, middle + half}}, colour::kTrack);
+        pen.fill({{track.low.x, middle - half}, {at, middle + half}}, colour::kAccent);
+        pen.list->AddCircleFilled(ImVec2(at, middle), 0.3f * line_,
+                                  focused ? colour::kAccent : colour::kWhite);
         pen.text(area->high.x - 0.5f * line_, y, 1, TextSize::Body, ink, item.value);
         return;
     }
     if (focused && item.adjustable()) {
-        pen.text(track.low.x, y, 0, TextSize::Body, colour::kGold, "\u2039");
-        pen.text(track.high.x, y, 1, TextSize::Body, colour::kGold, "\u203a");
+        pen.text(track.low.x, y, 0, TextSize::Body, colour::kAccent, "\u2039");
+        pen.text(track.high.x, y, 1, TextSize::Body, colour::kAccent, "\u203a");
     }
     // The value is centred in its field; one that is too long extends to the left.
     const float half = pen.extent(item.value, TextSize::Body).x / 2;
@@ -219,12 +221,15 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
 
 void Menu::draw(const Pen& pen) {
     place(pen);
-    pen.panel(panel_);
-    const float margin = kMargin * line_, x = panel_.low.x + margin;
-    const float inner = panel_.high.x - panel_.low.x - 2 * margin;
-    float y = panel_.low.y + margin;
-    if (!page_.title.empty())
-        y += pen.paragraph(x, y, inner, titleSize(), colour::kWhite, page_.title) + kTitleGap * line_;
+    const float margin = kMargin * line_, x = text_.low.x + margin;
+    const float inner = text_.high.x - text_.low.x - 2 * margin;
+    pen.panel(panel_, panel_.low.x > 0 ? Edge::Top : Edge::Right);
+    float y = top_ + margin;
+    if (!page_.title.empty()) {
+        y += pen.paragraph(x, y, inner, titleSize(), colour::kWhite, page_.title) + kRule * line_;
+        pen.rule({x, y}, page_.wordmark ? inner : 2 * line_, page_.wordmark);
+        y += (kTitleGap - kRule) * line_;
+    }
     if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, *pictureOn(pen));
     y = text_.low.y - textScroll_;
     pen.list->PushClipRect(ImVec2(text_.low.x, text_.low.y), ImVec2(text_.high.x, text_.high.y), true);
@@ -236,11 +241,11 @@ void Menu::draw(const Pen& pen) {
     drawScrollBar(pen, list_, kRow * line_ * static_cast<float>(areas_.size()), scroll_);
     y = list_.high.y + kParagraphGap * line_;
     if (page_.progress) {
-        const float half = 0.15f * line_, middle = y + 0.3f * line_;
+        const float half = 0.08f * line_, middle = y + 0.3f * line_;
         const Rectangle track{{x, middle - half}, {x + inner, middle + half}};
-        pen.fill(track, colour::kTrack, half);
+        pen.fill(track, colour::kTrack);
         pen.fill({track.low, {x + inner * std::clamp(*page_.progress, 0.0f, 1.0f), track.high.y}},
-                 colour::kGold, half);
+                 colour::kAccent);
         y += line_;
     }
     if (!page_.error.empty())

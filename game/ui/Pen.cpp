@@ -124,9 +124,25 @@ void Pen::fill(const Rectangle& area, uint32_t colour, float rounding_px) const 
     list->AddRectFilled(imVec(area.low), imVec(area.high), colour, rounding_px);
 }
 
-void Pen::panel(const Rectangle& area) const {
-    const float rounding = std::min(line * 0.5f, 0.5f * (area.high.y - area.low.y));
-    fill(area, highContrast ? colour::kSolid : colour::kPanel, rounding);
+void Pen::panel(const Rectangle& area, Edge edge) const {
+    static constexpr std::array<ImDrawFlags, 4> kRounded = {
+        ImDrawFlags_RoundCornersAll, ImDrawFlags_RoundCornersRight, ImDrawFlags_RoundCornersBottom,
+        ImDrawFlags_RoundCornersLeft}; // by Edge
+    list->AddRectFilled(imVec(area.low), imVec(area.high), highContrast ? colour::kSolid : colour::kPanel,
+                        0.2f * line, kRounded[static_cast<size_t>(edge)]);
+    Rectangle side = area;
+    if (edge == Edge::Left) side.high.x = side.low.x + stroke();
+    if (edge == Edge::Top) side.high.y = side.low.y + stroke();
+    if (edge == Edge::Right) side.low.x = side.high.x - stroke();
+    if (edge != Edge::None) fill(side, colour::kAccent);
+}
+
+void Pen::rule(glm::vec2 from, float width, bool waves) const {
+    for (float x = 0; x <= width; x += 0.15f * line) {
+        const float phase = 6.2831853f * x / (2 * line);
+        list->PathLineTo(imVec(from + glm::vec2(x, waves ? 0.14f * line * std::sin(phase) : 0.0f)));
+    }
+    list->PathStroke(colour::kAccent, 0, stroke());
 }
 
 void Pen::picture(const Rectangle& area, const Pictures::Picture& shown) const {

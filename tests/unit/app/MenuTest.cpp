@@ -7,6 +7,7 @@
 #include "game/ui/Hud.h"
 
 #include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
 #include <imgui/imgui.h>
 
 #include <cctype>
@@ -400,13 +401,38 @@ double luminance(uint32_t abgr, double behind8) {
 
 TEST(Colours, TextOnPanelsIsReadableOverWhiteAndBlack) {
     for (const double behind : {0.0, 128.0, 255.0})
-        for (const uint32_t text : {colour::kWhite, colour::kGrey, colour::kGold, colour::kOrange}) {
+        for (const uint32_t text :
+             {colour::kWhite, colour::kGrey, colour::kGold, colour::kOrange, colour::kAccent}) {
             const double panel = luminance(colour::kPanel, behind);
             const double contrast = (luminance(text, 0) + 0.05) / (panel + 0.05);
             EXPECT_GE(contrast, 4.5) << std::hex << text << " over " << behind;
         }
-    const double focus = (luminance(colour::kWhite, 0) + 0.05) / (luminance(colour::kFocus, 0) + 0.05);
-    EXPECT_GE(focus, 4.5);
+    for (const uint32_t text : {colour::kWhite, colour::kAccent})
+        EXPECT_GE((luminance(text, 0) + 0.05) / (luminance(colour::kFocus, 0) + 0.05), 4.5);
+}
+
+// Captions and goals would lie under the pages of a pause and of the results.
+TEST(Hud, DrawsNoCaptionsUnderAMenu) {
+    const auto context = tests::valueOf(platform::Headless::open());
+    auto hud = tests::valueOf(Hud::make());
+    const gl::Target target(640, 360, 1);
+    const game::Caption caption{game::Text("it stings")};
+    const std::string goal = "a goal";
+    const render::View view;
+    const auto drawn = [&](const game::Snapshot& shown, bool withLines) {
+        target.bind();
+        glClear(GL_COLOR_BUFFER_BIT);
+        HudInfo info{.part = HudPart::Panel, .snapshot = &shown, .view = &view, .text = {}, .notice = {}};
+        if (withLines) info.captions = {&caption, 1}, info.goals = {&goal, 1};
+        hud.draw(info, {640, 360});
+        return target.read().pixels;
+    };
+    game::Snapshot diving, paused, over;
+    paused.paused = true;
+    over.phase = game::Phase::Results;
+    EXPECT_NE(drawn(diving, true), drawn(diving, false));
+    EXPECT_EQ(drawn(paused, true), drawn(paused, false));
+    EXPECT_EQ(drawn(over, true), drawn(over, false));
 }
 
 // A finger that goes forward by 4 cm in a tenth of a second presses once, where it pointed before.
