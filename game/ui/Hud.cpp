@@ -125,6 +125,7 @@ static void drawCaptions(const Pen& pen, const HudInfo& info) {
     const float step = pen.fonts->pixels(size) * 1.55f;
     float y = pen.size.y - step - pen.line * 0.5f;
     for (const game::Caption& caption : info.captions) {
+        if (caption.age_s < 0) continue;
         const glm::vec3 inView = glm::conjugate(info.view->worldFromEye) * caption.position;
         const bool placed = glm::dot(caption.position, caption.position) > 1e-4f;
         const float bearing = placed ? std::atan2(inView.x, -inView.z) : 0.0f;
