@@ -320,31 +320,47 @@ void Screens::capture(const platform::WindowInput& input) {
     refresh();
 }
 
+// Makes one of the lessons; the first comes again after the last.
 MenuPage Screens::howToPlayPage() {
-    backButton();
-    MenuPage page{.title = in("How to play")};
+    struct Lesson {
+        const char* picture;
+        std::vector<game::Text> text;
+    };
+    constexpr game::Text kSlowly("Fish fear a fast hand and are curious about one that keeps still: move "
+                                 "slowly, or wait in their way.");
+    std::vector<Lesson> lessons;
     if (options_.xr)
-        page.text = {in("Reach for a fish and close your hand on it"), in("Hold it for a second")};
+        lessons = {{"lessons/catch.jpg",
+                    {"Reach for a fish and close your hand on it", "Hold it for a second", kSlowly}}};
     else
-        page.text = {
-            in("Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold the "
-               "fish for a second, and it counts."),
-            in("The mouse wheel reaches nearer or farther. Look around with the arrow keys or with the right "
-               "button held. Tab swaps hands."),
-            in("With a gamepad, look with the left stick, reach with the right one and close your hand with "
-               "the right trigger."),
-            in("Pause with Esc, the middle mouse button or Start on a gamepad. All keys are in the "
-               "settings."),
-            in("Different species in a row count double, then three, four and five times. Each dive has "
-               "three goals. Jellyfish sting the hand that closes on them.")};
-    for (const game::Text rule :
-         {game::Text("Fish fear a fast hand and are curious about one that keeps still: move slowly, or wait "
-                     "in their way."),
-          game::Text("Hold a mussel until it cracks, and fish come to feed. A stone thrown at the shark’s "
-                     "head turns it away. Take bottles out of the sea."),
-          game::Text("A struggling fish draws the shark. When it points at your hand, let go or pull your "
-                     "hand away.")})
-        page.text.push_back(in(rule));
+        lessons = {{"lessons/catch.jpg",
+                    {"Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold "
+                     "the fish for a second, and it counts.",
+                     kSlowly}},
+                   {"dives/reef.jpg",
+                    {"The mouse wheel reaches nearer or farther. Look around with the arrow keys or with the "
+                     "right button held. Tab swaps hands.",
+                     "With a gamepad, look with the left stick, reach with the right one and close your hand "
+                     "with the right trigger.",
+                     "Pause with Esc, the middle mouse button or Start on a gamepad. All keys are in the "
+                     "settings."}}};
+    lessons.push_back(
+        {"lessons/shark.jpg",
+         {"A struggling fish draws the shark. When it points at your hand, let go or pull your hand away.",
+          "Different species in a row count double, then three, four and five times. Each dive has three "
+          "goals. Jellyfish sting the hand that closes on them."}});
+    lessons.push_back({"lessons/mussel.jpg",
+                       {"Hold a mussel until it cracks, and fish come to feed. A stone thrown at the shark’s "
+                        "head turns it away. Take bottles out of the sea."}});
+    const size_t index = stack_.back().index;
+    button("Next", [this, next = (index + 1) % lessons.size()] {
+        stack_.back().index = next;
+        menu_.show(page(), 0);
+    });
+    backButton();
+    MenuPage page{.title = in("How to play"), .picture = lessons[index].picture};
+    for (const game::Text text : lessons[index].text) page.text.emplace_back(in(text));
+    page.note = fmt::format("{} / {}", index + 1, lessons.size());
     return page;
 }
 

@@ -113,7 +113,7 @@ class Screens {
   private:
     struct Level { // one page of the stack
         Screen screen;
-        size_t index = 0; // the SettingsPage, or the animal's index in the table of species
+        size_t index = 0; // the SettingsPage, the lesson, or the animal's index in the table of species
         size_t focus = 0;
     };
     void push(Screen screen, size_t index = 0, size_t focus = 0);

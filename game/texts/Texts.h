@@ -27,6 +27,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Field guide", "Bestimmungsbuch", "Guide des espèces"},
     {"Quit", "Beenden", "Quitter"},
     {"Back", "Zurück", "Retour"},
+    {"Next", "Weiter", "Suivant"},
     {"Paused", "Pause", "Pause"},
     {"Resume", "Weiter", "Reprendre"},
     {"Start again", "Neu beginnen", "Recommencer"},

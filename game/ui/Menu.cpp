@@ -100,9 +100,9 @@ std::optional<MenuEvent> Menu::point(const MenuInput& input) {
 std::optional<MenuEvent> Menu::input(const MenuInput& input) {
     if (input.back) return MenuEvent{MenuEvent::Kind::Back};
     if (page_.items.empty()) return std::nullopt;
-    if (input.down != 0 && page_.items.size() > 1) moveFocus(input.down);
-    if (input.down != 0 && page_.items.size() == 1)
-        scrollText(static_cast<float>(input.down) * line_ * kTextStep);
+    const size_t before = focus_;
+    moveFocus(input.down);
+    if (focus_ == before) scrollText(static_cast<float>(input.down) * line_ * kTextStep);
     const MenuItem& item = page_.items[focus_];
     if (input.right != 0 && item.adjustable()) return MenuEvent{MenuEvent::Kind::Adjust, focus_, input.right};
     if (input.accept && item.enabled) return MenuEvent{MenuEvent::Kind::Adjust, focus_, 1};
@@ -142,18 +142,22 @@ void Menu::place(const Pen& pen) {
     const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
     const float inner = width - 2 * margin;
     float above = page_.title.empty() ? 0 : pen.extent(page_.title, titleSize(), inner).y + kTitleGap * line_;
-    pictureHeight_ = pictureOn(pen) ? std::min({kPicture * line_, 0.4f * pen.size.y, inner * 9 / 16}) : 0;
-    const float pictureGap = pictureHeight_ > 0 ? kParagraphGap * line_ : 0;
-    above += pictureHeight_ + pictureGap;
     textHeight_ = 0;
     for (const std::string& paragraph : page_.text)
         textHeight_ += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
+    if (!page_.text.empty()) textHeight_ += kParagraphGap * line_;
     float below = 0;
     for (const std::string* line : {&page_.note, &page_.error})
         if (!line->empty()) below += pen.extent(*line, TextSize::Small, inner).y + kParagraphGap * line_;
     if (page_.progress) below += line_;
     const float rows = kRow * line_ * static_cast<float>(page_.items.size());
     const float room = pen.size.y - 2.5f * margin, leastRows = std::min(rows, kRow * line_ * kMinRows);
+    // The picture leaves room for some lines of the text, or goes.
+    const float gap = kParagraphGap * line_, leastText = std::min(textHeight_, 2 * kTextStep * line_);
+    const float spare = room - above - leastRows - below - gap - leastText;
+    pictureHeight_ = std::min({kPicture * line_, 0.4f * pen.size.y, inner * 9 / 16, spare});
+    if (!pictureOn(pen) || pictureHeight_ < 2 * line_) pictureHeight_ = 0;
+    above += pictureHeight_ > 0 ? pictureHeight_ + gap : 0;
     const float textRoom =
         std::min(textHeight_, std::max(room - above - leastRows - below, kTextStep * line_));
     const float textTop = above;

@@ -147,6 +147,10 @@ TEST_F(MenuTest, NoWordOfThePagesIsOutsideTheTable) {
                                     Screen::Guide, Screen::Paused, Screen::Results, Screen::Settings}) {
             screens_.open(screen);
             add();
+            for (int lesson = 0; screen == Screen::HowToPlay && lesson < 3; ++lesson) {
+                screens_.input({.accept = true});
+                add();
+            }
         }
         for (size_t group = 0, groups = page().items.size() - 1; group < groups; ++group) {
             screens_.open(Screen::Settings);
@@ -244,6 +248,22 @@ TEST_F(MenuTest, OnlyAcceptingAsksForAKey) {
     screens_.capture({.leftPressed = true});
     EXPECT_EQ(bindings_.toText(), "");
     EXPECT_EQ(page().items[find("Reach farther")].value, "E, Page up  (Pad up)");
+}
+
+// With mouse and keys there is one lesson more than in a headset.
+TEST_F(MenuTest, TheLessonsFollowEachOtherWithTheirPictures) {
+    for (const bool xr : {false, true}) {
+        options_.xr = xr;
+        screens_.open(Screen::HowToPlay);
+        std::set<std::string> pictures;
+        for (int lesson = 0; lesson < (xr ? 3 : 4); ++lesson) {
+            EXPECT_TRUE(tests::succeeded(readSmallPicture(dataRoot() / "content" / page().picture)));
+            EXPECT_TRUE(pictures.insert(page().picture).second) << page().picture;
+            choose("Next");
+        }
+        EXPECT_TRUE(pictures.contains(page().picture));
+        screens_.input({.back = true});
+    }
 }
 
 TEST_F(MenuTest, AMutedGameOffersNoVolume) {
