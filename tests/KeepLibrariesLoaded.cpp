@@ -5,10 +5,10 @@
 // to that memory any more and no suppression can name where it came from.
 extern "C" int dlclose(void*) { return 0; }
 
-// Leaks of others: xrDestroyInstance of OpenXR's loader 1.0.20 forgets its record of the instance, 1.5 kB
-// (mended in 1.0.33); fontconfig keeps 288 bytes of what it reads from its configuration.
+// A leak of others: xrDestroyInstance of OpenXR's loader 1.0.20 forgets its record of the instance, 1.5 kB
+// (mended in 1.0.33).
 extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libopenxr_loader.so\nleak:libfontconfig.so\n";
+    return "leak:libopenxr_loader.so\n";
 }
 
 // Symbol that the linker is told to look for (CMakeLists.txt): libasan has a dlclose of its own, before this

@@ -433,7 +433,7 @@ void Application::photograph() {
     } else if (command == PhotoMode::Command::Leave) {
         options_.fov_deg = photo_->fovBefore_deg;
         photo_.reset();
-        screens_.open(Screen::Paused);
+        screens_.open(Screen::Paused, screens_.menu().focus()); // where it was left
     }
 }
 

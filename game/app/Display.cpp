@@ -208,7 +208,7 @@ void HeadsetDisplay::feed(GameSession& session) {
 }
 
 const game::Notice* HeadsetDisplay::notice() const {
-    static const game::Notice kPositionLost{"The headset does not see where you are: you can look around"};
+    static const game::Notice kPositionLost{"The headset has lost your place: for now you can only look around"};
     static const game::Notice kNoRoom{"This headset cannot show your own room"};
     if (noRoom_s_ > 0) return &kNoRoom;
     const xr::Tracking& tracking = headset_.tracking();

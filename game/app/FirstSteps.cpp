@@ -184,7 +184,8 @@ void Tutorial::draw(const Pen& pen, const render::View& view) const {
     if (done_s_ > 0) say("Well caught! Now for real: 90 seconds");
     if (const auto text = hint()) say(*text);
     if (mode_ == Mode::FreeSwim && time_s_ < kWelcome_s)
-        say("Fish swim past you and see you. Touch them; the field guide remembers whom you have met.");
+        say("Fish swim past and look at you. Touch them: the field guide remembers every animal that you "
+            "meet.");
 }
 
 } // namespace shoal::app

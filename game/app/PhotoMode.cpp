@@ -92,9 +92,10 @@ static Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld,
 
 PhotoMode::PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, const Bindings& bindings)
     : shown(from), fovBefore_deg(fov_deg),
-      notice(byGamepad ? game::Notice{"A: picture. Left stick: look. Right stick: move. B: back"}
-                       : game::Notice{"Click: picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
-                                      movingKeys(bindings)}),
+      notice(byGamepad
+                 ? game::Notice{"A: take a picture. Left stick: look. Right stick: move. B: back"}
+                 : game::Notice{"Click: take a picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
+                                movingKeys(bindings)}),
       origin_(from.headWorld), look_(LookAngles::of(from.worldFromView)) {
     for (game::HandView& hand : shown.hands) hand.visible = false;
     for (game::CreatureView& creature : shown.creatures) creature.catchable = 0; // no highlight either
@@ -127,7 +128,7 @@ void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
         const auto drawn = drawAround(renderer, shown.headWorld, kAroundWidth);
         saved = drawn ? media::writePng(around, *drawn) : Status(drawn.error());
     }
-    notice = saved ? game::Notice{"Saved, with a picture of all directions: {}", file.string()}
+    notice = saved ? game::Notice{"Saved, together with a 360-degree picture: {}", file.string()}
                    : game::Notice{"Not saved: {}", saved.error().message()};
     log::info("{}", notice->in(game::Language::English));
 }

@@ -39,6 +39,12 @@ static std::string keysText(const Bindings::Keys& keys, game::Language language)
     return text;
 }
 
+static std::string capitalised(std::string name) {
+    if (!name.empty() && static_cast<unsigned char>(name[0]) < 0x80)
+        name[0] = static_cast<char>(std::toupper(name[0]));
+    return name;
+}
+
 static std::string goalText(const game::Goal& goal, const game::SpeciesTable& species,
                             game::Language language) {
     static constexpr std::array<game::Text, 5> kGoals = {
@@ -50,9 +56,9 @@ static std::string goalText(const game::Goal& goal, const game::SpeciesTable& sp
     return kGoals[static_cast<size_t>(goal.kind)].in(language, goal.count);
 }
 
-void Screens::open(Screen screen) {
+void Screens::open(Screen screen, size_t focus) {
     stack_.clear();
-    push(screen);
+    push(screen, 0, focus);
 }
 
 void Screens::openWithError(Screen screen, std::string error) {
@@ -82,13 +88,16 @@ bool Screens::showsCamera() const {
            (level.screen == Screen::SettingsGroup && level.index == static_cast<size_t>(SettingsPage::Hands));
 }
 
-void Screens::push(Screen screen, size_t index) {
+void Screens::push(Screen screen, size_t index, size_t focus) {
     if (!stack_.empty()) stack_.back().focus = menu_.focus();
     stack_.push_back({.screen = screen, .index = index});
     message_.clear();
     error_.clear();
     if (screen == Screen::Films) films_.look();
-    menu_.show(page(), 0);
+    const auto last = std::ranges::find(facts.dives, facts.dive->name, &DiveName::name);
+    if ((screen == Screen::Dives || screen == Screen::Swims) && last != facts.dives.end())
+        focus = static_cast<size_t>(last - facts.dives.begin());
+    menu_.show(page(), focus);
 }
 
 void Screens::back() {
@@ -110,7 +119,12 @@ MenuPage Screens::page() {
                                    &S::settingsPage,  &S::groupPage, &S::handSizePage, &S::bindingsPage,
                                    &S::howToPlayPage, &S::guidePage, &S::animalPage,   &S::pausedPage,
                                    &S::resultsPage}; // by Screen
-    MenuPage page = (this->*kPages[static_cast<size_t>(stack_.back().screen)])();
+    const Screen screen = stack_.back().screen;
+    MenuPage page = (this->*kPages[static_cast<size_t>(screen)])();
+    if (screen == Screen::Guide || screen == Screen::Animal) { // names begin as titles do
+        page.title = capitalised(page.title);
+        for (MenuItem& item : items_) item.label = capitalised(item.label);
+    }
     page.camera = showsCamera();
     page.items = std::exchange(items_, {});
     page.error = error_;
@@ -175,8 +189,8 @@ MenuPage Screens::titlePage() {
     button("Field guide", [this] { push(Screen::Guide); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     return {.title = "Shoal",
-            .text = {in("Fish in the light of a film")},
-            .note = options_.xr ? in("Point with a finger and poke, or pull a controller’s trigger")
+            .text = {in("Catch fish with your bare hands")},
+            .note = options_.xr ? in("Poke with a fingertip, or pull a controller’s trigger")
                                 : in("Arrow keys and Enter, mouse or gamepad"),
             .layout = PageLayout::Side,
             .wordmark = true};
@@ -205,13 +219,18 @@ MenuPage Screens::divesPage() {
 MenuPage Screens::filmsPage() {
     if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OpenFilm); });
     const auto [files, complete] = films_.found();
+    std::string folders;
+    for (const Path& folder : films_.folders()) folders += (folders.empty() ? "" : ", ") + folder.string();
     for (const Path& file : files)
         itemButton(file.filename().string(), [this, file] { ask(Request::Kind::OpenFilm, file.string()); });
     backButton();
     return {.title = in("My film or photo"),
-            .text = {in("Drop a 360-degree video or any photo on this window, or choose one of these.")},
+            .text = {in("Drop a 360-degree video or any photo on this window, or choose one of these."),
+                     in("To add some, put them in one of these folders: {}", folders),
+                     in("Videos: MP4, MKV, WebM, MOV. Photos: JPEG, PNG, WebP, TIFF, AVIF. High dynamic "
+                        "range: HDR, EXR, PFM.")},
             .note = !complete       ? in("Loading")
-                    : files.empty() ? in("There are no films or photos in your folders yet.")
+                    : files.empty() ? in("There are no films or photos in these folders yet.")
                                     : ""};
 }
 
@@ -241,12 +260,12 @@ MenuPage Screens::handSizePage() {
     using enum hands::HandSizing::State;
     backButton();
     MenuPage page{.title = in("Hand size"),
-                  .text = {in("Hold one open hand still, palm to the camera and 30 cm away from it, as far "
-                              "as a sheet of A4 paper is long.")},
+                  .text = {in("Hold one open hand still, palm towards the camera and 30 cm away from it: the "
+                              "length of a sheet of A4 paper.")},
                   .progress = facts.handSizing.progress(),
                   .layout = PageLayout::Side};
     const auto state = facts.handSizing.state();
-    page.note = state == Elsewhere ? in("Nobody’s hand is that small or big: is it 30 cm away?")
+    page.note = state == Elsewhere ? in("No hand is that small or that big: is it 30 cm away?")
                 : state == Holding ? in("Keep it there")
                 : state == Done
                     ? in("Your hand has {} % of the usual size.", std::lround(100 * options_.hands.size))
@@ -263,7 +282,7 @@ MenuPage Screens::bindingsPage() {
                           .isButton = true,
                           .act = [this, action](const MenuEvent&) {
                               captured_ = action;
-                              message_ = in("Press a key or a button for: {}. Esc: leave it",
+                              message_ = in("Press a key or a button for “{}”. Esc: cancel",
                                             in(kActionRows[static_cast<size_t>(action)].label));
                           }});
     }
@@ -281,8 +300,8 @@ void Screens::captured(std::optional<Action> loser) {
     if (loser) {
         const char* label = in(kActionRows[static_cast<size_t>(*loser)].label);
         const std::string left = keysText(bindings_.of(*loser), language());
-        message_ = left.empty() ? in("It was taken from: {}, which has no key or button now", label)
-                                : in("It was taken from: {}, which keeps {}", label, left);
+        message_ = left.empty() ? in("Until now it was for “{}”, which has no key or button any more", label)
+                                : in("Until now it was for “{}”, which still has: {}", label, left);
     }
     options_.controls.bindings = bindings_.toText();
     keep("bindings");
@@ -301,32 +320,47 @@ void Screens::capture(const platform::WindowInput& input) {
     refresh();
 }
 
+// Makes one of the lessons; the first comes again after the last.
 MenuPage Screens::howToPlayPage() {
-    backButton();
-    MenuPage page{.title = in("How to play")};
+    struct Lesson {
+        const char* picture;
+        std::vector<game::Text> text;
+    };
+    constexpr game::Text kSlowly("Fish fear a fast hand and are curious about one that keeps still: move "
+                                 "slowly, or wait in their way.");
+    std::vector<Lesson> lessons;
     if (options_.xr)
-        page.text = {in("Reach for a fish and close your hand on it"), in("Hold it for a second")};
+        lessons = {{"lessons/catch.jpg",
+                    {"Reach for a fish and close your hand on it", "Hold it for a second", kSlowly}}};
     else
-        page.text = {
-            in("Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold the "
-               "fish for a second, and it counts."),
-            in("The wheel reaches nearer or farther. Look around with the arrow keys or with the right "
-               "button held. Tab swaps hands."),
-            in("With a gamepad the left stick looks, the right stick reaches and the right trigger closes "
-               "your hand."),
-            in("Esc, the middle mouse button or Start on a gamepad pauses. All keys: Settings, Keys and "
-               "buttons."),
-            in("Different species one after the other count two, three, four and five times. Each dive has "
-               "three goals. Jellyfish sting the hand that closes on them.")};
-    for (const game::Text rule :
-         {game::Text("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their "
-                     "way."),
-          game::Text("A mussel that you hold cracks, and fish come to feed. A stone thrown at the shark's "
-                     "head turns "
-                     "it away. Take bottles out of the sea."),
-          game::Text("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
-                     "away.")})
-        page.text.push_back(in(rule));
+        lessons = {{"lessons/catch.jpg",
+                    {"Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold "
+                     "the fish for a second, and it counts.",
+                     kSlowly}},
+                   {"dives/reef.jpg",
+                    {"The mouse wheel reaches nearer or farther. Look around with the arrow keys or with the "
+                     "right button held. Tab swaps hands.",
+                     "With a gamepad, look with the left stick, reach with the right one and close your hand "
+                     "with the right trigger.",
+                     "Pause with Esc, the middle mouse button or Start on a gamepad. All keys are in the "
+                     "settings."}}};
+    lessons.push_back(
+        {"lessons/shark.jpg",
+         {"A struggling fish draws the shark. When it points at your hand, let go or pull your hand away.",
+          "Different species in a row count double, then three, four and five times. Each dive has three "
+          "goals. Jellyfish sting the hand that closes on them."}});
+    lessons.push_back({"lessons/mussel.jpg",
+                       {"Hold a mussel until it cracks, and fish come to feed. A stone thrown at the shark’s "
+                        "head turns it away. Take bottles out of the sea."}});
+    const size_t index = stack_.back().index;
+    button("Next", [this, next = (index + 1) % lessons.size()] {
+        stack_.back().index = next;
+        menu_.show(page(), 0);
+    });
+    backButton();
+    MenuPage page{.title = in("How to play"), .picture = lessons[index].picture};
+    for (const game::Text text : lessons[index].text) page.text.emplace_back(in(text));
+    page.note = fmt::format("{} / {}", index + 1, lessons.size());
     return page;
 }
 
@@ -375,7 +409,7 @@ MenuPage Screens::pausedPage() {
     else
         button("Start again", [this] { ask(Request::Kind::Restart); });
     if (facts.headsetLost && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
-    if (options_.xr) button("Look ahead again", [this] { ask(Request::Kind::Recentre); });
+    if (options_.xr) button("Recentre view", [this] { ask(Request::Kind::Recentre); });
     if (!options_.xr) button("Photo mode", [this] { ask(Request::Kind::Photo); });
     if (facts.mode != Mode::Dive) button("Field guide", [this] { push(Screen::Guide); });
     button("Settings", [this] { push(Screen::Settings); });
@@ -383,7 +417,7 @@ MenuPage Screens::pausedPage() {
     button("Title screen", [this] { ask(Request::Kind::Title); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     MenuPage page{.title = in("Paused"), .layout = PageLayout::Side};
-    if (options_.xr) page.note = in("Close a hand: go on");
+    if (options_.xr) page.note = in("Close a hand to go on");
     if (facts.mode == Mode::Dive) page.text = goalLines(facts.results.goals);
     return page;
 }

@@ -81,7 +81,7 @@ class Screens {
     Screens(PlayOptions& options, Bindings& bindings)
         : options_(options), bindings_(bindings), table_(settingsOf(options)) {}
 
-    void open(Screen screen); // as the only page
+    void open(Screen screen, size_t focus = 0); // as the only page
     void close() { stack_.clear(); }
     void openWithError(Screen screen, std::string error);                         // over the title page
     void showError(std::string error);                                            // on the open page
@@ -113,10 +113,10 @@ class Screens {
   private:
     struct Level { // one page of the stack
         Screen screen;
-        size_t index = 0; // the SettingsPage, or the animal's index in the table of species
+        size_t index = 0; // the SettingsPage, the lesson, or the animal's index in the table of species
         size_t focus = 0;
     };
-    void push(Screen screen, size_t index = 0);
+    void push(Screen screen, size_t index = 0, size_t focus = 0);
     void back();
     void ask(Request::Kind kind, std::string name = {}) { request_ = Request{kind, std::move(name)}; }
     MenuPage page();

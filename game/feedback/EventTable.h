@@ -94,7 +94,7 @@ constexpr std::array kEventRows = std::to_array<EventRow>({
     {EventKind::MissTooFar, "miss_too_far", Text("too far"), Sound::MissTooFar},
     {EventKind::MissTooFast, "miss_too_fast", Text("too fast"), Sound::MissTooFast},
     {EventKind::MissTooEarly, "miss_too_early", Text("closed too early"), Sound::MissTooEarly},
-    {EventKind::MissBehind, "miss_behind", Text("behind it"), Sound::MissBehind},
+    {EventKind::MissBehind, "miss_behind", Text("behind the fish"), Sound::MissBehind},
     {EventKind::Sting, "sting", Text("it stings"), Sound::Startle, 1, 0, {HapticPulse::Where::Hand, 0, 0.9f, 0, 220, 0.3f}},
     {EventKind::Throw, "throw", {}, Sound::Throw},
     {EventKind::Knock, "knock", {}, Sound::Knock, 0.3f, 0.3f},

@@ -13,12 +13,12 @@
 
 namespace shoal::game {
 
-constexpr float kCaptionStay_s = 2.2f;
+constexpr float kCaptionStay_s = 2.2f, kCaptionEach_s = 1; // between one new line and the next
 
 struct Caption {
     Text text;
     glm::vec3 position{0}; // world frame; the origin: no place
-    float age_s = 0;
+    float age_s = 0;       // below 0: it is not shown yet
 };
 
 // Chooses sounds and captions: for events by their table, and for breath, passing fish, the background and

@@ -6,19 +6,19 @@ namespace shoal::app {
 
 const std::array<ActionRow, kActions> kActionRows = {{
     {"close", "Close the hand", {GLFW_KEY_SPACE, -1}, GLFW_GAMEPAD_BUTTON_A},
-    {"look-left", "Look to the left", {GLFW_KEY_LEFT, GLFW_KEY_A}, -1},
-    {"look-right", "Look to the right", {GLFW_KEY_RIGHT, GLFW_KEY_D}, -1},
+    {"look-left", "Look left", {GLFW_KEY_LEFT, GLFW_KEY_A}, -1},
+    {"look-right", "Look right", {GLFW_KEY_RIGHT, GLFW_KEY_D}, -1},
     {"look-up", "Look up", {GLFW_KEY_UP, GLFW_KEY_W}, -1},
     {"look-down", "Look down", {GLFW_KEY_DOWN, GLFW_KEY_S}, -1},
     {"farther", "Reach farther", {GLFW_KEY_E, GLFW_KEY_PAGE_UP}, GLFW_GAMEPAD_BUTTON_DPAD_UP},
     {"nearer", "Reach nearer", {GLFW_KEY_C, GLFW_KEY_PAGE_DOWN}, GLFW_GAMEPAD_BUTTON_DPAD_DOWN},
     {"swap-hands", "Swap hands", {GLFW_KEY_TAB, -1}, GLFW_GAMEPAD_BUTTON_Y},
-    {"recentre", "Look ahead again", {GLFW_KEY_HOME, -1}, GLFW_GAMEPAD_BUTTON_RIGHT_THUMB},
+    {"recentre", "Recentre view", {GLFW_KEY_HOME, -1}, GLFW_GAMEPAD_BUTTON_RIGHT_THUMB},
     {"pause", "Pause", {GLFW_KEY_ESCAPE, GLFW_KEY_P}, GLFW_GAMEPAD_BUTTON_START},
     {"louder", "Louder", {GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, -1},
     {"quieter", "Quieter", {GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, -1},
     {"fullscreen", "Fullscreen", {GLFW_KEY_F11, -1}, -1},
-    {"performance", "Performance", {GLFW_KEY_F1, -1}, -1},
+    {"performance", "Technical details", {GLFW_KEY_F1, -1}, -1},
     {"room", "Your own room", {GLFW_KEY_F2, -1}, -1},
 }};
 

@@ -131,7 +131,7 @@ void TrackedHands::announce() {
         log::info("Hands: {}, {}", name, state_.description);
     } else if (asked_) { // says why the chosen device is not used
         announcement_ = needs();
-        if (!announcement_) announcement_ = game::Notice{"{} is not there; the mouse has the hands", name};
+        if (!announcement_) announcement_ = game::Notice{"{} was not found: the mouse moves the hands", name};
         log::info("Hands: mouse; {}: {}", name, state_.description);
     } else
         log::info("Hands: mouse");

@@ -116,7 +116,7 @@ class TrackedHands {
     // Returns the instruction that the player must follow before the device can find hands; empty: none.
     std::optional<game::Notice> needs() const {
         if (!state_.lacksModels) return std::nullopt;
-        return game::Notice{"To find your hands before the webcam, run once: {}",
+        return game::Notice{"Before the webcam can find your hands, run this once: {}",
                             hands::handModelScript().string()};
     }
     // Returns the message to show now: the device in use, or why it is not. Null: none.

@@ -81,13 +81,13 @@ constexpr size_t kMaxRead = 500, kMaxFilms = 60; // files of all folders whose b
 
 using Found = std::pair<std::filesystem::file_time_type, Path>; // when the file was changed last
 
-// Returns the newest files of the player's folders, whatever they are.
-std::vector<Found> newestFiles() {
+// Returns the newest files of the folders, whatever they are.
+std::vector<Found> newestFiles(const std::vector<Path>& folders) {
     std::vector<Found> found;
     std::error_code code;
-    for (const auto which : {UserFolder::Videos, UserFolder::Pictures, UserFolder::Downloads}) {
+    for (const Path& folder : folders) {
         size_t looked = 0;
-        for (std::filesystem::directory_iterator entry(userFolder(which), code), end;
+        for (std::filesystem::directory_iterator entry(folder, code), end;
              !code && entry != end && looked < kMaxLooked; entry.increment(code), ++looked)
             if (entry->is_regular_file(code)) found.emplace_back(entry->last_write_time(code), entry->path());
     }
@@ -159,6 +159,9 @@ Status saveGuide(const std::vector<std::string>& species) {
 }
 
 void FilmList::look() {
+    thread_ = {}; // ends the last one
+    folders_ = {userFolder(UserFolder::Videos), userFolder(UserFolder::Pictures),
+                userFolder(UserFolder::Downloads)};
     thread_ = std::jthread([this](const std::stop_token& ending) { read(ending); });
 }
 
@@ -170,7 +173,7 @@ FilmList::Found FilmList::found() const {
 void FilmList::read(const std::stop_token& ending) {
     lowerThreadPriority();
     std::vector<Path> files;
-    for (const auto& [changed, file] : newestFiles()) {
+    for (const auto& [changed, file] : newestFiles(folders_)) {
         if (ending.stop_requested()) return;
         if (files.size() == kMaxFilms) break;
         const auto kind = media::mediaKind(file);

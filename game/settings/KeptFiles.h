@@ -50,11 +50,13 @@ class FilmList {
     };
     void look(); // looks anew; until that list is the longer one, or complete, the last one stays
     Found found() const;
+    const std::vector<Path>& folders() const { return folders_; } // that look() looks in
 
   private:
     void read(const std::stop_token& ending);
 
-    mutable std::mutex mutex_; // guards found_
+    std::vector<Path> folders_; // does not change while the thread runs
+    mutable std::mutex mutex_;  // guards found_
     Found found_;
     std::jthread thread_; // last: it uses all of the above
 };

@@ -189,7 +189,7 @@ struct HandOptions {
     void addTo(SettingsTable& table) {
         table.category = Category::Hands;
         table.addShown(
-            SettingsPage::Hands, "Hand source", "--hands", &source,
+            SettingsPage::Hands, "Hand tracking", "--hands", &source,
             "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
             "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
             "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. The "
@@ -229,7 +229,7 @@ struct ControlOptions {
         table.addShown(Hands, "Mouse sensitivity", "--sensitivity", &sensitivity,
                        "How far mouse and gamepad turn the view, in times of the default",
                        {.range = {0.2, 3}});
-        table.addShown(Hands, "Invert looking up and down", "--invert-look", &invertLook,
+        table.addShown(Hands, "Invert up and down", "--invert-look", &invertLook,
                        "Mouse and stick forward look down");
         table.addShown(
             Hands, "Help with depth", "--reach-help", &reachHelp,
@@ -273,7 +273,7 @@ struct TextSettings {
                        {.range = {0.8, 1.6}});
         table.addShown(Text, "High contrast", "--high-contrast", &highContrast, "White text on black");
         table.addShown(Text, "Captions", "!--no-captions", &captions, "Do not name sounds on the screen");
-        table.addShown(Text, "Size of captions", "--caption-size", choice(captionSize), "Size of captions");
+        table.addShown(Text, "Caption size", "--caption-size", choice(captionSize), "Caption size");
     }
 };
 
@@ -374,11 +374,11 @@ struct PlayOptions {
         table.addShown(Picture, "Fullscreen", "--fullscreen", &fullscreen,
                        "Fill the screen (F11 in the game)");
         table.addKept("!--no-vsync", &vsync, "Do not wait for the display");
-        table.addShown(Picture, "Quality", "--quality", choice(quality),
+        table.addShown(Picture, "Picture quality", "--quality", choice(quality),
                        "auto draws fewer pixels, then makes light less often, while frames take longer than "
                        "the display allows; fixed never does (nor does --headless)");
         table.addShown(
-            Picture, "Compositing", "--compose",
+            Picture, "Animals in the film", "--compose",
             choice(compose, {render::Composition::Plain, render::Composition::MatchedResolution,
                              render::Composition::CameraResponse}),
             "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
@@ -387,9 +387,9 @@ struct PlayOptions {
         table.addKept("--water", choice(water),
                       "Dims what is drawn with distance as the environment's water does: auto as the dive "
                       "says, or, of another video or photo, where the picture has lost its red; on; off");
-        table.addShown(Comfort, "Drifting particles", "!--no-snow", &snow,
+        table.addShown(Comfort, "Specks in the water", "!--no-snow", &snow,
                        "No particles that drift in the water");
-        table.addShown(Picture, "Version of the film", "--film", choice(film),
+        table.addShown(Picture, "Film size", "--film", choice(film),
                        "Which version of a dive's film: best; small, for slow machines; auto: small without "
                        "a graphics card or with fewer than four processor cores");
         table.addKept("--decode", choice(decode),
@@ -398,7 +398,7 @@ struct PlayOptions {
         table.addKept("--shadows", choice(shadows),
                       "Shadows of animals and of your hands on what the film shows, where it has a track of "
                       "distances; of what swims, on the floor of your own room, where the headset knows it");
-        table.addShown(Picture, "Performance", "--frame-times", &frameTimes,
+        table.addShown(Picture, "Technical details", "--frame-times", &frameTimes,
                        "Shows frame times, and which light is used (F1 in the game)");
         hands.addTo(table);
         table.addShown(Hands, "Help with catching", "--assist", choice(assist),
@@ -408,16 +408,16 @@ struct PlayOptions {
         table.addShown(Hands, "Skin", "--skin", choice(skin), "How your hands look");
         controls.addTo(table);
         table.category = Category::Hands;
-        table.addShown(Hands, "Strength of vibration", "--haptics", &hapticStrength,
+        table.addShown(Hands, "Vibration strength", "--haptics", &hapticStrength,
                        "Strength of haptics, 0 (off) to 1", {.range = {0, 1}});
         text.addTo(table);
         table.category = Category::Sound;
         table.addKept("--mute", &mute, "No sound");
         table.addShown(Sound, "Volume", "--volume", &volume, "Sound volume (+ and - in the game), 0 to 1",
                        {.range = {0, 1}});
-        table.addShown(Sound, "Volume of effects", "--effects-volume", &effects,
+        table.addShown(Sound, "Effects volume", "--effects-volume", &effects,
                        "Volume of all sounds but the video's own, 0 to 1", {.range = {0, 1}});
-        table.addShown(Sound, "Volume of the film", "--video-sound", &videoSound,
+        table.addShown(Sound, "Film volume", "--video-sound", &videoSound,
                        "Volume of the video's own sound, 0 to 1", {.range = {0, 1}});
         table.addShown(Sound, "Headphones", "--headphones", &headphones, "Sound for headphones (HRTF)");
         table.category = Category::Measuring;

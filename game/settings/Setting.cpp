@@ -76,7 +76,7 @@ std::string Setting::key() const {
 
 std::string shownValue(const Setting& setting, game::Language language) {
     const auto* number = std::get_if<float*>(&setting.value);
-    if (!number) return std::string(game::translated(choicesOf(setting).first, language));
+    if (!number) return std::string(game::translatedChoice(choicesOf(setting).first, language));
     if (setting.range.given() && setting.range.high <= kPercentRange)
         return fmt::format("{} %", std::lround(100 * **number));
     return fmt::format("{}", std::lround(**number));

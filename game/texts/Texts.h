@@ -27,6 +27,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Field guide", "Bestimmungsbuch", "Guide des espèces"},
     {"Quit", "Beenden", "Quitter"},
     {"Back", "Zurück", "Retour"},
+    {"Next", "Weiter", "Suivant"},
     {"Paused", "Pause", "Pause"},
     {"Resume", "Weiter", "Reprendre"},
     {"Start again", "Neu beginnen", "Recommencer"},
@@ -38,7 +39,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Ni chrono ni requin : va à la rencontre des animaux."},
     {"Choose a dive", "Wähle einen Tauchgang", "Choisis une plongée"},
     {"Loading", "Wird geladen", "Chargement"},
-    {"Fish in the light of a film", "Fische im Licht eines Films", "Des poissons dans la lumière d’un film"},
+    {"Catch fish with your bare hands", "Fang Fische mit bloßen Händen", "Attrape des poissons à mains nues"},
 
     // Results
     {"{} fish caught", "{} Fische gefangen", "{} poissons attrapés"},
@@ -60,33 +61,35 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Attrape {} espèces différentes d’affilée"},
 
     // In the dive
+    {"Points", "Punkte", "Points"},
+    {"Time", "Zeit", "Temps"},
     {"{} caught", "{} gefangen", "{} attrapés"},
     {"Reach for a fish and close your hand on it", "Greif nach einem Fisch und schließe die Hand um ihn",
      "Tends la main vers un poisson et ferme-la sur lui"},
     {"Hold it for a second", "Halte ihn eine Sekunde lang fest", "Tiens-le pendant une seconde"},
     {"Keep what you hold away from the shark", "Halte deinen Fang vom Hai fern",
-     "Garde ta prise loin du requin"},
+     "Tiens ta prise à l’écart du requin"},
     {"A fast hand frightens fish", "Eine schnelle Hand verscheucht Fische",
      "Une main rapide effraie les poissons"},
     {"Wait in a fish’s way with an open hand", "Warte mit offener Hand auf dem Weg eines Fischs",
      "Attends, main ouverte, sur le chemin d’un poisson"},
-    {"Click: picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
-     "Klick: Bild. Rechte Taste: umsehen. {}: bewegen. Mausrad: Zoom. Esc: zurück",
-     "Clic : photo. Bouton droit : regarder. {} : bouger. Molette : zoom. Échap : retour"},
-    {"A: picture. Left stick: look. Right stick: move. B: back",
-     "A: Bild. Linker Stick: umsehen. Rechter Stick: bewegen. B: zurück",
-     "A : photo. Stick gauche : regarder. Stick droit : bouger. B : retour"},
+    {"Click: take a picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
+     "Klick: Foto. Rechte Taste: umsehen. {}: bewegen. Mausrad: Zoom. Esc: zurück",
+     "Clic : photo. Bouton droit : regarder. {} : se déplacer. Molette : zoom. Échap : retour"},
+    {"A: take a picture. Left stick: look. Right stick: move. B: back",
+     "A: Foto. Linker Stick: umsehen. Rechter Stick: bewegen. B: zurück",
+     "A : photo. Stick gauche : regarder. Stick droit : se déplacer. B : retour"},
     {"Left stick", "Linker Stick", "Stick gauche"},
     {"Right stick, slowly: a fast hand frightens fish",
      "Rechter Stick, langsam: Eine schnelle Hand verscheucht Fische",
      "Stick droit, lentement : une main rapide effraie les poissons"},
     {"Hold the right trigger for one second", "Halte den rechten Trigger eine Sekunde lang",
-     "Tiens la gâchette droite pendant une seconde"},
+     "Maintiens la gâchette droite pendant une seconde"},
     {"Look around", "Sieh dich um", "Regarde autour de toi"},
     {"Turn your head", "Dreh den Kopf", "Tourne la tête"},
     {"Arrow keys, or hold the right mouse button and move",
-     "Pfeiltasten, oder rechte Maustaste halten und bewegen",
-     "Flèches, ou tiens le bouton droit et bouge la souris"},
+     "Pfeiltasten, oder Maus mit gedrückter rechter Taste",
+     "Flèches, ou souris avec le bouton droit enfoncé"},
     {"Reach for a fish until it glows", "Greif nach einem Fisch, bis er leuchtet",
      "Tends la main vers un poisson jusqu’à ce qu’il s’illumine"},
     {"Move the mouse slowly: a fast hand frightens fish",
@@ -97,39 +100,39 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Close your hand and hold the fish", "Schließe die Hand und halte den Fisch",
      "Ferme la main et tiens le poisson"},
     {"Hold the left mouse button for one second", "Halte die linke Maustaste eine Sekunde lang",
-     "Tiens le bouton gauche de la souris pendant une seconde"},
+     "Maintiens le bouton gauche de la souris pendant une seconde"},
     {"For one second", "Eine Sekunde lang", "Pendant une seconde"},
-    {"Well caught! Now for real: 90 seconds", "Gut gefangen! Jetzt gilt es: 90 Sekunden",
-     "Bien attrapé ! Maintenant pour de vrai : 90 secondes"},
+    {"Well caught! Now for real: 90 seconds", "Gut gefangen! Jetzt gilt’s: 90 Sekunden",
+     "Bien attrapé ! Et maintenant, pour de vrai : 90 secondes"},
     {"Skip the first steps", "Erste Schritte überspringen", "Passer les premiers pas"},
     {"Show the first steps", "Erste Schritte zeigen", "Montrer les premiers pas"},
     {"Sound {} %", "Ton {} %", "Son {} %"},
     {"New in your field guide: {}", "Neu in deinem Bestimmungsbuch: {}", "Nouveau dans ton guide : {}"},
-    {"Fish swim past you and see you. Touch them; the field guide remembers whom you have met.",
-     "Fische schwimmen vorbei und sehen dich an. Berühre sie; das Bestimmungsbuch merkt sich, wen du "
-     "getroffen hast.",
-     "Les poissons passent et te regardent. Touche-les ; le guide retient ceux que tu as rencontrés."},
+    {"Fish swim past and look at you. Touch them: the field guide remembers every animal that you meet.",
+     "Fische schwimmen vorbei und sehen dich an. Berühre sie: Das Bestimmungsbuch merkt sich jedes Tier, "
+     "das du triffst.",
+     "Les poissons passent et te regardent. Touche-les : le guide retient chaque animal rencontré."},
 
     // Notices
     {"Hands: {}", "Hände: {}", "Mains : {}"},
-    {"{} is not there; the mouse has the hands", "{} ist nicht da; die Maus führt die Hände",
-     "{} est absent ; la souris guide les mains"},
-    {"The headset does not see where you are: you can look around",
-     "Das Headset sieht nicht, wo du bist: Du kannst dich umsehen",
-     "Le casque ne voit pas où tu es : tu peux regarder autour de toi"},
-    {"To find your hands before the webcam, run once: {}",
+    {"{} was not found: the mouse moves the hands", "{} wurde nicht gefunden: Die Maus führt die Hände",
+     "{} est introuvable : la souris guide les mains"},
+    {"The headset has lost your place: for now you can only look around",
+     "Das Headset erkennt nicht, wo du bist: Du kannst dich nur umsehen",
+     "Le casque ne sait plus où tu es : tu peux seulement regarder autour de toi"},
+    {"Before the webcam can find your hands, run this once: {}",
      "Damit die Webcam deine Hände findet, führe einmal aus: {}",
      "Pour que la webcam trouve tes mains, exécute une fois : {}"},
-    {"The film is damaged here; its last good picture stays",
-     "Der Film ist hier beschädigt; sein letztes gutes Bild bleibt stehen",
-     "Le film est abîmé ici ; sa dernière bonne image reste"},
-    {"The live video has stopped; its last picture stays",
-     "Das Live-Video ist stehen geblieben; sein letztes Bild bleibt",
-     "La vidéo en direct s’est arrêtée ; sa dernière image reste"},
-    {"The live video was lost; its last picture stays until it comes back",
-     "Das Live-Video ist abgerissen; sein letztes Bild bleibt, bis es wiederkommt",
-     "La vidéo en direct est perdue ; sa dernière image reste jusqu’à son retour"},
-    {"Saved, with a picture of all directions: {}", "Gespeichert, dazu ein Bild rundum: {}",
+    {"The film is damaged here: its last good picture stays",
+     "Der Film ist hier beschädigt: Das letzte gute Bild bleibt stehen",
+     "Le film est abîmé ici : la dernière bonne image reste affichée"},
+    {"The live video has stopped: its last picture stays",
+     "Das Live-Video ist stehen geblieben: Das letzte Bild bleibt",
+     "La vidéo en direct s’est arrêtée : la dernière image reste affichée"},
+    {"The live video is lost: its last picture stays until it comes back",
+     "Das Live-Video ist unterbrochen: Das letzte Bild bleibt, bis es wiederkommt",
+     "La vidéo en direct est coupée : la dernière image reste jusqu’à son retour"},
+    {"Saved, together with a 360-degree picture: {}", "Gespeichert, dazu ein 360-Grad-Bild: {}",
      "Enregistré, avec une image à 360 degrés : {}"},
     {"Not saved: {}", "Nicht gespeichert: {}", "Pas enregistré : {}"},
     {"This headset cannot show your own room", "Dieses Headset kann dein Zimmer nicht zeigen",
@@ -168,66 +171,72 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "second, and it counts.",
      "Greif mit der Maus. Leuchtet ein Fisch auf, halte die linke Taste gedrückt: Deine Hand schließt sich. "
      "Halte den Fisch eine Sekunde, dann zählt er.",
-     "Tends la main avec la souris. Quand un poisson s’illumine, tiens le bouton gauche : ta main se ferme. "
-     "Tiens le poisson une seconde, et il compte."},
-    {"The wheel reaches nearer or farther. Look around with the arrow keys or with the right button held. "
-     "Tab swaps hands.",
-     "Das Mausrad greift näher oder weiter. Umsehen: mit den Pfeiltasten oder mit gedrückter rechter Taste. "
-     "Tab wechselt die Hand.",
-     "La molette tend la main plus près ou plus loin. Regarde autour de toi avec les flèches ou le bouton "
-     "droit. Tab change de main."},
-    {"With a gamepad the left stick looks, the right stick reaches and the right trigger closes your hand.",
+     "Tends la main avec la souris. Quand un poisson s’illumine, maintiens le bouton gauche : ta main se "
+     "ferme. Tiens le poisson une seconde, et il compte."},
+    {"The mouse wheel reaches nearer or farther. Look around with the arrow keys or with the right button "
+     "held. Tab swaps hands.",
+     "Mit dem Mausrad greifst du näher oder weiter. Sieh dich mit den Pfeiltasten oder mit gedrückter "
+     "rechter Maustaste um. Tab wechselt die Hand.",
+     "Avec la molette, tu tends la main plus ou moins loin. Regarde autour de toi avec les flèches ou en "
+     "maintenant le bouton droit. Tab change de main."},
+    {"With a gamepad, look with the left stick, reach with the right one and close your hand with the right "
+     "trigger.",
      "Mit dem Gamepad siehst du dich mit dem linken Stick um, greifst mit dem rechten und schließt die Hand "
      "mit dem rechten Trigger.",
-     "À la manette : le stick gauche regarde, le stick droit tend la main, la gâchette droite la ferme."},
-    {"Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their way.",
+     "À la manette, le stick gauche sert à regarder, le stick droit à tendre la main et la gâchette droite à "
+     "la fermer."},
+    {"Fish fear a fast hand and are curious about one that keeps still: move slowly, or wait in their way.",
      "Fische fürchten schnelle Hände und sind neugierig auf ruhige: Bewege dich langsam, oder warte auf "
      "ihrem Weg.",
-     "Les poissons craignent une main rapide et sont curieux d’une main au repos : bouge lentement, ou "
-     "attends sur leur chemin."},
-    {"A mussel that you hold cracks, and fish come to feed. A stone thrown at the shark's head turns it away. "
-     "Take bottles out of the sea.",
-     "Eine Muschel, die du hältst, bricht auf, und Fische kommen fressen. Ein Stein an den Kopf des Hais "
-     "vertreibt ihn. Hole Flaschen aus dem Meer.",
-     "Une moule que tu tiens s’ouvre, et des poissons viennent manger. Une pierre lancée à la tête du requin le "
-     "fait fuir. Sors les bouteilles de la mer."},
-    {"The shark is drawn to a struggling fish. When it points at your hand, let go or pull away.",
-     "Zappelnde Fische locken den Hai an. Zeigt er auf deine Hand, lass los oder zieh sie weg.",
-     "Le requin est attiré par un poisson qui se débat. S’il vise ta main, lâche prise ou écarte-toi."},
-    {"Esc, the middle mouse button or Start on a gamepad pauses. All keys: Settings, Keys and buttons.",
-     "Esc, die mittlere Maustaste oder Start auf dem Gamepad macht eine Pause. Alle Tasten: Einstellungen, "
-     "Tasten und Knöpfe.",
-     "Échap, le bouton central de la souris ou Start à la manette met en pause. Toutes les touches : "
-     "Réglages, Touches et boutons."},
-    {"Different species one after the other count two, three, four and five times. Each dive has three "
-     "goals. "
+     "Une main rapide effraie les poissons, une main immobile les intrigue : bouge lentement, ou attends sur "
+     "leur chemin."},
+    {"Hold a mussel until it cracks, and fish come to feed. A stone thrown at the shark’s head turns it "
+     "away. Take bottles out of the sea.",
+     "Halte eine Muschel, bis sie aufbricht, und Fische kommen zum Fressen. Ein Stein an den Kopf vertreibt "
+     "den Hai. Hol Flaschen aus dem Meer.",
+     "Tiens une moule jusqu’à ce qu’elle s’ouvre, et des poissons viennent manger. Une pierre lancée à la "
+     "tête du requin le fait fuir. Sors les bouteilles de la mer."},
+    {"A struggling fish draws the shark. When it points at your hand, let go or pull your hand away.",
+     "Zappelnde Fische locken den Hai an. Nimmt er deine Hand ins Visier, lass los oder zieh sie weg.",
+     "Un poisson qui se débat attire le requin. S’il vise ta main, lâche prise ou retire-la."},
+    {"Pause with Esc, the middle mouse button or Start on a gamepad. All keys are in the settings.",
+     "Pause machst du mit Esc, der mittleren Maustaste oder Start auf dem Gamepad. Alle Tasten stehen in den "
+     "Einstellungen.",
+     "Pour faire une pause : Échap, le bouton central de la souris ou Start à la manette. Toutes les touches "
+     "sont dans les réglages."},
+    {"Different species in a row count double, then three, four and five times. Each dive has three goals. "
      "Jellyfish sting the hand that closes on them.",
-     "Verschiedene Arten nacheinander zählen zwei-, drei-, vier- und fünffach. Jeder Tauchgang hat drei "
-     "Ziele. "
-     "Quallen brennen die Hand, die sich um sie schließt.",
-     "Des espèces différentes à la suite comptent deux, trois, quatre et cinq fois. Chaque plongée a trois "
-     "objectifs. Les méduses piquent la main qui se ferme sur elles."},
-    {"Close a hand: go on", "Hand schließen: weiter", "Ferme une main : continuer"},
+     "Verschiedene Arten in Folge zählen doppelt, dann drei-, vier- und fünffach. Jeder Tauchgang hat drei "
+     "Ziele. Quallen brennen: Schließ die Hand nicht um sie.",
+     "Des espèces différentes à la suite comptent double, puis trois, quatre et cinq fois. Chaque plongée a "
+     "trois objectifs. Les méduses piquent la main qui se ferme sur elles."},
+    {"Close a hand to go on", "Schließ eine Hand, um weiterzutauchen", "Ferme une main pour continuer"},
     {"Close both hands: dive again", "Beide Hände schließen: noch einmal tauchen",
      "Ferme les deux mains : replonger"},
 
     // My film or photo
     {"Drop a 360-degree video or any photo on this window, or choose one of these.",
-     "Zieh ein 360-Grad-Video oder irgendein Foto auf dieses Fenster, oder wähle eines von diesen.",
+     "Zieh ein 360-Grad-Video oder ein beliebiges Foto auf dieses Fenster, oder wähle eines von diesen.",
      "Dépose une vidéo à 360 degrés ou une photo sur cette fenêtre, ou choisis parmi celles-ci."},
-    {"There are no films or photos in your folders yet.",
-     "In deinen Ordnern sind noch keine Filme oder Fotos.",
-     "Il n’y a encore ni film ni photo dans tes dossiers."},
-    {"All dives are in {}", "Alle Tauchgänge sind in {}", "Toutes les plongées sont dans {}"},
+    {"To add some, put them in one of these folders: {}", "Leg weitere in einen dieser Ordner: {}",
+     "Pour en ajouter, mets-les dans l’un de ces dossiers : {}"},
+    {"Videos: MP4, MKV, WebM, MOV. Photos: JPEG, PNG, WebP, TIFF, AVIF. High dynamic range: HDR, EXR, PFM.",
+     "Videos: MP4, MKV, WebM, MOV. Fotos: JPEG, PNG, WebP, TIFF, AVIF. Hoher Dynamikumfang: HDR, EXR, PFM.",
+     "Vidéos : MP4, MKV, WebM, MOV. Photos : JPEG, PNG, WebP, TIFF, AVIF. Grande gamme dynamique : HDR, EXR, "
+     "PFM."},
+    {"There are no films or photos in these folders yet.",
+     "In diesen Ordnern sind noch keine Filme oder Fotos.",
+     "Il n’y a encore ni film ni photo dans ces dossiers."},
+    {"All dives are in {}", "Alle Tauchgänge finden in {} statt", "Toutes les plongées se passent dans {}"},
     {"The dive’s own film", "Der Film des Tauchgangs", "Le film de la plongée"},
 
     // Keys of the menus
     {"Arrow keys and Enter, mouse or gamepad", "Pfeiltasten und Eingabe, Maus oder Gamepad",
      "Flèches et Entrée, souris ou manette"},
 
-    {"Point with a finger and poke, or pull a controller’s trigger",
-     "Zeig mit einem Finger und stups, oder zieh den Trigger eines Controllers",
-     "Pointe du doigt et appuie, ou presse la gâchette d’une manette"},
+    {"Poke with a fingertip, or pull a controller’s trigger",
+     "Tipp mit einem Finger darauf, oder drück den Trigger eines Controllers",
+     "Touche du bout du doigt, ou presse la gâchette d’une manette"},
 
     // Pages of settings
     {"Hands", "Hände", "Mains"},
@@ -240,14 +249,13 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     // Hand size
     {"Measure my hand", "Meine Hand messen", "Mesurer ma main"},
     {"Hand size", "Handgröße", "Taille de la main"},
-    {"Hold one open hand still, palm to the camera and 30 cm away from it, as far as a sheet of A4 paper is "
-     "long.",
-     "Halte eine offene Hand still, die Handfläche zur Kamera und 30 cm von ihr entfernt, so weit, wie ein "
-     "Blatt A4 lang ist.",
-     "Tiens une main ouverte immobile, paume vers la caméra et à 30 cm d’elle, la longueur d’une feuille "
-     "A4."},
+    {"Hold one open hand still, palm towards the camera and 30 cm away from it: the length of a sheet of A4 "
+     "paper.",
+     "Halte eine offene Hand still, die Handfläche zur Kamera, 30 cm von ihr entfernt: So lang ist ein Blatt "
+     "A4.",
+     "Garde une main ouverte immobile, paume vers la caméra, à 30 cm d’elle : la longueur d’une feuille A4."},
     {"Keep it there", "Halte sie dort", "Garde-la ainsi"},
-    {"Nobody’s hand is that small or big: is it 30 cm away?",
+    {"No hand is that small or that big: is it 30 cm away?",
      "So klein oder groß ist keine Hand: Ist sie 30 cm entfernt?",
      "Aucune main n’est si petite ou si grande : est-elle à 30 cm ?"},
     {"Your hand has {} % of the usual size.", "Deine Hand hat {} % der üblichen Größe.",
@@ -255,63 +263,63 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
 
     // Settings
     {"Hand size (webcam)", "Handgröße (Webcam)", "Taille de la main (webcam)"},
-    {"Hand source", "Handquelle", "Suivi des mains"},
-    {"Dominant hand", "Haupthand", "Main dominante"},
+    {"Hand tracking", "Handerkennung", "Suivi des mains"},
+    {"Dominant hand", "Bevorzugte Hand", "Main dominante"},
     {"Skin", "Haut", "Peau"},
     {"Mouse sensitivity", "Mausempfindlichkeit", "Sensibilité de la souris"},
-    {"Invert looking up and down", "Blick auf und ab umkehren", "Inverser le regard vertical"},
+    {"Invert up and down", "Hoch und runter vertauschen", "Inverser haut et bas"},
     {"Close the hand by", "Hand schließen durch", "Fermer la main"},
-    {"Help with catching", "Hilfe beim Fangen", "Aide à la prise"},
-    {"Help with depth", "Hilfe bei der Tiefe", "Aide à la profondeur"},
-    {"Strength of vibration", "Stärke der Vibration", "Force des vibrations"},
+    {"Help with catching", "Hilfe beim Fangen", "Aide pour attraper"},
+    {"Help with depth", "Hilfe bei der Tiefe", "Aide pour la profondeur"},
+    {"Vibration strength", "Vibrationsstärke", "Force des vibrations"},
     {"Turning", "Drehen", "Rotation"},
-    {"Dark edges while turning", "Dunkle Ränder beim Drehen", "Bords sombres en tournant"},
+    {"Dark edges while turning", "Dunkle Ränder beim Drehen", "Bords sombres en rotation"},
     {"Posture", "Haltung", "Posture"},
     {"seated", "sitzend", "assise"},
     {"standing", "stehend", "debout"},
     {"Reduced motion", "Weniger Bewegung", "Mouvement réduit"},
-    {"Drifting particles", "Schwebeteilchen", "Particules en suspension"},
+    {"Specks in the water", "Schwebeteilchen im Wasser", "Particules dans l’eau"},
     {"Game speed", "Spieltempo", "Vitesse du jeu"},
-    {"Quality", "Qualität", "Qualité"},
+    {"Picture quality", "Bildqualität", "Qualité de l’image"},
     {"Field of view", "Sichtfeld", "Champ de vision"},
-    {"Compositing", "Einblendung", "Incrustation"},
-    {"Version of the film", "Fassung des Films", "Version du film"},
-    {"best", "beste", "meilleure"},
+    {"Animals in the film", "Tiere im Film", "Animaux dans le film"},
+    {"Film size", "Filmgröße", "Taille du film"},
+    {"full", "voll", "complète"},
     {"Fullscreen", "Vollbild", "Plein écran"},
     {"Your own room", "Dein Zimmer", "Ta pièce"},
     {"Stereo", "Stereo", "Stéréo"},
-    {"Performance", "Leistungsanzeige", "Affichage des performances"},
+    {"Technical details", "Technische Angaben", "Détails techniques"},
     {"Volume", "Lautstärke", "Volume"},
-    {"Volume of effects", "Lautstärke der Effekte", "Volume des effets"},
-    {"Volume of the film", "Lautstärke des Films", "Volume du film"},
+    {"Effects volume", "Effektlautstärke", "Volume des effets"},
+    {"Film volume", "Filmlautstärke", "Volume du film"},
     {"Headphones", "Kopfhörer", "Casque audio"},
     {"Captions", "Untertitel", "Sous-titres"},
-    {"Size of captions", "Größe der Untertitel", "Taille des sous-titres"},
+    {"Caption size", "Größe der Untertitel", "Taille des sous-titres"},
     {"Text size", "Textgröße", "Taille du texte"},
     {"High contrast", "Hoher Kontrast", "Contraste élevé"},
     {"Language", "Sprache", "Langue"},
 
     // Keys and buttons
     {"Close the hand", "Hand schließen", "Fermer la main"},
-    {"Look to the left", "Nach links sehen", "Regarder à gauche"},
-    {"Look to the right", "Nach rechts sehen", "Regarder à droite"},
-    {"Look up", "Nach oben sehen", "Regarder en haut"},
-    {"Look down", "Nach unten sehen", "Regarder en bas"},
+    {"Look left", "Nach links sehen", "Regarder à gauche"},
+    {"Look right", "Nach rechts sehen", "Regarder à droite"},
+    {"Look up", "Nach oben sehen", "Regarder vers le haut"},
+    {"Look down", "Nach unten sehen", "Regarder vers le bas"},
     {"Reach farther", "Weiter greifen", "Tendre plus loin"},
-    {"Reach nearer", "Näher greifen", "Tendre plus près"},
+    {"Reach nearer", "Näher greifen", "Tendre moins loin"},
     {"Swap hands", "Hand wechseln", "Changer de main"},
-    {"Look ahead again", "Wieder nach vorn sehen", "Regarder devant soi"},
+    {"Recentre view", "Blick zentrieren", "Recentrer la vue"},
     {"Pause", "Pause", "Pause"},
     {"Louder", "Lauter", "Plus fort"},
     {"Quieter", "Leiser", "Moins fort"},
-    {"Press a key or a button for: {}. Esc: leave it",
-     "Drücke eine Taste oder einen Knopf für: {}. Esc: so lassen",
-     "Appuie sur une touche ou un bouton pour : {}. Échap : ne rien changer"},
-    {"It was taken from: {}, which keeps {}", "Bisher hatte sie: {}; es bleibt {}",
-     "Elle servait à : {} ; il reste {}"},
-    {"It was taken from: {}, which has no key or button now",
-     "Bisher hatte sie: {}; dafür gibt es nun keine Taste mehr",
-     "Elle servait à : {}, qui n’a plus de touche"},
+    {"Press a key or a button for “{}”. Esc: cancel",
+     "Drück eine Taste oder einen Knopf für „{}“. Esc: abbrechen",
+     "Appuie sur une touche ou un bouton pour « {} ». Échap : annuler"},
+    {"Until now it was for “{}”, which still has: {}", "Bisher war sie für „{}“; dafür bleibt: {}",
+     "Jusqu’ici, elle servait à « {} », qui garde : {}"},
+    {"Until now it was for “{}”, which has no key or button any more",
+     "Bisher war sie für „{}“; dafür gibt es jetzt keine Taste mehr",
+     "Jusqu’ici, elle servait à « {} », qui n’a plus de touche"},
     {"Reset all keys", "Alle Tasten zurücksetzen", "Réinitialiser les touches"},
 
     // Names of keys; those with one letter or a number need none
@@ -324,10 +332,10 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Delete", "Entf", "Suppr"},
     {"Right", "Rechts", "Droite"},
     {"Left", "Links", "Gauche"},
-    {"Down", "Ab", "Bas"},
-    {"Up", "Auf", "Haut"},
-    {"PageUp", "Bild auf", "Page haut"},
-    {"PageDown", "Bild ab", "Page bas"},
+    {"Down", "Runter", "Bas"},
+    {"Up", "Hoch", "Haut"},
+    {"PageUp", "Bild hoch", "Page préc."},
+    {"PageDown", "Bild runter", "Page suiv."},
     {"Home", "Pos1", "Début"},
     {"End", "Ende", "Fin"},
     {"Plus", "Plus", "Plus"},
@@ -341,17 +349,17 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"RightControl", "Strg rechts", "Ctrl droite"},
     {"LeftAlt", "Alt links", "Alt gauche"},
     {"RightAlt", "Alt rechts", "Alt droite"},
-    {"PadUp", "Kreuz auf", "Croix haut"},
-    {"PadRight", "Kreuz rechts", "Croix droite"},
-    {"PadDown", "Kreuz ab", "Croix bas"},
-    {"PadLeft", "Kreuz links", "Croix gauche"},
+    {"PadUp", "Steuerkreuz hoch", "Croix haut"},
+    {"PadRight", "Steuerkreuz rechts", "Croix droite"},
+    {"PadDown", "Steuerkreuz runter", "Croix bas"},
+    {"PadLeft", "Steuerkreuz links", "Croix gauche"},
 
     // Values of settings
     {"on", "an", "oui"},
     {"off", "aus", "non"},
-    {"auto", "automatisch", "automatique"},
+    {"automatic", "automatisch", "automatique"},
     {"mouse", "Maus", "souris"},
-    {"leap", "Leap Motion", "Leap Motion"},
+    {"Leap Motion", "Leap Motion", "Leap Motion"},
     {"webcam", "Webcam", "webcam"},
     {"left", "links", "gauche"},
     {"right", "rechts", "droite"},
@@ -365,17 +373,17 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"normal", "normal", "normale"},
     {"strong", "stark", "forte"},
     {"smooth", "gleitend", "continue"},
-    {"snap", "in Schritten", "par paliers"},
+    {"in steps", "in Schritten", "par paliers"},
     {"fixed", "fest", "fixe"},
-    {"plain", "einfach", "simple"},
-    {"resolution", "Filmauflösung", "résolution du film"},
-    {"camera", "wie gefilmt", "comme filmé"},
-    {"sbs", "nebeneinander", "côte à côte"},
+    {"sharp", "scharf", "nets"},
+    {"as sharp as the film", "so scharf wie der Film", "aussi nets que le film"},
+    {"as if filmed", "wie mitgefilmt", "comme filmés"},
+    {"side by side", "nebeneinander", "côte à côte"},
     {"small", "klein", "petite"},
     {"large", "groß", "grande"},
-    {"english", "English", "English"},
-    {"german", "Deutsch", "Deutsch"},
-    {"french", "Français", "Français"},
+    {"English", "English", "English"},
+    {"Deutsch", "Deutsch", "Deutsch"},
+    {"Français", "Français", "Français"},
 
     // Captions
     {"a fish flees", "ein Fisch flieht", "un poisson s’enfuit"},
@@ -393,11 +401,11 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"too far", "zu weit weg", "trop loin"},
     {"too fast", "zu schnell", "trop rapide"},
     {"closed too early", "zu früh geschlossen", "fermée trop tôt"},
-    {"behind it", "dahinter", "derrière lui"},
+    {"behind the fish", "hinter dem Fisch", "derrière le poisson"},
     {"it stings", "es brennt", "ça pique"},
     {"the mussel cracks", "die Muschel bricht auf", "la moule s’ouvre"},
-    {"fish come to feed", "Fische kommen fressen", "des poissons viennent manger"},
-    {"no fish is near enough to feed", "kein Fisch ist nah genug, um zu fressen",
+    {"fish come to feed", "Fische kommen zum Fressen", "des poissons viennent manger"},
+    {"no fish is near enough to feed", "kein Fisch ist nah genug zum Fressen",
      "aucun poisson n’est assez près pour manger"},
     {"the shark turns away", "der Hai dreht ab", "le requin se détourne"},
     {"out of the sea", "aus dem Meer geholt", "sortie de la mer"},
@@ -412,6 +420,22 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"The reef", "Das Riff", "Le récif"},
     {"The reef by night", "Das Riff bei Nacht", "Le récif la nuit"},
     {"The kelp forest", "Der Kelpwald", "La forêt de kelp"},
+});
+
+// Names that choices have on the command line, and their English on the screen where it differs.
+inline constexpr auto kChoiceNames = std::to_array<std::array<std::string_view, 2>>({
+    {"auto", "automatic"},
+    {"none", "off"},
+    {"leap", "Leap Motion"},
+    {"snap", "in steps"},
+    {"best", "full"},
+    {"plain", "sharp"},
+    {"resolution", "as sharp as the film"},
+    {"camera", "as if filmed"},
+    {"sbs", "side by side"},
+    {"english", "English"},
+    {"german", "Deutsch"},
+    {"french", "Français"},
 });
 
 // Returns the index of a text's row; kTexts.size() if it has none.
@@ -449,6 +473,13 @@ struct Notice {
 inline std::string_view translated(std::string_view english, Language language) {
     const size_t row = findText(english);
     return row < kTexts.size() ? kTexts[row][static_cast<size_t>(language)] : english;
+}
+
+// The same for the value of a setting, by its name on the command line.
+inline std::string_view translatedChoice(std::string_view name, Language language) {
+    for (const auto& [choice, english] : kChoiceNames)
+        if (choice == name) return translated(english, language);
+    return translated(name, language);
 }
 
 // Returns the language of a locale such as "de_AT.UTF-8" in LC_ALL; English if the game does not have it.

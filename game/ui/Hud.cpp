@@ -15,23 +15,57 @@ namespace shoal::app {
 
 using namespace colour;
 
+// Returns false while a menu is over the dive, which nothing may lie under.
+static bool isPlayed(const game::Snapshot& shown) {
+    return !shown.paused && shown.phase == game::Phase::Diving;
+}
+
+struct ReadoutLine {
+    std::string text;
+    TextSize size;
+    uint32_t tint;
+};
+
+// Draws lines of text on one panel at the upper edge. anchor: 0: x is its left side, 1: its right one.
+// Returns the panel.
+static Rectangle drawReadout(const Pen& pen, float x, float anchor, std::span<const ReadoutLine> lines) {
+    const float margin = 0.6f * pen.line, gap = 0.2f * pen.line;
+    glm::vec2 extent(0, -gap);
+    for (const ReadoutLine& line : lines) {
+        const glm::vec2 size = pen.extent(line.text, line.size);
+        extent = {std::max(extent.x, size.x), extent.y + size.y + gap};
+    }
+    const glm::vec2 low(x - (extent.x + 2 * margin) * anchor, margin);
+    const Rectangle area{low, low + extent + 2 * margin};
+    pen.panel(area, anchor > 0 ? Edge::Right : Edge::Left);
+    glm::vec2 at = low + margin + glm::vec2(extent.x * anchor, 0);
+    for (const ReadoutLine& line : lines) {
+        pen.text(at.x, at.y, anchor, line.size, line.tint, line.text);
+        at.y += pen.fonts->pixels(line.size) + gap;
+    }
+    return area;
+}
+
 static void drawScore(const Pen& pen, const HudInfo& info) {
     const game::Snapshot& s = *info.snapshot;
     if (s.freeSwim) return; // no score in free swim
-    const float margin = pen.line;
-    const Rectangle score =
-        pen.label(margin, margin * 0.7f, 0, TextSize::Heading, kWhite, std::to_string(s.score));
+    const auto number = [&](float right, game::Text name, const std::string& value, uint32_t tint) {
+        const ReadoutLine lines[] = {{pen.in(name), TextSize::Small, kGrey},
+                                     {value, TextSize::Heading, tint}};
+        return drawReadout(pen, right, 1, lines);
+    };
+    const int left = static_cast<int>(std::ceil(std::max(0.0f, s.timeLeft_s)));
+    const float margin = 0.6f * pen.line;
+    const Rectangle time = number(pen.size.x - margin, "Time", fmt::format("{}:{:02}", left / 60, left % 60),
+                                  left <= 10 ? kGold : kWhite);
+    number(time.low.x - 0.5f * margin, "Points", std::to_string(s.score), kWhite);
+    std::vector<ReadoutLine> lines;
+    for (const std::string& goal : info.goals)
+        lines.push_back({goal, TextSize::Small, goal.starts_with("\u2713") ? kAccent : kWhite});
     std::string counts = pen.in("{} caught", s.caught);
     if (s.lost > 0) counts += "   " + pen.in("{} taken by the shark", s.lost);
-    float y = score.high.y + pen.line * 0.3f;
-    const auto below = [&](const std::string& text, uint32_t tint) {
-        y = pen.label(margin, y, 0, TextSize::Small, tint, text).high.y + pen.line * 0.15f;
-    };
-    if (s.caught > 0 || s.lost > 0) below(counts, kGrey);
-    for (const std::string& goal : info.goals) below(goal, kWhite);
-    const int left = static_cast<int>(std::ceil(std::max(0.0f, s.timeLeft_s)));
-    pen.label(pen.size.x - margin, margin * 0.7f, 1, TextSize::Heading, left <= 10 ? kGold : kWhite,
-              fmt::format("{}:{:02}", left / 60, left % 60));
+    if (s.caught > 0 || s.lost > 0) lines.push_back({counts, TextSize::Small, kGrey});
+    if (!lines.empty() && isPlayed(s)) drawReadout(pen, margin, 0, lines);
 }
 
 // Projects a place in the world to pixels; false behind the viewer.
@@ -146,6 +180,7 @@ static void drawCaptions(const Pen& pen, const HudInfo& info) {
     const float step = pen.fonts->pixels(size) * 1.55f;
     float y = pen.size.y - step - pen.line * 0.5f;
     for (const game::Caption& caption : info.captions) {
+        if (caption.age_s < 0) continue;
         const glm::vec3 inView = glm::conjugate(info.view->worldFromEye) * caption.position;
         const bool placed = glm::dot(caption.position, caption.position) > 1e-4f;
         const float bearing = placed ? std::atan2(inView.x, -inView.z) : 0.0f;
@@ -207,15 +242,15 @@ static void drawTimes(const Pen& pen, const HudInfo& info) {
 static void drawText(const Pen& pen, const HudInfo& info) {
     if (info.inDive) {
         drawScore(pen, info);
-        if (!info.snapshot->paused) drawCaptions(pen, info);
+        if (isPlayed(*info.snapshot)) drawCaptions(pen, info);
     }
     if (info.overlay) info.overlay(pen);
     const float x = pen.size.x / 2;
     if (info.volume)
-        pen.label(x, pen.line, 0.5f, TextSize::Body, kWhite,
+        pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Body, kWhite,
                   pen.in("Sound {} %", std::lround(*info.volume * 100)));
     if (info.notice)
-        pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Small, kGold, info.notice->in(pen.language));
+        pen.label(x, pen.line * 0.7f, 0.5f, TextSize::Small, kGold, info.notice->in(pen.language));
     if (info.finger)
         pen.list->AddCircleFilled(ImVec2(info.finger->x, info.finger->y), 0.4f * pen.line, kGold);
     if (info.showTimes) drawTimes(pen, info);
@@ -286,13 +321,14 @@ void Hud::drawLoading(float progress, const TextSettings& text, glm::ivec2 size)
     const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
     const float y = pen.size.y * 0.72f;
     const Rectangle said = pen.label(pen.size.x / 2, y, 0.5f, TextSize::Body, kWhite, pen.in("Loading"));
-    const float half = 7 * pen.line, top = said.high.y + 0.5f * pen.line, bottom = top + 0.35f * pen.line;
+    const float half = 7 * pen.line, top = said.high.y + 0.5f * pen.line, bottom = top + 0.25f * pen.line;
     const Rectangle track{{pen.size.x / 2 - half, top}, {pen.size.x / 2 + half, bottom}};
-    pen.fill(track, kPanel, 0.17f * pen.line);
+    pen.fill(track, kPanel);
     if (progress >= 0)
-        pen.fill({track.low, {track.low.x + 2 * half * std::clamp(progress, 0.02f, 1.0f), bottom}}, kGold,
-                 0.17f * pen.line);
-    pen.label(pen.size.x / 2, pen.size.y * 0.36f, 0.5f, TextSize::Display, kWhite, "Shoal");
+        pen.fill({track.low, {track.low.x + 2 * half * std::clamp(progress, 0.02f, 1.0f), bottom}}, kAccent);
+    const Rectangle name =
+        pen.label(pen.size.x / 2, pen.size.y * 0.36f, 0.5f, TextSize::Display, kWhite, "Shoal");
+    pen.rule({name.low.x, name.high.y + 0.6f * pen.line}, name.high.x - name.low.x, true);
     endFrame();
 }
 

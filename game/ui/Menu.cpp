@@ -8,8 +8,8 @@
 namespace shoal::app {
 
 // Sizes in lines of text.
-constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 0.5f;
-constexpr float kWidth = 28, kSideWidth = 15, kPicture = 11;
+constexpr float kMargin = 1.3f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 1.1f, kRule = 0.4f;
+constexpr float kWidth = 28, kSideWidth = 16, kPicture = 11;
 constexpr float kTextStep = 2;
 constexpr float kTrackWidth = 6, kValueWidth = 10;
 constexpr int kMinRows = 3; // rows in sight beside a long text
@@ -19,8 +19,7 @@ static void drawScrollBar(const Pen& pen, const Rectangle& room, float height, f
     const float shown = room.high.y - room.low.y;
     if (height <= shown + 1) return;
     const float from = room.low.y + scroll * shown / height, right = room.high.x - 0.15f * pen.line;
-    pen.fill({{right - 0.2f * pen.line, from}, {right, from + shown * shown / height}}, colour::kGrey,
-             0.1f * pen.line);
+    pen.fill({{right - 0.15f * pen.line, from}, {right, from + shown * shown / height}}, colour::kAccent);
 }
 
 void Menu::show(MenuPage page, size_t focus) {
@@ -29,11 +28,9 @@ void Menu::show(MenuPage page, size_t focus) {
     sliding_.reset();
     scroll_ = textScroll_ = 0;
     areas_.clear();
-    focus_ = focus;
-    if (focus_ >= page_.items.size() || !page_.items[focus_].enabled) {
-        focus_ = page_.items.size() - 1; // one step further is the first item
-        moveFocus(1);
-    }
+    const auto enabled = std::ranges::find(page_.items, true, &MenuItem::enabled);
+    const bool given = focus < page_.items.size() && page_.items[focus].enabled;
+    focus_ = given ? focus : static_cast<size_t>(enabled - page_.items.begin());
 }
 
 void Menu::update(MenuPage page) {
@@ -41,14 +38,14 @@ void Menu::update(MenuPage page) {
     focus_ = std::min(focus_, page_.items.empty() ? 0 : page_.items.size() - 1);
 }
 
+// Stops at the ends: the item above the first is not the last, which quits the game on some pages.
 void Menu::moveFocus(int steps) {
-    const auto count = static_cast<int>(page_.items.size());
-    const int way = steps < 0 ? -1 : 1;
-    for (int left = std::abs(steps); left > 0; --left)
-        for (int tries = 0; tries < count; ++tries) {
-            focus_ = static_cast<size_t>((static_cast<int>(focus_) + way + count) % count);
-            if (page_.items[focus_].enabled) break;
-        }
+    const int way = steps < 0 ? -1 : 1, count = static_cast<int>(page_.items.size());
+    for (int at = static_cast<int>(focus_) + way; steps != 0 && at >= 0 && at < count; at += way) {
+        if (!page_.items[static_cast<size_t>(at)].enabled) continue;
+        focus_ = static_cast<size_t>(at);
+        steps -= way;
+    }
 }
 
 // Scrolls the list, and moves the focus to an item that is still in sight.
@@ -103,9 +100,9 @@ std::optional<MenuEvent> Menu::point(const MenuInput& input) {
 std::optional<MenuEvent> Menu::input(const MenuInput& input) {
     if (input.back) return MenuEvent{MenuEvent::Kind::Back};
     if (page_.items.empty()) return std::nullopt;
-    if (input.down != 0 && page_.items.size() > 1) moveFocus(input.down);
-    if (input.down != 0 && page_.items.size() == 1)
-        scrollText(static_cast<float>(input.down) * line_ * kTextStep);
+    const size_t before = focus_;
+    moveFocus(input.down);
+    if (focus_ == before) scrollText(static_cast<float>(input.down) * line_ * kTextStep);
     const MenuItem& item = page_.items[focus_];
     if (input.right != 0 && item.adjustable()) return MenuEvent{MenuEvent::Kind::Adjust, focus_, input.right};
     if (input.accept && item.enabled) return MenuEvent{MenuEvent::Kind::Adjust, focus_, 1};
@@ -145,26 +142,31 @@ void Menu::place(const Pen& pen) {
     const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
     const float inner = width - 2 * margin;
     float above = page_.title.empty() ? 0 : pen.extent(page_.title, titleSize(), inner).y + kTitleGap * line_;
-    pictureHeight_ = pictureOn(pen) ? std::min({kPicture * line_, 0.4f * pen.size.y, inner * 9 / 16}) : 0;
-    const float pictureGap = pictureHeight_ > 0 ? kParagraphGap * line_ : 0;
-    above += pictureHeight_ + pictureGap;
     textHeight_ = 0;
     for (const std::string& paragraph : page_.text)
         textHeight_ += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
+    if (!page_.text.empty()) textHeight_ += kParagraphGap * line_;
     float below = 0;
     for (const std::string* line : {&page_.note, &page_.error})
         if (!line->empty()) below += pen.extent(*line, TextSize::Small, inner).y + kParagraphGap * line_;
     if (page_.progress) below += line_;
     const float rows = kRow * line_ * static_cast<float>(page_.items.size());
     const float room = pen.size.y - 2.5f * margin, leastRows = std::min(rows, kRow * line_ * kMinRows);
+    // The picture leaves room for some lines of the text, or goes.
+    const float gap = kParagraphGap * line_, leastText = std::min(textHeight_, 2 * kTextStep * line_);
+    const float spare = room - above - leastRows - below - gap - leastText;
+    pictureHeight_ = std::min({kPicture * line_, 0.4f * pen.size.y, inner * 9 / 16, spare});
+    if (!pictureOn(pen) || pictureHeight_ < 2 * line_) pictureHeight_ = 0;
+    above += pictureHeight_ > 0 ? pictureHeight_ + gap : 0;
     const float textRoom =
         std::min(textHeight_, std::max(room - above - leastRows - below, kTextStep * line_));
     const float textTop = above;
     above += textRoom;
     const float height = std::min(above + rows + below, room) + 2 * margin;
-    const float left = side ? std::min(margin * 2, (pen.size.x - width) / 2) : (pen.size.x - width) / 2;
-    const float top = (pen.size.y - height) / 2;
-    panel_ = {{left, top}, {left + width, top + height}};
+    const float left = side ? std::min(margin, (pen.size.x - width) / 2) : (pen.size.x - width) / 2;
+    const float top = top_ = (pen.size.y - height) / 2;
+    panel_ = side ? Rectangle{{-line_, -line_}, {left + width, pen.size.y + line_}}
+                  : Rectangle{{left, top}, {left + width, top + height}};
     text_ = {{left, top + margin + textTop}, {left + width, top + margin + above}};
     textScroll_ = std::min(textScroll_, textHeight_ - textRoom);
     list_ = {{left, top + margin + above},
@@ -188,10 +190,12 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
     if (!area) return;
     const MenuItem& item = page_.items[index];
     const bool focused = index == focus_ && item.enabled;
-    const float y = area->low.y + (kRow - 1) / 2 * line_, x = area->low.x + 0.9f * line_;
+    const float y = area->low.y + (kRow - 1) / 2 * line_, x = area->low.x + 0.6f * kMargin * line_;
     if (focused) {
-        pen.fill(*area, colour::kFocus, 0.3f * line_);
-        pen.fill({area->low, {area->low.x + 0.25f * line_, area->high.y}}, colour::kGold, 0.1f * line_);
+        pen.fill(*area, colour::kFocus);
+        pen.fill({area->low, {area->low.x + 2 * pen.stroke(), area->high.y}}, colour::kAccent);
+    } else if (!item.value.empty()) {
+        pen.fill({{x, area->high.y - 1}, {area->high.x - 0.5f * line_, area->high.y}}, colour::kHair);
     }
     const uint32_t ink = item.enabled ? colour::kWhite : colour::kGrey;
     pen.text(x, y, 0, TextSize::Body, ink, item.label);
@@ -200,18 +204,18 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
     track.low.y = area->low.y;
     track.high.y = area->high.y;
     if (item.fraction) {
-        const float middle = (track.low.y + track.high.y) / 2, half = 0.14f * line_;
+        const float middle = (track.low.y + track.high.y) / 2, half = 0.08f * line_;
         const float at = track.low.x + *item.fraction * (track.high.x - track.low.x);
-        pen.fill({{track.low.x, middle - half}, {track.high.x, middle + half}}, colour::kTrack, half);
-        pen.fill({{track.low.x, middle - half}, {at, middle + half}}, colour::kGold, half);
-        pen.list->AddCircleFilled(ImVec2(at, middle), 0.36f * line_,
-                                  focused ? colour::kGold : colour::kWhite);
+        pen.fill({{track.low.x, middle - half}, {track.high.x, middle + half}}, colour::kTrack);
+        pen.fill({{track.low.x, middle - half}, {at, middle + half}}, colour::kAccent);
+        pen.list->AddCircleFilled(ImVec2(at, middle), 0.3f * line_,
+                                  focused ? colour::kAccent : colour::kWhite);
         pen.text(area->high.x - 0.5f * line_, y, 1, TextSize::Body, ink, item.value);
         return;
     }
     if (focused && item.adjustable()) {
-        pen.text(track.low.x, y, 0, TextSize::Body, colour::kGold, "\u2039");
-        pen.text(track.high.x, y, 1, TextSize::Body, colour::kGold, "\u203a");
+        pen.text(track.low.x, y, 0, TextSize::Body, colour::kAccent, "\u2039");
+        pen.text(track.high.x, y, 1, TextSize::Body, colour::kAccent, "\u203a");
     }
     // The value is centred in its field; one that is too long extends to the left.
     const float half = pen.extent(item.value, TextSize::Body).x / 2;
@@ -221,12 +225,15 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
 
 void Menu::draw(const Pen& pen) {
     place(pen);
-    pen.panel(panel_);
-    const float margin = kMargin * line_, x = panel_.low.x + margin;
-    const float inner = panel_.high.x - panel_.low.x - 2 * margin;
-    float y = panel_.low.y + margin;
-    if (!page_.title.empty())
-        y += pen.paragraph(x, y, inner, titleSize(), colour::kWhite, page_.title) + kTitleGap * line_;
+    const float margin = kMargin * line_, x = text_.low.x + margin;
+    const float inner = text_.high.x - text_.low.x - 2 * margin;
+    pen.panel(panel_, panel_.low.x > 0 ? Edge::Top : Edge::Right);
+    float y = top_ + margin;
+    if (!page_.title.empty()) {
+        y += pen.paragraph(x, y, inner, titleSize(), colour::kWhite, page_.title) + kRule * line_;
+        pen.rule({x, y}, page_.wordmark ? inner : 2 * line_, page_.wordmark);
+        y += (kTitleGap - kRule) * line_;
+    }
     if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, *pictureOn(pen));
     y = text_.low.y - textScroll_;
     pen.list->PushClipRect(ImVec2(text_.low.x, text_.low.y), ImVec2(text_.high.x, text_.high.y), true);
@@ -238,11 +245,11 @@ void Menu::draw(const Pen& pen) {
     drawScrollBar(pen, list_, kRow * line_ * static_cast<float>(areas_.size()), scroll_);
     y = list_.high.y + kParagraphGap * line_;
     if (page_.progress) {
-        const float half = 0.15f * line_, middle = y + 0.3f * line_;
+        const float half = 0.08f * line_, middle = y + 0.3f * line_;
         const Rectangle track{{x, middle - half}, {x + inner, middle + half}};
-        pen.fill(track, colour::kTrack, half);
+        pen.fill(track, colour::kTrack);
         pen.fill({track.low, {x + inner * std::clamp(*page_.progress, 0.0f, 1.0f), track.high.y}},
-                 colour::kGold, half);
+                 colour::kAccent);
         y += line_;
     }
     if (!page_.error.empty())

@@ -81,7 +81,7 @@ class Menu {
     }
 
   private:
-    void moveFocus(int steps);
+    void moveFocus(int steps);   // down positive
     void scrollBy(float pixels); // down positive
     float maxScroll() const;
     void scrollText(float pixels); // down positive
@@ -96,6 +96,7 @@ class Menu {
     std::optional<size_t> sliding_; // the slider that the pointer's button holds
     // Layout of the last draw(), pixels.
     Rectangle panel_, text_, list_;
+    float top_ = 0; // above the title, and its margin
     std::vector<Rectangle> areas_;
     float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
     float textHeight_ = 0, textScroll_ = 0; // height of the whole text; how far it is moved up in text_

@@ -2,7 +2,6 @@
 
 #include "engine/core/Log.h"
 
-#include <fontconfig/fontconfig.h>
 #include <imgui/imgui.h>
 #include <stb_image.h>
 // After imgui.h, which they need.
@@ -15,27 +14,11 @@
 
 namespace shoal::app {
 
-// Western European letters, punctuation, and the arrows of captions and menus.
+// Western European letters, punctuation, and the signs of captions and menus: those of content/make/fonts.
 constexpr ImWchar kRanges[] = {0x20,   0x17F,  0x2010, 0x203A, 0x20AC, 0x20AC, 0x2190, 0x2193,
                                0x25A0, 0x25CF, 0x2605, 0x2606, 0x2713, 0x2713, 0};
+constexpr std::array kFontFiles = {"text.otf", "heading.otf"};
 constexpr float kMinPixels = 11; // letters smaller than this run into one another
-
-// Returns the file of DejaVu Sans, or of fontconfig's substitute; empty: none.
-static std::string findFont() {
-    std::string file;
-    FcPattern* wanted = FcNameParse(reinterpret_cast<const FcChar8*>("DejaVu Sans:style=Book:scalable=true"));
-    FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
-    FcDefaultSubstitute(wanted);
-    FcResult result = FcResultNoMatch;
-    if (FcPattern* found = FcFontMatch(nullptr, wanted, &result)) {
-        FcChar8* name = nullptr;
-        if (FcPatternGetString(found, FC_FILE, 0, &name) == FcResultMatch)
-            file = reinterpret_cast<const char*>(name);
-        FcPatternDestroy(found);
-    }
-    FcPatternDestroy(wanted);
-    return file;
-}
 
 static ImVec2 imVec(glm::vec2 v) { return {v.x, v.y}; }
 
@@ -45,7 +28,11 @@ void Fonts::fit(float line_px) {
         pixels[i] = std::max(std::round(line_px * kTextScale[i]), kMinPixels);
     if (pixels == pixels_ && fonts_[0]) return;
     pixels_ = pixels;
-    static const std::string kFile = findFont(); // the machine's; does not change
+    for (size_t i = 0; i < files_.size() && files_[i].empty(); ++i) {
+        auto bytes = readFile(dataRoot() / "content/fonts" / kFontFiles[i], 1u << 20);
+        if (!bytes) log::warn("{}; text is drawn with a small built-in font", bytes.error().message());
+        if (bytes) files_[i] = std::move(*bytes);
+    }
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     for (size_t i = 0; i < pixels.size(); ++i) {
@@ -53,11 +40,12 @@ void Fonts::fit(float line_px) {
         config.SizePixels = pixels[i];
         config.OversampleH = config.OversampleV = 1; // texels lie on pixels
         config.PixelSnapH = true;
-        fonts_[i] =
-            kFile.empty() ? nullptr : atlas.AddFontFromFileTTF(kFile.c_str(), pixels[i], &config, kRanges);
-        if (!fonts_[i]) fonts_[i] = atlas.AddFontDefault(&config);
+        config.FontDataOwnedByAtlas = false;
+        auto& file = files_[i < static_cast<size_t>(TextSize::Heading) ? 0 : 1];
+        fonts_[i] = file.empty() ? atlas.AddFontDefault(&config)
+                                 : atlas.AddFontFromMemoryTTF(file.data(), static_cast<int>(file.size()),
+                                                              pixels[i], &config, kRanges);
     }
-    if (kFile.empty()) log::warn("no font is installed; text is drawn with a small built-in one");
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     atlas.ClearTexData(); // the GPU has a copy
@@ -136,9 +124,25 @@ void Pen::fill(const Rectangle& area, uint32_t colour, float rounding_px) const 
     list->AddRectFilled(imVec(area.low), imVec(area.high), colour, rounding_px);
 }
 
-void Pen::panel(const Rectangle& area) const {
-    const float rounding = std::min(line * 0.5f, 0.5f * (area.high.y - area.low.y));
-    fill(area, highContrast ? colour::kSolid : colour::kPanel, rounding);
+void Pen::panel(const Rectangle& area, Edge edge) const {
+    static constexpr std::array<ImDrawFlags, 4> kRounded = {
+        ImDrawFlags_RoundCornersAll, ImDrawFlags_RoundCornersRight, ImDrawFlags_RoundCornersBottom,
+        ImDrawFlags_RoundCornersLeft}; // by Edge
+    list->AddRectFilled(imVec(area.low), imVec(area.high), highContrast ? colour::kSolid : colour::kPanel,
+                        0.2f * line, kRounded[static_cast<size_t>(edge)]);
+    Rectangle side = area;
+    if (edge == Edge::Left) side.high.x = side.low.x + stroke();
+    if (edge == Edge::Top) side.high.y = side.low.y + stroke();
+    if (edge == Edge::Right) side.low.x = side.high.x - stroke();
+    if (edge != Edge::None) fill(side, colour::kAccent);
+}
+
+void Pen::rule(glm::vec2 from, float width, bool waves) const {
+    for (float x = 0; x <= width; x += 0.15f * line) {
+        const float phase = 6.2831853f * x / (2 * line);
+        list->PathLineTo(imVec(from + glm::vec2(x, waves ? 0.14f * line * std::sin(phase) : 0.0f)));
+    }
+    list->PathStroke(colour::kAccent, 0, stroke());
 }
 
 void Pen::picture(const Rectangle& area, const Pictures::Picture& shown) const {

@@ -8,11 +8,14 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct ImDrawList;
 struct ImFont;
@@ -36,6 +39,7 @@ class Fonts {
     float pixels(TextSize size) const { return pixels_[static_cast<size_t>(size)]; }
 
   private:
+    std::array<std::vector<uint8_t>, 2> files_; // of text and of headings, as read
     std::array<ImFont*, kTextScale.size()> fonts_{};
     std::array<float, kTextScale.size()> pixels_{};
 };
@@ -68,12 +72,17 @@ enum class Audience {
     Onlooker       // watches the window of a headset's player, and may use its keys
 };
 
-// Display colours, 0xAABBGGRR. Gold and orange are from the palette of Okabe and Ito, safe for colour-blind
-// people. White and grey text on a panel over a white sky has a contrast of at least 4.5 to 1 (MenuTest).
+// Display colours, 0xAABBGGRR: deep water, with lines of sea glass as on a dive computer. Gold, for what is
+// won, and orange, for errors, are from the palette of Okabe and Ito, safe for colour-blind people. Text of
+// each colour on a panel over a white sky has a contrast of at least 4.5 to 1 (MenuTest).
 namespace colour {
-inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFC8C4BC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
-                          kPanel = 0xD82A1A06, kSolid = 0xFF000000, kFocus = 0xFF6B4A1C, kTrack = 0xFF4F3A22;
+inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFD2CCBC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
+                          kAccent = 0xFFC8D674, kHair = 0x40C8D674, kPanel = 0xDC221804, kSolid = 0xFF000000,
+                          kFocus = 0xFF584812, kTrack = 0xFF4C4022;
 }
+
+// The side of a panel that has a line in the accent's colour.
+enum class Edge { None, Left, Top, Right };
 
 struct Rectangle { // pixels from the upper left
     glm::vec2 low{0}, high{0};
@@ -110,7 +119,10 @@ struct Pen {
     // edge. Returns the panel.
     Rectangle label(float x, float y, float anchor, TextSize size, uint32_t colour,
                     std::string_view text) const;
-    void panel(const Rectangle& area) const;
+    void panel(const Rectangle& area, Edge edge = Edge::None) const;
+    // Draws a line of the accent's colour from a place to the right; waves: for the game's name.
+    void rule(glm::vec2 from, float width, bool waves = false) const;
+    float stroke() const { return std::max(1.0f, std::round(line * 0.08f)); } // width of lines
     void fill(const Rectangle& area, uint32_t colour, float rounding_px = 0) const;
     // Draws the picture as large as fits, in the middle of the area.
     void picture(const Rectangle& area, const Pictures::Picture& shown) const;

@@ -79,9 +79,9 @@ game::Text Environment::lightName() const {
 
 const game::Notice* Environment::notice() const {
     static const std::array<game::Notice, 3> kNotices = {{
-        {"The film is damaged here; its last good picture stays"},
-        {"The live video has stopped; its last picture stays"},
-        {"The live video was lost; its last picture stays until it comes back"},
+        {"The film is damaged here: its last good picture stays"},
+        {"The live video has stopped: its last picture stays"},
+        {"The live video is lost: its last picture stays until it comes back"},
     }}; // by Trouble, from Damaged on
     const auto trouble = static_cast<size_t>(player_->trouble());
     return trouble > 0 ? &kNotices[trouble - 1] : nullptr;

@@ -65,10 +65,15 @@ class Player {
         const auto item = std::ranges::find(menu.page().items, label, &MenuItem::label);
         ASSERT_NE(item, menu.page().items.end()) << label << " is not on the page " << menu.page().title;
         const auto wanted = static_cast<size_t>(item - menu.page().items.begin());
-        for (int steps = 0; menu.focus() != wanted && steps < 30; ++steps) tapHat(ABS_HAT0Y, 1);
+        for (int steps = 0; menu.focus() != wanted && steps < 30; ++steps)
+            tapHat(ABS_HAT0Y, menu.focus() < wanted ? 1 : -1);
         tap(BTN_SOUTH);
     }
     std::optional<Screen> page() const { return application_.screens().top(); }
+    std::string focused() const {
+        const Menu& menu = application_.screens().menu();
+        return menu.page().items[menu.focus()].label;
+    }
     const std::string& error() const { return application_.screens().menu().page().error; }
 
   private:
@@ -140,6 +145,7 @@ TEST_F(GamepadProgram, EveryScreenAndASettingThatStays) {
         EXPECT_EQ(p.page(), std::nullopt);
         p.tap(BTN_EAST);
         EXPECT_EQ(p.page(), Screen::Paused);
+        EXPECT_EQ(p.focused(), "Photo mode");
         p.choose("Title screen");
         p.wait(3);
         EXPECT_EQ(p.page(), Screen::Title);
@@ -181,7 +187,7 @@ TEST_F(GamepadProgram, ASettingThatCannotTakeEffectIsSaidOnTheTitle) {
         std::filesystem::remove(film);
         p.choose("Settings");
         p.choose("Picture");
-        p.choose("Compositing");
+        p.choose("Animals in the film");
         p.wait(3);
         EXPECT_EQ(p.page(), Screen::Title);
         EXPECT_NE(p.error().find("film.png"), std::string::npos) << p.error();

@@ -104,7 +104,8 @@ TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
     const Path content = prefix() / "share/games/shoal/content";
     for (const char* name : {"make", "truth", "glove", "udev", "package"})
         EXPECT_FALSE(fs::exists(content / name)) << name;
-    EXPECT_TRUE(fs::exists(content / "video/reef.depth.mkv"));
+    for (const char* name : {"video/reef.depth.mkv", "fonts/text.otf", "fonts/heading.otf", "fonts/OFL.txt"})
+        EXPECT_TRUE(fs::exists(content / name)) << name;
     for (const auto& entry : fs::recursive_directory_iterator(prefix()))
         EXPECT_EQ(entry.status().permissions() & fs::perms::others_read, fs::perms::others_read)
             << entry.path();

@@ -1,6 +1,7 @@
 // Runs the program with a tracking service that fails as real ones do. A hand over the device closes on a
 // fish; the service drops, stalls, sends invalid data and restarts meanwhile, and the game plays on. Time is
 // that of the frames' stamps, so nothing waits for a clock.
+#include "game/session/HandSource.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "tests/Test.h"
@@ -232,6 +233,20 @@ TEST_F(TrackedHands, DevicesListsThem) {
     ASSERT_EQ(run("devices --leap 127.0.0.1:" + std::to_string(server.port())).status, 0);
     EXPECT_NE(out().find("mouse: always"), std::string::npos) << out();
     EXPECT_NE(out().find("leap: ready, protocol 6"), std::string::npos) << out();
+}
+
+// Whatever answers on the tracker's port does not take over without a word.
+TEST(HandsNotice, NamesTheDeviceThatAutoHasFound) {
+    Server server;
+    app::HandOptions options;
+    options.leap.port = static_cast<uint16_t>(server.port());
+    app::TrackedHands tracked({app::HandSourceKind::Auto, {}}, options, rig(), true);
+    ASSERT_TRUE(server.waitForHeard(2)); // the service is connected
+    tracked.frame(0.01);
+    ASSERT_TRUE(tracked.notice());
+    EXPECT_EQ(tracked.notice()->in(game::Language::English), "Hands: Leap Motion");
+    tracked.frame(5); // seconds
+    EXPECT_FALSE(tracked.notice()) << "once";
 }
 
 } // namespace

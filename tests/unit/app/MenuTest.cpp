@@ -7,6 +7,8 @@
 #include "game/ui/Hud.h"
 
 #include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
+#include <imgui/imgui.h>
 
 #include <cctype>
 
@@ -52,8 +54,9 @@ class MenuTest : public WithScreens {
     // With the arrow keys and Enter.
     void choose(std::string_view label) {
         ASSERT_LT(find(label), page().items.size()) << label << " is not on the page " << page().title;
-        for (size_t steps = 0; screens_.menu().focus() != find(label) && steps < 100; ++steps)
-            screens_.input({.down = 1});
+        const auto wanted = static_cast<int>(find(label)),
+                   focused = static_cast<int>(screens_.menu().focus());
+        screens_.input({.down = wanted - focused});
         screens_.input({.accept = true});
     }
     std::optional<Request> asked() { return screens_.takeRequest(); }
@@ -67,6 +70,39 @@ TEST_F(MenuTest, ADiveIsChosenByItsName) {
     const auto request = tests::valueOf(asked());
     EXPECT_EQ(request.kind, Request::Kind::Dive);
     EXPECT_EQ(request.name, "night");
+}
+
+// The first item and the last one are ends, as the last one quits the game.
+TEST_F(MenuTest, NoStepLeadsFromOneEndToTheOther) {
+    for (const Screen screen : {Screen::Title, Screen::Paused, Screen::Results}) {
+        screens_.open(screen);
+        screens_.input({.down = -1});
+        EXPECT_EQ(screens_.menu().focus(), 0u);
+        screens_.input({.down = 100});
+        EXPECT_EQ(page().items[screens_.menu().focus()].label, "Quit");
+        screens_.input({.down = 1});
+        EXPECT_EQ(page().items[screens_.menu().focus()].label, "Quit");
+    }
+}
+
+TEST_F(MenuTest, TheLastDiveHasTheFocus) {
+    dive_.name = "night";
+    for (const char* label : {"Dive", "Free swim"}) {
+        choose(label);
+        EXPECT_EQ(screens_.menu().focus(), 1u);
+        choose("Back");
+    }
+    screens_.open(Screen::Results);
+    choose("Choose a dive");
+    EXPECT_EQ(screens_.menu().focus(), 1u);
+}
+
+TEST_F(MenuTest, ThePageOfFilmsNamesItsFoldersAndFiles) {
+    choose("My film or photo");
+    ASSERT_EQ(page().text.size(), 3u);
+    for (const auto folder : {UserFolder::Videos, UserFolder::Pictures, UserFolder::Downloads})
+        EXPECT_NE(page().text[1].find(userFolder(folder).string()), std::string::npos);
+    EXPECT_NE(page().text[2].find("MP4"), std::string::npos);
 }
 
 TEST_F(MenuTest, AChangeHoldsAtOnceAndIsWritten) {
@@ -86,7 +122,9 @@ TEST_F(MenuTest, TheLanguageChangesThePage) {
     choose("Settings");
     choose("Text and captions");
     ASSERT_EQ(page().items[0].label, "Language");
-    screens_.input({.right = 1}); // English
+    EXPECT_EQ(page().items[0].value, "automatic");
+    screens_.input({.right = 1});
+    EXPECT_EQ(page().items[0].value, "English");
     screens_.input({.right = 1}); // German
     EXPECT_EQ(options_.text.language, LanguageChoice::German);
     EXPECT_EQ(page().items[0].label, "Sprache");
@@ -109,6 +147,10 @@ TEST_F(MenuTest, NoWordOfThePagesIsOutsideTheTable) {
                                     Screen::Guide, Screen::Paused, Screen::Results, Screen::Settings}) {
             screens_.open(screen);
             add();
+            for (int lesson = 0; screen == Screen::HowToPlay && lesson < 3; ++lesson) {
+                screens_.input({.accept = true});
+                add();
+            }
         }
         for (size_t group = 0, groups = page().items.size() - 1; group < groups; ++group) {
             screens_.open(Screen::Settings);
@@ -152,10 +194,10 @@ TEST_F(MenuTest, TheHandIsMeasuredOnAPageOfTheHandsSettings) {
     EXPECT_TRUE(page().camera);
     EXPECT_TRUE(page().text.empty());
     screens_.facts.handsNeed =
-        game::Notice{"To find your hands before the webcam, run once: {}", "get_models"};
+        game::Notice{"Before the webcam can find your hands, run this once: {}", "get_models"};
     screens_.refresh();
     ASSERT_EQ(page().text.size(), 1u);
-    EXPECT_NE(page().text[0].find("run once: get_models"), std::string::npos);
+    EXPECT_NE(page().text[0].find("run this once: get_models"), std::string::npos);
     choose("Measure my hand");
     ASSERT_EQ(screens_.top(), Screen::HandSize);
     EXPECT_TRUE(page().camera);
@@ -184,15 +226,15 @@ TEST_F(MenuTest, AKeyThatIsTakenIsSaid) {
     EXPECT_FALSE(screens_.capturesKey());
     EXPECT_EQ(bindings_.of(Action::SwapHands).keys[0], GLFW_KEY_P);
     EXPECT_EQ(bindings_.of(Action::Pause).keys[1], -1);
-    EXPECT_EQ(page().note, "It was taken from: Pause, which keeps Escape  (Start)");
+    EXPECT_EQ(page().note, "Until now it was for “Pause”, which still has: Escape  (Start)");
     Bindings read;
     ASSERT_TRUE(read.parse(options_.controls.bindings)) << options_.controls.bindings;
     EXPECT_EQ(read.of(Action::SwapHands).keys, bindings_.of(Action::SwapHands).keys);
     EXPECT_EQ(read.of(Action::Pause).keys, bindings_.of(Action::Pause).keys);
     choose("Fullscreen");
     screens_.capture({.keysPressed = {GLFW_KEY_F1}});
-    EXPECT_EQ(page().note, "It was taken from: Performance, which has no key or button now");
-    EXPECT_EQ(page().items[find("Performance")].value, "none");
+    EXPECT_EQ(page().note, "Until now it was for “Technical details”, which has no key or button any more");
+    EXPECT_EQ(page().items[find("Technical details")].value, "none");
 }
 
 // An arrow key that leads over the rows gives none of them a key.
@@ -206,6 +248,22 @@ TEST_F(MenuTest, OnlyAcceptingAsksForAKey) {
     screens_.capture({.leftPressed = true});
     EXPECT_EQ(bindings_.toText(), "");
     EXPECT_EQ(page().items[find("Reach farther")].value, "E, Page up  (Pad up)");
+}
+
+// With mouse and keys there is one lesson more than in a headset.
+TEST_F(MenuTest, TheLessonsFollowEachOtherWithTheirPictures) {
+    for (const bool xr : {false, true}) {
+        options_.xr = xr;
+        screens_.open(Screen::HowToPlay);
+        std::set<std::string> pictures;
+        for (int lesson = 0; lesson < (xr ? 3 : 4); ++lesson) {
+            EXPECT_TRUE(tests::succeeded(readSmallPicture(dataRoot() / "content" / page().picture)));
+            EXPECT_TRUE(pictures.insert(page().picture).second) << page().picture;
+            choose("Next");
+        }
+        EXPECT_TRUE(pictures.contains(page().picture));
+        screens_.input({.back = true});
+    }
 }
 
 TEST_F(MenuTest, AMutedGameOffersNoVolume) {
@@ -316,6 +374,42 @@ TEST(Texts, TheSystemsLocaleChooses) {
     EXPECT_EQ(game::languageOf("C"), game::Language::English);
 }
 
+// Code points of a text in UTF-8 without those beyond U+FFFF, which no text has.
+std::set<uint32_t> codePoints(std::string_view text) {
+    std::set<uint32_t> found;
+    for (size_t i = 0; i < text.size();) {
+        const auto byte = [&](size_t offset) { return static_cast<uint8_t>(text[i + offset]); };
+        const size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : 3;
+        uint32_t code = length == 1 ? byte(0) : byte(0) & (0xFF >> (length + 1));
+        for (size_t rest = 1; rest < length; ++rest) code = code << 6 | (byte(rest) & 0x3F);
+        found.insert(code);
+        i += length;
+    }
+    return found;
+}
+
+// The fonts beside the game draw every text in each of its sizes; the system's fonts play no part.
+TEST(Fonts, HaveEachSignOfTheTexts) {
+    std::string all = "\u2713\u25a1\u2605\u2190\u2192\u2039\u203a\u00d7\u00a0"; // those of code
+    for (const game::TextRow& row : game::kTexts)
+        for (const char* text : row) all += text;
+    for (const game::Species& kind : tests::valueOf(game::loadSpecies(dataRoot() / "content/species.toml")))
+        for (const game::InLanguages* texts : {&kind.one, &kind.several, &kind.fact})
+            for (const std::string& text : *texts) all += text;
+    const auto context = tests::valueOf(platform::Headless::open());
+    auto hud = tests::valueOf(Hud::make());
+    const gl::Target target(640, 360, 1);
+    target.bind();
+    const auto look = [&](const Pen& pen) {
+        for (const TextSize size : {TextSize::Small, TextSize::Body, TextSize::Heading, TextSize::Display})
+            for (const uint32_t code : codePoints(all))
+                EXPECT_TRUE(pen.fonts->at(size)->FindGlyphNoFallback(static_cast<ImWchar>(code)))
+                    << std::hex << code;
+    };
+    hud.draw({.part = HudPart::Panel, .inDive = false, .overlay = look, .text = {}, .notice = {}},
+             {640, 360});
+}
+
 // Contrast of WCAG 2.2, 1.4.3: of the relative luminances, at least 4.5 to 1.
 double luminance(uint32_t abgr, double behind8) {
     const double alpha = (abgr >> 24) / 255.0;
@@ -327,13 +421,38 @@ double luminance(uint32_t abgr, double behind8) {
 
 TEST(Colours, TextOnPanelsIsReadableOverWhiteAndBlack) {
     for (const double behind : {0.0, 128.0, 255.0})
-        for (const uint32_t text : {colour::kWhite, colour::kGrey, colour::kGold, colour::kOrange}) {
+        for (const uint32_t text :
+             {colour::kWhite, colour::kGrey, colour::kGold, colour::kOrange, colour::kAccent}) {
             const double panel = luminance(colour::kPanel, behind);
             const double contrast = (luminance(text, 0) + 0.05) / (panel + 0.05);
             EXPECT_GE(contrast, 4.5) << std::hex << text << " over " << behind;
         }
-    const double focus = (luminance(colour::kWhite, 0) + 0.05) / (luminance(colour::kFocus, 0) + 0.05);
-    EXPECT_GE(focus, 4.5);
+    for (const uint32_t text : {colour::kWhite, colour::kAccent})
+        EXPECT_GE((luminance(text, 0) + 0.05) / (luminance(colour::kFocus, 0) + 0.05), 4.5);
+}
+
+// Captions and goals would lie under the pages of a pause and of the results.
+TEST(Hud, DrawsNoCaptionsUnderAMenu) {
+    const auto context = tests::valueOf(platform::Headless::open());
+    auto hud = tests::valueOf(Hud::make());
+    const gl::Target target(640, 360, 1);
+    const game::Caption caption{game::Text("it stings")};
+    const std::string goal = "a goal";
+    const render::View view;
+    const auto drawn = [&](const game::Snapshot& shown, bool withLines) {
+        target.bind();
+        glClear(GL_COLOR_BUFFER_BIT);
+        HudInfo info{.part = HudPart::Panel, .snapshot = &shown, .view = &view, .text = {}, .notice = {}};
+        if (withLines) info.captions = {&caption, 1}, info.goals = {&goal, 1};
+        hud.draw(info, {640, 360});
+        return target.read().pixels;
+    };
+    game::Snapshot diving, paused, over;
+    paused.paused = true;
+    over.phase = game::Phase::Results;
+    EXPECT_NE(drawn(diving, true), drawn(diving, false));
+    EXPECT_EQ(drawn(paused, true), drawn(paused, false));
+    EXPECT_EQ(drawn(over, true), drawn(over, false));
 }
 
 // A finger that goes forward by 4 cm in a tenth of a second presses once, where it pointed before.
@@ -444,8 +563,8 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
         frame({.cursor = input.cursor});
     }
     void focus(size_t item) {
-        for (size_t steps = 0; screens_.menu().focus() != item && steps < 100; ++steps)
-            step(GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+        while (screens_.menu().focus() < item) step(GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+        while (screens_.menu().focus() > item) step(GLFW_KEY_UP, GLFW_GAMEPAD_BUTTON_DPAD_UP);
     }
     void choose(std::string_view label) {
         const size_t item = find(label);
@@ -469,7 +588,7 @@ TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
         choose(label);
         seen.insert(*screens_.top());
         if (*screens_.top() == Screen::Guide) {
-            choose("snapper");
+            choose("Snapper"); // as a title
             seen.insert(*screens_.top());
             back();
             ASSERT_EQ(screens_.top(), Screen::Guide);

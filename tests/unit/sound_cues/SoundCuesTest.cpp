@@ -244,6 +244,22 @@ TEST_F(HeardDive, CaptionsTellWhatAndWhereAndGo) {
     EXPECT_TRUE(hear.captions().empty());
 }
 
+// Two lines at once are read by nobody. Of those that come too soon the last one waits.
+TEST_F(HeardDive, CaptionsComeOneASecond) {
+    const auto inSight = [&] {
+        std::vector<Text> texts;
+        for (const Caption& caption : hear.captions())
+            if (caption.age_s >= 0) texts.push_back(caption.text);
+        return texts;
+    };
+    for (const EventKind kind : {EventKind::SharkNear, EventKind::Escape, EventKind::Catch})
+        happens(hear, {.kind = kind, .position = glm::vec3(0, 0, -1)});
+    const Text near = *rowOf(EventKind::SharkNear).caption, caught = *rowOf(EventKind::Catch).caption;
+    EXPECT_EQ(inSight(), std::vector{near});
+    for (float time_s = 0; time_s < 1.1f; time_s += kFrame_s) listen();
+    EXPECT_EQ(inSight(), (std::vector{caught, near}));
+}
+
 TEST(SoundCues, EachEventThatMattersHasACaption) {
     // Somebody who hears nothing must learn what happens out of sight, and that a catch counted.
     for (const EventRow& row :
