@@ -204,6 +204,23 @@ TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
     }
 }
 
+// Layers of music are made to sound together. Elsewhere they would begin at places of their own.
+TEST(Audio, EmittersInStepBeginTogether) {
+    const auto heard = [](bool inStep, size_t count) {
+        auto audio = tests::valueOf(Audio::open({.loopback = true}));
+        audio.add(tone(200.5f, 1));
+        std::array<Sound, 2> emitters;
+        for (uint32_t i = 0; i < 2; ++i)
+            emitters[i] = {.id = i + 1, .gain = 0.4f, .everywhere = true, .inStep = inStep};
+        audio.update({}, {emitters.data(), count}, {});
+        std::vector<float> samples(48000);
+        audio.render(samples);
+        return loudness(samples).both();
+    };
+    EXPECT_NEAR(heard(true, 2) / heard(true, 1), 2, 1e-3);
+    EXPECT_LT(heard(false, 2) / heard(false, 1), 1.9);
+}
+
 TEST(Audio, VolumeScales) {
     const Sound shot{.position = {0, 0, -1}};
     const double full = hear(tone(300, 1), shot).both();
