@@ -46,6 +46,19 @@ def both(make):
     return [make(side) for side in (0, 1)]
 
 
+def snaps(seconds, count, seed, which, low, high, near=0.1):
+    """Shrimps that snap their claws, each somewhere: its side by level, its distance, from `near` to 1, by a power law.
+    low, high: pitch, radians a sample."""
+    random = np.random.default_rng(seed)
+    out = empty(seconds)
+    for _ in range(count):
+        at, pan = random.uniform(0, seconds), random.random()
+        level = random.uniform(near, 1) ** -1.5 * (1 if random.random() < 0.5 else -1)
+        click = np.exp(-np.arange(200) / 16) * np.sin(np.arange(200) * random.uniform(low, high))
+        add(out, click * level * (np.cos if which == 0 else np.sin)(pan * np.pi / 2), at, wrap=True)
+    return out
+
+
 def bed_open():
     """The sea over a reef: deep rumble, surf far above, the crackle of snapping shrimps, a bubble now and then."""
     seconds = 24
@@ -54,14 +67,9 @@ def bed_open():
         deep = unit(band(noise(seconds, 1), 35, 130)) * swell(seconds, 2, 0.35)  # too long a wave to differ at two ears
         surf = unit(band(noise(seconds, 3 + which), 180, 620, 1.7)) * swell(seconds, 5 + which, 0.6)
         x = deep + 0.38 * surf
-        random = np.random.default_rng(7)
-        crackle = np.zeros(len(x))
-        for _ in range(260):  # each shrimp somewhere: its side by level, its distance by a power law
-            at, pan = random.uniform(0, seconds), random.random()
-            level = random.uniform(0.1, 1) ** -1.5 * (1 if random.random() < 0.5 else -1)
-            click = np.exp(-np.arange(200) / 16) * np.sin(np.arange(200) * random.uniform(0.3, 0.6))
-            add(crackle, click * level * (np.cos if which == 0 else np.sin)(pan * np.pi / 2), at, wrap=True)
+        crackle = snaps(seconds, 260, 7, which, 0.3, 0.6)
         x += 0.06 * answer(band(crackle, 1500, 7000), 0.2, 900, 5000, 0.3, 8 + which, wrap=True)
+        x += 0.5 * band(snaps(seconds, 1100, 15, which, 0.4, 1.5, 0.4), 1800, 14000, 1.0)  # bright, dry, none too near
         times = np.random.default_rng(10).uniform(0, seconds, 22)
         near = bubbles_at(np.zeros(len(x)), times[which::2], 11 + which, 0.002, 0.007, wrap=True)
         return x + 0.45 * answer(near, 0.5, 200, 1800, 0.5, 13 + which, wrap=True)
@@ -83,7 +91,9 @@ def bed_tunnel():
         for k, start in enumerate((1.8, 8.1, 13.4, 20.2)):
             times = start + np.cumsum(np.random.default_rng(60 + k).exponential(0.11, 7))
             bubbles_at(creep, times % seconds, 64 + k, 0.003, 0.009, wrap=True)
-        return x + 0.13 * answer(creep, 1.8, 120, 1100, 1.0, 70 + which, wrap=True)
+        x += 0.13 * answer(creep, 1.8, 120, 1100, 1.0, 70 + which, wrap=True)
+        outside = snaps(seconds, 500, 17, which, 0.3, 1.2, 0.4)  # shrimps before the walls and in their cracks
+        return x + 0.25 * band(outside, 1500, 9000, 1.0)
 
     return both(side)
 
