@@ -283,6 +283,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Performance", "Leistungsanzeige", "Affichage des performances"},
     {"Volume", "Lautstärke", "Volume"},
     {"Volume of effects", "Lautstärke der Effekte", "Volume des effets"},
+    {"Volume of the music", "Lautstärke der Musik", "Volume de la musique"},
     {"Volume of the film", "Lautstärke des Films", "Volume du film"},
     {"Headphones", "Kopfhörer", "Casque audio"},
     {"Captions", "Untertitel", "Sous-titres"},

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
-"""Makes every sound of the game into content/sounds: 48 kHz, 16 bit, FLAC, the same bytes each time.
+"""Makes every sound of the game into content/sounds: 48 kHz (music 24), 16 bit, FLAC, the same bytes each time.
 
-    make_sounds.py            rebuilds all (some seconds)
+    make_sounds.py            rebuilds all (half a minute)
     make_sounds.py --check    rebuilds elsewhere and compares the samples; 1: something differs, 77: cannot tell
     make_sounds.py --list     loudness and peak of each
 
 Wants python3-numpy and ffmpeg. Each sound is a function below, named as its file; LEVELS says how loud each leaves.
-Beds and `struggle` loop without a seam: whatever they are made of is periodic. Beds are stereo; every sound that has
-a place in the water is mono. synth.py holds what they are made of, master.py the loudness (BS.1770).
+Beds, music and `struggle` loop without a seam: whatever they are made of is periodic. Beds and music are stereo; every
+sound that has a place in the water is mono. music.py makes the music; synth.py holds what all are made of, master.py the
+loudness (BS.1770).
 """
 import os
 import shutil
@@ -23,6 +24,7 @@ except ImportError:
     sys.exit(77)
 
 from master import loudness, master
+from music import CALM, TENSION
 from synth import RATE, add, answer, band, bubbles_at, fade, noise, phrase, swish, time, unit
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -376,8 +378,9 @@ LEVELS = {
     escape: -22, release: -22, startle: -24, touch: -25, countdown: -24, bubbles: -24, fish_pass_small: -25, miss: -27,
     miss_too_far: -25, miss_behind: -25, miss_too_fast: -25, miss_too_early: -25,
     crack: -22, knock: -24, throw: -25, feed: -26, collect: -20,
+    **dict.fromkeys(CALM, -32), **dict.fromkeys(TENSION, -30),
 }
-LOOPS = {bed_open, bed_tunnel, struggle}
+LOOPS = {bed_open, bed_tunnel, struggle, *CALM, *TENSION}
 
 
 def made(make):
@@ -386,14 +389,15 @@ def made(make):
 
 
 def write(folder, make):
-    channels = made(make)
+    every = 2 if make in CALM + TENSION else 1  # music has nothing above 5 kHz
+    channels = [x[::every] for x in made(make)]
     data = np.round(np.stack(channels, axis=1) * 32767).astype("<i2")
     name = make.__name__
     temporary = os.path.join(folder, f".{name}.wav")
     with wave.open(temporary, "wb") as out:
         out.setnchannels(len(channels))
         out.setsampwidth(2)
-        out.setframerate(RATE)
+        out.setframerate(RATE // every)
         out.writeframes(data.tobytes())
     subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", temporary, "-bitexact", "-map_metadata", "-1", "-c:a", "flac",
                     "-compression_level", "12", os.path.join(folder, f"{name}.flac")], check=True)
@@ -432,7 +436,7 @@ def main(arguments):
         for make in LEVELS:
             x = made(make)
             peak = 20 * np.log10(max(np.max(np.abs(c)) for c in x))
-            print(f"{make.__name__:16} {len(x[0]) / RATE:5.2f} s {loudness(x, make in LOOPS):6.1f} LUFS  peak {peak:5.1f} dB")
+            print(f"{make.__name__:20} {len(x[0]) / RATE:5.2f} s {loudness(x, make in LOOPS):6.1f} LUFS  peak {peak:5.1f} dB")
         return 0
     if arguments:
         print(__doc__)

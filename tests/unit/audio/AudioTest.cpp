@@ -180,16 +180,19 @@ TEST(Audio, EnteringATunnelDoesNotClick) {
 }
 
 TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
-    // A busy moment of the game: a bed, eight creatures within reach, a bite. Below full scale, tunnel or
-    // not.
+    // A busy moment of the game: a bed, tense music, eight creatures within reach, a bite. Below full scale,
+    // tunnel or not.
     for (const float enclosure : {0.0f, 1.0f}) {
         auto audio = tests::valueOf(Audio::open({.loopback = true}));
-        for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small"})
+        for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small", "music_reef_calm",
+                                 "music_reef_tension"})
             audio.add(*readClip(dataRoot() / "content/sounds" / (std::string(name) + ".flac")));
         std::vector<Sound> emitters{{.id = 100, .clip = 0, .gain = 0.45f, .everywhere = true}};
-        for (uint32_t i = 0; i < 2; ++i)
+        for (uint32_t i = 0; i < 2; ++i) {
+            emitters.push_back({.id = 101 + i, .clip = 4 + static_cast<int>(i), .everywhere = true});
             emitters.push_back(
                 {.id = i, .clip = 1, .position = {i ? 0.4f : -0.4f, -0.2f, -0.5f}, .gain = 0.8f});
+        }
         std::vector<Sound> shots{{.clip = 2, .position = {0, 0, -0.7f}}};
         for (int i = 0; i < 3; ++i)
             shots.push_back(
