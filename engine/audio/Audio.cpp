@@ -215,10 +215,11 @@ class VoicePool {
         // Stereo goes to the ears directly, not through the HRTF of two loudspeakers.
         alSourcei(voice.source, AL_DIRECT_CHANNELS_SOFT, stereo ? AL_TRUE : AL_FALSE);
         if (loop) {
-            // Each emitter starts at another place in its loop, so that two of one clip do not coincide; and
-            // OpenAL Soft fades in sounds that do not start at 0.
+            // Unless in step, each emitter starts at another place in its loop, so that two of one clip do
+            // not coincide; and OpenAL Soft fades in sounds that do not start at 0.
             const auto frames = static_cast<uint32_t>(clip.samples.size() / (stereo ? 2 : 1));
-            const uint32_t offset = frames > 1 ? 1 + (voice.sound.id * 2654435761u >> 8) % (frames - 1) : 0;
+            const uint32_t place = voice.sound.inStep ? 0 : voice.sound.id * 2654435761u >> 8;
+            const uint32_t offset = frames > 1 ? 1 + place % (frames - 1) : 0;
             alSourcei(voice.source, AL_SAMPLE_OFFSET, static_cast<ALint>(offset));
         }
         alSourcePlay(voice.source);

@@ -82,7 +82,9 @@ Status Application::open() {
 
 void Application::openSound() {
     const environment::Player& film = content_.environment().player();
-    soundAndHaptics_.emplace(options_, film.file(), film.length_s());
+    // Another film may have music of its own.
+    const std::string music = options_.environment.isOwnVideo() ? config_.dive.music : "";
+    soundAndHaptics_.emplace(options_, music, film.file(), film.length_s());
 }
 
 Status Application::openContext() {

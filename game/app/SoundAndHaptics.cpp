@@ -4,11 +4,22 @@
 
 namespace shoal::app {
 
-SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s)
+static Status addClip(audio::Audio& audio, const std::string& name) {
+    auto clip = audio::readClip(dataRoot() / "content" / "sounds" / (name + ".flac"));
+    if (!clip) return clip.error();
+    audio.add(*std::move(clip));
+    return Done{};
+}
+
+SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const std::string& music, const Path& video,
+                                 double videoLength_s)
     : options_(options), volume_(options.volume) {
     if (!options.mute && !options.headless)
         if (Status opened = openSound(); !opened)
             log::info("playing on without sound: {}", opened.error().message());
+    if (audio_ && !music.empty())
+        if (Status opened = openMusic(music); !opened)
+            log::info("playing on without music: {}", opened.error().message());
     if (audio_ && options.videoSound > 0 && !video.empty()) openVideoSound(video, videoLength_s);
     if (options.hapticStrength > 0 && !options.headless)
         haptics_.emplace(haptics::withForceFeedback(haptics::hidapiBus()));
@@ -17,12 +28,16 @@ SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const Path& video, 
 Status SoundAndHaptics::openSound() {
     auto opened = audio::Audio::open({.headphones = options_.headphones, .volume = volume_});
     if (!opened) return opened.error();
-    for (const game::SoundRow& row : game::kSounds) {
-        auto clip = audio::readClip(dataRoot() / "content" / "sounds" / (std::string(row.file) + ".flac"));
-        if (!clip) return clip.error();
-        opened->add(*clip);
-    }
+    for (const game::SoundRow& row : game::kSounds)
+        if (Status added = addClip(*opened, row.file); !added) return added;
     audio_ = std::move(*opened);
+    return Done{};
+}
+
+Status SoundAndHaptics::openMusic(const std::string& theme) {
+    for (const char* layer : game::kMusicLayers)
+        if (Status added = addClip(*audio_, "music_" + theme + "_" + layer); !added) return added;
+    hasMusic_ = true;
     return Done{};
 }
 
@@ -44,7 +59,7 @@ void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& eve
     // Haptics come first: a touch has the shortest latency that is noticed.
     hapticFrame_ = hapticFeedback_.frame(shown, events, dt_s, attended ? options_.hapticStrength : 0);
     if (haptics_) haptics_->submit(hapticFrame_);
-    sounds_.listen(shown, events, dt_s, options_.effects);
+    sounds_.listen(shown, events, dt_s, options_.effects, hasMusic_ ? options_.music : 0);
     if (!audio_) return;
     if (volume_ != options_.volume) audio_->setVolume(volume_ = options_.volume);
     audio_->setPaused(shown.paused);

@@ -15,9 +15,10 @@ namespace shoal::app {
 class SoundAndHaptics {
   public:
     // Opens sound and haptics. Without a sound device it is silent, which is logged. The options, whose
-    // volumes and strength are read in every frame, must outlive this. video: the file whose sound plays in
-    // step with the picture; empty: none.
-    SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s);
+    // volumes and strength are read in every frame, must outlive this. music: DiveFile::music. video: the
+    // file whose sound plays in step with the picture. Either may be empty: none.
+    SoundAndHaptics(const PlayOptions& options, const std::string& music, const Path& video,
+                    double videoLength_s);
     SoundAndHaptics(const SoundAndHaptics&) = delete; // the audio holds the track's address
     SoundAndHaptics& operator=(const SoundAndHaptics&) = delete;
 
@@ -31,11 +32,13 @@ class SoundAndHaptics {
 
   private:
     Status openSound();
+    Status openMusic(const std::string& theme);
     void openVideoSound(const Path& video, double videoLength_s);
 
     game::SoundCues sounds_;
     game::HapticFeedback hapticFeedback_;
     const PlayOptions& options_;
+    bool hasMusic_ = false;
     float volume_;                           // last volume set on the audio
     std::optional<media::SoundTrack> track_; // declared before the audio, which reads it
     std::optional<audio::Audio> audio_;

@@ -61,6 +61,10 @@ constexpr std::array kSounds = {SHOAL_SOUNDS(SHOAL_SOUND)};
 
 constexpr const SoundRow& rowOf(Sound sound) { return kSounds[static_cast<size_t>(sound)]; }
 
+// A theme of music has a stereo loop of each, all of one length: content/sounds/music_THEME_LAYER.flac. Its
+// clips come after the sounds.
+inline constexpr std::array kMusicLayers = {"calm", "tension"};
+
 // A haptic pulse that fades. For an event at one part of a hand, amplitude and frequency grow from the first
 // value to the second at a closing speed of kFullSpeed_mps; for others the second counts.
 struct HapticPulse {

@@ -19,8 +19,14 @@ constexpr Text kStruggleCaption = "it struggles", kPassCaption = "something larg
 constexpr float kTouchQuiet_s = 0.12f; // time without another touch sound: one touch has several bones
 constexpr int kCountdown_s = 5;
 constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
-constexpr float kCross_s = 2;          // cross-fade between beds
-constexpr uint32_t kBedId = 1u << 30;  // distinct from the creatures' ids
+constexpr float kCross_s = 2;                          // cross-fade between beds
+constexpr uint32_t kBedId = 1u << 30;                  // distinct from the creatures' ids
+constexpr float kMusicRise_s = 1.5f, kMusicFall_s = 4; // from silence to a layer's full level, and back
+constexpr float kCalm = 0.75f, kLift = 0.25f;          // gain of the calm layer, and added after a catch
+constexpr float kLiftStay_s = 2;
+constexpr float kSharkFar_m = 2.5f, kSharkNear_m = 1.2f; // from the head: where tension begins, and is full
+constexpr float kThreatFins = 0.65f;                     // BodyShape::finsDown of a shark that threatens
+constexpr float kLastSeconds_s = 10;
 constexpr size_t kEventsReserved = 64; // more than a frame's sounds in ordinary play
 
 // Actuation while a touch lasts; the pulses of events are in EventTable.h.
@@ -88,6 +94,44 @@ void SoundCues::beds(const Snapshot& shown, float dt_s) {
     };
     bed(Sound::BedOpen, 1 - enclosure_);
     bed(Sound::BedTunnel, enclosure_);
+}
+
+float tensionOf(const Snapshot& shown) {
+    if (shown.phase != Phase::Diving) return 0;
+    float tension = 0;
+    if (!shown.freeSwim && shown.timeLeft_s < kLastSeconds_s)
+        tension = 0.8f - 0.4f * shown.timeLeft_s / kLastSeconds_s;
+    for (const CreatureView& creature : shown.creatures) {
+        const Motion motion = creature.gait.motion; // only a shark has these three
+        if (motion == Motion::Lunge || motion == Motion::Bite) return 1;
+        if (motion != Motion::Cruise) continue;
+        const float away_m = glm::distance(creature.position, shown.headWorld);
+        const float near = std::clamp((kSharkFar_m - away_m) / (kSharkFar_m - kSharkNear_m), 0.0f, 1.0f);
+        const float threat = std::min(creature.shape.finsDown / kThreatFins, 1.0f);
+        tension = std::max({tension, 0.6f * near * near, 0.9f * threat});
+    }
+    return tension;
+}
+
+void SoundCues::playMusic(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume) {
+    if (volume <= 0) return;
+    liftLeft_s_ -= dt_s;
+    if (std::ranges::find(events, EventKind::Catch, &Event::kind) != events.end()) liftLeft_s_ = kLiftStay_s;
+    const auto follow = [&](float& level, float wanted) {
+        level += std::clamp(wanted - level, -dt_s / kMusicFall_s, dt_s / kMusicRise_s);
+    };
+    follow(calm_, 1);
+    follow(lift_, liftLeft_s_ > 0 ? 1.0f : 0.0f);
+    follow(tension_, tensionOf(shown));
+    const std::array gains = {calm_ * (kCalm + kLift * lift_), tension_}; // of kMusicLayers
+    for (size_t layer = 0; layer < kMusicLayers.size(); ++layer) {
+        const size_t clip = kSounds.size() + layer;
+        emitters_.push_back({.id = kBedId + static_cast<uint32_t>(clip),
+                             .clip = static_cast<int>(clip),
+                             .gain = volume * gains[layer],
+                             .everywhere = true,
+                             .inStep = true});
+    }
 }
 
 void SoundCues::struggling(const CreatureView& creature) {
@@ -160,17 +204,19 @@ void SoundCues::countDown(const Snapshot& shown) {
     countedDown_ = left;
 }
 
-void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume) {
+void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume,
+                       float music) {
     volume_ = volume;
     shots_.clear();
     emitters_.clear();
     beds(shown, dt_s);
+    playMusic(shown, events, dt_s, music);
     if (shown.paused) return;
     for (Caption& caption : captions_) caption.age_s += dt_s;
     std::erase_if(captions_, [](const Caption& caption) { return caption.age_s > kCaptionStay_s; });
     touchQuiet_s_ = std::max(0.0f, touchQuiet_s_ - dt_s);
     quiet_s_.resize(shown.creatures.size(), 0);
-    emitters_.reserve(shown.creatures.size() + 2);
+    emitters_.reserve(shown.creatures.size() + 2 + kMusicLayers.size());
     for (size_t i = 0; i < shown.creatures.size(); ++i) {
         const CreatureView& creature = shown.creatures[i];
         quiet_s_[i] = std::max(0.0f, quiet_s_[i] - dt_s);

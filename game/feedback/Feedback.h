@@ -21,15 +21,20 @@ struct Caption {
     float age_s = 0;       // below 0: it is not shown yet
 };
 
-// Chooses sounds and captions: for events by their table, and for breath, passing fish, the background and
-// the countdown.
+// Returns how tense the music is, 0 to 1: by what the shark does and how near it is, and by the last seconds.
+float tensionOf(const Snapshot& shown);
+
+// Chooses sounds and captions: for events by their table, and for breath, passing fish, the background, the
+// music and the countdown.
 class SoundCues {
   public:
     SoundCues();
 
     // Chooses the sounds and captions of a frame: emitters(), shots() and captions(). events: since the last
-    // call; dt_s: time since then; volume: the player's setting, 0 to 1. Clip indices are Sound's.
-    void listen(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume = 1);
+    // call; dt_s: time since then; volume, music: the player's settings, 0 to 1; music 0: none is loaded, or
+    // wanted. Clip indices are Sound's, then those of kMusicLayers.
+    void listen(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume = 1,
+                float music = 0);
 
     // Returns how enclosed the beds sound, 0 to 1: follows the snapshot's enclosure within seconds.
     float enclosure() const { return enclosure_; }
@@ -44,6 +49,7 @@ class SoundCues {
               const glm::vec3& velocity = glm::vec3(0));
     void caption(Text text, const glm::vec3& position);
     void beds(const Snapshot& shown, float dt_s);
+    void playMusic(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume);
     void passing(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s);
     void struggling(const CreatureView& creature);
     void happened(const Event& event);
@@ -55,10 +61,12 @@ class SoundCues {
     std::vector<Caption> captions_;
     std::vector<float> quiet_s_; // seconds before each creature may be heard passing again
     float volume_ = 1, touchQuiet_s_ = 0;
-    float breath_s_;      // seconds until the next breath
-    float enclosure_ = 0; // follows the snapshot's enclosure without steps
-    int countedDown_ = 0; // last second counted
-    Random random_;       // random pitches and breaths, apart from the simulation's
+    float breath_s_;                          // seconds until the next breath
+    float enclosure_ = 0;                     // follows the snapshot's enclosure without steps
+    float calm_ = 0, tension_ = 0, lift_ = 0; // levels of the music, 0 to 1, without steps
+    float liftLeft_s_ = 0;                    // seconds before the lift after a catch ends
+    int countedDown_ = 0;                     // last second counted
+    Random random_;                           // random pitches and breaths, apart from the simulation's
 };
 
 // Actuation of every haptic actuator: a fading pulse for each event; and pressing, stroking and the struggle

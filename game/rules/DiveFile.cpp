@@ -176,6 +176,8 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
     const Status read = readToml(path, [&](TomlTable& root) {
         root.text("title", dive.title);
         root.text("video", dive.video);
+        root.text("music", dive.music);
+        if (dive.music.find('/') != std::string::npos) root.complain("music", "must be the name of a theme");
         root.number("duration", dive.duration_s, 5, 3600);
         root.number("exposure", dive.exposure_ev, -10, 10);
         root.number("floor", dive.floor_m, -3, -0.5f);

@@ -124,6 +124,7 @@ struct DiveFile {
     std::string name;  // stem of the file; its path if it lies outside content/
     std::string title; // as the menu shows it
     std::string video; // file below content/; may be missing (it is made by content/make)
+    std::string music; // theme: content/sounds/music_THEME_*.flac; empty: none
     float duration_s = 90;
     float exposure_ev = 0;
     float floor_m = -1.1f; // height of the floor; fish stay above it

@@ -317,7 +317,8 @@ struct PlayOptions {
     bool mute = false;
     bool headphones = false;
     float volume = 0.8f;
-    float effects = 1;       // volume of all sounds but the video's, 0 to 1
+    float effects = 1;       // volume of all sounds but music and the video's, 0 to 1
+    float music = 0.7f;      // volume of the dive's music, 0 to 1
     float videoSound = 0.8f; // volume of the video's own sound, 0 to 1
     float hapticStrength = 1;
     WaterChoice water = WaterChoice::Auto;
@@ -416,7 +417,9 @@ struct PlayOptions {
         table.addShown(Sound, "Volume", "--volume", &volume, "Sound volume (+ and - in the game), 0 to 1",
                        {.range = {0, 1}});
         table.addShown(Sound, "Effects volume", "--effects-volume", &effects,
-                       "Volume of all sounds but the video's own, 0 to 1", {.range = {0, 1}});
+                       "Volume of all sounds but music and the video's own, 0 to 1", {.range = {0, 1}});
+        table.addShown(Sound, "Music volume", "--music", &music,
+                       "Volume of the music that a dive in its own film has, 0 to 1", {.range = {0, 1}});
         table.addShown(Sound, "Film volume", "--video-sound", &videoSound,
                        "Volume of the video's own sound, 0 to 1", {.range = {0, 1}});
         table.addShown(Sound, "Headphones", "--headphones", &headphones, "Sound for headphones (HRTF)");

@@ -291,6 +291,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Technical details", "Technische Angaben", "Détails techniques"},
     {"Volume", "Lautstärke", "Volume"},
     {"Effects volume", "Effektlautstärke", "Volume des effets"},
+    {"Music volume", "Musiklautstärke", "Volume de la musique"},
     {"Film volume", "Filmlautstärke", "Volume du film"},
     {"Headphones", "Kopfhörer", "Casque audio"},
     {"Captions", "Untertitel", "Sous-titres"},

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
-"""Makes every sound of the game into content/sounds: 48 kHz, 16 bit, FLAC, the same bytes each time.
+"""Makes every sound of the game into content/sounds: 48 kHz (music 24), 16 bit, FLAC, the same bytes each time.
 
-    make_sounds.py            rebuilds all (some seconds)
+    make_sounds.py            rebuilds all (half a minute)
     make_sounds.py --check    rebuilds elsewhere and compares the samples; 1: something differs, 77: cannot tell
     make_sounds.py --list     loudness and peak of each
 
 Wants python3-numpy and ffmpeg. Each sound is a function below, named as its file; LEVELS says how loud each leaves.
-Beds and `struggle` loop without a seam: whatever they are made of is periodic. Beds are stereo; every sound that has
-a place in the water is mono. synth.py holds what they are made of, master.py the loudness (BS.1770).
+Beds, music and `struggle` loop without a seam: whatever they are made of is periodic. Beds and music are stereo; every
+sound that has a place in the water is mono. music.py makes the music; synth.py holds what all are made of, master.py the
+loudness (BS.1770).
 """
 import os
 import shutil
@@ -23,6 +24,7 @@ except ImportError:
     sys.exit(77)
 
 from master import loudness, master
+from music import CALM, TENSION
 from synth import RATE, add, answer, band, bubbles_at, fade, noise, phrase, swish, time, unit
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -46,6 +48,19 @@ def both(make):
     return [make(side) for side in (0, 1)]
 
 
+def snaps(seconds, count, seed, which, low, high, near=0.1):
+    """Shrimps that snap their claws, each somewhere: its side by level, its distance, from `near` to 1, by a power law.
+    low, high: pitch, radians a sample."""
+    random = np.random.default_rng(seed)
+    out = empty(seconds)
+    for _ in range(count):
+        at, pan = random.uniform(0, seconds), random.random()
+        level = random.uniform(near, 1) ** -1.5 * (1 if random.random() < 0.5 else -1)
+        click = np.exp(-np.arange(200) / 16) * np.sin(np.arange(200) * random.uniform(low, high))
+        add(out, click * level * (np.cos if which == 0 else np.sin)(pan * np.pi / 2), at, wrap=True)
+    return out
+
+
 def bed_open():
     """The sea over a reef: deep rumble, surf far above, the crackle of snapping shrimps, a bubble now and then."""
     seconds = 24
@@ -54,14 +69,9 @@ def bed_open():
         deep = unit(band(noise(seconds, 1), 35, 130)) * swell(seconds, 2, 0.35)  # too long a wave to differ at two ears
         surf = unit(band(noise(seconds, 3 + which), 180, 620, 1.7)) * swell(seconds, 5 + which, 0.6)
         x = deep + 0.38 * surf
-        random = np.random.default_rng(7)
-        crackle = np.zeros(len(x))
-        for _ in range(260):  # each shrimp somewhere: its side by level, its distance by a power law
-            at, pan = random.uniform(0, seconds), random.random()
-            level = random.uniform(0.1, 1) ** -1.5 * (1 if random.random() < 0.5 else -1)
-            click = np.exp(-np.arange(200) / 16) * np.sin(np.arange(200) * random.uniform(0.3, 0.6))
-            add(crackle, click * level * (np.cos if which == 0 else np.sin)(pan * np.pi / 2), at, wrap=True)
+        crackle = snaps(seconds, 260, 7, which, 0.3, 0.6)
         x += 0.06 * answer(band(crackle, 1500, 7000), 0.2, 900, 5000, 0.3, 8 + which, wrap=True)
+        x += 0.5 * band(snaps(seconds, 1100, 15, which, 0.4, 1.5, 0.4), 1800, 14000, 1.0)  # bright, dry, none too near
         times = np.random.default_rng(10).uniform(0, seconds, 22)
         near = bubbles_at(np.zeros(len(x)), times[which::2], 11 + which, 0.002, 0.007, wrap=True)
         return x + 0.45 * answer(near, 0.5, 200, 1800, 0.5, 13 + which, wrap=True)
@@ -83,7 +93,9 @@ def bed_tunnel():
         for k, start in enumerate((1.8, 8.1, 13.4, 20.2)):
             times = start + np.cumsum(np.random.default_rng(60 + k).exponential(0.11, 7))
             bubbles_at(creep, times % seconds, 64 + k, 0.003, 0.009, wrap=True)
-        return x + 0.13 * answer(creep, 1.8, 120, 1100, 1.0, 70 + which, wrap=True)
+        x += 0.13 * answer(creep, 1.8, 120, 1100, 1.0, 70 + which, wrap=True)
+        outside = snaps(seconds, 500, 17, which, 0.3, 1.2, 0.4)  # shrimps before the walls and in their cracks
+        return x + 0.25 * band(outside, 1500, 9000, 1.0)
 
     return both(side)
 
@@ -366,8 +378,9 @@ LEVELS = {
     escape: -22, release: -22, startle: -24, touch: -25, countdown: -24, bubbles: -24, fish_pass_small: -25, miss: -27,
     miss_too_far: -25, miss_behind: -25, miss_too_fast: -25, miss_too_early: -25,
     crack: -22, knock: -24, throw: -25, feed: -26, collect: -20,
+    **dict.fromkeys(CALM, -32), **dict.fromkeys(TENSION, -30),
 }
-LOOPS = {bed_open, bed_tunnel, struggle}
+LOOPS = {bed_open, bed_tunnel, struggle, *CALM, *TENSION}
 
 
 def made(make):
@@ -376,14 +389,15 @@ def made(make):
 
 
 def write(folder, make):
-    channels = made(make)
+    every = 2 if make in CALM + TENSION else 1  # music has nothing above 5 kHz
+    channels = [x[::every] for x in made(make)]
     data = np.round(np.stack(channels, axis=1) * 32767).astype("<i2")
     name = make.__name__
     temporary = os.path.join(folder, f".{name}.wav")
     with wave.open(temporary, "wb") as out:
         out.setnchannels(len(channels))
         out.setsampwidth(2)
-        out.setframerate(RATE)
+        out.setframerate(RATE // every)
         out.writeframes(data.tobytes())
     subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", temporary, "-bitexact", "-map_metadata", "-1", "-c:a", "flac",
                     "-compression_level", "12", os.path.join(folder, f"{name}.flac")], check=True)
@@ -422,7 +436,7 @@ def main(arguments):
         for make in LEVELS:
             x = made(make)
             peak = 20 * np.log10(max(np.max(np.abs(c)) for c in x))
-            print(f"{make.__name__:16} {len(x[0]) / RATE:5.2f} s {loudness(x, make in LOOPS):6.1f} LUFS  peak {peak:5.1f} dB")
+            print(f"{make.__name__:20} {len(x[0]) / RATE:5.2f} s {loudness(x, make in LOOPS):6.1f} LUFS  peak {peak:5.1f} dB")
         return 0
     if arguments:
         print(__doc__)

@@ -40,7 +40,7 @@ TEST_F(Numbers, OptionsRefuseThem) {
     for (const auto& [command, options] : std::map<std::string, std::vector<std::string>>{
              {"play --headless",
               {"env-yaw", "text-size", "fps", "at", "exposure", "fov", "speed", "seed", "volume",
-               "effects-volume", "video-sound", "haptics", "hand-size", "sensitivity", "reach-help",
+               "effects-volume", "music", "video-sound", "haptics", "hand-size", "sensitivity", "reach-help",
                "eye-distance"}},
              {"view m.glb --out a.png", {"fov", "at", "exposure", "env-yaw", "samples"}},
              {"light a.hdr -o out", {"at"}},

@@ -274,7 +274,7 @@ TEST_F(MenuTest, AMutedGameOffersNoVolume) {
     };
     const size_t all = rowsOfSound();
     options_.mute = true;
-    EXPECT_EQ(rowsOfSound(), all - 4);
+    EXPECT_EQ(rowsOfSound(), all - 5);
 }
 
 TEST_F(MenuTest, DivesInThePlayersOwnFilmSaySo) {

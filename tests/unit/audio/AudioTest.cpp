@@ -180,16 +180,19 @@ TEST(Audio, EnteringATunnelDoesNotClick) {
 }
 
 TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
-    // A busy moment of the game: a bed, eight creatures within reach, a bite. Below full scale, tunnel or
-    // not.
+    // A busy moment of the game: a bed, tense music, eight creatures within reach, a bite. Below full scale,
+    // tunnel or not.
     for (const float enclosure : {0.0f, 1.0f}) {
         auto audio = tests::valueOf(Audio::open({.loopback = true}));
-        for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small"})
+        for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small", "music_reef_calm",
+                                 "music_reef_tension"})
             audio.add(*readClip(dataRoot() / "content/sounds" / (std::string(name) + ".flac")));
         std::vector<Sound> emitters{{.id = 100, .clip = 0, .gain = 0.45f, .everywhere = true}};
-        for (uint32_t i = 0; i < 2; ++i)
+        for (uint32_t i = 0; i < 2; ++i) {
+            emitters.push_back({.id = 101 + i, .clip = 4 + static_cast<int>(i), .everywhere = true});
             emitters.push_back(
                 {.id = i, .clip = 1, .position = {i ? 0.4f : -0.4f, -0.2f, -0.5f}, .gain = 0.8f});
+        }
         std::vector<Sound> shots{{.clip = 2, .position = {0, 0, -0.7f}}};
         for (int i = 0; i < 3; ++i)
             shots.push_back(
@@ -202,6 +205,23 @@ TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
         EXPECT_LT(maximum, 1) << enclosure;
         EXPECT_GT(maximum, 0.1f);
     }
+}
+
+// Layers of music are made to sound together. Elsewhere they would begin at places of their own.
+TEST(Audio, EmittersInStepBeginTogether) {
+    const auto heard = [](bool inStep, size_t count) {
+        auto audio = tests::valueOf(Audio::open({.loopback = true}));
+        audio.add(tone(200.5f, 1));
+        std::array<Sound, 2> emitters;
+        for (uint32_t i = 0; i < 2; ++i)
+            emitters[i] = {.id = i + 1, .gain = 0.4f, .everywhere = true, .inStep = inStep};
+        audio.update({}, {emitters.data(), count}, {});
+        std::vector<float> samples(48000);
+        audio.render(samples);
+        return loudness(samples).both();
+    };
+    EXPECT_NEAR(heard(true, 2) / heard(true, 1), 2, 1e-3);
+    EXPECT_LT(heard(false, 2) / heard(false, 1), 1.9);
 }
 
 TEST(Audio, VolumeScales) {

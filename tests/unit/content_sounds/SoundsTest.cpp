@@ -1,5 +1,6 @@
 // The sounds in content/sounds, measured.
 #include "game/feedback/Feedback.h"
+#include "game/rules/DiveFile.h"
 #include "tests/Test.h"
 
 namespace shoal::game {
@@ -73,18 +74,12 @@ TEST_P(Sounds, IsAsLoudAsTheRest) {
     EXPECT_LT(lufs, loops() ? -22.5 : -16.5);
 }
 
-TEST_P(Sounds, NeitherStartsNorEndsWithAClick) {
+// The step over a loop's seam is like those around it: its second difference, which shows clicks even in a
+// smooth rumble, is within those of 4800 samples on both sides.
+void expectNoClickAtSeam(const audio::Clip& clip) {
     const auto channels = static_cast<size_t>(clip.channels);
     const auto& s = clip.samples;
     for (size_t c = 0; c < channels; ++c) {
-        const int first = s[c], last = s[s.size() - channels + c];
-        if (!loops()) {
-            EXPECT_LE(std::abs(first), 33); // -60 dB
-            EXPECT_LE(std::abs(last), 33);
-            continue;
-        }
-        // The step over the seam is like those around it: its second difference, which shows clicks even in a
-        // smooth rumble, is within those of the 100 ms on both sides.
         const size_t frames = s.size() / channels, around = 4800;
         const auto at = [&](size_t i) { return static_cast<int>(s[(i % frames) * channels + c]); };
         const auto bend = [&](size_t i) { return std::abs(at(i) - 2 * at(i + 1) + at(i + 2)); };
@@ -95,8 +90,61 @@ TEST_P(Sounds, NeitherStartsNorEndsWithAClick) {
     }
 }
 
-audio::Clip clipOf(const char* file) {
-    return *audio::readClip(dataRoot() / "content" / "sounds" / (std::string(file) + ".flac"));
+TEST_P(Sounds, NeitherStartsNorEndsWithAClick) {
+    if (loops()) return expectNoClickAtSeam(clip);
+    EXPECT_LE(std::abs(clip.samples.front()), 33); // -60 dB
+    EXPECT_LE(std::abs(clip.samples.back()), 33);
+}
+
+audio::Clip clipOf(const std::string& file) {
+    return tests::valueOf(audio::readClip(dataRoot() / "content" / "sounds" / (file + ".flac")));
+}
+
+// Returns the themes of all dives.
+std::set<std::string> themes() {
+    std::set<std::string> names;
+    for (const std::string& dive : diveNames()) names.insert(tests::valueOf(loadDiveFiles(dive)).dive.music);
+    return names;
+}
+
+double rms_dB(const audio::Clip& clip) {
+    double sum = 0;
+    for (const int16_t sample : clip.samples) sum += std::pow(sample / 32768.0, 2);
+    return 10 * std::log10(sum / static_cast<double>(clip.samples.size()));
+}
+
+// The layers of a theme stay in step for as long as they play, because they have one length; they loop
+// without a click and stay below the bed, which stands at -24 dB.
+TEST(Music, OfEachDiveHasLayersThatLoopInStepAndAreQuiet) {
+    EXPECT_EQ(themes().size(), diveNames().size()); // each dive has its own
+    for (const std::string& theme : themes()) {
+        std::optional<size_t> length;
+        for (const char* layer : kMusicLayers) {
+            SCOPED_TRACE(theme + " " + layer);
+            const audio::Clip clip = clipOf("music_" + theme + "_" + layer);
+            EXPECT_EQ(clip.channels, 2);
+            EXPECT_EQ(clip.rate_Hz, 24000);
+            EXPECT_EQ(clip.samples.size(), length.value_or(clip.samples.size()));
+            length = clip.samples.size();
+            expectNoClickAtSeam(clip);
+            EXPECT_GT(rms_dB(clip), -36);
+            EXPECT_LT(rms_dB(clip), -30);
+        }
+    }
+}
+
+// The sea is heard above 3 kHz too, where shrimps crackle, but softly: the whole bed stands at -24 dB.
+TEST(Beds, ReachBeyondThreeKilohertz) {
+    for (const char* bed : {"bed_open", "bed_tunnel"}) {
+        audio::Clip clip = clipOf(bed);
+        Biquad first{0.75708, -1.51415, 0.75708, -1.45424, 0.57406}, second = first; // high-pass, 3 kHz
+        std::vector<int16_t> high;
+        for (size_t i = 0; i < clip.samples.size(); i += 2)
+            high.push_back(static_cast<int16_t>(second.step(first.step(clip.samples[i]))));
+        clip.samples = high;
+        EXPECT_GT(rms_dB(clip), -70) << bed;
+        EXPECT_LT(rms_dB(clip), -45) << bed;
+    }
 }
 
 // Power of the samples between two times, and, by Goertzel's algorithm, of one frequency in them.
@@ -149,8 +197,8 @@ TEST(SoundsFolder, HoldsNoMoreThanIsUsedAndStaysSmall) {
         bytes += entry.file_size();
         ++files;
     }
-    EXPECT_EQ(files, kSounds.size());
-    EXPECT_LT(bytes, 4000000u);
+    EXPECT_EQ(files, kSounds.size() + themes().size() * kMusicLayers.size());
+    EXPECT_LT(bytes, 6600000u);
 }
 
 } // namespace

@@ -51,6 +51,8 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     const std::string good = "duration = 30\n[[school]]\nspecies = \"snapper\"\ncount = 3\n";
     ASSERT_TRUE(loadDive(write(good), known));
     const auto reason = [&](const std::string& text) { return reasonOf(loadDive(write(text), known)); };
+    EXPECT_THAT(reason("music = \"../reef\"\n" + good), AllOf(HasSubstr("line 1"), HasSubstr("theme")));
+    EXPECT_EQ(tests::valueOf(loadDive(write("music = \"reef\"\n" + good), known)).music, "reef");
     EXPECT_THAT(reason(good + "radius = [2, 1]\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(good + "radius = [0.1, 1]\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(good + "radius = [1, 2, 3]\n"), HasSubstr("line 5"));

@@ -290,5 +290,87 @@ TEST(SoundCues, PauseIsSilentAndKeepsTheCaptions) {
     EXPECT_EQ(hear.captions().size(), 1u);
 }
 
+// Returns a dive in which one creature moves so, at this distance before the head.
+Snapshot withCreature(Motion motion, float away_m) {
+    Snapshot shown{.timeLeft_s = 60, .headWorld = {0, 0.4f, 1}};
+    shown.creatures = {{.position = shown.headWorld - glm::vec3(0, 0, away_m), .gait = {.motion = motion}}};
+    return shown;
+}
+
+TEST(Tension, FollowsTheShark) {
+    const auto cruising = [](float away_m) { return tensionOf(withCreature(Motion::Cruise, away_m)); };
+    EXPECT_EQ(cruising(4.2f), 0); // on its circle
+    EXPECT_GT(cruising(2), 0);
+    EXPECT_GT(cruising(1.5f), cruising(2));
+    Snapshot threat = withCreature(Motion::Cruise, 2);
+    threat.creatures[0].shape.finsDown = 0.65f;
+    EXPECT_GT(tensionOf(threat), cruising(0));
+    for (const Motion motion : {Motion::Lunge, Motion::Bite})
+        EXPECT_EQ(tensionOf(withCreature(motion, 6)), 1);
+    for (const Motion motion : {Motion::Swim, Motion::Dart, Motion::Struggle}) // a fish
+        EXPECT_EQ(tensionOf(withCreature(motion, 0.3f)), 0);
+    threat.phase = Phase::Results;
+    EXPECT_EQ(tensionOf(threat), 0);
+}
+
+TEST(Tension, GrowsInTheLastTenSeconds) {
+    const auto at = [](float left_s) { return tensionOf({.timeLeft_s = left_s}); };
+    EXPECT_EQ(at(10), 0);
+    EXPECT_GT(at(9), 0);
+    EXPECT_GT(at(1), at(9));
+    EXPECT_LT(at(0), 1); // less than a strike
+    EXPECT_EQ(tensionOf({.freeSwim = true, .timeLeft_s = 1}), 0);
+}
+
+class HeardMusic : public HeardDive {
+  protected:
+    using Gains = std::array<float, kMusicLayers.size()>;
+
+    // Listens for as long; returns the layers' gains, each of which changes by no more than a second's part.
+    Gains hearFor(float seconds, std::span<const Event> events = {}) {
+        for (int i = 0; i < static_cast<int>(seconds / kFrame_s); ++i) {
+            hear.listen(shown, i == 0 ? events : std::span<const Event>(), kFrame_s, 1, 0.5f);
+            for (size_t layer = 0; layer < gains.size(); ++layer) {
+                const auto clip = static_cast<int>(kSounds.size() + layer);
+                const auto found = std::ranges::find(hear.emitters(), clip, &audio::Sound::clip);
+                if (found == hear.emitters().end()) return ADD_FAILURE() << "no layer", gains;
+                EXPECT_TRUE(found->everywhere && found->inStep);
+                EXPECT_LE(std::abs(found->gain - gains[layer]), 0.5f * kFrame_s);
+                gains[layer] = found->gain;
+            }
+        }
+        return gains;
+    }
+    Gains gains{};
+};
+
+TEST_F(HeardMusic, FollowsTheTensionWithoutSteps) {
+    shown = withCreature(Motion::Cruise, 4.2f);
+    const float calm = hearFor(3)[0];
+    EXPECT_GT(calm, 0.3f);
+    EXPECT_EQ(gains[1], 0);
+    shown.creatures[0].gait.motion = Motion::Lunge;
+    EXPECT_FLOAT_EQ(hearFor(3)[1], 0.5f); // all of the volume
+    EXPECT_EQ(gains[0], calm);
+    shown.paused = true; // goes on, so that it need not begin anew
+    hearFor(1);
+    shown.paused = false;
+    shown.creatures[0].gait.motion = Motion::Cruise;
+    EXPECT_EQ(hearFor(5)[1], 0);
+}
+
+TEST_F(HeardMusic, LiftsForAWhileAfterACatch) {
+    shown = withCreature(Motion::Swim, 1);
+    const float calm = hearFor(3)[0];
+    const Event caught{.kind = EventKind::Catch, .position = glm::vec3(0)};
+    EXPECT_GT(hearFor(2, {&caught, 1})[0], 1.2f * calm);
+    EXPECT_EQ(hearFor(6)[0], calm);
+}
+
+TEST_F(HeardMusic, IsNotAskedForWhereThereIsNone) {
+    listen();
+    EXPECT_EQ(hear.emitters().size(), 1u); // the bed
+}
+
 } // namespace
 } // namespace shoal::game
