@@ -72,7 +72,8 @@ void Dive::begin(uint64_t seed) {
     state_.phase = Phase::Diving;
     state_.begun = state_.toldOfNoGuest = false;
     state_.score = {.species = std::vector<SpeciesTally>(files_.species.size()),
-                    .reached = std::vector<bool>(files_.dive.goals.size())};
+                    .goals = drawGoals(files_.dive.goals, seed)};
+    state_.score.reached.resize(state_.score.goals.size());
     for (Hand& hand : state_.hands) {
         hand.grasp.holds = hand.grasp.encloses = -1;
         hand.grasp.window = 0;
@@ -92,6 +93,7 @@ void Dive::begin(uint64_t seed) {
 
 void Dive::step(const TickInput& input, Events& events) {
     DiveState& s = state_;
+    const size_t before = events.size();
     const bool restart = input.restart && !s.restartHeld;
     s.restartHeld = input.restart;
     if (restart) begin(s.seed + 1);
@@ -125,8 +127,10 @@ void Dive::step(const TickInput& input, Events& events) {
     countCatches(s.hands, s.fish, s.score, in, events);
     for (Hand& hand : s.hands)
         if (hand.visible) easeFingers(hand);
-    if (diving) endWhenOver(events);
-    if (diving) reachGoals(events);
+    if (!diving) return;
+    endWhenOver(events);
+    countDeeds(std::span(events).subspan(before), in, s.score.deeds);
+    reachGoals(events);
 }
 
 void Dive::touch(Events& events) {
@@ -158,9 +162,9 @@ void Dive::endWhenOver(Events& events) {
 
 void Dive::reachGoals(Events& events) {
     DiveState& s = state_;
-    for (size_t i = 0; i < files_.dive.goals.size(); ++i) {
-        if (s.score.reached[i] || !isReached(files_.dive.goals[i], s.score, s.phase == Phase::Results))
-            continue;
+    for (size_t i = 0; i < s.score.goals.size(); ++i) {
+        const Goal& goal = files_.dive.goals[s.score.goals[i]];
+        if (s.score.reached[i] || !isReached(goal, s.score, s.phase == Phase::Results)) continue;
         s.score.reached[i] = true;
         events.push_back({.kind = EventKind::Goal, .goal = static_cast<int>(i)});
     }
@@ -218,9 +222,11 @@ void Dive::snapshot(Snapshot& out) const {
     out.combo = s.score.combo();
     out.bestCombo = s.score.bestCombo;
     out.tally = s.score.species;
-    out.goals.resize(dive.goals.size());
-    for (size_t i = 0; i < dive.goals.size(); ++i)
-        out.goals[i] = {progressOf(dive.goals[i], s.score), s.score.reached[i]};
+    out.goals.resize(s.score.goals.size());
+    for (size_t i = 0; i < out.goals.size(); ++i) {
+        const int goal = s.score.goals[i];
+        out.goals[i] = {goal, progressOf(dive.goals[goal], s.score), s.score.reached[i]};
+    }
     out.worldFromView = s.view.worldFromView;
     out.headWorld = s.view.headWorld;
     const DiveContext in = context();
@@ -428,6 +434,7 @@ template <class T> auto fieldsOf(const T& state) {
     SHOAL_TIE(7, a, b, c, d, e, f, g);
     SHOAL_TIE(8, a, b, c, d, e, f, g, h);
     SHOAL_TIE(9, a, b, c, d, e, f, g, h, i);
+    SHOAL_TIE(10, a, b, c, d, e, f, g, h, i, j);
     SHOAL_TIE(11, a, b, c, d, e, f, g, h, i, j, k);
     SHOAL_TIE(12, a, b, c, d, e, f, g, h, i, j, k, l);
     SHOAL_TIE(16, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);

@@ -99,10 +99,12 @@ struct HandView {
 struct SpeciesTally {
     int caught = 0, lost = 0; // lost: to the shark
     bool touched = false;     // by a hand, in this dive
+    float largest_m = 0;      // length of the longest that was caught; 0: none
 };
 
-// One of the dive's goals, DiveFile::goals.
+// One of the dive's goals.
 struct GoalView {
+    int goal = 0;     // index into DiveFile::goals
     int progress = 0; // 0 to Goal::count
     bool reached = false;
 };
@@ -121,7 +123,7 @@ struct Snapshot {
     int combo = 0;                   // of the last catch, 0 to kMaxCombo; 0: no run of species is under way
     int bestCombo = 0;               // of the dive
     std::vector<SpeciesTally> tally; // by index into the species table
-    std::vector<GoalView> goals;     // by index into DiveFile::goals; none in free swim
+    std::vector<GoalView> goals;     // none in free swim
     glm::quat worldFromView{1, 0, 0, 0}; // direction of the player's view
     glm::vec3 headWorld{0};              // between the player's eyes
     std::array<HandView, 2> hands{};     // left, right
@@ -172,7 +174,7 @@ struct Event {
     int species = -1; // index into the species table
     int points = 0;
     int combo = 0;
-    int goal = -1; // index into DiveFile::goals, for a Goal
+    int goal = -1; // index into Snapshot::goals, for a Goal
 };
 
 using Events = std::vector<Event>; // functions append to it

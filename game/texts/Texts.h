@@ -41,6 +41,9 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Fish in the light of a film", "Fische im Licht eines Films", "Des poissons dans la lumière d’un film"},
 
     // Results
+    {"Stars in all: {}", "Sterne insgesamt: {}", "Étoiles en tout : {}"},
+    {"new", "neu", "nouveau"},
+    {"record", "Rekord", "record"},
     {"{} fish caught", "{} Fische gefangen", "{} poissons attrapés"},
     {"1 fish caught", "1 Fisch gefangen", "1 poisson attrapé"},
     {"{} taken by the shark", "{} vom Hai geraubt", "{} volés par le requin"},
@@ -54,8 +57,25 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"goal reached", "Ziel erreicht", "objectif atteint"},
     {"Catch {} different species", "Fange {} verschiedene Arten", "Attrape {} espèces différentes"},
     {"Score {} points", "Erreiche {} Punkte", "Marque {} points"},
-    {"Catch fish and lose none to the shark", "Fange Fische und verliere keinen an den Hai",
-     "Attrape des poissons sans en perdre face au requin"},
+    {"Catch {} fish and lose none to the shark", "Fange {} Fische und verliere keinen an den Hai",
+     "Attrape {} poissons sans que le requin t’en prenne un"},
+    {"Catch {} fish within {} seconds", "Fange {} Fische in {} Sekunden",
+     "Attrape {} poissons en {} secondes"},
+    {"First catch: {}", "Erster Fang: {}", "Première prise : {}"},
+    {"Catch {} fish with each hand", "Fange mit jeder Hand {} Fische", "Attrape {} poissons de chaque main"},
+    {"Bring fish to feed on a mussel", "Locke mit einer Muschel Fische an",
+     "Attire des poissons avec une moule"},
+    {"Bring fish to feed on {} mussels", "Locke mit {} Muscheln Fische an",
+     "Attire des poissons avec {} moules"},
+    {"Turn the shark away with a stone", "Vertreibe den Hai mit einem Stein",
+     "Fais fuir le requin avec une pierre"},
+    {"Turn the shark away with stones: {}", "Vertreibe den Hai mit Steinen: {}",
+     "Fais fuir le requin avec des pierres : {}"},
+    {"Take {} {} out of the sea", "Hole {} {} aus dem Meer", "Sors {} {} de la mer"},
+    {"Touch {} kinds of animals", "Berühre {} Tierarten", "Touche {} espèces d’animaux"},
+    {"Catch {} fish in a row and frighten none in between",
+     "Fange {} Fische in Folge, ohne einen zu verscheuchen",
+     "Attrape {} poissons d’affilée sans en effrayer un seul"},
     {"Catch {} different species in a row", "Fange {} verschiedene Arten in Folge",
      "Attrape {} espèces différentes d’affilée"},
 
@@ -185,11 +205,13 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "ihrem Weg.",
      "Les poissons craignent une main rapide et sont curieux d’une main au repos : bouge lentement, ou "
      "attends sur leur chemin."},
-    {"A mussel that you hold cracks, and fish come to feed. A stone thrown at the shark's head turns it away. "
+    {"A mussel that you hold cracks, and fish come to feed. A stone thrown at the shark's head turns it "
+     "away. "
      "Take bottles out of the sea.",
      "Eine Muschel, die du hältst, bricht auf, und Fische kommen fressen. Ein Stein an den Kopf des Hais "
      "vertreibt ihn. Hole Flaschen aus dem Meer.",
-     "Une moule que tu tiens s’ouvre, et des poissons viennent manger. Une pierre lancée à la tête du requin le "
+     "Une moule que tu tiens s’ouvre, et des poissons viennent manger. Une pierre lancée à la tête du requin "
+     "le "
      "fait fuir. Sors les bouteilles de la mer."},
     {"The shark is drawn to a struggling fish. When it points at your hand, let go or pull away.",
      "Zappelnde Fische locken den Hai an. Zeigt er auf deine Hand, lass los oder zieh sie weg.",
@@ -406,6 +428,12 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"You have met {} of {} animals. Touch an animal in the water to get to know it.",
      "Du kennst {} von {} Tieren. Berühre ein Tier im Wasser, um es kennenzulernen.",
      "Tu connais {} animaux sur {}. Touche un animal dans l’eau pour le découvrir."},
+
+    {"Next", "Nächstes Tier", "Suivant"},
+    {"Previous", "Voriges Tier", "Précédent"},
+    {"Caught: {}", "Gefangen: {}", "Prises : {}"},
+    {"Longest: {}", "Längster Fang: {}", "La plus longue : {}"},
+    {"First met: {}, {}", "Erste Begegnung: {}, {}", "Première rencontre : {}, {}"},
 
     // Dives
     {"The reef", "Das Riff", "Le récif"},
