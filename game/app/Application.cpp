@@ -43,6 +43,9 @@ static std::vector<DiveName> divesThereAre() {
         const std::string picture = "dives/" + name + ".jpg";
         const bool shown = std::filesystem::exists(dataRoot() / "content" / picture);
         dives.push_back({.name = name, .title = files->dive.title, .picture = shown ? picture : ""});
+        for (const game::School& school : files->dive.schools)
+            if (school.stars > 0)
+                dives.back().rare.emplace_back(files->species[school.species].name, school.stars);
     }
     // The default dive comes first.
     const auto first = std::ranges::find(dives, kFirstDive, &DiveName::name);
@@ -180,6 +183,7 @@ Status Application::begin(Mode mode) {
     if (isForPerson()) {
         config.rules.freeSwim = mode != Mode::Dive;
         config.rules.seated = isSeated();
+        config.rules.stars = stars();
     }
     statistics_ = {.renderer = std::move(statistics_.renderer)};
     const FrameClock::Mode clock = options_.timedemo ? FrameClock::Mode::TimeDemo
@@ -188,6 +192,9 @@ Status Application::begin(Mode mode) {
     play_.emplace(config, options_, clock, screens_, mode);
     return records(mode) ? play_->session.record(recordingFile()) : Done{};
 }
+
+// Returns the player's stars; none without a window, where equal commands give equal pictures.
+int Application::stars() const { return config_.live ? starsIn(screens_.facts.allScores) : 0; }
 
 // Returns whether the player sits, which matters only in a headset.
 bool Application::isSeated() const {

@@ -377,15 +377,30 @@ MenuPage Screens::guidePage() {
     for (size_t species = 0; species < all.size(); ++species) {
         const bool known = findMet(facts.met, all[species].name);
         met += known;
-        itemButton(known ? animalName(all[species], 1, language()) : "?",
+        const int stars = rarity(all[species]).first;
+        itemButton(known   ? animalName(all[species], 1, language())
+                   : stars ? fmt::format("?   \u2605 {}", stars)
+                           : "?",
                    [this, species] { push(Screen::Animal, species); });
-        items_.back().enabled = known;
+        items_.back().enabled = hasPage(species);
     }
     backButton();
     return {.title = in("Field guide"),
             .text = {in("You have met {} of {} animals. Touch an animal in the water to get to know it.", met,
                         all.size())},
             .layout = PageLayout::Side};
+}
+
+std::pair<int, std::string> Screens::rarity(const game::Species& animal) const {
+    for (const DiveName& dive : facts.dives)
+        for (const auto& [species, stars] : dive.rare)
+            if (species == animal.name) return {stars, named(dive.title)};
+    return {};
+}
+
+bool Screens::hasPage(size_t species) const {
+    const game::Species& animal = (*facts.species)[species];
+    return findMet(facts.met, animal.name) || rarity(animal).first > 0;
 }
 
 MenuPage Screens::animalPage() {
@@ -398,7 +413,13 @@ MenuPage Screens::animalPage() {
                   .text = {textIn(animal.fact, language())},
                   .turns = true};
     const MetAnimal* met = findMet(facts.met, animal.name);
-    if (!met) return page;
+    if (!met) { // a rare one: its silhouette
+        const auto [stars, dive] = rarity(animal);
+        page.title = "?";
+        page.picture = "guide/" + animal.name + ".dark.png";
+        page.text = {in("{} stars bring it to you. Dive: {}", stars, dive)};
+        return page;
+    }
     if (met->caught > 0) {
         page.text.push_back(in("Caught: {}", met->caught));
         if (met->largest_m > 0) page.text.back() += "   " + in("Longest: {}", lengthText(met->largest_m));
@@ -412,7 +433,7 @@ void Screens::turnTo(int steps) {
     size_t& index = stack_.back().index;
     for (size_t tries = 0; tries < count; ++tries) {
         index = (index + (steps > 0 ? 1 : count - 1)) % count;
-        if (findMet(facts.met, (*facts.species)[index].name)) break;
+        if (hasPage(index)) break;
     }
     menu_.show(page(), menu_.focus());
 }

@@ -53,7 +53,8 @@ struct Request {
 
 struct DiveName {
     std::string name, title;
-    std::string picture{}; // below content/; empty: none
+    std::string picture{};                           // below content/; empty: none
+    std::vector<std::pair<std::string, int>> rare{}; // species that come for stars, and for how many
 };
 
 // Data that the pages show besides settings.
@@ -124,6 +125,9 @@ class Screens {
     MenuPage page();
 
     std::vector<MenuPicture> catches() const;
+    // Returns the stars for which an animal comes, and the title of its dive; 0: it comes to all players.
+    std::pair<int, std::string> rarity(const game::Species& animal) const;
+    bool hasPage(size_t species) const; // in the field guide
     // Each fills items_ and returns the page without its items.
     MenuPage titlePage();
     MenuPage divesPage(); // for free swims too

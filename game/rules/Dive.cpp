@@ -1,6 +1,7 @@
 #include "game/rules/Dive.h"
 
 #include "engine/core/Hash.h"
+#include "engine/core/Number.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
 
@@ -62,6 +63,7 @@ Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed, DiveRules rules)
         files_.dive.goals.clear();
     }
     if (rules_.seated) bringToSeated(files_.dive);
+    std::erase_if(files_.dive.schools, [&](const School& school) { return school.stars > rules_.stars; });
     begin(seed);
 }
 
@@ -361,7 +363,8 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
     header.settings = {{"film", dive.file().video},
                        {"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
-                       {"seated", rules.seated ? "on" : "off"}};
+                       {"seated", rules.seated ? "on" : "off"},
+                       {"stars", std::to_string(rules.stars)}};
     if (dive.file().space) header.settings[kFilmSpace] = nameOf(dive.file().space.get());
     return header;
 }
@@ -373,11 +376,14 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
     for (const auto& [name, value] : header.settings) {
         bool* flag = name == "free_swim" ? &rules.freeSwim : name == "seated" ? &rules.seated : nullptr;
         const auto assist = enumNamed<Assist>(value);
-        if (name == "assist" && assist)
+        const auto stars = parseNumber(value, 0, 1'000'000'000);
+        if (name == "stars" && stars)
+            rules.stars = *stars;
+        else if (name == "assist" && assist)
             rules.assist = *assist;
         else if (flag && (value == "on" || value == "off"))
             *flag = value == "on";
-        else if (flag || name == "assist") // others are settings of the program, no rules
+        else if (flag || name == "assist" || name == "stars") // others are settings of the program, no rules
             return Error{"the recording", "has an unknown value: " + name + " = " + value};
     }
     return rules;

@@ -77,6 +77,7 @@ static School readSchool(TomlTable& table, const SpeciesTable& known, bool thing
     table.whole("count", school.count, 1, kMaxFish);
     table.range("radius", school.radiusLow_m, school.radiusHigh_m, 0.6f, 6);
     table.range("height", school.heightLow_m, school.heightHigh_m, -2, 2);
+    table.whole("stars", school.stars, 0, 1000);
     return school;
 }
 

@@ -76,6 +76,7 @@ struct School {
     int count = 1;
     float radiusLow_m = 0.7f, radiusHigh_m = 3;     // distance from the vertical axis through the viewer
     float heightLow_m = -0.5f, heightHigh_m = 0.5f; // relative to the viewer's eyes
+    int stars = 0;                                  // it comes to players who have as many
 };
 
 struct SharkPlan {
@@ -179,6 +180,7 @@ struct DiveRules {
     bool freeSwim = false; // no clock, no shark, no goals
     // The player sits: no fish circles where only a step or bent knees would reach it.
     bool seated = false;
+    int stars = 0; // that the player has; rarer animals come for them
 
     bool operator==(const DiveRules&) const = default;
 };

@@ -429,6 +429,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Du kennst {} von {} Tieren. Berühre ein Tier im Wasser, um es kennenzulernen.",
      "Tu connais {} animaux sur {}. Touche un animal dans l’eau pour le découvrir."},
 
+    {"{} stars bring it to you. Dive: {}", "Ab {} Sternen kommt es zu dir. Tauchgang: {}",
+     "À partir de {} étoiles, il vient à toi. Plongée : {}"},
     {"Next", "Nächstes Tier", "Suivant"},
     {"Previous", "Voriges Tier", "Précédent"},
     {"Caught: {}", "Gefangen: {}", "Prises : {}"},

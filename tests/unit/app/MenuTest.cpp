@@ -278,6 +278,20 @@ TEST_F(MenuTest, LeftAndRightTurnThePagesOfAnimalsThatWereMet) {
     EXPECT_EQ(screens_.top(), Screen::Guide);
 }
 
+TEST_F(MenuTest, ARareAnimalIsASilhouetteUntilItIsMet) {
+    species_ = {{.name = "snapper"}, {.name = "golden_ray"}};
+    screens_.facts.dives[1].rare = {{"golden_ray", 20}};
+    choose("Field guide");
+    EXPECT_FALSE(page().items[0].enabled);
+    choose("?   \u2605 20");
+    EXPECT_EQ(page().title, "?");
+    EXPECT_EQ(page().picture, "guide/golden_ray.dark.png");
+    EXPECT_EQ(page().text.at(0), "20 stars bring it to you. Dive: The reef by night");
+    screens_.facts.met = {{.species = "golden_ray"}};
+    screens_.refresh();
+    EXPECT_EQ(page().picture, "guide/golden_ray.png");
+}
+
 TEST_F(MenuTest, EachKindOfGoalHasItsWords) {
     screens_.facts.results.goals.clear();
     for (size_t kind = 0; kind < game::kGoalNames.size(); ++kind) {

@@ -185,7 +185,8 @@ TEST(Goals, ThoseOfTheGameCanBeReached) {
         const auto number = [&](int species, auto fits) {
             int count = 0;
             for (const School& school : files.dive.schools)
-                if ((species < 0 || school.species == species) && fits(files.species[school.species]))
+                if (school.stars == 0 && (species < 0 || school.species == species) &&
+                    fits(files.species[school.species]))
                     count += species < 0 ? 1 : school.count;
             return count;
         };
@@ -213,6 +214,38 @@ TEST(Goals, ThoseOfTheGameCanBeReached) {
             }
         }
     }
+}
+
+TEST(RareAnimals, ComeToPlayersWithStarsAndChangeNothingForOthers) {
+    DiveFile file = calmCove();
+    const auto hashOf = [](const DiveFile& dive, int stars) {
+        return Dive(cove().species, dive, 7, {.stars = stars}).stateHash();
+    };
+    const uint64_t without = hashOf(file, 0);
+    School rare = file.schools[0];
+    rare.count = 1;
+    rare.stars = 10;
+    file.schools.push_back(rare);
+    EXPECT_EQ(hashOf(file, 0), without);
+    EXPECT_EQ(hashOf(file, 9), without);
+    EXPECT_NE(hashOf(file, 10), without);
+    const size_t count = Dive(cove().species, file, 7).state().fish.size();
+    EXPECT_EQ(Dive(cove().species, file, 7, {.stars = 11}).state().fish.size(), count + 1);
+}
+
+TEST(RareAnimals, EachDiveOfTheGameHasOneForTenStars) {
+    int forTwenty = 0;
+    for (const std::string& name : diveNames()) {
+        const DiveFiles files = tests::valueOf(loadDiveFiles(name));
+        EXPECT_EQ(std::ranges::count(files.dive.schools, 10, &School::stars), 1) << name;
+        forTwenty += static_cast<int>(std::ranges::count(files.dive.schools, 20, &School::stars));
+        for (const School& school : files.dive.schools)
+            if (school.stars > 0) {
+                EXPECT_TRUE(std::filesystem::exists(dataRoot() / "content/guide" /
+                                                    (files.species[school.species].name + ".dark.png")));
+            }
+    }
+    EXPECT_EQ(forTwenty, 1);
 }
 
 TEST(FreeSwim, HasNoClockAndNoShark) {
@@ -244,13 +277,18 @@ TEST(Sting, AHandThatClosesOnAJellyfishCannotHoldForASecond) {
 }
 
 TEST(Replays, CarryTheirRules) {
-    const DiveRules rules{Assist::Strong, true, true};
+    const DiveRules rules{Assist::Strong, true, true, 12};
     const Dive dive(cove().species, cove().dive, 3, rules);
     sim::RecordingHeader header = recordingHeader(dive);
     ASSERT_TRUE(rulesOf(header));
     EXPECT_EQ(*rulesOf(header), rules);
     header.settings["assist"] = "magic";
     EXPECT_FALSE(rulesOf(header));
+    header.settings["assist"] = "none";
+    header.settings["stars"] = "-1";
+    EXPECT_FALSE(rulesOf(header));
+    header.settings.erase("stars"); // of an earlier version
+    EXPECT_EQ(tests::valueOf(rulesOf(header)).stars, 0);
 }
 
 // Enclosure of the video's places over the dive's time.
