@@ -31,23 +31,21 @@ constexpr double kMenuPeriod_s = 1 / 30.0, kQuietPeriod_s = 1 / 15.0;
 constexpr float kQuietAfter_s = 20;
 constexpr double kWarmUp_s = 5; // length of the warm-up dive before a measured one
 
-// Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
+// Returns the dives with their titles; a dive whose file cannot be read is left out.
 static std::vector<DiveName> divesThereAre() {
     std::vector<DiveName> dives;
-    auto scores = readScores();
     for (const std::string& name : game::diveNames()) {
         const auto files = game::loadDiveFiles(name);
         if (!files) {
             log::warn("{}", files.error().message());
             continue;
         }
-        const std::vector<int>& top = scores[name].top;
         const std::string picture = "dives/" + name + ".jpg";
         const bool shown = std::filesystem::exists(dataRoot() / "content" / picture);
-        dives.push_back({.name = name,
-                         .title = files->dive.title,
-                         .picture = shown ? picture : "",
-                         .best = top.empty() ? 0 : top.front()});
+        dives.push_back({.name = name, .title = files->dive.title, .picture = shown ? picture : ""});
+        for (const game::School& school : files->dive.schools)
+            if (school.stars > 0)
+                dives.back().rare.emplace_back(files->species[school.species].name, school.stars);
     }
     // The default dive comes first.
     const auto first = std::ranges::find(dives, kFirstDive, &DiveName::name);
@@ -71,6 +69,7 @@ Status Application::open() {
                       .dive = &config_.dive,
                       .dives = divesThereAre(),
                       .headset = xr::Headset::hasRuntime(),
+                      .allScores = readScores(),
                       .met = readGuide()};
     if (Status opened = openScene(); !opened) return opened;
     openSound();
@@ -186,6 +185,7 @@ Status Application::begin(Mode mode) {
     if (isForPerson()) {
         config.rules.freeSwim = mode != Mode::Dive;
         config.rules.seated = isSeated();
+        config.rules.stars = stars();
     }
     statistics_ = {.renderer = std::move(statistics_.renderer)};
     const FrameClock::Mode clock = options_.timedemo ? FrameClock::Mode::TimeDemo
@@ -194,6 +194,9 @@ Status Application::begin(Mode mode) {
     play_.emplace(config, options_, clock, screens_, mode);
     return records(mode) ? play_->session.record(recordingFile()) : Done{};
 }
+
+// Returns the player's stars; none without a window, where equal commands give equal pictures.
+int Application::stars() const { return config_.live ? starsIn(screens_.facts.allScores) : 0; }
 
 // Returns whether the player sits, which matters only in a headset.
 bool Application::isSeated() const {
@@ -370,13 +373,13 @@ void Application::noteTracker() {
 
 // Announces a new animal in the field guide. before: number of animals in it before this frame.
 void Application::noteMet(size_t before) {
-    const std::vector<std::string>& met = screens_.facts.met;
+    const std::vector<MetAnimal>& met = screens_.facts.met;
     play_->metLeft_s -= static_cast<float>(play_->elapsed_s);
     if (met.size() == before) return;
     const game::SpeciesTable& all = *screens_.facts.species;
-    play_->met =
-        game::Notice{"New in your field guide: {}",
-                     animalName(all[game::findSpecies(all, met.back())], 1, options_.text.shownLanguage())};
+    play_->met = game::Notice{
+        "New in your field guide: {}",
+        animalName(all[game::findSpecies(all, met.back().species)], 1, options_.text.shownLanguage())};
     play_->metLeft_s = kMet_s;
 }
 

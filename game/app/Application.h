@@ -66,6 +66,7 @@ class Application {
     Mode firstMode() const;
     Status begin(Mode mode);
     bool isSeated() const;
+    int stars() const;
     Status beginSeated(); // begins again with seated rules if the player turns out to sit
     bool records(Mode mode) const { return measured_ && !options_.record.empty() && mode != Mode::Title; }
     Path recordingFile();

@@ -19,6 +19,10 @@ Status Application::answer(const Request& request) {
         display_->recentre();
         return Done{};
     case Request::Kind::Restart:
+        if (isForPerson() && session.dive.rules().stars != stars()) { // another dive, with other animals
+            config_.seed = session.dive.seed() + 1;
+            return begin(play_->states.mode());
+        }
         session.restart = true;
         session.paused = false;
         play_->results_s = play_->resultsQuiet_s = 0;

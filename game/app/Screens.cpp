@@ -4,6 +4,7 @@
 #include "game/ui/Hud.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/chrono.h>
 #include <fmt/ranges.h>
 
 #include <cctype>
@@ -47,14 +48,47 @@ static std::string capitalised(std::string name) {
 
 static std::string goalText(const game::Goal& goal, const game::SpeciesTable& species,
                             game::Language language) {
-    static constexpr std::array<game::Text, 5> kGoals = {
-        "Catch {} fish", "Catch {} different species", "Score {} points",
-        "Catch fish and lose none to the shark", "Catch {} different species in a row"}; // by GoalKind
-    if (goal.kind == game::GoalKind::Catch && goal.species >= 0)
-        return game::Text("Catch {} {}")
-            .in(language, goal.count, animalName(species[goal.species], goal.count, language));
-    return kGoals[static_cast<size_t>(goal.kind)].in(language, goal.count);
+    static constexpr std::array<game::Text, game::kGoalNames.size()> kGoals = {
+        "Catch {} fish",
+        "Catch {} different species",
+        "Score {} points",
+        "Catch {} fish and lose none to the shark",
+        "Catch {} different species in a row",
+        "Catch {} fish within {} seconds",
+        "First catch: {}",
+        "Catch {} fish with each hand",
+        "Bring fish to feed on {} mussels",
+        "Turn the shark away with stones: {}",
+        "Touch {} kinds of animals",
+        "Catch {} fish in a row and frighten none in between"}; // by GoalKind
+    const game::Text text = kGoals[static_cast<size_t>(goal.kind)];
+    if (goal.kind == game::GoalKind::Quick) return text.in(language, goal.count, std::lround(goal.within_s));
+    if (goal.kind == game::GoalKind::Guests && goal.count == 1)
+        return game::Text("Bring fish to feed on a mussel").in(language);
+    if (goal.kind == game::GoalKind::TurnShark && goal.count == 1)
+        return game::Text("Turn the shark away with a stone").in(language);
+    if (goal.species < 0) return text.in(language, goal.count);
+    const std::string& name = animalName(species[goal.species], goal.count, language);
+    if (goal.kind == game::GoalKind::First) return text.in(language, name);
+    return game::Text(species[goal.species].thing == game::Thing::None
+                          ? game::Text("Catch {} {}")
+                          : game::Text("Take {} {} out of the sea"))
+        .in(language, goal.count, name);
 }
+
+// Returns the stars of a dive as glyphs, those not earned empty.
+static std::string starText(int stars) {
+    std::string text;
+    for (int i = 0; i < static_cast<int>(game::kGoals); ++i) text += i < stars ? "\u2605" : "\u2606";
+    return text;
+}
+
+static const MetAnimal* findMet(const std::vector<MetAnimal>& met, const std::string& species) {
+    const auto found = std::ranges::find(met, species, &MetAnimal::species);
+    return found == met.end() ? nullptr : &*found;
+}
+
+static std::string lengthText(float length_m) { return fmt::format("{} cm", std::lround(100 * length_m)); }
 
 void Screens::open(Screen screen, size_t focus) {
     stack_.clear();
@@ -142,6 +176,7 @@ void Screens::input(const MenuInput& input) {
     const auto event = menu_.input(input);
     if (!event) return;
     if (event->kind == MenuEvent::Kind::Back) return back();
+    if (event->kind == MenuEvent::Kind::Turn) return turnTo(event->steps);
     const size_t depth = stack_.size();
     const auto act = menu_.page().items[event->item].act; // the call may replace the page
     act(*event);
@@ -200,7 +235,11 @@ MenuPage Screens::divesPage() {
     const bool swims = top() == Screen::Swims;
     for (const DiveName& dive : facts.dives) {
         std::string label = named(dive.title);
-        if (dive.best > 0 && !swims) label += "   \u2605 " + std::to_string(dive.best);
+        const auto scores = facts.allScores.find(dive.name);
+        if (scores != facts.allScores.end() && !swims) {
+            label += "  " + starText(scores->second.stars);
+            if (!scores->second.top.empty()) label += fmt::format(" {}", scores->second.top.front());
+        }
         itemButton(std::move(label), [this, swims, name = dive.name] {
             ask(swims ? Request::Kind::Swim : Request::Kind::Dive, name);
         });
@@ -208,7 +247,8 @@ MenuPage Screens::divesPage() {
     }
     backButton();
     MenuPage page{.title = in(swims ? game::Text("Free swim") : "Choose a dive"), .layout = PageLayout::Side};
-    if (swims) page.text = {in("No clock, no shark: meet the animals.")};
+    page.text = {swims ? in("No clock, no shark: meet the animals.")
+                       : in("Stars in all: {}", starsIn(facts.allScores))};
     const EnvironmentOptions& shown = options_.environment; // which has at most one of these
     if (!facts.ownFilm)
         page.text.push_back(
@@ -369,11 +409,14 @@ MenuPage Screens::guidePage() {
     const game::SpeciesTable& all = *facts.species;
     size_t met = 0;
     for (size_t species = 0; species < all.size(); ++species) {
-        const bool known = std::ranges::find(facts.met, all[species].name) != facts.met.end();
+        const bool known = findMet(facts.met, all[species].name);
         met += known;
-        itemButton(known ? animalName(all[species], 1, language()) : "?",
+        const int stars = rarity(all[species]).first;
+        itemButton(known   ? animalName(all[species], 1, language())
+                   : stars ? fmt::format("?   \u2605 {}", stars)
+                           : "?",
                    [this, species] { push(Screen::Animal, species); });
-        items_.back().enabled = known;
+        items_.back().enabled = hasPage(species);
     }
     backButton();
     return {.title = in("Field guide"),
@@ -382,22 +425,61 @@ MenuPage Screens::guidePage() {
             .layout = PageLayout::Side};
 }
 
+std::pair<int, std::string> Screens::rarity(const game::Species& animal) const {
+    for (const DiveName& dive : facts.dives)
+        for (const auto& [species, stars] : dive.rare)
+            if (species == animal.name) return {stars, named(dive.title)};
+    return {};
+}
+
+bool Screens::hasPage(size_t species) const {
+    const game::Species& animal = (*facts.species)[species];
+    return findMet(facts.met, animal.name) || rarity(animal).first > 0;
+}
+
 MenuPage Screens::animalPage() {
     const game::Species& animal = (*facts.species)[stack_.back().index];
+    button("Next", [this] { turnTo(1); });
+    button("Previous", [this] { turnTo(-1); });
     backButton();
-    return {.title = animalName(animal, 1, language()),
-            .picture = "guide/" + animal.name + ".png",
-            .text = {textIn(animal.fact, language())}};
+    MenuPage page{.title = animalName(animal, 1, language()),
+                  .picture = "guide/" + animal.name + ".png",
+                  .text = {textIn(animal.fact, language())},
+                  .turns = true};
+    const MetAnimal* met = findMet(facts.met, animal.name);
+    if (!met) { // a rare one: its silhouette
+        const auto [stars, dive] = rarity(animal);
+        page.title = "?";
+        page.picture = "guide/" + animal.name + ".dark.png";
+        page.text = {in("{} stars bring it to you. Dive: {}", stars, dive)};
+        return page;
+    }
+    if (met->caught > 0) {
+        page.text.push_back(in("Caught: {}", met->caught));
+        if (met->largest_m > 0) page.text.back() += "   " + in("Longest: {}", lengthText(met->largest_m));
+    }
+    if (!met->dive.empty()) page.text.push_back(in("First met: {}, {}", named(met->dive), met->date));
+    return page;
+}
+
+void Screens::turnTo(int steps) {
+    const size_t count = facts.species->size();
+    size_t& index = stack_.back().index;
+    for (size_t tries = 0; tries < count; ++tries) {
+        index = (index + (steps > 0 ? 1 : count - 1)) % count;
+        if (hasPage(index)) break;
+    }
+    menu_.show(page(), menu_.focus());
 }
 
 std::vector<std::string> Screens::goalLines(std::span<const game::GoalView> goals) const {
     std::vector<std::string> lines;
-    for (size_t i = 0; i < goals.size() && i < facts.dive->goals.size(); ++i) {
-        const game::Goal& goal = facts.dive->goals[i];
-        lines.push_back((goals[i].reached ? "\u2713 " : "\u25a1 ") +
-                        goalText(goal, *facts.species, language()));
-        if (!goals[i].reached && goals[i].progress > 0 && goal.kind != game::GoalKind::NoLoss)
-            lines.back() += fmt::format("\u00a0\u00a0{}/{}", goals[i].progress, goal.count); // not broken
+    for (const game::GoalView& view : goals) {
+        if (static_cast<size_t>(view.goal) >= facts.dive->goals.size()) continue; // of a dive before
+        const game::Goal& goal = facts.dive->goals[view.goal];
+        lines.push_back((view.reached ? "\u2605 " : "\u2606 ") + goalText(goal, *facts.species, language()));
+        if (!view.reached && view.progress > 0)
+            lines.back() += fmt::format("\u00a0\u00a0{}/{}", view.progress, goal.count); // not broken
     }
     return lines;
 }
@@ -422,25 +504,49 @@ MenuPage Screens::pausedPage() {
     return page;
 }
 
+// Returns pictures of what was caught in the dive, the longest first.
+std::vector<MenuPicture> Screens::catches() const {
+    const std::vector<game::SpeciesTally>& tally = facts.results.tally;
+    std::vector<size_t> caught;
+    for (size_t i = 0; i < tally.size(); ++i)
+        if (tally[i].caught > 0) caught.push_back(i);
+    const auto length_m = [&](size_t i) {
+        return tally[i].largest_m > 0 ? tally[i].largest_m : (*facts.species)[i].length_m;
+    };
+    std::ranges::stable_sort(caught, std::ranges::greater(), length_m);
+    std::vector<MenuPicture> pictures;
+    for (const size_t i : caught) {
+        const game::Species& kind = (*facts.species)[i];
+        const float largest_m = tally[i].largest_m;
+        const MetAnimal* before = findMet(facts.metBefore, kind.name);
+        const bool record = before && before->caught > 0 && largest_m > before->largest_m;
+        MenuPicture& picture = pictures.emplace_back();
+        picture.file = "guide/" + kind.name + ".png";
+        picture.count = fmt::format("\u00d7{}", tally[i].caught);
+        picture.caption = animalName(kind, tally[i].caught, language());
+        picture.note = largest_m > 0 ? lengthText(largest_m) + "  " : "";
+        picture.note += before ? record ? in("record") : "" : in("new");
+        picture.marked = record || !before;
+    }
+    return pictures;
+}
+
 MenuPage Screens::resultsPage() {
     const game::Snapshot& s = facts.results;
-    MenuPage page{.title = in("The dive is over: {}", s.score)};
-    page.text.push_back(s.caught == 1 ? in("1 fish caught") : in("{} fish caught", s.caught));
-    std::string tally;
-    for (size_t i = 0; i < s.tally.size(); ++i)
-        if (s.tally[i].caught > 0)
-            tally += (tally.empty() ? "" : ", ") + std::to_string(s.tally[i].caught) + " " +
-                     animalName((*facts.species)[i], s.tally[i].caught, language());
-    if (!tally.empty()) page.text.push_back(tally);
-    if (s.lost > 0) page.text.push_back(in("{} taken by the shark", s.lost));
-    std::ranges::move(goalLines(s.goals), std::back_inserter(page.text));
+    MenuPage page{.title = in("The dive is over: {}", s.score), .gallery = catches()};
+    page.text = goalLines(s.goals);
+    std::string line = s.caught == 1 ? in("1 fish caught") : in("{} fish caught", s.caught);
+    if (s.lost > 0) line += ", " + in("{} taken by the shark", s.lost);
+    page.text.push_back(line + "   " + in("Stars in all: {}", starsIn(facts.allScores)));
     const DiveScores& before = facts.scores;
+    line.clear();
     if (s.score > (before.top.empty() ? 0 : before.top.front()))
-        page.text.emplace_back(in("Your best dive yet"));
+        line = in("Your best dive yet");
     else if (before.last > 0 && s.score > before.last)
-        page.text.push_back(in("Better than last time by {}", s.score - before.last));
+        line = in("Better than last time by {}", s.score - before.last);
     if (!before.top.empty())
-        page.text.push_back(in("Your best dives before: {}", fmt::join(before.top, "  ")));
+        line += (line.empty() ? "" : "   ") + in("Your best dives before: {}", fmt::join(before.top, "  "));
+    if (!line.empty()) page.text.push_back(line);
     button("Dive again", [this] { ask(Request::Kind::Restart); });
     if (facts.dives.size() > 1) button("Choose a dive", [this] { push(Screen::Dives); });
     button("Title screen", [this] { ask(Request::Kind::Title); });
@@ -453,6 +559,7 @@ MenuPage Screens::resultsPage() {
 ProgramStates::ProgramStates(GameSession& session, Screens& screens, Mode mode, bool keepsScores)
     : session_(session), screens_(screens), mode_(mode), keepsScores_(keepsScores), before_(state()) {
     screens_.facts.mode = mode_;
+    screens_.facts.metBefore = screens_.facts.met;
     screens_.close();
     entered(before_);
 }
@@ -481,8 +588,13 @@ void ProgramStates::update() {
 }
 
 void ProgramStates::entered(State state) {
-    screens_.facts.results = session_.after;
-    screens_.facts.seed = session_.dive.seed();
+    ScreenFacts& facts = screens_.facts;
+    facts.results = session_.after;
+    if (facts.seed != session_.dive.seed()) { // another dive of the session
+        counted_.clear();
+        facts.metBefore = facts.met;
+    }
+    facts.seed = session_.dive.seed();
     keepGuide();
     if (state == State::Diving) return screens_.close();
     if (state == State::Results) keepScore();
@@ -496,18 +608,32 @@ void ProgramStates::keepScore() {
     screens_.facts.scores = readScores()[dive];
     // Only a person's dives count.
     if (!keepsScores_ || !byPerson()) return;
-    if (Status saved = addScore(dive, session_.after.score); !saved) log::warn("{}", saved.error().message());
+    const auto stars = std::ranges::count_if(session_.after.goals, &game::GoalView::reached);
+    if (Status saved = addScore(dive, session_.after.score, static_cast<int>(stars)); !saved)
+        log::warn("{}", saved.error().message());
+    screens_.facts.allScores = readScores();
 }
 
 void ProgramStates::keepGuide() {
-    std::vector<std::string>& met = screens_.facts.met;
-    const size_t before = met.size();
+    std::vector<MetAnimal>& met = screens_.facts.met;
+    const std::vector<MetAnimal> before = met;
     const auto& tally = session_.after.tally;
+    counted_.resize(tally.size());
     for (size_t i = 0; i < tally.size(); ++i) {
+        if (!tally[i].touched) continue;
         const std::string& name = session_.dive.species()[i].name;
-        if (tally[i].touched && std::ranges::find(met, name) == met.end()) met.push_back(name);
+        if (!findMet(met, name)) {
+            const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+            met.push_back({.species = name,
+                           .dive = session_.dive.file().title,
+                           .date = fmt::format("{:%Y-%m-%d}", fmt::localtime(now))});
+        }
+        MetAnimal& animal = *std::ranges::find(met, name, &MetAnimal::species);
+        animal.caught += tally[i].caught - counted_[i].caught;
+        animal.largest_m = std::max(animal.largest_m, tally[i].largest_m);
     }
-    if (met.size() == before || !keepsScores_ || !byPerson()) return;
+    counted_ = tally;
+    if (met == before || !keepsScores_ || !byPerson()) return;
     if (Status saved = saveGuide(met); !saved) log::warn("{}", saved.error().message());
 }
 

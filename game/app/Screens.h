@@ -53,8 +53,8 @@ struct Request {
 
 struct DiveName {
     std::string name, title;
-    std::string picture{}; // below content/; empty: none
-    int best = 0;          // score; 0: none yet
+    std::string picture{};                           // below content/; empty: none
+    std::vector<std::pair<std::string, int>> rare{}; // species that come for stars, and for how many
 };
 
 // Data that the pages show besides settings.
@@ -62,13 +62,15 @@ struct ScreenFacts {
     const game::SpeciesTable* species = nullptr;
     const game::DiveFile* dive = nullptr;
     std::vector<DiveName> dives;
-    bool headset = false;         // a headset is there
-    bool headsetLost = false;     // the headset was lost in mid-dive, which goes on in the window
-    bool ownFilm = true;          // the dive's own film is shown
-    uint64_t seed = 0;            // of the present dive
-    DiveScores scores;            // scores of this dive, before the last one
-    std::vector<std::string> met; // names of the species that the player has touched
-    game::Snapshot results;       // when the present program state began
+    bool headset = false;     // a headset is there
+    bool headsetLost = false; // the headset was lost in mid-dive, which goes on in the window
+    bool ownFilm = true;      // the dive's own film is shown
+    uint64_t seed = 0;        // of the present dive
+    DiveScores scores;        // scores of this dive, before the last one
+    std::map<std::string, DiveScores> allScores{}; // of all dives, the last one too
+    std::vector<MetAnimal> met;
+    std::vector<MetAnimal> metBefore{}; // when the present dive began
+    game::Snapshot results;             // when the present program state began
     Mode mode = Mode::Dive;
     bool webcam = false;                     // a webcam tracks the hands
     std::optional<game::Notice> handsNeed{}; // TrackedHands::needs()
@@ -118,9 +120,14 @@ class Screens {
     };
     void push(Screen screen, size_t index = 0, size_t focus = 0);
     void back();
+    void turnTo(int steps); // the next or previous animal of the guide
     void ask(Request::Kind kind, std::string name = {}) { request_ = Request{kind, std::move(name)}; }
     MenuPage page();
 
+    std::vector<MenuPicture> catches() const;
+    // Returns the stars for which an animal comes, and the title of its dive; 0: it comes to all players.
+    std::pair<int, std::string> rarity(const game::Species& animal) const;
+    bool hasPage(size_t species) const; // in the field guide
     // Each fills items_ and returns the page without its items.
     MenuPage titlePage();
     MenuPage divesPage(); // for free swims too
@@ -189,6 +196,7 @@ class ProgramStates {
     Screens& screens_;
     Mode mode_;
     bool keepsScores_;
+    std::vector<game::SpeciesTally> counted_; // of this dive, in the field guide already
     State before_;
 };
 

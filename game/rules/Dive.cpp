@@ -1,6 +1,7 @@
 #include "game/rules/Dive.h"
 
 #include "engine/core/Hash.h"
+#include "engine/core/Number.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
@@ -63,6 +64,7 @@ Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed, DiveRules rules)
         files_.dive.goals.clear();
     }
     if (rules_.seated) bringToSeated(files_.dive);
+    std::erase_if(files_.dive.schools, [&](const School& school) { return school.stars > rules_.stars; });
     begin(seed);
 }
 
@@ -73,7 +75,8 @@ void Dive::begin(uint64_t seed) {
     state_.phase = Phase::Diving;
     state_.begun = state_.toldOfNoGuest = false;
     state_.score = {.species = std::vector<SpeciesTally>(files_.species.size()),
-                    .reached = std::vector<bool>(files_.dive.goals.size())};
+                    .goals = drawGoals(files_.dive.goals, seed)};
+    state_.score.reached.resize(state_.score.goals.size());
     for (Hand& hand : state_.hands) {
         hand.grasp.holds = hand.grasp.encloses = -1;
         hand.grasp.window = 0;
@@ -93,6 +96,7 @@ void Dive::begin(uint64_t seed) {
 
 void Dive::step(const TickInput& input, Events& events) {
     DiveState& s = state_;
+    const size_t before = events.size();
     const bool restart = input.restart && !s.restartHeld;
     s.restartHeld = input.restart;
     if (restart) begin(s.seed + 1);
@@ -127,8 +131,10 @@ void Dive::step(const TickInput& input, Events& events) {
     countCatches(s.hands, s.fish, s.score, in, events);
     for (Hand& hand : s.hands)
         if (hand.visible) easeFingers(hand);
-    if (diving) endWhenOver(events);
-    if (diving) reachGoals(events);
+    if (!diving) return;
+    endWhenOver(events);
+    countDeeds(std::span(events).subspan(before), in, s.score.deeds);
+    reachGoals(events);
 }
 
 void Dive::touch(Events& events) {
@@ -160,9 +166,9 @@ void Dive::endWhenOver(Events& events) {
 
 void Dive::reachGoals(Events& events) {
     DiveState& s = state_;
-    for (size_t i = 0; i < files_.dive.goals.size(); ++i) {
-        if (s.score.reached[i] || !isReached(files_.dive.goals[i], s.score, s.phase == Phase::Results))
-            continue;
+    for (size_t i = 0; i < s.score.goals.size(); ++i) {
+        const Goal& goal = files_.dive.goals[s.score.goals[i]];
+        if (s.score.reached[i] || !isReached(goal, s.score, s.phase == Phase::Results)) continue;
         s.score.reached[i] = true;
         events.push_back({.kind = EventKind::Goal, .goal = static_cast<int>(i)});
     }
@@ -225,9 +231,11 @@ void Dive::snapshot(Snapshot& out) const {
     out.combo = s.score.combo();
     out.bestCombo = s.score.bestCombo;
     out.tally = s.score.species;
-    out.goals.resize(dive.goals.size());
-    for (size_t i = 0; i < dive.goals.size(); ++i)
-        out.goals[i] = {progressOf(dive.goals[i], s.score), s.score.reached[i]};
+    out.goals.resize(s.score.goals.size());
+    for (size_t i = 0; i < out.goals.size(); ++i) {
+        const int goal = s.score.goals[i];
+        out.goals[i] = {goal, progressOf(dive.goals[goal], s.score), s.score.reached[i]};
+    }
     out.worldFromView = s.view.worldFromView;
     out.headWorld = s.view.headWorld;
     const DiveContext in = context();
@@ -362,7 +370,8 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
     header.settings = {{"film", dive.file().video},
                        {"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
-                       {"seated", rules.seated ? "on" : "off"}};
+                       {"seated", rules.seated ? "on" : "off"},
+                       {"stars", std::to_string(rules.stars)}};
     if (dive.file().space) header.settings[kFilmSpace] = nameOf(dive.file().space.get());
     return header;
 }
@@ -374,11 +383,14 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
     for (const auto& [name, value] : header.settings) {
         bool* flag = name == "free_swim" ? &rules.freeSwim : name == "seated" ? &rules.seated : nullptr;
         const auto assist = enumNamed<Assist>(value);
-        if (name == "assist" && assist)
+        const auto stars = parseNumber(value, 0, 1'000'000'000);
+        if (name == "stars" && stars)
+            rules.stars = *stars;
+        else if (name == "assist" && assist)
             rules.assist = *assist;
         else if (flag && (value == "on" || value == "off"))
             *flag = value == "on";
-        else if (flag || name == "assist") // others are settings of the program, no rules
+        else if (flag || name == "assist" || name == "stars") // others are settings of the program, no rules
             return Error{"the recording", "has an unknown value: " + name + " = " + value};
     }
     return rules;

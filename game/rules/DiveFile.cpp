@@ -13,6 +13,8 @@ namespace shoal::game {
 constexpr int kMaxFish = 1000;
 constexpr size_t kMaxVisits = 100;
 constexpr size_t kMaxMarks = 100;
+constexpr size_t kMaxGoals = 60;
+constexpr int kLevels = 3;
 
 static Species readOne(TomlTable& table) {
     Species s;
@@ -77,6 +79,7 @@ static School readSchool(TomlTable& table, const SpeciesTable& known, bool thing
     table.whole("count", school.count, 1, kMaxFish);
     table.range("radius", school.radiusLow_m, school.radiusHigh_m, 0.6f, 6);
     table.range("height", school.heightLow_m, school.heightHigh_m, -2, 2);
+    table.whole("stars", school.stars, 0, 1000);
     return school;
 }
 
@@ -129,16 +132,24 @@ static Goal readGoal(TomlTable& table, const SpeciesTable& known) {
     Goal goal;
     table.need("kind");
     table.choice("kind", kGoalNames, goal.kind);
+    const bool first = goal.kind == GoalKind::First;
+    if (first) table.need("species");
     if (table.has("species")) {
         goal.species = speciesNamed(table, known);
         const Thing thing = known[goal.species].thing;
         if (thing == Thing::Mussel || thing == Thing::Stone) table.complain("species", "cannot be caught");
-        if (goal.kind != GoalKind::Catch) table.complain("species", "belongs to goals of kind \"catch\"");
+        if (goal.kind != GoalKind::Catch && !first)
+            table.complain("species", "belongs to goals of kind \"catch\" and \"first\"");
     }
-    if (goal.kind == GoalKind::NoLoss) return goal;
-    table.need("count");
-    const bool combo = goal.kind == GoalKind::Combo;
-    table.whole("count", goal.count, combo ? 2 : 1, combo ? kMaxCombo : 100'000);
+    table.whole("level", goal.level, 1, kLevels);
+    if (first) return goal;
+    const bool combo = goal.kind == GoalKind::Combo, quick = goal.kind == GoalKind::Quick;
+    if (goal.kind == GoalKind::NoLoss)
+        goal.count = 5;
+    else
+        table.need("count");
+    table.whole("count", goal.count, combo ? 2 : 1, combo ? kMaxCombo : quick ? kMaxQuick : 100'000);
+    if (quick) table.number("within", goal.within_s, 1, 3600);
     return goal;
 }
 
@@ -198,6 +209,10 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
         root.table("encounter", [&](TomlTable& table) { dive.encounter = readEncounter(table, known); });
         root.tables("goal", kMaxGoals,
                     [&](TomlTable& table) { dive.goals.push_back(readGoal(table, known)); });
+        for (int level = 1; level <= kLevels && dive.goals.size() > kGoals; ++level)
+            if (std::ranges::count(dive.goals, level, &Goal::level) == 0 ||
+                std::ranges::count(dive.goals, 0, &Goal::level) > 0)
+                root.complain("goal", "more than three need one of each \"level\", 1 to 3");
         root.tables("enclosure", kMaxMarks,
                     [&](TomlTable& table) { dive.enclosure.push_back(readMark(table)); });
     });

@@ -78,6 +78,7 @@ struct School {
     int count = 1;
     float radiusLow_m = 0.7f, radiusHigh_m = 3;     // distance from the vertical axis through the viewer
     float heightLow_m = -0.5f, heightHigh_m = 0.5f; // relative to the viewer's eyes
+    int stars = 0;                                  // it comes to players who have as many
 };
 
 struct SharkPlan {
@@ -102,22 +103,33 @@ struct VideoMark {
     float amount = 1; // 0 open water to 1 a tunnel
 };
 
-// Kinds of a dive's goals; a goal's text follows from kind, species and count.
+// Kinds of a dive's goals; a goal's text follows from all but its level.
 enum class GoalKind {
     Catch,     // `count` fish of a species, or of any
     Different, // `count` different species
     Score,     // `count` points
-    NoLoss,    // something is caught and no fish lost to the shark, until the dive is over
+    NoLoss,    // `count` fish are caught and none lost to the shark, until the dive is over
     Combo,     // a combo of `count`
+    Quick,     // `count` fish within some seconds
+    First,     // the first catch is of a species
+    EachHand,  // `count` fish with each hand
+    Guests,    // fish come to feed on `count` mussels
+    TurnShark, // a stone turns the shark away `count` times
+    Meet,      // `count` species are touched
+    Calm,      // `count` fish one after the other, and none frightened in between
 };
-constexpr std::array<const char*, 5> kGoalNames = {"catch", "different", "score", "no_loss", "combo"};
-constexpr size_t kMaxGoals = 3;
-constexpr int kMaxCombo = 5;
+constexpr std::array<const char*, 12> kGoalNames = {"catch",  "different",  "score", "no_loss",
+                                                    "combo",  "quick",      "first", "each_hand",
+                                                    "guests", "turn_shark", "meet",  "calm"};
+constexpr size_t kGoals = 3; // of one dive
+constexpr int kMaxCombo = 5, kMaxQuick = 8;
 
 struct Goal {
     GoalKind kind = GoalKind::Catch;
-    int species = -1; // index into the species table, for Catch; -1: any
+    int species = -1; // index into the species table, for Catch and First; -1: any
     int count = 1;
+    float within_s = 20; // for Quick
+    int level = 0;       // 1 easy to 3 hard; 0: none
 };
 
 struct DiveFile {
@@ -132,7 +144,8 @@ struct DiveFile {
     std::vector<School> schools;
     SharkPlan shark;
     EncounterPlan encounter;
-    std::vector<Goal> goals;          // at most kMaxGoals
+    // All goals of a dive if they are at most kGoals; else a dive draws one of each level by its seed.
+    std::vector<Goal> goals;
     std::vector<VideoMark> enclosure; // how enclosed stretches of the video are
     // Length of the video, which starts with the dive and repeats; 0: no video, or not the dive's own. The
     // file does not hold it: the code that opens the video sets it.
@@ -170,6 +183,7 @@ struct DiveRules {
     bool freeSwim = false; // no clock, no shark, no goals
     // The player sits: no fish circles where only a step or bent knees would reach it.
     bool seated = false;
+    int stars = 0; // that the player has; rarer animals come for them
 
     bool operator==(const DiveRules&) const = default;
 };

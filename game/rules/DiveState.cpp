@@ -2,6 +2,8 @@
 
 #include "game/rules/Things.h"
 
+#include <numeric>
+
 namespace shoal::game {
 
 // Fish and shark as a dive begins.
@@ -196,18 +198,76 @@ void trackHands(const TickInput& input, Viewpoint& view, Hands& hands) {
 
 // Goals.
 
+std::vector<int> drawGoals(const std::vector<Goal>& all, uint64_t seed) {
+    std::vector<int> drawn;
+    Random random(seed, 2);
+    for (int level = 1; level <= 3; ++level) {
+        std::vector<int> open;
+        for (size_t i = 0; i < all.size(); ++i) {
+            const auto like = [&](int other) {
+                return all[other].kind == all[i].kind &&
+                       (all[i].kind == GoalKind::First || all[other].species == all[i].species);
+            };
+            if (all[i].level == level && std::ranges::none_of(drawn, like))
+                open.push_back(static_cast<int>(i));
+        }
+        if (!open.empty()) drawn.push_back(open[random.below(static_cast<uint32_t>(open.size()))]);
+    }
+    if (all.size() > kGoals) return drawn;
+    drawn.resize(all.size());
+    std::iota(drawn.begin(), drawn.end(), 0);
+    return drawn;
+}
+
+void countDeeds(std::span<const Event> events, const DiveContext& in, Deeds& deeds) {
+    for (const Event& event : events) {
+        if (event.kind == EventKind::Catch) {
+            std::shift_right(deeds.caughtAt.begin(), deeds.caughtAt.end(), 1);
+            deeds.caughtAt[0] = in.state.tick;
+            ++deeds.byHand[event.hand];
+            ++deeds.calm;
+            if (deeds.first < 0) deeds.first = event.species;
+        } else if (event.kind == EventKind::Touch) {
+            const Fish& fish = in.state.fish[event.creature];
+            if (in.thingOf(fish) == Thing::None) deeds.touched |= uint64_t{1} << fish.species;
+        } else if (event.kind == EventKind::Startle)
+            deeds.calm = 0;
+        deeds.guests += event.kind == EventKind::Feed;
+        deeds.turned += event.kind == EventKind::SharkTurns;
+    }
+}
+
+// Returns the number of catches within that time until the latest.
+static int quickest(const Score& score, float within_s) {
+    const auto& at = score.deeds.caughtAt;
+    return static_cast<int>(
+        std::count_if(at.begin(), at.begin() + std::min(score.caught, kMaxQuick), [&](auto tick) {
+            return static_cast<float>(at[0] - tick) <= within_s * sim::kTickRate_Hz;
+        }));
+}
+
 int progressOf(const Goal& goal, const Score& score) {
     const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught)) -
                            std::popcount(score.things);
+    const Deeds& deeds = score.deeds;
     const std::array<int, kGoalNames.size()> progress = {
-        goal.species < 0 ? score.caught : score.species[goal.species].caught, different, score.points,
-        score.lost == 0 ? goal.count : 0, score.bestCombo}; // by GoalKind
+        goal.species < 0 ? score.caught : score.species[goal.species].caught,
+        different,
+        score.points,
+        score.lost == 0 ? score.caught : 0,
+        score.bestCombo,
+        quickest(score, goal.within_s),
+        deeds.first >= 0 && deeds.first == goal.species ? 1 : 0,
+        std::ranges::min(deeds.byHand),
+        deeds.guests,
+        deeds.turned,
+        std::popcount(deeds.touched),
+        deeds.calm}; // by GoalKind
     return std::min(progress[static_cast<size_t>(goal.kind)], goal.count);
 }
 
 bool isReached(const Goal& goal, const Score& score, bool over) {
-    if (goal.kind == GoalKind::NoLoss && (!over || score.caught == 0)) return false;
-    return progressOf(goal, score) >= goal.count;
+    return progressOf(goal, score) >= goal.count && (over || goal.kind != GoalKind::NoLoss);
 }
 
 } // namespace shoal::game

@@ -14,6 +14,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -287,6 +288,16 @@ struct TickInput {
 // last good ones stay.
 void trackHands(const TickInput&, Viewpoint&, Hands&);
 
+// Counts, beyond points and catches, of what goals ask for.
+struct Deeds {
+    std::array<uint32_t, kMaxQuick> caughtAt{}; // ticks of the latest catches, the newest first
+    std::array<int, 2> byHand{};                // catches of the left and the right hand
+    int first = -1;                             // species of the first catch
+    int calm = 0;                               // catches since a fish was frightened
+    int guests = 0, turned = 0; // mussels on which fish fed; times that a stone turned the shark
+    uint64_t touched = 0;       // species of animals, a bit each
+};
+
 // A catch gives its species' points times the combo: how many different species, this one included, have been
 // caught one after the other, at most kMaxCombo. A second fish of a species in the run begins a new run with
 // itself; a fish lost to the shark ends the run.
@@ -297,7 +308,9 @@ struct Score {
     int bestCombo = 0;
     uint64_t things = 0;               // kinds of loose things among the species caught, a bit each
     std::vector<SpeciesTally> species; // by index into the species table
-    std::vector<bool> reached;         // by index into DiveFile::goals
+    Deeds deeds;
+    std::vector<int> goals;    // of this dive: indices into DiveFile::goals
+    std::vector<bool> reached; // by index into `goals`
 
     // Returns the combo of the last catch; 0: no run.
     int combo() const { return std::min(std::popcount(run), kMaxCombo); }
@@ -324,6 +337,10 @@ struct Score {
         run = 0;
     }
 };
+
+// Returns a dive's goals, indices into `all`: all if they are at most kGoals, else one of each level, drawn
+// by the seed. No two are alike or exclude each other.
+std::vector<int> drawGoals(const std::vector<Goal>& all, uint64_t seed);
 
 // Returns how far a goal has been reached, 0 to Goal::count.
 int progressOf(const Goal&, const Score&);
@@ -367,5 +384,8 @@ struct DiveContext {
     // Returns whether a hand can take hold of the fish now.
     bool mayBeTaken(const Fish& f) const { return f.free() && f.uncatchable_s <= 0 && !kindOf(f).stings; }
 };
+
+// Counts a tick's events.
+void countDeeds(std::span<const Event>, const DiveContext&, Deeds&);
 
 } // namespace shoal::game

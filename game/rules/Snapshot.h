@@ -105,8 +105,9 @@ struct SpeciesTally {
     float largest_m = 0;      // of those caught; 0: none
 };
 
-// One of the dive's goals, DiveFile::goals.
+// One of the dive's goals.
 struct GoalView {
+    int goal = 0;     // index into DiveFile::goals
     int progress = 0; // 0 to Goal::count
     bool reached = false;
 };
@@ -125,7 +126,7 @@ struct Snapshot {
     int combo = 0;                   // of the last catch, 0 to kMaxCombo; 0: no run of species is under way
     int bestCombo = 0;               // of the dive
     std::vector<SpeciesTally> tally; // by index into the species table
-    std::vector<GoalView> goals;     // by index into DiveFile::goals; none in free swim
+    std::vector<GoalView> goals;     // none in free swim
     glm::quat worldFromView{1, 0, 0, 0}; // direction of the player's view
     glm::vec3 headWorld{0};              // between the player's eyes
     std::array<HandView, 2> hands{};     // left, right
@@ -178,7 +179,7 @@ struct Event {
     int points = 0;
     int combo = 0;
     float length_m = 0, mass_kg = 0; // of a Catch
-    int goal = -1;                   // index into DiveFile::goals, for a Goal
+    int goal = -1;                   // index into Snapshot::goals, for a Goal
 };
 
 using Events = std::vector<Event>; // functions append to it

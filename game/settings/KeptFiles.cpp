@@ -18,8 +18,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Path settingsFile() { return configFolder() / "settings.json"; }
-// A JSON object of each dive's name to its scores, {"top": [...], "last": ...}.
+// A JSON object of each dive's name to its scores, {"top": [...], "last": ..., "stars": ..., "all_stars":
+// ...}.
 Path scoreFile() { return dataFolder() / "scores.json"; }
+// A JSON object of "met" to a list of animals, or, from earlier versions, of their names.
 Path guideFile() { return dataFolder() / "guide.json"; }
 
 // Returns the JSON object in a file; an empty one if there is no file.
@@ -56,7 +58,12 @@ DiveScores scoresIn(const Json& entry) {
         if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
             scores.top.push_back(*value);
     std::ranges::sort(scores.top, std::greater());
-    if (entry.is_object()) scores.last = scoreIn(entry.value("last", Json(0))).value_or(0);
+    const auto count = [&](const char* key) {
+        return entry.is_object() ? scoreIn(entry.value(key, Json(0))).value_or(0) : 0;
+    };
+    scores.last = count("last");
+    scores.stars = std::max(count("stars"), 0);
+    scores.allStars = std::max(count("all_stars"), scores.stars);
     return scores;
 }
 
@@ -133,28 +140,57 @@ std::map<std::string, DiveScores> readScores() {
     return scores;
 }
 
-Status addScore(const std::string& dive, int score) {
+int starsIn(const std::map<std::string, DiveScores>& scores) {
+    int stars = 0;
+    for (const auto& [dive, own] : scores) stars += own.allStars;
+    return stars;
+}
+
+Status addScore(const std::string& dive, int score, int stars) {
     auto all = readObject(scoreFile());
     if (!all) return all.error();
-    std::vector<int> top = scoresIn((*all)[dive]).top;
+    const DiveScores before = scoresIn((*all)[dive]);
+    std::vector<int> top = before.top;
     if (score > 0) top.insert(std::ranges::upper_bound(top, score, std::greater()), score);
     top.resize(std::min(top.size(), DiveScores::kKept));
-    (*all)[dive] = {{"top", top}, {"last", score}};
+    (*all)[dive] = {{"top", top},
+                    {"last", score},
+                    {"stars", std::max(before.stars, stars)},
+                    {"all_stars", before.allStars + stars}};
     return writeFileWhole(scoreFile(), all->dump(2) + "\n");
 }
 
-std::vector<std::string> readGuide() {
-    std::vector<std::string> met;
+std::vector<MetAnimal> readGuide() {
+    std::vector<MetAnimal> met;
     const Json guide = readOrWarn(guideFile());
-    for (const Json& name : guide.value("met", Json::array()))
-        if (name.is_string()) met.push_back(name.get<std::string>());
+    for (const Json& entry : guide.value("met", Json::array())) {
+        const auto text = [&](const char* key) {
+            const Json value = entry.is_object() ? entry.value(key, Json()) : Json();
+            return value.is_string() ? value.get<std::string>() : "";
+        };
+        MetAnimal animal{.species = entry.is_string() ? entry.get<std::string>() : text("species"),
+                         .dive = text("dive"),
+                         .date = text("date")};
+        if (entry.is_object()) {
+            animal.caught = std::max(scoreIn(entry.value("caught", Json(0))).value_or(0), 0);
+            const Json largest = entry.value("largest_m", Json());
+            if (largest.is_number()) animal.largest_m = std::clamp(largest.get<float>(), 0.0f, 30.0f);
+        }
+        if (!animal.species.empty()) met.push_back(std::move(animal));
+    }
     return met;
 }
 
-Status saveGuide(const std::vector<std::string>& species) {
+Status saveGuide(const std::vector<MetAnimal>& met) {
     auto guide = readObject(guideFile());
     if (!guide) return guide.error();
-    (*guide)["met"] = species;
+    Json& list = (*guide)["met"] = Json::array();
+    for (const MetAnimal& animal : met)
+        list.push_back({{"species", animal.species},
+                        {"caught", animal.caught},
+                        {"largest_m", animal.largest_m},
+                        {"dive", animal.dive},
+                        {"date", animal.date}});
     return writeFileWhole(guideFile(), guide->dump(2) + "\n");
 }
 

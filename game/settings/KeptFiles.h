@@ -25,18 +25,31 @@ struct DiveScores {
     static constexpr size_t kKept = 5;
     std::vector<int> top; // the best first, at most kKept
     int last = 0;         // score of the dive before; 0: none
+    int stars = 0;        // most of one dive
+    int allStars = 0;     // of all dives together
 };
 
 // Returns the scores by the dive's name; empty if there are none yet or the file cannot be used (which is
 // logged, and the file left as it is).
 std::map<std::string, DiveScores> readScores();
 
-// Adds a score; the file is replaced as a whole or not at all, and keeps the other dives' scores.
-Status addScore(const std::string& dive, int score);
+// Returns the stars of all dives together.
+int starsIn(const std::map<std::string, DiveScores>& scores);
 
-// The field guide: names of the species that the player has touched.
-std::vector<std::string> readGuide();
-Status saveGuide(const std::vector<std::string>& species);
+// Adds a score; the file is replaced as a whole or not at all, and keeps the other dives' scores.
+Status addScore(const std::string& dive, int score, int stars);
+
+// The field guide: the species that the player has touched, in the order in which they were met.
+struct MetAnimal {
+    std::string species; // its name in the table of species
+    int caught = 0;      // in all dives
+    float largest_m = 0; // length of the largest that was caught; 0: unknown
+    std::string dive{};  // title of the dive in which it was met; empty: unknown, as the date
+    std::string date{};  // year-month-day
+    bool operator==(const MetAnimal&) const = default;
+};
+std::vector<MetAnimal> readGuide();
+Status saveGuide(const std::vector<MetAnimal>& met);
 
 // The player's own films and photos for the list on the screen, the newest first: the files in the folders
 // for videos, pictures and downloads, without subfolders, that can be shown by their content

@@ -10,6 +10,8 @@ namespace shoal::app {
 // Sizes in lines of text.
 constexpr float kMargin = 1.3f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 1.1f, kRule = 0.4f;
 constexpr float kWidth = 28, kSideWidth = 16, kPicture = 11;
+constexpr float kCell = 7, kLeastCell = 5.5f, kCellPicture = 3.2f; // of the gallery
+constexpr float kGallery = kCellPicture + 2 * kTextScale[0] + kParagraphGap;
 constexpr float kTextStep = 2;
 constexpr float kTrackWidth = 6, kValueWidth = 10;
 constexpr int kMinRows = 3; // rows in sight beside a long text
@@ -105,6 +107,8 @@ std::optional<MenuEvent> Menu::input(const MenuInput& input) {
     if (focus_ == before) scrollText(static_cast<float>(input.down) * line_ * kTextStep);
     const MenuItem& item = page_.items[focus_];
     if (input.right != 0 && item.adjustable()) return MenuEvent{MenuEvent::Kind::Adjust, focus_, input.right};
+    if (input.right != 0 && page_.turns)
+        return MenuEvent{.kind = MenuEvent::Kind::Turn, .steps = input.right};
     if (input.accept && item.enabled) return MenuEvent{MenuEvent::Kind::Adjust, focus_, 1};
     if (input.down != 0) return std::nullopt;
     return point(input);
@@ -139,9 +143,15 @@ void Menu::place(const Pen& pen) {
     const float margin = kMargin * line_;
     // A headset's panel is narrow and free-standing, so its pages are centred.
     const bool side = page_.layout == PageLayout::Side && pen.audience != Audience::HeadsetPlayer;
-    const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
+    const size_t pictures = page_.gallery.size();
+    const float wanted =
+        side ? kSideWidth : std::max(kWidth, kCell * static_cast<float>(pictures) + 2 * kMargin);
+    const float width = std::min(wanted * line_, pen.size.x - margin);
     const float inner = width - 2 * margin;
+    inGallery_ = std::min(pictures, static_cast<size_t>(inner / (kLeastCell * line_)));
+    cell_ = std::min(kCell * line_, inner / static_cast<float>(std::max<size_t>(inGallery_, 1)));
     float above = page_.title.empty() ? 0 : pen.extent(page_.title, titleSize(), inner).y + kTitleGap * line_;
+    if (inGallery_ > 0) above += kGallery * line_;
     textHeight_ = 0;
     for (const std::string& paragraph : page_.text)
         textHeight_ += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
@@ -223,6 +233,19 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
              TextSize::Body, ink, item.value);
 }
 
+void Menu::drawGallery(const Pen& pen, float x, float y) const {
+    for (size_t i = 0; i < inGallery_; ++i) {
+        const MenuPicture& shown = page_.gallery[i];
+        const float left = x + static_cast<float>(i) * cell_, middle = left + cell_ / 2;
+        const float below = y + kCellPicture * line_;
+        pen.picture({{left, y}, {left + cell_, below}}, pen.pictures->get(shown.file));
+        pen.text(left + cell_, below - line_, 1, TextSize::Body, colour::kWhite, shown.count);
+        pen.text(middle, below, 0.5f, TextSize::Small, colour::kWhite, shown.caption);
+        pen.text(middle, below + kTextScale[0] * line_, 0.5f, TextSize::Small,
+                 shown.marked ? colour::kGold : colour::kGrey, shown.note);
+    }
+}
+
 void Menu::draw(const Pen& pen) {
     place(pen);
     const float margin = kMargin * line_, x = text_.low.x + margin;
@@ -235,6 +258,7 @@ void Menu::draw(const Pen& pen) {
         y += (kTitleGap - kRule) * line_;
     }
     if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, *pictureOn(pen));
+    drawGallery(pen, x, y);
     y = text_.low.y - textScroll_;
     pen.list->PushClipRect(ImVec2(text_.low.x, text_.low.y), ImVec2(text_.high.x, text_.high.y), true);
     for (const std::string& paragraph : page_.text)
@@ -308,6 +332,8 @@ MenuInput MenuControls::step(const platform::WindowInput& input, const platform:
         {GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN, {0, 1}},
         {GLFW_KEY_LEFT, GLFW_GAMEPAD_BUTTON_DPAD_LEFT, {-1, 0}},
         {GLFW_KEY_RIGHT, GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, {1, 0}},
+        {GLFW_KEY_PAGE_UP, GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, {-1, 0}},
+        {GLFW_KEY_PAGE_DOWN, GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, {1, 0}},
     });
     MenuInput menu;
     const platform::Gamepad& pad = input.gamepad;

@@ -17,10 +17,10 @@
 namespace shoal::app {
 
 struct MenuEvent {
-    enum class Kind { Adjust, Slide, Back }; // Adjust: a button is pressed too
+    enum class Kind { Adjust, Slide, Turn, Back }; // Adjust: a button is pressed too
     Kind kind;
     size_t item = 0;
-    int steps = 0;      // Adjust: positive to the right
+    int steps = 0;      // Adjust, Turn: positive to the right
     float fraction = 0; // Slide: 0 to 1
 };
 
@@ -36,12 +36,19 @@ struct MenuItem {
     bool adjustable() const { return !value.empty() && !isButton; }
 };
 
+struct MenuPicture {
+    std::string file;                 // for Pictures
+    std::string count, caption, note; // beside the picture, and two lines below it
+    bool marked = false;              // the note is drawn in gold
+};
+
 enum class PageLayout { Side, Centre }; // Side: on the left part of the picture, the rest stays free
 
 struct MenuPage {
     std::string title;
-    std::string picture{};         // file for Pictures, shown above the text; empty: none
-    std::vector<std::string> text; // paragraphs above the items
+    std::string picture{};              // file for Pictures, shown above the text; empty: none
+    std::vector<MenuPicture> gallery{}; // side by side above the text, the first that there is room for
+    std::vector<std::string> text;      // paragraphs above the items
     std::vector<MenuItem> items;
     std::string note;                // a line below the items
     std::string error;               // an error; empty: none
@@ -49,6 +56,7 @@ struct MenuPage {
     PageLayout layout = PageLayout::Centre;
     bool wordmark = false; // the title is the game's name
     bool camera = false;   // shows a hand tracker's camera in place of the picture
+    bool turns = false;    // left and right turn to another page
 };
 
 // Input since the last frame.
@@ -88,6 +96,7 @@ class Menu {
     std::optional<MenuEvent> point(const MenuInput& input);
     void place(const Pen& pen);
     void drawItem(const Pen& pen, size_t index) const;
+    void drawGallery(const Pen& pen, float x, float y) const;
     const Pictures::Picture* pictureOn(const Pen& pen) const; // null: none
     Rectangle trackOf(size_t item) const;                     // track of a slider
 
@@ -101,7 +110,9 @@ class Menu {
     float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
     float textHeight_ = 0, textScroll_ = 0; // height of the whole text; how far it is moved up in text_
     float pictureHeight_ = 0;
-    std::string picture_; // the page's picture, or that of the last focused item that has one
+    float cell_ = 0;       // width of a picture of the gallery
+    size_t inGallery_ = 0; // how many it shows
+    std::string picture_;  // the page's picture, or that of the last focused item that has one
     TextSize titleSize() const { return page_.wordmark ? TextSize::Display : TextSize::Heading; }
     glm::vec2 pointer_{-1};
 };

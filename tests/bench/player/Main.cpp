@@ -1,6 +1,6 @@
 // bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]: plays dives by modelled persons over many seeds, by
-// PLAYER alone unless it is "all", in the reef if no dive is named. Prints a table and writes
-// FOLDER/players.tsv, with a row for each dive.
+// PLAYER alone unless it is "all", in the reef if no dive is named. Prints a table and how often each of the
+// dive's goals is reached, and writes FOLDER/players.tsv, with a row for each dive.
 #include "tests/bench/Bench.h"
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/playthrough/Rooms.h"
@@ -101,16 +101,32 @@ int main(int count, char** arguments) {
     for (const Kind& kind : kinds()) {
         if (wanted != "all" && kind.name != wanted) continue;
         std::vector<player::PlayedDive> dives;
+        const std::vector<game::Goal>& goals = files->dive.goals;
+        std::vector<int> reached(goals.size()); // dives in which each goal is
         for (int seed = from; seed < from + seeds; ++seed) {
             player::PlayerSetup setup = kind.setup;
             setup.seed = static_cast<uint64_t>(seed);
-            const player::PlayedDive& dive = dives.emplace_back(player::play(*files, *rig, setup));
+            std::vector<bool> reaches(goals.size());
+            const auto watch = [&](const game::DiveState& state, const game::Events&) {
+                for (size_t i = 0; i < goals.size(); ++i)
+                    reaches[i] = reaches[i] ||
+                                 game::isReached(goals[i], state.score, state.phase == game::Phase::Results);
+            };
+            const player::PlayedDive& dive = dives.emplace_back(player::play(*files, *rig, setup, watch));
+            for (size_t i = 0; i < goals.size(); ++i) reached[i] += reaches[i];
             table += fmt::format("{}\t{}\t{}\t{:.2f}\t{}\t{}\t{}\t{}\t{:.1f}\t{:.1f}\t{:.1f}\n", kind.name,
                                  seed, dive.caught, std::min(dive.firstCatch_s, files->dive.duration_s),
                                  dive.lost, dive.points, dive.closings, dive.escapes, dive.spent_s[0],
                                  dive.spent_s[1], dive.spent_s[2]);
         }
         report(kind, dives);
+        for (size_t i = 0; i < goals.size(); ++i) {
+            const game::Goal& goal = goals[i];
+            std::printf("    goal of level %d, %s %d %s: in %3d %% of dives\n", goal.level,
+                        game::kGoalNames[static_cast<size_t>(goal.kind)], goal.count,
+                        goal.species < 0 ? "" : files->species[goal.species].name.c_str(),
+                        100 * reached[i] / seeds);
+        }
     }
     return bench::exitStatus("bench_player", writeFileWhole(Path(arguments[1]) / "players.tsv", table));
 }

@@ -104,7 +104,47 @@ TEST_F(ProgramStatesTest, TouchedSpeciesComeIntoTheGuide) {
     ASSERT_FALSE(session_.after.tally.empty());
     session_.after.tally[1].touched = true;
     press(Action::Pause);
-    EXPECT_EQ(readGuide(), std::vector<std::string>{config().species[1].name});
+    const MetAnimal met = readGuide().at(0);
+    EXPECT_EQ(met.species, config().species[1].name);
+    EXPECT_EQ(met.dive, "The reef");
+    EXPECT_THAT(met.date, testing::MatchesRegex("2[0-9]{3}-[0-9]{2}-[0-9]{2}"));
+}
+
+TEST_F(ProgramStatesTest, TheGuideCountsEachCatchOnceAndKeepsTheLongest) {
+    session_.after.tally[1] = {.caught = 2, .touched = true, .largest_m = 0.3f};
+    press(Action::Pause);
+    session_.paused = false;
+    states_->update();
+    session_.after.tally[1] = {.caught = 3, .touched = true, .largest_m = 0.3f};
+    end(10);
+    EXPECT_EQ(readGuide().at(0).caught, 3);
+    ASSERT_EQ(screens_.menu().page().gallery.size(), 1u);
+    EXPECT_EQ(screens_.menu().page().gallery[0].note, "30 cm  new");
+    EXPECT_TRUE(screens_.menu().page().gallery[0].marked);
+    // Another dive of the session, with the next seed.
+    game::Events events;
+    session_.dive.step({.restart = true}, events);
+    session_.after = {};
+    session_.after.tally.resize(config().species.size());
+    states_->update();
+    session_.after.tally[0] = {.caught = 1, .touched = true, .largest_m = 0.1f};
+    session_.after.tally[1] = {.caught = 1, .touched = true, .largest_m = 0.4f};
+    session_.after.tally[2] = {.caught = 1, .touched = true};
+    end(10);
+    EXPECT_EQ(readGuide().at(0).caught, 4);
+    EXPECT_EQ(readGuide().at(0).largest_m, 0.4f);
+    const auto& gallery = screens_.menu().page().gallery;
+    ASSERT_EQ(gallery.size(), 3u);
+    EXPECT_EQ(gallery[0].note, "40 cm  record");
+    EXPECT_EQ(gallery[1].file, "guide/" + config().species[2].name + ".png") << "the longest first";
+    EXPECT_EQ(gallery[2].note, "10 cm  new");
+}
+
+TEST_F(ProgramStatesTest, AGoalReachedIsAStar) {
+    session_.after.goals = {{.reached = true}, {.reached = false}, {.reached = true}};
+    end(10);
+    EXPECT_EQ(readScores()["reef"].stars, 2);
+    EXPECT_EQ(starsIn(screens_.facts.allScores), 2);
 }
 
 TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {

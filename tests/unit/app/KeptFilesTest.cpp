@@ -132,11 +132,11 @@ TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
 
 TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {
     EXPECT_TRUE(readScores()["reef"].top.empty());
-    for (const int score : {30, 120, 50, 10, 70, 60}) ASSERT_TRUE(addScore("reef", score));
-    ASSERT_TRUE(addScore("wreck", 40));
+    for (const int score : {30, 120, 50, 10, 70, 60}) ASSERT_TRUE(addScore("reef", score, 1));
+    ASSERT_TRUE(addScore("wreck", 40, 0));
     EXPECT_EQ(readScores()["reef"].top, (std::vector<int>{120, 70, 60, 50, 30}));
     EXPECT_EQ(readScores()["reef"].last, 60);
-    ASSERT_TRUE(addScore("wreck", 0)); // 0 is no top score
+    ASSERT_TRUE(addScore("wreck", 0, 0)); // 0 is no top score
     EXPECT_EQ(readScores()["wreck"].top, std::vector<int>{40});
     EXPECT_EQ(readScores()["wreck"].last, 0);
 }
@@ -147,26 +147,51 @@ TEST_F(KeptFiles, ScoresOfEarlierVersionsAreRead) {
     EXPECT_EQ(readScores()["reef"].top, std::vector<int>{90});
     EXPECT_TRUE(readScores()["wreck"].top.empty());
     EXPECT_EQ(readScores()["kelp"].top, std::vector<int>{20});
-    ASSERT_TRUE(addScore("reef", 40));
+    ASSERT_TRUE(addScore("reef", 40, 2));
     EXPECT_EQ(readScores()["reef"].top, (std::vector<int>{90, 40}));
+    EXPECT_EQ(starsIn(readScores()), 2);
+}
+
+TEST_F(KeptFiles, StarsAreKeptByDiveTheMostAndAllTogether) {
+    EXPECT_EQ(starsIn(readScores()), 0);
+    for (const int stars : {1, 3, 2}) ASSERT_TRUE(addScore("reef", 10, stars));
+    ASSERT_TRUE(addScore("kelp", 10, 1));
+    EXPECT_EQ(readScores()["reef"].stars, 3);
+    EXPECT_EQ(readScores()["reef"].allStars, 6);
+    EXPECT_EQ(readScores()["kelp"].stars, 1);
+    EXPECT_EQ(starsIn(readScores()), 7);
+    ASSERT_TRUE(writeFileWhole(folder_ / "shoal/scores.json",
+                               R"({"reef": {"top": [1], "stars": -2, "all_stars": "many"}})"));
+    EXPECT_EQ(starsIn(readScores()), 0);
 }
 
 TEST_F(KeptFiles, ADamagedScoreFileIsLeftAlone) {
     const Path file = folder_ / "shoal/scores.json";
     ASSERT_TRUE(writeFileWhole(file, "[1, 2"));
     EXPECT_TRUE(readScores()["reef"].top.empty());
-    EXPECT_FALSE(addScore("reef", 1));
+    EXPECT_FALSE(addScore("reef", 1, 0));
     EXPECT_EQ(readText(file).value(), "[1, 2");
 }
 
 TEST_F(KeptFiles, TheFieldGuideRemembers) {
     EXPECT_TRUE(readGuide().empty());
-    ASSERT_TRUE(saveGuide({"snapper", "ray"}));
-    EXPECT_EQ(readGuide(), (std::vector<std::string>{"snapper", "ray"}));
+    const std::vector<MetAnimal> met = {
+        {.species = "snapper", .caught = 3, .largest_m = 0.25f, .dive = "The reef", .date = "2024-02-29"},
+        {.species = "ray"}};
+    ASSERT_TRUE(saveGuide(met));
+    EXPECT_EQ(readGuide(), met);
     const Path damaged = folder_ / "shoal/guide.json"; // is left alone
     ASSERT_TRUE(writeFileWhole(damaged, "[1, 2"));
-    EXPECT_FALSE(saveGuide({"ray"}));
+    EXPECT_FALSE(saveGuide(met));
     EXPECT_EQ(readText(damaged).value(), "[1, 2");
+}
+
+TEST_F(KeptFiles, AGuideOfEarlierVersionsIsReadAndWrongValuesAreNot) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "shoal/guide.json",
+                               R"({"met": ["snapper", {"species": "ray", "caught": "many", "largest_m": 1e40,
+                                   "dive": 7}, {"caught": 2}, 5, [1]]})"));
+    EXPECT_EQ(readGuide(),
+              (std::vector<MetAnimal>{{.species = "snapper"}, {.species = "ray", .largest_m = 30}}));
 }
 
 // Suggestions for mistyped words.

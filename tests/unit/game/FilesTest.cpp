@@ -58,6 +58,18 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     EXPECT_THAT(reason(good + "radius = [1, 2, 3]\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(good + "[[school]]\nspecies = \"whale\"\ncount = 1\n"),
                 AllOf(HasSubstr("line 6"), HasSubstr("whale")));
+    const std::string goal = "[[goal]]\nkind = ", catchOne = goal + "\"catch\"\ncount = 1\n";
+    EXPECT_THAT(reason(good + goal + "\"quick\"\ncount = 99\n"),
+                AllOf(HasSubstr("line 7"), HasSubstr("1 to 8")));
+    EXPECT_THAT(reason(good + goal + "\"catch\"\ncount = 1\nwithin = 5\n"), HasSubstr("unknown key"));
+    EXPECT_THAT(reason(good + goal + "\"first\"\n"), HasSubstr("\"species\" is missing"));
+    EXPECT_THAT(reason(good + catchOne + "level = 4\n"), AllOf(HasSubstr("line 8"), HasSubstr("1 to 3")));
+    std::string levels;
+    for (const char* level : {"1", "2", "3", "1"}) levels += catchOne + "level = " + level + "\n";
+    EXPECT_EQ(reason(good + levels), "accepted");
+    EXPECT_THAT(reason(good + levels + catchOne), HasSubstr("one of each \"level\""));
+    EXPECT_THAT(reason(good + catchOne + catchOne + catchOne + catchOne), HasSubstr("one of each \"level\""));
+    EXPECT_EQ(reason(good + catchOne + catchOne + catchOne), "accepted");
     EXPECT_THAT(reason(good + "[[school]]\nspecies = \"shark\"\ncount = 1\n"),
                 HasSubstr("must not be a shark"));
     EXPECT_THAT(reason(good + "[[school]]\nspecies = \"snapper\"\ncount = 1000\n"),

@@ -26,14 +26,15 @@ TEST(Score, ComboCountsDifferentSpeciesInARow) {
 TEST(Score, GoalsAreReachedByWhatTheyCount) {
     Score score = {.species = std::vector<SpeciesTally>(4)};
     const Goal two{GoalKind::Catch, 2, 2}, any{GoalKind::Catch, -1, 3}, different{GoalKind::Different, -1, 2},
-        points{GoalKind::Score, -1, 30}, none{GoalKind::NoLoss, -1, 1}, combo{GoalKind::Combo, -1, 2};
+        points{GoalKind::Score, -1, 30}, none{GoalKind::NoLoss, -1, 2}, combo{GoalKind::Combo, -1, 2};
     for (const Goal& goal : {two, any, different, points, none, combo})
         EXPECT_FALSE(isReached(goal, score, true));
     score.countCatch(2, 10);
     EXPECT_EQ(progressOf(two, score), 1);
+    EXPECT_FALSE(isReached(none, score, true)) << "nor before so many are caught";
+    score.countCatch(2, 10);
     EXPECT_FALSE(isReached(none, score, false)) << "until the dive is over";
     EXPECT_TRUE(isReached(none, score, true));
-    score.countCatch(2, 10);
     EXPECT_TRUE(isReached(two, score, false));
     EXPECT_FALSE(isReached(combo, score, false));
     score.countCatch(0, 10);
@@ -71,6 +72,182 @@ TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
     EXPECT_EQ(one.world.state().phase, Phase::Results);
 }
 
+// A dive whose events are made up.
+struct Deedful {
+    OpenDive world{cove().species, OneFish::lonely({}), 5};
+    Score score{.species = std::vector<SpeciesTally>(cove().species.size())};
+
+    void happen(Event event, float at_s = 0) {
+        world.state().tick = static_cast<uint32_t>(at_s * 120);
+        if (event.kind == EventKind::Catch) score.countCatch(event.species, 10);
+        countDeeds(std::span(&event, 1), world.context(), score.deeds);
+    }
+    void caught(int species, float at_s, int hand = 1) {
+        happen({.kind = EventKind::Catch, .creature = 0, .hand = hand, .species = species}, at_s);
+    }
+    int progress(const Goal& goal) const { return progressOf(goal, score); }
+};
+
+TEST(Goals, AQuickRunIsTheCatchesWithinSecondsOfTheLatest) {
+    Deedful dive;
+    const Goal quick{GoalKind::Quick, -1, 3, 10};
+    EXPECT_EQ(dive.progress(quick), 0);
+    dive.caught(1, 1);
+    EXPECT_EQ(dive.progress(quick), 1);
+    dive.caught(1, 8);
+    EXPECT_EQ(dive.progress(quick), 2);
+    dive.caught(1, 12);
+    EXPECT_EQ(dive.progress(quick), 2) << "the first was too long ago";
+    dive.caught(1, 18);
+    EXPECT_TRUE(isReached(quick, dive.score, false));
+    for (int i = 0; i < 2 * kMaxQuick; ++i) dive.caught(1, 20);
+    EXPECT_EQ(dive.progress({GoalKind::Quick, -1, kMaxQuick, 1}), kMaxQuick);
+}
+
+TEST(Goals, TheFirstCatchDecidesAndEachHandCounts) {
+    Deedful dive;
+    const Goal first{GoalKind::First, 2, 1}, other{GoalKind::First, 3, 1}, each{GoalKind::EachHand, -1, 2};
+    EXPECT_EQ(dive.progress(first), 0);
+    dive.caught(2, 1, 0);
+    dive.caught(3, 2, 0);
+    EXPECT_EQ(dive.progress(first), 1);
+    EXPECT_EQ(dive.progress(other), 0);
+    EXPECT_EQ(dive.progress(each), 0);
+    dive.caught(3, 3, 1);
+    EXPECT_EQ(dive.progress(each), 1);
+}
+
+TEST(Goals, GuestsStonesTouchesAndFrightsCount) {
+    Deedful dive;
+    const Goal guests{GoalKind::Guests, -1, 2}, turn{GoalKind::TurnShark, -1, 1}, meet{GoalKind::Meet, -1, 3},
+        calm{GoalKind::Calm, -1, 3};
+    dive.happen({.kind = EventKind::Feed});
+    dive.happen({.kind = EventKind::NoGuest});
+    EXPECT_EQ(dive.progress(guests), 1);
+    dive.happen({.kind = EventKind::SharkTurns});
+    EXPECT_TRUE(isReached(turn, dive.score, false));
+    for (const int species : {1, 1, 3}) {
+        dive.world.fish[0].species = species;
+        dive.happen({.kind = EventKind::Touch, .creature = 0});
+    }
+    EXPECT_EQ(dive.progress(meet), 2);
+    dive.caught(1, 1);
+    dive.caught(1, 2);
+    dive.happen({.kind = EventKind::Startle, .creature = 0});
+    EXPECT_EQ(dive.progress(calm), 0);
+    for (int i = 0; i < 3; ++i) dive.caught(1, 3);
+    EXPECT_TRUE(isReached(calm, dive.score, false));
+}
+
+TEST(Goals, OneOfEachLevelIsDrawnBySeed) {
+    std::vector<Goal> all;
+    for (int i = 0; i < 12; ++i)
+        all.push_back({.kind = GoalKind::Catch, .species = i, .count = 1, .level = 1 + i % 3});
+    std::set<int> seen;
+    for (uint64_t seed = 1; seed < 100; ++seed) {
+        const std::vector<int> drawn = drawGoals(all, seed);
+        ASSERT_EQ(drawn.size(), 3u);
+        for (int level = 0; level < 3; ++level) EXPECT_EQ(drawn[level] % 3, level);
+        EXPECT_EQ(drawGoals(all, seed), drawn);
+        seen.insert(drawn.begin(), drawn.end());
+    }
+    EXPECT_EQ(seen.size(), all.size());
+    for (Goal& goal : all) goal.species = goal.level == 3 ? 7 : -1;
+    EXPECT_EQ(drawGoals(all, 1).size(), 2u) << "never two that are alike";
+    all.resize(2);
+    EXPECT_EQ(drawGoals(all, 1), (std::vector<int>{0, 1})) << "so few are all kept";
+}
+
+TEST(Goals, ADiveShowsThoseThatItHasDrawnAndDrawsAnewAfterARestart) {
+    DiveFile file = calmCove();
+    file.goals.clear();
+    for (int i = 0; i < 30; ++i) file.goals.push_back({GoalKind::Catch, i, 1, 0, 1 + i % 3});
+    OpenDive dive(cove().species, file, 3);
+    const auto shown = [&] {
+        std::vector<int> goals;
+        for (const GoalView& view : dive.shown().goals) goals.push_back(view.goal);
+        return goals;
+    };
+    EXPECT_EQ(shown(), drawGoals(file.goals, 3));
+    const uint64_t hash = dive.stateHash();
+    dive.state().score.goals[0] += 3;
+    EXPECT_NE(dive.stateHash(), hash);
+    dive.input.restart = true;
+    dive.step();
+    EXPECT_EQ(shown(), drawGoals(file.goals, 4));
+}
+
+// Goals that a dive cannot offer would lock a star.
+TEST(Goals, ThoseOfTheGameCanBeReached) {
+    for (const std::string& name : diveNames()) {
+        const DiveFiles files = tests::valueOf(loadDiveFiles(name));
+        const auto shown = speciesShown(files.species, files.dive);
+        const auto number = [&](int species, auto fits) {
+            int count = 0;
+            for (const School& school : files.dive.schools)
+                if (school.stars == 0 && (species < 0 || school.species == species) &&
+                    fits(files.species[school.species]))
+                    count += species < 0 ? 1 : school.count;
+            return count;
+        };
+        const auto thing = [](Thing wanted) { return [=](const Species& s) { return s.thing == wanted; }; };
+        EXPECT_GE(files.dive.goals.size(), 12u);
+        for (int level = 1; level <= 3; ++level)
+            EXPECT_GE(std::ranges::count(files.dive.goals, level, &Goal::level), 4) << name;
+        for (const Goal& goal : files.dive.goals) {
+            SCOPED_TRACE(name + ", " + kGoalNames[static_cast<size_t>(goal.kind)]);
+            if (goal.species >= 0) {
+                EXPECT_TRUE(shown[goal.species]);
+                if (files.species[goal.species].thing == Thing::Bottle) {
+                    EXPECT_GE(number(goal.species, thing(Thing::Bottle)), goal.count);
+                }
+            }
+            if (goal.kind == GoalKind::Different || goal.kind == GoalKind::Combo ||
+                goal.kind == GoalKind::Meet) {
+                EXPECT_GE(number(-1, isFish), goal.count);
+            }
+            if (goal.kind == GoalKind::Guests) {
+                EXPECT_GE(number(findSpecies(files.species, "mussel"), thing(Thing::Mussel)), goal.count);
+            }
+            if (goal.kind == GoalKind::NoLoss || goal.kind == GoalKind::TurnShark) {
+                EXPECT_GE(files.dive.shark.species, 0);
+            }
+        }
+    }
+}
+
+TEST(RareAnimals, ComeToPlayersWithStarsAndChangeNothingForOthers) {
+    DiveFile file = calmCove();
+    const auto hashOf = [](const DiveFile& dive, int stars) {
+        return Dive(cove().species, dive, 7, {.stars = stars}).stateHash();
+    };
+    const uint64_t without = hashOf(file, 0);
+    School rare = file.schools[0];
+    rare.count = 1;
+    rare.stars = 10;
+    file.schools.push_back(rare);
+    EXPECT_EQ(hashOf(file, 0), without);
+    EXPECT_EQ(hashOf(file, 9), without);
+    EXPECT_NE(hashOf(file, 10), without);
+    const size_t count = Dive(cove().species, file, 7).state().fish.size();
+    EXPECT_EQ(Dive(cove().species, file, 7, {.stars = 11}).state().fish.size(), count + 1);
+}
+
+TEST(RareAnimals, EachDiveOfTheGameHasOneForTenStars) {
+    int forTwenty = 0;
+    for (const std::string& name : diveNames()) {
+        const DiveFiles files = tests::valueOf(loadDiveFiles(name));
+        EXPECT_EQ(std::ranges::count(files.dive.schools, 10, &School::stars), 1) << name;
+        forTwenty += static_cast<int>(std::ranges::count(files.dive.schools, 20, &School::stars));
+        for (const School& school : files.dive.schools)
+            if (school.stars > 0) {
+                EXPECT_TRUE(std::filesystem::exists(dataRoot() / "content/guide" /
+                                                    (files.species[school.species].name + ".dark.png")));
+            }
+    }
+    EXPECT_EQ(forTwenty, 1);
+}
+
 TEST(FreeSwim, HasNoClockAndNoShark) {
     OneFish one({.shark = true, .rules = {.freeSwim = true}});
     one.step(static_cast<int>(2 * one.world.file().duration_s * 120));
@@ -100,13 +277,18 @@ TEST(Sting, AHandThatClosesOnAJellyfishCannotHoldForASecond) {
 }
 
 TEST(Replays, CarryTheirRules) {
-    const DiveRules rules{Assist::Strong, true, true};
+    const DiveRules rules{Assist::Strong, true, true, 12};
     const Dive dive(cove().species, cove().dive, 3, rules);
     sim::RecordingHeader header = recordingHeader(dive);
     ASSERT_TRUE(rulesOf(header));
     EXPECT_EQ(*rulesOf(header), rules);
     header.settings["assist"] = "magic";
     EXPECT_FALSE(rulesOf(header));
+    header.settings["assist"] = "none";
+    header.settings["stars"] = "-1";
+    EXPECT_FALSE(rulesOf(header));
+    header.settings.erase("stars"); // of an earlier version
+    EXPECT_EQ(tests::valueOf(rulesOf(header)).stars, 0);
 }
 
 // Enclosure of the video's places over the dive's time.
