@@ -24,9 +24,9 @@ def pad(out, note, at, seconds, gain, side, bright):
     x = np.zeros(len(t))
     for k in range(1, 8):
         swell = np.sin(np.pi * t / seconds) ** (1 + 0.4 * k)
-        for voice in (-1, 1):
+        for voice, share in ((-1, 1), (1, 0.6)):  # unequal, so that their beats are shallow
             f = pitch(note) * k * (1 + voice * random.uniform(0.0006, 0.0016))
-            x += swell * bright ** (k - 1) / k * np.sin(2 * np.pi * (f * t + random.random()))
+            x += share * swell * bright ** (k - 1) / k * np.sin(2 * np.pi * (f * t + random.random()))
     add(out, gain * x, at, wrap=True)
 
 
