@@ -439,8 +439,8 @@ bool Screens::hasPage(size_t species) const {
 
 MenuPage Screens::animalPage() {
     const game::Species& animal = (*facts.species)[stack_.back().index];
-    button("Next", [this] { turnTo(1); });
-    button("Previous", [this] { turnTo(-1); });
+    button("Next animal", [this] { turnTo(1); });
+    button("Previous animal", [this] { turnTo(-1); });
     backButton();
     MenuPage page{.title = animalName(animal, 1, language()),
                   .picture = "guide/" + animal.name + ".png",

@@ -439,8 +439,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
 
     {"{} stars bring it to you. Dive: {}", "Ab {} Sternen kommt es zu dir. Tauchgang: {}",
      "À partir de {} étoiles, il vient à toi. Plongée : {}"},
-    {"Next", "Nächstes Tier", "Suivant"},
-    {"Previous", "Voriges Tier", "Précédent"},
+    {"Next animal", "Nächstes Tier", "Animal suivant"},
+    {"Previous animal", "Voriges Tier", "Animal précédent"},
     {"Caught: {}", "Gefangen: {}", "Prises : {}"},
     {"Longest: {}", "Längster Fang: {}", "La plus longue : {}"},
     {"First met: {}, {}", "Erste Begegnung: {}, {}", "Première rencontre : {}, {}"},

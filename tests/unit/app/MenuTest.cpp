@@ -321,17 +321,17 @@ TEST_F(MenuTest, LeftAndRightTurnThePagesOfAnimalsThatWereMet) {
                           {.species = "shark"},
                           {.species = "ray", .dive = "The reef", .date = "2026-01-31"}};
     choose("Field guide");
-    choose("ray");
+    choose("Ray");
     EXPECT_THAT(page().text, testing::Contains("First met: The reef, 2026-01-31"));
     screens_.input({.right = 1});
-    EXPECT_EQ(page().title, "shark");
-    choose("Next");
-    EXPECT_EQ(page().title, "snapper");
+    EXPECT_EQ(page().title, "Shark");
+    choose("Next animal");
+    EXPECT_EQ(page().title, "Snapper");
     EXPECT_THAT(page().text, testing::Contains("Caught: 2   Longest: 31 cm"));
     screens_.input({.right = 1});
-    EXPECT_EQ(page().title, "ray");
-    choose("Previous");
-    EXPECT_EQ(page().title, "snapper");
+    EXPECT_EQ(page().title, "Ray");
+    choose("Previous animal");
+    EXPECT_EQ(page().title, "Snapper");
     screens_.input({.back = true});
     EXPECT_EQ(screens_.top(), Screen::Guide);
 }
