@@ -1,6 +1,5 @@
 // Measures the shark in whole dives of modelled players, and of a scripted one who offers it fish, in open
-// water and in the rooms of the films: bench_shark [SEEDS [FIRST [DIVE]]], in the cove of the playthroughs or
-// another dive.
+// water and in the rooms of the films: bench_shark [SEEDS [FIRST [DIVE]]], in the films' own dives or another.
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/bench/player/SharkWatch.h"
 #include "tests/playthrough/Play.h"

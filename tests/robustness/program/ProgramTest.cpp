@@ -419,7 +419,7 @@ TEST_F(Program, AScriptBringsItsOwnDiveAndRules) {
 TEST_F(Program, ARecordingOfAnOlderVersionIsRefusedByName) {
     const std::string file = (tests::sourceFolder() / "tests/robustness/program/version_2.replay").string();
     expectOneMessage(run("play --headless --hands replay:" + file),
-                     "has version 2, this game reads version 4");
+                     "has version 2, this game reads version 5");
     expectOneMessage(run("check " + file), "has version 2");
 }
 

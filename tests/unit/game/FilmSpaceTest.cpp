@@ -184,7 +184,7 @@ TEST(FilmSpace, APillarIsPassedAndNobodyStaysAtIt) {
 TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
     constexpr float kParted = 3.5f; // shoals in open water stay below 2.7
     int parted = 0;
-    for (uint64_t seed = 5; seed < 11; ++seed) {
+    for (uint64_t seed = 5; seed < 17; ++seed) {
         DiveFile file = calmCove();
         file.space = madeSpace(1, 1, toPillar_m);
         OpenDive dive(cove().species, file, seed);

@@ -163,7 +163,7 @@ TEST_F(RecordingFile, AFullDiskIsSaidAndWhatIsWholeIsRead) {
 // Whole numbers that are negative, too large or fractions are refused too.
 TEST_F(RecordingFile, NumbersOfItsHeaderThatAreNoneAreRefused) {
     const auto with = [&](const std::string& number, const std::string& inputBytes = "64") {
-        const std::string text = R"({"version":4,"tick_rate_Hz":120,"seed":)" + number +
+        const std::string text = R"({"version":5,"tick_rate_Hz":120,"seed":)" + number +
                                  R"(,"dive":"reef","input_bytes":)" + inputBytes + R"(,"settings":{}})";
         const std::array<uint32_t, 2> prefix = {
             static_cast<uint32_t>(text.size()),
