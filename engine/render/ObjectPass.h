@@ -100,12 +100,8 @@ class ObjectPass {
         bool mirrored;       // whether its transform turns triangles clockwise (glTF 2.0, 3.7.4)
     };
 
-    enum class Stage {
-        DepthAlone,
-        Opaque,
-        FadedDepth,
-        Blended
-    }; // FadedDepth: as DepthAlone, after the opaque
+    // FadedDepth: as DepthAlone, after the opaque.
+    enum class Stage { DepthAlone, Opaque, FadedDepth, Blended };
     struct ToDraw {
         Stage stage;
         float order; // within the stage

@@ -156,12 +156,13 @@ static PointedAt pointedAt(const Hand& hand, std::span<const Fish> fish, const D
     const auto across = [&](const Fish& f) { return f.position - in.head() - along(f) * sight; };
     const auto beyond = [&](const Fish& f) { return along(f) - glm::distance(hand.graspCentre, in.head()); };
     const int id = leastCost(fish, 1, [&](const Fish& f) {
-        if (!f.free() || f.uncatchable_s > 0 || in.hides(f.position)) return kNever;
+        if (!f.free() || f.uncatchable_s > 0) return kNever;
         if (along(f) < 0.2f || along(f) > kFarthestMeant_m) return kNever;
         const float room = kBeside_m + 0.5f * lengthOf(f, in.kindOf(f)) + kCone * along(f);
         const float beside = glm::length(across(f));
+        if (beside > room || in.hides(f.position)) return kNever; // a look at the film takes longest
         // Depth counts a little: of two fish beside the line the nearer one was meant.
-        return beside > room ? kNever : beside / room + 0.15f * std::fabs(beyond(f));
+        return beside / room + 0.15f * std::fabs(beyond(f));
     });
     if (id < 0) return {};
     return {id, beyond(fish[id]), across(fish[id])};

@@ -61,7 +61,7 @@ static void drawScore(const Pen& pen, const HudInfo& info) {
     number(time.low.x - 0.5f * margin, "Points", std::to_string(s.score), kWhite);
     std::vector<ReadoutLine> lines;
     for (const std::string& goal : info.goals)
-        lines.push_back({goal, TextSize::Small, goal.starts_with("\u2713") ? kAccent : kWhite});
+        lines.push_back({goal, TextSize::Small, goal.starts_with("\u2605") ? kAccent : kWhite});
     std::string counts = pen.in("{} caught", s.caught);
     if (s.lost > 0) counts += "   " + pen.in("{} taken by the shark", s.lost);
     if (s.caught > 0 || s.lost > 0) lines.push_back({counts, TextSize::Small, kGrey});
@@ -82,11 +82,12 @@ static void strokeCased(const Pen& pen, uint32_t tint, float strength, float wid
     const auto shade = [&](uint32_t colour, float most) {
         return (colour & 0xFFFFFF) | (static_cast<uint32_t>(255 * most * strength) << 24);
     };
-    const ImVector<ImVec2> path = pen.list->_Path; // stroking clears it
+    const ImVector<ImVec2>& path = pen.list->_Path;
     const ImDrawFlags flags = closed ? ImDrawFlags_Closed : ImDrawFlags_None;
-    pen.list->PathStroke(shade(IM_COL32(0, 10, 20, 0), 0.65f), flags,
-                         width_px + (closed ? 0.5f : 0.2f) * pen.line);
+    pen.list->AddPolyline(path.Data, path.Size, shade(IM_COL32(0, 10, 20, 0), 0.65f), flags,
+                          width_px + (closed ? 0.5f : 0.2f) * pen.line);
     pen.list->AddPolyline(path.Data, path.Size, shade(tint, 1), flags, width_px);
+    pen.list->PathClear();
 }
 
 // Draws a rim around an animal: closed around what a hand can take, in dashes around what is too far away.
