@@ -94,7 +94,7 @@ class Application {
     void photograph();
     Status applySettings();
     void simulate();
-    Look look() const { return lookOf(options_, content_.environment(), config_.dive.exposure_ev); }
+    Look look() const { return lookOf(options_, content_.environment(), config_.dive.lamp); }
     Result<bool> draw();
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
     void measure();

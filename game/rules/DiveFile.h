@@ -138,7 +138,8 @@ struct DiveFile {
     std::string video; // file below content/; may be missing (it is made by content/make)
     std::string music; // theme: content/sounds/music_THEME_*.flac; empty: none
     float duration_s = 90;
-    float exposure_ev = 0;
+    // Diver's lamp: radiance of a white matte surface that faces it from a metre; the film's white is 1.
+    float lamp = 0;
     float floor_m = -1.1f; // height of the floor; fish stay above it
     bool water = true;     // the video was filmed under water
     std::vector<School> schools;

@@ -79,14 +79,15 @@ static bool project(const Pen& pen, const render::View& view, const glm::vec3& w
 // Strokes the path in a colour on a dark casing, so that it stands out before any picture: at least 3 to 1
 // against the casing's 6 pixels at 720 lines.
 static void strokeCased(const Pen& pen, uint32_t tint, float strength, float width_px, bool closed) {
-    const auto shade = [&](uint32_t colour, float most) {
-        return (colour & 0xFFFFFF) | (static_cast<uint32_t>(255 * most * strength) << 24);
+    const auto faded = [&](uint32_t colour) {
+        return (colour & 0xFFFFFF) |
+               (static_cast<uint32_t>(static_cast<float>(colour >> 24) * strength) << 24);
     };
     const ImVector<ImVec2>& path = pen.list->_Path;
     const ImDrawFlags flags = closed ? ImDrawFlags_Closed : ImDrawFlags_None;
-    pen.list->AddPolyline(path.Data, path.Size, shade(IM_COL32(0, 10, 20, 0), 0.65f), flags,
+    pen.list->AddPolyline(path.Data, path.Size, faded(colour::kCasing), flags,
                           width_px + (closed ? 0.5f : 0.2f) * pen.line);
-    pen.list->AddPolyline(path.Data, path.Size, shade(tint, 1), flags, width_px);
+    pen.list->AddPolyline(path.Data, path.Size, faded(tint), flags, width_px);
     pen.list->PathClear();
 }
 

@@ -78,7 +78,7 @@ enum class Audience {
 namespace colour {
 inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFD2CCBC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
                           kAccent = 0xFFC8D674, kHair = 0x40C8D674, kPanel = 0xDC221804, kSolid = 0xFF000000,
-                          kFocus = 0xFF584812, kTrack = 0xFF4C4022;
+                          kFocus = 0xFF584812, kTrack = 0xFF4C4022, kCasing = 0xB8140A00;
 }
 
 // The side of a panel that has a line in the accent's colour.

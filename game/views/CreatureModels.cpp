@@ -2,6 +2,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/core/RunProgram.h"
+#include "engine/math/SphericalHarmonics.h"
 #include "engine/math/Trigonometry.h"
 #include "game/views/ArmPose.h"
 
@@ -51,14 +52,14 @@ static std::optional<render::BakedOcclusion> stored(const Path& file, scene::Mod
 
 constexpr size_t kEachTime = 4;    // animals whose light is looked up for each picture: 35 take nine pictures
 constexpr float kFollow_s = 0.25f; // time constant of that light
-constexpr float kJump_m = 0.5f;    // movement between two pictures from which it counts as another animal
+constexpr float kLampAbove_m = 0.15f, kLampRadius_m = 0.3f; // a wide lamp dazzles less from near
+constexpr float kJump_m = 0.5f; // movement between two pictures from which it counts as another animal
 
 void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
-                         const glm::mat3& envFromWorld) {
-    if (!light) {
-        animals_.clear();
-        return;
-    }
+                         const glm::mat3& envFromWorld, const DiverLamp& lamp) {
+    lamp_ = lamp;
+    lampWorld_ = snapshot.headWorld + glm::vec3(0, kLampAbove_m, 0);
+    envFromWorld_ = envFromWorld;
     const auto passed_s = static_cast<float>(snapshot.time_s - time_s_);
     time_s_ = snapshot.time_s;
     const float share = passed_s < 0 || passed_s > 1 ? 1 : math::followShare(passed_s, kFollow_s);
@@ -71,11 +72,27 @@ void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDiffe
         const bool jumped = i >= known || share == 1 || glm::distance(position, animal.position) > kJump_m;
         animal.position = position;
         if (jumped || (i + count - next_ % count) % count < turns)
-            animal.found = light->at(envFromWorld * position);
-        for (size_t k = 0; k < animal.now.size(); ++k)
+            animal.found = light ? light->at(envFromWorld * position) : depth::LightHarmonics{};
+        animal.lit = ofLamp(position);
+        for (size_t k = 0; k < animal.now.size(); ++k) {
             animal.now[k] += (jumped ? 1 : share) * (animal.found[k] - animal.now[k]);
+            animal.lit[k] += animal.now[k];
+        }
     }
     next_ = count > 0 ? (next_ + turns) % count : 0;
+}
+
+depth::LightHarmonics AnimalLight::ofLamp(const glm::vec3& place) const {
+    const glm::vec3 towards = lampWorld_ - place;
+    const float distance_m = glm::length(towards);
+    const math::ShBasis basis = math::shBasis(envFromWorld_ * towards / std::max(distance_m, 1e-3f));
+    const float spread = distance_m * distance_m + kLampRadius_m * kLampRadius_m;
+    const glm::vec3 irradiance = glm::pi<float>() * lamp_.radiance / spread *
+                                 (1 + kLampRadius_m * kLampRadius_m) *
+                                 glm::exp(-lamp_.attenuation_perM * distance_m);
+    depth::LightHarmonics light;
+    for (size_t k = 0; k < light.size(); ++k) light[k] = static_cast<float>(basis[k]) * irradiance;
+    return light;
 }
 
 std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model) {
@@ -235,7 +252,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                   .parts = spheres_,
                   .body = &instance.body,
                   .highlight = creature.catchable,
-                  .lightDifference = light.of(i)});
+                  .lightDifference = &light.of(i)});
     }
     const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
@@ -245,17 +262,18 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
         // A hand gives way to the fish that it holds, as quickly as the fish begins to struggle.
         const float held =
             hand.holds < 0 ? 0 : snapshot.creatures[static_cast<size_t>(hand.holds)].gait.blend;
-        showPosed(hands_[side], 1, pass, 1 - (1 - kHoldingOpacity) * held, hand.ready);
+        const auto lamp = light.ofLamp(hand.joints[hands::kWristJoint].position);
+        showPosed(hands_[side], 1, lamp, pass, 1 - (1 - kHoldingOpacity) * held, hand.ready);
         const ArmPose arm =
             poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head, hand.towardsElbow);
         for (size_t k = 0; k < arm.size(); ++k)
             arms_[side].pose.modelFromNode[arms_[side].jointNodes[k]] = arm[k];
-        showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), pass);
+        showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), lamp, pass);
     }
 }
 
-void CreatureModels::showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass, float opacity,
-                               float highlight) {
+void CreatureModels::showPosed(ModelInstance& instance, float margin, const depth::LightHarmonics& light,
+                               render::ObjectPass& pass, float opacity, float highlight) {
     scene::placeSpheres(instance.boundingSpheres, instance.pose, glm::mat4(1), spheres_);
     for (scene::Sphere& sphere : spheres_) sphere.radius *= margin;
     pass.add({.model = instance.model,
@@ -266,7 +284,8 @@ void CreatureModels::showPosed(ModelInstance& instance, float margin, render::Ob
               .body = &instance.body,
               .opacity = opacity,
               .highlight = highlight,
-              .isInRoom = true});
+              .isInRoom = true,
+              .lightDifference = &light});
 }
 
 } // namespace shoal::app

@@ -28,27 +28,40 @@ namespace shoal::app {
 // and none can be made, logs why and returns nothing. Making takes seconds. Any thread.
 std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model);
 
-// Difference between the light at each animal and the light at the camera, caused by rock near the animal,
-// smoothed over time. Only on the rendering thread.
+// A small lamp above the diver's eyes. All that the eyes see is lit by it, so it casts no shadow that they
+// see. It lights animals, things and hands, and not the film.
+struct DiverLamp {
+    float radiance = 0;            // game::DiveFile::lamp
+    glm::vec3 attenuation_perM{0}; // of the water between the lamp and what it lights
+};
+
+// Difference between the light at each animal and the light at the camera: that of rock near the animal,
+// smoothed over time, and the lamp's. Only on the rendering thread.
 class AnimalLight {
   public:
     // Updates the light of all animals, once for each picture. Each call looks up the light of a few animals
     // in turn; the light of all eases towards their last look-up with a time constant of 0.25 s. light: null
     // for a film without distances. Allocates nothing once it has grown.
     void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
-                const glm::mat3& envFromWorld);
+                const glm::mat3& envFromWorld, const DiverLamp& lamp = {});
 
-    // Returns the light by index in Snapshot::creatures; null: only the camera's light.
-    const depth::LightHarmonics* of(size_t creature) const {
-        return creature < animals_.size() ? &animals_[creature].now : nullptr;
-    }
+    // Returns the light by index in Snapshot::creatures.
+    const depth::LightHarmonics& of(size_t creature) const { return animals_[creature].lit; }
+
+    // Returns the lamp's light alone at a place, world frame. What nine harmonics say a matte surface sends
+    // back errs by at most 3/32 of what it sends back when it faces the lamp.
+    depth::LightHarmonics ofLamp(const glm::vec3& place) const;
 
   private:
     struct Animal {
         glm::vec3 position{0};
-        depth::LightHarmonics found{}, now{};
+        depth::LightHarmonics found{}, now{}; // of the film, less that at the camera
+        depth::LightHarmonics lit{};          // now, and the lamp's
     };
     std::vector<Animal> animals_;
+    DiverLamp lamp_;
+    glm::vec3 lampWorld_{0};
+    glm::mat3 envFromWorld_{1};
     size_t next_ = 0; // index of the next animal to look up
     double time_s_ = 0;
 };
@@ -95,8 +108,8 @@ class CreatureModels {
     static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
     void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail);
     // Adds an instance whose joints are posed in the world. margin: factor on its bounding spheres.
-    void showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass, float opacity = 1,
-                   float highlight = 0);
+    void showPosed(ModelInstance& instance, float margin, const depth::LightHarmonics& light,
+                   render::ObjectPass& pass, float opacity = 1, float highlight = 0);
 
     float minRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // images of the last model loaded, while loading

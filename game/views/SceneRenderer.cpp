@@ -12,10 +12,11 @@
 
 namespace shoal::app {
 
-Look lookOf(const PlayOptions& options, const Environment& environment, float dive_ev) {
-    return {.exposure = environment.exposure(options.look.tone, dive_ev + options.look.exposure_ev),
+Look lookOf(const PlayOptions& options, const Environment& environment, float lamp) {
+    return {.exposure = environment.exposure(options.look.tone, options.look.exposure_ev),
             .glossy = options.look.glossy,
-            .particles = options.snow && !options.reducedMotion};
+            .particles = options.snow && !options.reducedMotion,
+            .lamp = lamp};
 }
 
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
@@ -48,7 +49,7 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     const bool bounces = setup_.skip != render::SkippedPass::Bounce;
     animalLight_.follow(
         snapshot, bounces && environment.depth() ? &environment.player().frame().lightDifference : nullptr,
-        environment.envFromWorld());
+        environment.envFromWorld(), {look.lamp, environment.player().water().attenuation_perM});
     creatureModels_->show(snapshot, animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }

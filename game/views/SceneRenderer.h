@@ -37,10 +37,11 @@ struct Look {
     render::Exposure exposure;
     render::Glossy glossy = render::Glossy::Prefiltered;
     bool particles = true; // particles drift in the water, if there is water
+    float lamp = 0;        // game::DiveFile::lamp
 };
 
-// Returns the look that the options ask for. dive_ev: exposure of the dive.
-Look lookOf(const PlayOptions& options, const Environment& environment, float dive_ev);
+// Returns the look that the options ask for. lamp: the dive's.
+Look lookOf(const PlayOptions& options, const Environment& environment, float lamp);
 
 class SceneRenderer final : private render::CompositorScene {
   public:

@@ -75,8 +75,7 @@ class XrPicture : public test::WithFakeRuntime {
             run_->advance(*headset.elapsed_s());
             game::Snapshot shown = run_->shown;
             if (showOnly_) showOnly_(shown);
-            sceneRenderer_->set(shown, *environment_,
-                                {environment_->exposure(Tone::Auto, plan_->dive.exposure_ev)});
+            sceneRenderer_->set(shown, *environment_, {environment_->exposure(Tone::Auto, 0)});
             const Result<bool> drawn = headset.draw(painter, run_->shown, scale);
             ASSERT_TRUE(drawn) << drawn.error().message();
             drew = *drawn;
@@ -152,8 +151,7 @@ TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
         const auto drawn = [&](bool hand, render::Surroundings surroundings) {
             shown.hands[1].visible = hand;
             for (size_t i = 0; i < pose.joints.size(); ++i) shown.hands[1].joints[i] = pose.joints[i];
-            sceneRenderer_->set(shown, *environment_,
-                                {environment_->exposure(Tone::Auto, plan_->dive.exposure_ev)});
+            sceneRenderer_->set(shown, *environment_, {environment_->exposure(Tone::Auto, 0)});
             const SceneRenderer::Eye eye{0, view, target, surroundings};
             EXPECT_TRUE(sceneRenderer_->draw({&eye, 1}));
             return target.read().pixels;

@@ -120,7 +120,7 @@ TEST_F(Numbers, TomlFilesRefuseThem) {
         {species + "0.2\ncruise = #\n", "line 5: \"cruise\""},
         {species + "0.2\nspacing = #\n", "line 5: \"spacing\""},
         {"duration = #\n" + dive + "3\n", "line 1: \"duration\""},
-        {"exposure = #\n" + dive + "3\n", "line 1: \"exposure\""},
+        {"lamp = #\n" + dive + "3\n", "line 1: \"lamp\""},
         {dive + "#\n", "line 3: \"count\""},
         {dive + "3\nradius = [1, #]\n", "line 4: \"radius\""},
         {dive + "3\nheight = [#, 1]\n", "line 4: \"height\""},

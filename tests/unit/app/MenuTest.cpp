@@ -464,14 +464,19 @@ TEST(Fonts, HaveEachSignOfTheTexts) {
              {640, 360});
 }
 
-// Contrast of WCAG 2.2, 1.4.3: of the relative luminances, at least 4.5 to 1.
-double luminance(uint32_t abgr, double behind8) {
+// Returns the linear colour over a grey of this coded value.
+glm::dvec3 linearOver(uint32_t abgr, double behind8) {
     const double alpha = (abgr >> 24) / 255.0;
     const auto channel = [&](int shift) {
         return math::linearFromSrgb((alpha * (abgr >> shift & 0xFF) + (1 - alpha) * behind8) / 255);
     };
-    return 0.2126 * channel(0) + 0.7152 * channel(8) + 0.0722 * channel(16);
+    return {channel(0), channel(8), channel(16)};
 }
+
+double luminanceOf(const glm::dvec3& linear) { return glm::dot(linear, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+
+// Contrast of WCAG 2.2, 1.4.3: of the relative luminances, at least 4.5 to 1.
+double luminance(uint32_t abgr, double behind8) { return luminanceOf(linearOver(abgr, behind8)); }
 
 TEST(Colours, TextOnPanelsIsReadableOverWhiteAndBlack) {
     for (const double behind : {0.0, 128.0, 255.0})
@@ -483,6 +488,21 @@ TEST(Colours, TextOnPanelsIsReadableOverWhiteAndBlack) {
         }
     for (const uint32_t text : {colour::kWhite, colour::kAccent})
         EXPECT_GE((luminance(text, 0) + 0.05) / (luminance(colour::kFocus, 0) + 0.05), 4.5);
+}
+
+// Contrast of WCAG 2.2, 1.4.11, at least 3 to 1 between a mark and its casing, before any picture; also for
+// deuteranopes (Machado, Oliveira and Fernandes 2009, "A Physiologically-based Model for Simulation of Color
+// Vision Deficiency", table 1).
+TEST(Colours, MarksStandOutFromTheirCasing) {
+    const glm::dmat3 deuteranope = glm::transpose(glm::dmat3(
+        0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881));
+    for (int behind = 0; behind <= 255; behind += 5)
+        for (const uint32_t mark : {colour::kGold, colour::kWhite, colour::kOrange})
+            for (const glm::dmat3& eye : {glm::dmat3(1), deuteranope})
+                EXPECT_GE((luminanceOf(eye * linearOver(mark, behind)) + 0.05) /
+                              (luminanceOf(eye * linearOver(colour::kCasing, behind)) + 0.05),
+                          3)
+                    << std::hex << mark << " over " << behind;
 }
 
 // Captions and goals would lie under the pages of a pause and of the results.

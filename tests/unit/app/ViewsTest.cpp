@@ -1,4 +1,5 @@
 #include "engine/core/WriteFile.h"
+#include "engine/math/SphericalHarmonics.h"
 #include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 #include "game/app/ContentLoader.h"
@@ -39,7 +40,7 @@ struct Swim {
         light.follow(shown, &room.light, glm::mat3(1));
         shown.time_s += kPicture_s;
     }
-    glm::vec3 even(size_t animal) const { return (*light.of(animal))[0]; }
+    glm::vec3 even(size_t animal) const { return light.of(animal)[0]; }
     glm::vec3 evenAt(const glm::vec3& place) const { return room.light.at(place)[0]; }
 };
 
@@ -50,7 +51,44 @@ TEST(AnimalLight, WithoutDistancesIsTheCameras) {
     game::Snapshot shown;
     shown.creatures.resize(2);
     light.follow(shown, nullptr, glm::mat3(1));
-    EXPECT_EQ(light.of(0), nullptr);
+    EXPECT_EQ(light.of(0), depth::LightHarmonics{});
+}
+
+// Returns what a matte white surface with this normal sends back in the light of these harmonics.
+float reflected(const depth::LightHarmonics& light, const glm::dvec3& normal) {
+    const math::ShBasis basis = math::shBasis(normal);
+    double sum = 0;
+    for (int l = 0, k = 0; l <= 2; ++l)
+        for (int m = -l; m <= l; ++m, ++k) sum += math::kShCosine[l] * basis[k] * light[k].x;
+    return static_cast<float>(sum / glm::pi<double>());
+}
+
+// The clamped cosine's first three bands err by at most 3/32 at right angles to the light, 1/16 towards it
+// and away from it (Ramamoorthi and Hanrahan 2001, equation 9).
+TEST(AnimalLight, TheLampLightsWhatFacesItByTheSquareOfTheDistance) {
+    AnimalLight light;
+    game::Snapshot shown;
+    shown.headWorld = {0.1f, -0.15f, 0.2f}; // the lamp is 0.15 m above it
+    shown.creatures.resize(3);
+    const glm::vec3 lamp(0.1f, 0, 0.2f), away = glm::normalize(glm::vec3(1, 2, -2));
+    constexpr float kLamp = 0.2f;
+    const float distances_m[3] = {0.5f, 1, 3};
+    for (size_t i = 0; i < 3; ++i) shown.creatures[i].position = lamp + distances_m[i] * away;
+    const glm::mat3 envFromWorld = glm::mat3_cast(glm::angleAxis(0.7f, glm::vec3(0, 1, 0)));
+    light.follow(shown, nullptr, envFromWorld, {.radiance = kLamp});
+    for (size_t i = 0; i < 3; ++i) {
+        // The lamp is a disc 0.3 m wide to both sides, and from a metre as bright as the dive says.
+        const float d = distances_m[i], bright = kLamp * 1.09f / (d * d + 0.09f);
+        for (const glm::vec3& normal : {-away, away, glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)}) {
+            const float facing = std::max(glm::dot(normal, -away), 0.0f);
+            EXPECT_NEAR(reflected(light.of(i), envFromWorld * normal), bright * facing,
+                        bright * 3 / 32 + 1e-5f);
+        }
+        EXPECT_NEAR(reflected(light.of(i), envFromWorld * -away), bright * 17 / 16, 1e-4f * bright);
+    }
+    light.follow(shown, nullptr, envFromWorld, {.radiance = kLamp, .attenuation_perM = glm::vec3(0.4f)});
+    EXPECT_NEAR(reflected(light.of(2), envFromWorld * -away),
+                kLamp * 1.09f / 9.09f * 17 / 16 * std::exp(-1.2f), 1e-4f);
 }
 
 TEST(AnimalLight, NewAnimalsHaveTheLightOfTheirPlaceAtOnce) {
