@@ -59,7 +59,8 @@ void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& eve
     // Haptics come first: a touch has the shortest latency that is noticed.
     hapticFrame_ = hapticFeedback_.frame(shown, events, dt_s, attended ? options_.hapticStrength : 0);
     if (haptics_) haptics_->submit(hapticFrame_);
-    sounds_.listen(shown, events, dt_s, options_.effects, hasMusic_ ? options_.music : 0);
+    const bool plays = hasMusic_ && (options_.freeSwimMusic || !shown.freeSwim);
+    sounds_.listen(shown, events, dt_s, options_.effects, plays ? options_.music : 0);
     if (!audio_) return;
     if (volume_ != options_.volume) audio_->setVolume(volume_ = options_.volume);
     audio_->setPaused(shown.paused);

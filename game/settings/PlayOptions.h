@@ -317,8 +317,9 @@ struct PlayOptions {
     bool mute = false;
     bool headphones = false;
     float volume = 0.8f;
-    float effects = 1;       // volume of all sounds but music and the video's, 0 to 1
-    float music = 0.7f;      // volume of the dive's music, 0 to 1
+    float effects = 1;  // volume of all sounds but music and the video's, 0 to 1
+    float music = 0.7f; // volume of the dive's music, 0 to 1
+    bool freeSwimMusic = true;
     float videoSound = 0.8f; // volume of the video's own sound, 0 to 1
     float hapticStrength = 1;
     WaterChoice water = WaterChoice::Auto;
@@ -420,6 +421,8 @@ struct PlayOptions {
                        "Volume of all sounds but music and the video's own, 0 to 1", {.range = {0, 1}});
         table.addShown(Sound, "Music volume", "--music", &music,
                        "Volume of the music that a dive in its own film has, 0 to 1", {.range = {0, 1}});
+        table.addShown(Sound, "Music in free swim", "!--no-free-swim-music", &freeSwimMusic,
+                       "No music in free swim");
         table.addShown(Sound, "Film volume", "--video-sound", &videoSound,
                        "Volume of the video's own sound, 0 to 1", {.range = {0, 1}});
         table.addShown(Sound, "Headphones", "--headphones", &headphones, "Sound for headphones (HRTF)");

@@ -312,6 +312,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Volume", "Lautstärke", "Volume"},
     {"Effects volume", "Effektlautstärke", "Volume des effets"},
     {"Music volume", "Musiklautstärke", "Volume de la musique"},
+    {"Music in free swim", "Musik beim freien Schwimmen", "Musique en nage libre"},
     {"Film volume", "Filmlautstärke", "Volume du film"},
     {"Headphones", "Kopfhörer", "Casque audio"},
     {"Captions", "Untertitel", "Sous-titres"},

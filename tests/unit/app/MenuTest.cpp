@@ -275,7 +275,7 @@ TEST_F(MenuTest, AMutedGameOffersNoVolume) {
     };
     const size_t all = rowsOfSound();
     options_.mute = true;
-    EXPECT_EQ(rowsOfSound(), all - 5);
+    EXPECT_EQ(rowsOfSound(), all - 6);
 }
 
 TEST_F(MenuTest, DivesInThePlayersOwnFilmSaySo) {
