@@ -72,7 +72,8 @@ class Package : public testing::Test {
         return read ? *read : "";
     }
     static std::string version() {
-        return std::regex_replace(run(game() + "--version").said, std::regex("\\s"), "");
+        const std::string said = run(game() + "--version").said;
+        return said.substr(0, said.find_first_of(" \n")); // the commit follows
     }
 };
 
@@ -114,8 +115,12 @@ TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
 
 TEST_F(Package, SaysOneVersionEverywhere) {
     EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
-    EXPECT_EQ(run(quoted(prefix() / "games/shoal-depth") + " --version").said, version() + "\n");
-    EXPECT_THAT(text("share/doc/shoal/changelog.gz"), HasSubstr("shoal (" + version() + ")"));
+    const std::string said = run(game() + "--version").said;
+    EXPECT_THAT(said, testing::ContainsRegex("^[0-9.]+( \\([0-9a-f]+\\))?\n$"));
+    EXPECT_EQ(run(quoted(prefix() / "games/shoal-depth") + " --version").said, said);
+    const std::string changes = readText(tests::sourceFolder() / "content/package/CHANGELOG.md").value();
+    EXPECT_THAT(changes.substr(changes.find("\n## ")), testing::StartsWith("\n## " + version() + ", "));
+    EXPECT_THAT(text("share/doc/shoal/changelog.gz"), testing::StartsWith("shoal (" + version() + ")"));
     EXPECT_THAT(text("share/man/man6/shoal.6.gz"), HasSubstr("Shoal " + version()));
     EXPECT_THAT(text("share/metainfo/org.shoalgame.shoal.metainfo.xml"),
                 HasSubstr("version=\"" + version() + "\""));
