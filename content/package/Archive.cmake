@@ -8,12 +8,13 @@ set(NOTICES ${TOP}/share/doc/shoal)
 # The libraries of C, C++ and OpenGL are the system's alone: its graphics driver may want newer ones than the archive would hold.
 set(SYSTEM "^(ld-linux.*|lib(c|m|mvec|dl|pthread|rt|resolv|util|gcc_s|stdc\\+\\+|GL|EGL|GLX|GLdispatch|OpenGL))\\.so")
 # The system's drivers and servers use these too, so that the archive's serve only where the system has none.
-set(SPARE "^lib(X[^N].*|xcb.*|wayland.*|xkbcommon.*|drm.*|va.*|vdpau|OpenCL|asound|udev|z|zstd|lzma|lz4|bz2|expat|elf|ffi|xml2|bsd|md|\
-cap|gcrypt|gpg-error|uuid|mount|blkid|selinux|pcre2-8)[-.0-9]*\\.so")
+set(SPARE "^lib(X[^N].*|xcb.*|drm.*|va.*|vdpau|OpenCL|asound|udev|z|zstd|lzma|bz2|expat|elf|ffi|xml2|bsd|md|cap|gcrypt|gpg-error|\
+pcre2-8)[-.0-9]*\\.so")
 # FFmpeg and OpenCV want these, which take most room of all, for what the game refuses or never does: maps, encoders of H.265
-# and AV1, speech of radios, SVG, medical pictures, alphabets of XML, neural networks in trackers, and GStreamer. In
-# their places stand libraries whose functions do nothing and return 0. (A stand-in has no versions of symbols.)
-set(STAND_IN "^lib(gdal|x265|SvtAv1Enc|rav1e|codec2|rsvg-2|gdcmMSFF|gdcmDSED|icudata|opencv_dnn|gst.*-1\\.0)\\.so")
+# and AV1, speech of radios, SVG, medical pictures, alphabets of XML, neural networks in trackers, and GStreamer; also teletext,
+# parts of which are under version 2 of the GPL alone, which does not agree with the Apache licence of others. In their places
+# stand libraries whose functions do nothing and return 0. (A stand-in has no versions of symbols.)
+set(STAND_IN "^lib(gdal|x265|SvtAv1Enc|rav1e|codec2|rsvg-2|gdcmMSFF|gdcmDSED|icudata|opencv_dnn|gst.*-1\\.0|zvbi)\\.so")
 
 # does(WHAT COMMAND...): runs a command, whose output is then in SAID.
 function(does WHAT)
