@@ -72,7 +72,8 @@ class Package : public testing::Test {
         return read ? *read : "";
     }
     static std::string version() {
-        return std::regex_replace(run(game() + "--version").said, std::regex("\\s"), "");
+        const std::string said = run(game() + "--version").said;
+        return said.substr(0, said.find_first_of(" \n")); // the commit follows
     }
 };
 
@@ -114,8 +115,12 @@ TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
 
 TEST_F(Package, SaysOneVersionEverywhere) {
     EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
-    EXPECT_EQ(run(quoted(prefix() / "games/shoal-depth") + " --version").said, version() + "\n");
-    EXPECT_THAT(text("share/doc/shoal/changelog.gz"), HasSubstr("shoal (" + version() + ")"));
+    const std::string said = run(game() + "--version").said;
+    EXPECT_THAT(said, testing::ContainsRegex("^[0-9.]+( \\([0-9a-f]+\\))?\n$"));
+    EXPECT_EQ(run(quoted(prefix() / "games/shoal-depth") + " --version").said, said);
+    const std::string changes = readText(tests::sourceFolder() / "content/package/CHANGELOG.md").value();
+    EXPECT_THAT(changes.substr(changes.find("\n## ")), testing::StartsWith("\n## " + version() + ", "));
+    EXPECT_THAT(text("share/doc/shoal/changelog.gz"), testing::StartsWith("shoal (" + version() + ")"));
     EXPECT_THAT(text("share/man/man6/shoal.6.gz"), HasSubstr("Shoal " + version()));
     EXPECT_THAT(text("share/metainfo/org.shoalgame.shoal.metainfo.xml"),
                 HasSubstr("version=\"" + version() + "\""));
@@ -198,6 +203,70 @@ TEST_F(Package, DebianFindsNoErrorInIt) {
         run("lintian --allow-root --fail-on error,warning " + quoted(kScratch / "shoal.deb"));
     EXPECT_EQ(complaints(looked), "") << looked.said;
     EXPECT_LE(looked.status, 2) << looked.said; // 2: it complained
+}
+
+// Made as `cpack -G TXZ` makes it, but compressed more quickly, and unpacked in a folder with a space in its
+// name.
+TEST_F(Package, ArchiveBringsItsLibrariesAndPlaysInAnyFolder) {
+    if (run("grep -qx VERSION_CODENAME=bookworm /etc/os-release").status != 0)
+        GTEST_SKIP() << "needs Debian 12: an archive made on it runs on newer systems too";
+    if (!installed("patchelf")) GTEST_SKIP() << "needs patchelf";
+    const Path folder = kScratch / "a folder";
+    fs::create_directories(folder);
+    const Outcome made =
+        run("cd " + quoted(kScratch) + " && " + SHOAL_CPACK + " -G TGZ --config " +
+            quoted(Path(SHOAL_BUILD) / "CPackConfig.cmake") + " && rm -r _CPack_Packages && tar -C " +
+            quoted(folder) + " --strip-components=1 -xf shoal-*.tar.gz && rm shoal-*.tar.gz");
+    ASSERT_EQ(made.status, 0) << made.said;
+    uint64_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    EXPECT_LE(bytes, 250'000'000u);
+    for (const char* name :
+         {"README.md", "share/doc/shoal/copyright", "share/doc/shoal/libraries/SOURCES",
+          "share/doc/shoal/common-licenses/GPL-3", "share/games/shoal/content/fonts/OFL.txt"})
+        EXPECT_TRUE(fs::exists(folder / name)) << name;
+
+    const std::string shoal =
+                          "cd / && env -u SHOAL_DATA -u LD_LIBRARY_PATH XDG_CONFIG_HOME=" + quoted(kScratch) +
+                          " LD_DEBUG_OUTPUT=" + quoted(kScratch / "loaded") + " ",
+                      program = quoted(folder / "games/shoal");
+    const Path picture = kScratch / "of the archive.png";
+    const Outcome dive =
+        run(shoal + program + " --headless --at 2 --size 64x36 --screenshot " + quoted(picture));
+    EXPECT_EQ(dive.status, 0) << dive.said;
+    EXPECT_TRUE(fs::exists(picture));
+    EXPECT_EQ(run(shoal + program + " devices").status, 0);
+    // It may load its own libraries, those of C, C++ and OpenGL, and those that it has for systems without
+    // them.
+    const std::regex system(
+        ".*/(ld-linux.*|lib(c|m|dl|pthread|rt|resolv|gcc_s|stdc\\+\\+|GL.*|EGL.*)\\.so.*)");
+    const Outcome checked = run(shoal + "LD_DEBUG=files " + program + " check " + quoted(picture) +
+                                " && cat " + quoted(kScratch) + "/loaded.*");
+    EXPECT_EQ(checked.status, 0) << checked.said;
+    const std::regex line("calling init: (/.*)");
+    size_t own = 0;
+    for (std::sregex_iterator at(checked.said.begin(), checked.said.end(), line), end; at != end; ++at) {
+        const Path file = Path(at->str(1)).lexically_normal();
+        if (file.string().starts_with(folder.string()))
+            ++own;
+        else
+            EXPECT_TRUE(std::regex_match(file.string(), system) ||
+                        fs::exists(folder / "lib/games/shoal/spare" / file.filename()))
+                << file;
+    }
+    EXPECT_GT(own, 100u);
+
+    // A desktop replaces %k by the entry's own path, and doubles of backslashes by one.
+    const Path entry = folder / "shoal.desktop";
+    const std::string text = readText(entry).value();
+    std::smatch exec;
+    ASSERT_TRUE(std::regex_search(text, exec, std::regex("\nExec=(.*) %k play %f\n")));
+    const std::string started = std::regex_replace(exec.str(1), std::regex(R"(\\\\)"), "\\");
+    EXPECT_EQ(run("cd / && " + started + " " + quoted(entry) + " --version").said,
+              run(game() + "--version").said);
+    if (!installed("desktop-file-validate")) GTEST_SKIP() << "needs desktop-file-utils";
+    EXPECT_EQ(run("desktop-file-validate " + quoted(entry)).said, "");
 }
 
 // packages_play of game/setup.
