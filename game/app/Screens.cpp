@@ -88,8 +88,6 @@ static const MetAnimal* findMet(const std::vector<MetAnimal>& met, const std::st
     return found == met.end() ? nullptr : &*found;
 }
 
-static std::string lengthText(float length_m) { return fmt::format("{} cm", std::lround(100 * length_m)); }
-
 void Screens::open(Screen screen, size_t focus) {
     stack_.clear();
     push(screen, 0, focus);
@@ -622,15 +620,15 @@ void ProgramStates::keepGuide() {
     for (size_t i = 0; i < tally.size(); ++i) {
         if (!tally[i].touched) continue;
         const std::string& name = session_.dive.species()[i].name;
-        if (!findMet(met, name)) {
+        auto animal = std::ranges::find(met, name, &MetAnimal::species);
+        if (animal == met.end()) {
             const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-            met.push_back({.species = name,
-                           .dive = session_.dive.file().title,
-                           .date = fmt::format("{:%Y-%m-%d}", fmt::localtime(now))});
+            animal = met.insert(animal, {.species = name,
+                                         .dive = session_.dive.file().title,
+                                         .date = fmt::format("{:%Y-%m-%d}", fmt::localtime(now))});
         }
-        MetAnimal& animal = *std::ranges::find(met, name, &MetAnimal::species);
-        animal.caught += tally[i].caught - counted_[i].caught;
-        animal.largest_m = std::max(animal.largest_m, tally[i].largest_m);
+        animal->caught += tally[i].caught - counted_[i].caught;
+        animal->largest_m = std::max(animal->largest_m, tally[i].largest_m);
     }
     counted_ = tally;
     if (met == before || !keepsScores_ || !byPerson()) return;

@@ -164,7 +164,7 @@ static void drawPopups(const Pen& pen, const HudInfo& info) {
         std::string text = fmt::format("+{} {}", popup.points, animalName(*popup.species, 1, pen.language));
         if (popup.combo > 1) text += fmt::format("  \u00d7{}", popup.combo);
         if (popup.length_m > 0)
-            text += fmt::format("  {:.0f} cm, {}", 100 * popup.length_m,
+            text += fmt::format("  {}, {}", lengthText(popup.length_m),
                                 popup.mass_kg < 1 ? fmt::format("{:.0f} g", 1000 * popup.mass_kg)
                                                   : fmt::format("{:.1f} kg", popup.mass_kg));
         const float rise = 3 * pen.line * popup.age_s / Popup::kStay_s;

@@ -34,6 +34,8 @@ inline const std::string& animalName(const game::Species& animal, int count, gam
     return name.empty() ? animal.name : name;
 }
 
+inline std::string lengthText(float length_m) { return std::to_string(std::lround(100 * length_m)) + " cm"; }
+
 // Part to draw. In a headset the text is on a panel, and marks are at their places in the world.
 enum class HudPart { All, Panel, Marks };
 
