@@ -3,7 +3,6 @@
 #include "engine/core/Log.h"
 #include "engine/core/RunProgram.h"
 #include "engine/math/Trigonometry.h"
-#include "game/views/ArmPose.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -225,7 +224,7 @@ void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& ins
     scene::updateGlobals(instance.model, instance.pose);
 }
 
-void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& light,
+void CreatureModels::show(const game::Snapshot& snapshot, const Head& player, const AnimalLight& light,
                           render::ObjectPass& pass) {
     for (size_t i = 0; i < snapshot.creatures.size(); ++i) {
         const game::CreatureView& creature = snapshot.creatures[i];
@@ -248,18 +247,17 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                   .highlight = creature.catchable,
                   .lightDifference = light.of(i)});
     }
-    const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
         const game::HandView& hand = snapshot.hands[side];
-        const float opacity = hand.visible ? opacityNear(head.positionWorld, hand.joints) : 0.0f;
+        const float opacity = hand.visible ? opacityNear(snapshot.headWorld, hand.joints) : 0.0f;
         if (opacity == 0) continue;
         placeJoints(hand.joints, hands_[side].jointNodes, hands_[side].pose);
         // A hand gives way to the fish that it holds, as quickly as the fish begins to struggle.
         const float held =
             hand.holds < 0 ? 0 : snapshot.creatures[static_cast<size_t>(hand.holds)].gait.blend;
         showPosed(hands_[side], 1, pass, opacity * (1 - (1 - kHoldingOpacity) * held), hand.ready);
-        const ArmPose arm =
-            poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head, hand.towardsElbow);
+        const ArmPose arm = poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], player,
+                                    hand.towardsElbow);
         for (size_t k = 0; k < arm.size(); ++k)
             arms_[side].pose.modelFromNode[arms_[side].jointNodes[k]] = arm[k];
         showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), pass, opacity);

@@ -1,5 +1,6 @@
 // Effects of keys and of the dive in each state of the program, and the pages shown over the picture then.
 #include "game/app/FirstSteps.h"
+#include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
 #include "game/rules/DiveFile.h"
 #include "game/session/GameSession.h"
@@ -153,6 +154,24 @@ TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {
     EXPECT_EQ(screens_.top(), Screen::Title);
     EXPECT_FALSE(back()); // Escape does not leave by mistake
     EXPECT_EQ(screens_.top(), Screen::Title);
+}
+
+// The camera moves, and the player's arms stay with the player.
+TEST(PhotoMode, ShowsTheDivesHandsWhenTheyAreAskedFor) {
+    game::Snapshot dive;
+    dive.hands[1].visible = true;
+    PhotoMode photo(dive, 65, false, Bindings());
+    float fov_deg = 65;
+    Controls controls;
+    controls.pressed.set(static_cast<size_t>(Action::SwapHands));
+    controls.down.set(static_cast<size_t>(Action::LookUp));
+    for (const bool shown : {false, true, false}) {
+        EXPECT_EQ(photo.shown.hands[1].visible, shown);
+        EXPECT_FALSE(photo.shown.hands[0].visible);
+        photo.step(controls, 1, 0.1f, fov_deg);
+    }
+    EXPECT_NE(photo.shown.headWorld, glm::vec3(0));
+    EXPECT_EQ(photo.player.positionWorld, glm::vec3(0));
 }
 
 TEST(FrameClock, FixedStepsAreEqualAndADisplayKnowsBetter) {
