@@ -122,6 +122,7 @@ TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& op
       hands_(live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps) {}
 
 void TrackedHands::announce() {
+    const bool gone = announced_.value_or(false);
     announced_ = state_.present;
     announcedAt_s_ = played_s_;
     const std::string name(tracker_->name());
@@ -129,7 +130,7 @@ void TrackedHands::announce() {
     if (state_.present) {
         announcement_ = game::Notice{"Hands: {}", name};
         log::info("Hands: {}, {}", name, state_.description);
-    } else if (asked_) { // says why the chosen device is not used
+    } else if (asked_ || gone) { // says why the device is not used
         announcement_ = needs();
         if (!announcement_) announcement_ = game::Notice{"{} was not found: the mouse moves the hands", name};
         log::info("Hands: mouse; {}: {}", name, state_.description);
