@@ -455,9 +455,13 @@ void Application::simulate() {
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {
-        if (event.species >= 0 && event.position && play_->popups.size() < play_->popups.capacity())
-            play_->popups.push_back({event.points, event.combo, &config_.species[event.species],
-                                     *event.position, event.length_m, event.mass_kg});
+        if (event.species >= 0 && event.position && play_->popups.size() < play_->popups.capacity()) {
+            const game::Species& kind = config_.species[event.species];
+            const bool longest =
+                event.length_m >= session.after.tally[event.species].largest_m; // of the dive
+            play_->popups.push_back({event.points, event.combo, &kind, *event.position, event.length_m,
+                                     event.mass_kg, longest && screens_.isRecord(kind, event.length_m)});
+        }
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
     for (Popup& popup : play_->popups) popup.age_s += static_cast<float>(play_->elapsed_s);

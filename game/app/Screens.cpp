@@ -502,6 +502,11 @@ MenuPage Screens::pausedPage() {
     return page;
 }
 
+bool Screens::isRecord(const game::Species& kind, float length_m) const {
+    const MetAnimal* before = findMet(facts.metBefore, kind.name);
+    return before && before->caught > 0 && length_m > before->largest_m;
+}
+
 // Returns pictures of what was caught in the dive, the longest first.
 std::vector<MenuPicture> Screens::catches() const {
     const std::vector<game::SpeciesTally>& tally = facts.results.tally;
@@ -516,8 +521,7 @@ std::vector<MenuPicture> Screens::catches() const {
     for (const size_t i : caught) {
         const game::Species& kind = (*facts.species)[i];
         const float largest_m = tally[i].largest_m;
-        const MetAnimal* before = findMet(facts.metBefore, kind.name);
-        const bool record = before && before->caught > 0 && largest_m > before->largest_m;
+        const bool before = findMet(facts.metBefore, kind.name), record = isRecord(kind, largest_m);
         MenuPicture& picture = pictures.emplace_back();
         picture.file = "guide/" + kind.name + ".png";
         picture.count = fmt::format("\u00d7{}", tally[i].caught);

@@ -45,6 +45,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Stars in all: {}", "Sterne insgesamt: {}", "Étoiles en tout : {}"},
     {"new", "neu", "nouveau"},
     {"record", "Rekord", "record"},
+    {"Your largest", "Dein größter Fang", "Ta plus belle prise"},
     {"{} fish caught", "{} Fische gefangen", "{} poissons attrapés"},
     {"1 fish caught", "1 Fisch gefangen", "1 poisson attrapé"},
     {"{} taken by the shark", "{} vom Hai geraubt", "{} volés par le requin"},

@@ -137,6 +137,9 @@ TEST_F(ProgramStatesTest, TheGuideCountsEachCatchOnceAndKeepsTheLongest) {
     const auto& gallery = screens_.menu().page().gallery;
     ASSERT_EQ(gallery.size(), 3u);
     EXPECT_EQ(gallery[0].note, "40 cm  record");
+    EXPECT_TRUE(screens_.isRecord(config().species[1], 0.31f)) << "the guide had 30 cm";
+    EXPECT_FALSE(screens_.isRecord(config().species[1], 0.3f));
+    EXPECT_FALSE(screens_.isRecord(config().species[0], 0.3f)) << "the first of its species";
     EXPECT_EQ(gallery[1].file, "guide/" + config().species[2].name + ".png") << "the longest first";
     EXPECT_EQ(gallery[2].note, "10 cm  new");
 }
