@@ -159,6 +159,27 @@ TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {
     EXPECT_EQ(screens_.top(), Screen::Title);
 }
 
+// Mouse and keys move one hand; the other is in the picture only while it holds something.
+TEST(MouseSource, ShowsTheHandsThatDoSomething) {
+    GameSession session(config());
+    auto& mouse = std::get<MouseSource>(session.source);
+    const auto shown = [&](int frames, bool swap = false, int leftHolds = -1) {
+        Controls controls;
+        for (int i = 0; i < frames; ++i) {
+            controls.pressed[static_cast<size_t>(Action::SwapHands)] = swap && i == 0;
+            session.shown.hands[0].holds = leftHolds;
+            mouse.frame(&controls, {}, session.shown, 1 / 60.0f, 1, 1);
+            session.advance(1 / 60.0);
+        }
+        return std::array{session.shown.hands[0].visible, session.shown.hands[1].visible};
+    };
+    EXPECT_EQ(shown(2), (std::array{false, true}));
+    EXPECT_TRUE(session.after.hands[0].visible) << "to the rules it is there";
+    EXPECT_EQ(shown(3, true), (std::array{true, true})) << "the right hand sinks";
+    EXPECT_EQ(shown(60), (std::array{true, false}));
+    EXPECT_EQ(shown(60, true, 3), (std::array{true, true})) << "the left hand holds something";
+}
+
 // The camera moves, and the player's arms stay with the player.
 TEST(PhotoMode, ShowsTheDivesHandsWhenTheyAreAskedFor) {
     game::Snapshot dive;
