@@ -293,6 +293,25 @@ TEST(FirstSteps, TheGhostHandReachesForNothingThatStings) {
     EXPECT_EQ(*p.steps.target(), p.shown.creatures[1].position);
 }
 
+// A picture of 65 degrees ends 33 degrees below its middle.
+TEST(FirstSteps, TheGhostHandReachesForNothingBelowThePicture) {
+    Pupil p;
+    p.shown.creatures = {{.species = 1, .position = {0, -0.57f, -0.81f}}}; // 35 degrees below
+    p.follow(0.1f);
+    EXPECT_FALSE(p.steps.target());
+}
+
+TEST(FirstSteps, TheGhostHandReachesForWhatTheTurnedViewSees) {
+    Pupil p;
+    p.shown.creatures = {{.species = 1, .position = {0, 0, -0.9f}}};
+    p.follow(0.1f);
+    ASSERT_TRUE(p.steps.target());
+    p.shown.worldFromView = turned(1.5f);
+    p.follow(0.1f);
+    ASSERT_EQ(p.steps.step(), Step::Reach);
+    EXPECT_FALSE(p.steps.target());
+}
+
 // First steps are made from a copy of the session, which no longer exists when they are drawn.
 TEST(FirstSteps, TheGhostHandDoesNotDependOnWhatItWasMadeFrom) {
     auto rig = std::make_unique<hands::HandRig>(tests::rig());
