@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace shoal::camera {
@@ -218,24 +219,34 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
 // --- Glare
 
 constexpr int kSamples = 4;        // samples of a cell in each direction
+constexpr int kDarkSamples = 4;    // of a cell, whose mean is that of a small dark thing in it
 constexpr int kPasses = 4;         // of means over 3 cells; variance 8/3 + 1/12 cells^2, (4.7 degrees)^2
 constexpr float kBright = 0.05f;   // least light around a cell: a few percent of it exceed noise and black
 constexpr double kDarkest = 0.002; // quantile; texels below it are undershoots of sharpening
 constexpr size_t kFewCells = 100;
 
-static void readCells(const light::FrameView& frame, ImageRgbF& out) {
+static float luma(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
+
+// samples: luma of each cell's samples.
+static void readCells(const light::FrameView& frame, ImageRgbF& out,
+                      std::vector<std::array<float, kCellSamples>>& samples) {
     constexpr int kDown = kGlowHeight * kSamples, kAcross = kGlowWidth * kSamples;
-    constexpr float kShare = 1.0f / (kSamples * kSamples);
+    constexpr float kShare = 1.0f / kCellSamples;
     std::ranges::fill(out.pixels, 0.0f);
+    samples.resize(size_t{kGlowWidth} * kGlowHeight);
     for (int j = 0; j < kDown; ++j) {
         const uint8_t* row = frame.row((2 * j + 1) * frame.height / (2 * kDown));
         for (int i = 0; i < kAcross; ++i) {
             const uint8_t* texel = row + ptrdiff_t{3} * ((2 * i + 1) * frame.width / (2 * kAcross));
             float* to = out.at(i / kSamples, j / kSamples);
+            std::array<float, 3> light;
             for (int c = 0; c < 3; ++c) {
                 const int value = texel[frame.bgr ? 2 - c : c];
-                to[c] += kShare * (static_cast<float>(value * value) / (255.0f * 255.0f));
+                light[c] = static_cast<float>(value * value) / (255.0f * 255.0f);
+                to[c] += kShare * light[c];
             }
+            samples[j / kSamples * kGlowWidth + i / kSamples][j % kSamples * kSamples + i % kSamples] =
+                luma(light.data());
         }
     }
 }
@@ -264,23 +275,31 @@ static void spread(ImageRgbF& map, ImageRgbF& across) {
     }
 }
 
-static float luma(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
-
 void GlareFilter::make(const light::FrameView& frame, Glare& out) {
     out.maxShare = 1;
     std::ranges::fill(out.spread.pixels, 0.0f);
     if (frame.width < 1 || frame.height < 1) return;
-    readCells(frame, cells_);
+    readCells(frame, cells_, samples_);
     out.spread.pixels = cells_.pixels;
     for (int pass = 0; pass < kPasses; ++pass) spread(out.spread, across_);
 
     shares_.clear();
+    smallShares_.clear();
     for (int y = kGlowHeight / 8; y < kGlowHeight * 7 / 8; ++y)
         for (int x = 0; x < kGlowWidth; ++x)
-            if (const float around = luma(out.spread.at(x, y)); around > kBright)
+            if (const float around = luma(out.spread.at(x, y)); around > kBright) {
                 shares_.push_back(luma(cells_.at(x, y)) / around);
+                auto& samples = samples_[y * kGlowWidth + x];
+                const auto bright = samples.begin() + kDarkSamples;
+                std::nth_element(samples.begin(), bright, samples.end());
+                const float dark = std::accumulate(samples.begin(), bright, 0.0f) / kDarkSamples;
+                smallShares_.push_back(dark / around);
+            }
     if (shares_.size() < kFewCells) return;
     out.maxShare = std::min(math::quantile(shares_, kDarkest), 1.0f);
+    // Where no whole cell is dark, smaller things may still show that the lens scatters less than usual.
+    const float small = math::quantile(smallShares_, kDarkest);
+    if (out.maxShare > kMaxGlare && small < kUsualGlare) out.maxShare = small;
 }
 
 // --- Over time

@@ -74,6 +74,7 @@ class CameraResponseEstimator {
 };
 
 constexpr int kGlowWidth = 128, kGlowHeight = 64; // cells of the lat-long map
+constexpr int kCellSamples = 16;
 
 // Veiling glare: port and lens scatter a fraction of the surrounding light to every texel, most visibly to
 // dark objects in front of bright ones (ISO 9358). Virtual objects need it added.
@@ -92,7 +93,8 @@ class GlareFilter {
 
   private:
     ImageRgbF cells_{kGlowWidth, kGlowHeight}, across_{kGlowWidth, kGlowHeight};
-    std::vector<float> shares_; // scratch
+    std::vector<std::array<float, kCellSamples>> samples_; // scratch, as below
+    std::vector<float> shares_, smallShares_;
 };
 
 // Temporal smoothing of estimates. Deterministic: depends only on the estimates and the times between them.

@@ -134,7 +134,8 @@ float redLoss(Cells cellsLin, int firstRow, int lastRow) {
     int lost = 0;
     for (int sector = 0; sector < kSectors; ++sector) {
         const glm::vec3 mean = meanLin(cellsLin, sector, firstRow, lastRow);
-        lost += mean.x < kLostRed * std::max(mean.y, mean.z);
+        // Leaves lose red and, unlike water, still more blue.
+        lost += mean.x < kLostRed * std::max(mean.y, mean.z) && mean.x < mean.z;
     }
     // A cave mouth or a diver may hide a third of the horizon; above water less than a third has lost its
     // red.

@@ -10,7 +10,7 @@ namespace shoal::water {
 
 struct WaterEstimate {
     Water water;        // valid if the environment is under water
-    float evidence = 0; // 0 to 1: rises with the share of horizon that lost red, which water absorbs first
+    float evidence = 0; // 0 to 1: rises with the share of horizon that lost red and kept blue, as in water
 };
 
 // Does not allocate after the first frame. One thread at a time.

@@ -23,6 +23,7 @@ constexpr float kGoalsOnNews_s = 4;       // time for which they are shown after
 constexpr float kResultsRest_s = 1;       // time without a press before the results accept a choice
 constexpr float kMaxResultsRest_s = 3;    // limit of that wait
 constexpr float kMet_s = 4;               // time for which a new animal in the field guide is named
+constexpr float kPhotoFiner = 2;          // a saved picture's pixels are means of 2 x 2 drawn ones
 // Eye height above the floor that tells tall people who sit from small people who stand.
 constexpr float kStandingEyes_m = 1.35f;
 constexpr double kHiddenPeriod_s = 0.25; // time between polls of a minimised window's input
@@ -433,7 +434,7 @@ void Application::photograph() {
                                       static_cast<float>(play_->elapsed_s), options_.fov_deg);
     if (command == PhotoMode::Command::Picture) {
         photo_->notice.reset(); // no text covers the picture
-        const Result<bool> drawn = draw();
+        const Result<bool> drawn = draw(kPhotoFiner);
         if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), content_.renderer());
     } else if (command == PhotoMode::Command::Leave) {
         options_.fov_deg = photo_->fovBefore_deg;
@@ -454,9 +455,13 @@ void Application::simulate() {
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {
-        if (event.species >= 0 && event.position && play_->popups.size() < play_->popups.capacity())
-            play_->popups.push_back({event.points, event.combo, &config_.species[event.species],
-                                     *event.position, event.length_m, event.mass_kg});
+        if (event.species >= 0 && event.position && play_->popups.size() < play_->popups.capacity()) {
+            const game::Species& kind = config_.species[event.species];
+            const bool longest =
+                event.length_m >= session.after.tally[event.species].largest_m; // of the dive
+            play_->popups.push_back({event.points, event.combo, &kind, *event.position, event.length_m,
+                                     event.mass_kg, longest && screens_.isRecord(kind, event.length_m)});
+        }
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
     for (Popup& popup : play_->popups) popup.age_s += static_cast<float>(play_->elapsed_s);
@@ -464,7 +469,7 @@ void Application::simulate() {
     play_->tutorial.follow(session.shown, session.events, dt_s);
 }
 
-Result<bool> Application::draw() {
+Result<bool> Application::draw(float finer) {
     const game::Snapshot& shown = photo_ ? photo_->shown : play_->session.shown;
     const bool wantsQuality = options_.quality == QualityControl::Auto && window_ && !options_.timedemo;
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
@@ -478,7 +483,7 @@ Result<bool> Application::draw() {
                         const gl::PassTimers::Scope scope(&content_.renderer().timers(), "overlay");
                         drawHud(part, audience, view, size);
                     }),
-        shown, quality.scale);
+        shown, finer > 1 ? finer : quality.scale);
     statistics_.draws = content_.renderer().drawCount();
     statistics_.triangles = content_.renderer().triangleCount();
     return drawn;

@@ -94,8 +94,12 @@ class Application {
     void photograph();
     Status applySettings();
     void simulate();
-    Look look() const { return lookOf(options_, content_.environment(), config_.dive.lamp); }
-    Result<bool> draw();
+    Look look() const {
+        Look look = lookOf(options_, content_.environment(), config_.dive.lamp);
+        if (photo_) look.player = photo_->player;
+        return look;
+    }
+    Result<bool> draw(float finer = 1); // factor on the number of rows and columns
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
     void measure();
 

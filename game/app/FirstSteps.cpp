@@ -26,7 +26,7 @@ constexpr std::array<std::array<game::Text, 3>, 3> kHowTo = {{
 // Returns the catchable fish within reach that is nearest to the middle of the view.
 static std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::SpeciesTable& species) {
     std::optional<glm::vec3> best;
-    float bestCosine = 0.8f;
+    float bestCosine = 0.9f; // of 26 degrees: in the picture
     const glm::vec3 ahead = shown.worldFromView * glm::vec3(0, 0, -1);
     for (const game::CreatureView& creature : shown.creatures) {
         const glm::vec3 way = creature.position - shown.headWorld;
@@ -45,7 +45,7 @@ static bool holdsAFish(const game::Snapshot& shown, const game::SpeciesTable& sp
     });
 }
 
-// Draws a hand as a white sign with a dark outline: rounded bones, and the palm.
+// Draws a hand as a white sign with dark outlines: rounded bones, and the palm over them.
 static void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
     const glm::vec2 half = view.halfExtent();
     const auto onScreen = [&](int joint) {
@@ -62,20 +62,29 @@ static void drawGhost(const Pen& pen, const render::View& view, const hands::Han
         pen.list->AddCircleFilled(a, radius + thicker, colour);
         pen.list->AddCircleFilled(b, radius + thicker, colour);
     };
-    const auto shape = [&](float thicker, uint32_t colour) {
-        for (int finger = 0; finger < hands::kFingerCount; ++finger) {
-            const hands::FingerJoints& joints = hands::kFingerJoints[finger];
+    const auto finger = [&](int number, float thicker, uint32_t colour) {
+        const hands::FingerJoints& joints = hands::kFingerJoints[number];
+        for (int joint = joints.proximal; joint < joints.tip; ++joint)
+            bone(joint, joint + 1, thicker, colour);
+    };
+    const auto palm = [&](float thicker, uint32_t colour) {
+        for (int number = 0; number < hands::kFingerCount; ++number) {
+            const hands::FingerJoints& joints = hands::kFingerJoints[number];
             bone(hands::kWristJoint, joints.metacarpal, thicker, colour);
-            for (int joint = joints.metacarpal; joint < joints.tip; ++joint)
-                bone(joint, joint + 1, thicker, colour);
-            if (finger + 1 == hands::kFingerCount) break;
-            const hands::FingerJoints& beside = hands::kFingerJoints[finger + 1];
+            bone(joints.metacarpal, joints.proximal, thicker, colour);
+            if (number + 1 == hands::kFingerCount) break;
+            const hands::FingerJoints& beside = hands::kFingerJoints[number + 1];
             pen.list->AddTriangleFilled(onScreen(hands::kWristJoint), onScreen(joints.proximal),
                                         onScreen(beside.proximal), colour);
         }
     };
-    shape(0.12f * pen.line, IM_COL32(4, 22, 34, 255));
-    shape(0, IM_COL32(235, 248, 255, 255));
+    constexpr uint32_t kOutline = IM_COL32(4, 22, 34, 255), kSign = IM_COL32(235, 248, 255, 255);
+    palm(0.12f * pen.line, kOutline);
+    for (int number = 0; number < hands::kFingerCount; ++number) {
+        finger(number, 0.12f * pen.line, kOutline); // so that fingers stand apart, of a fist too
+        finger(number, 0, kSign);
+    }
+    palm(0, kSign);
 }
 
 // Draws arrows to both sides, which move outwards in turn. round: progress of the demonstration, 0 to 1.

@@ -55,6 +55,7 @@ class Tutorial {
     void next(Step step) {
         step_ = step;
         inStep_s_ = 0;
+        target_.reset(); // the view has turned
     }
     void say(Hint hint);
 

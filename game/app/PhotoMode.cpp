@@ -1,6 +1,7 @@
 #include "game/app/PhotoMode.h"
 
 #include "engine/core/Log.h"
+#include "engine/gl/Renderer.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/Pictures.h"
 #include "game/views/SceneRenderer.h"
@@ -41,11 +42,10 @@ static Path newPictureFile(std::string_view what) {
            fmt::format("shoal-{:%Y-%m-%d-%H%M%S}{}.png", fmt::localtime(std::time(nullptr)), what);
 }
 
-// Returns the names of the keys that move the camera; letters where bound, for they are short.
-static std::string movingKeys(const Bindings& bindings) {
+// Returns the names of the actions' keys; letters where bound, for they are short.
+static std::string keysOf(std::initializer_list<Action> actions, const Bindings& bindings) {
     std::string names;
-    for (const Action action : {Action::LookUp, Action::LookLeft, Action::LookDown, Action::LookRight,
-                                Action::Farther, Action::Nearer}) {
+    for (const Action action : actions) {
         const auto& keys = bindings.of(action).keys;
         const std::string first = keyName(keys[0]), second = keyName(keys[1]);
         names += (names.empty() ? "" : " ") + (second.size() == 1 && keys[1] >= 0 ? second : first);
@@ -59,7 +59,7 @@ static Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld,
     const std::array<glm::quat, 6> turns = faceTurns();
     std::array<ImageRgba8, 6> faces;
     for (size_t face = 0; face < faces.size(); ++face) {
-        const gl::Target target(edge, edge, 1);
+        const gl::Target target(edge, edge, gl::defaultSamples());
         const render::View view{.eyeWorld = eyeWorld,
                                 .worldFromEye = turns[face],
                                 .verticalFov = std::numbers::pi_v<float> / 2,
@@ -91,13 +91,18 @@ static Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld,
 }
 
 PhotoMode::PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, const Bindings& bindings)
-    : shown(from), fovBefore_deg(fov_deg),
-      notice(byGamepad
-                 ? game::Notice{"A: take a picture. Left stick: look. Right stick: move. B: back"}
-                 : game::Notice{"Click: take a picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
-                                movingKeys(bindings)}),
-      origin_(from.headWorld), look_(LookAngles::of(from.worldFromView)) {
-    for (game::HandView& hand : shown.hands) hand.visible = false;
+    : shown(from), player{from.headWorld, from.worldFromView}, fovBefore_deg(fov_deg),
+      notice(
+          byGamepad
+              ? game::Notice{"A: take a picture. Left stick: look. Right stick: move. Y: hands. B: back"}
+              : game::Notice{"Click: take a picture. Right button: look. {}: move. Wheel: zoom. {}: hands. "
+                             "Esc: back",
+                             keysOf({Action::LookUp, Action::LookLeft, Action::LookDown, Action::LookRight,
+                                     Action::Farther, Action::Nearer},
+                                    bindings),
+                             keysOf({Action::SwapHands}, bindings)}),
+      hands_{from.hands[0].visible, from.hands[1].visible}, look_(LookAngles::of(from.worldFromView)) {
+    for (game::HandView& hand : shown.hands) hand.visible = false, hand.ready = 0;
     for (game::CreatureView& creature : shown.creatures) creature.catchable = 0; // no highlight either
 }
 
@@ -108,9 +113,11 @@ PhotoMode::Command PhotoMode::step(const Controls& c, float sensitivity, float d
     const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
                         c.between(Action::Farther, Action::Nearer),
                         c.between(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
-    glm::vec3 from = shown.headWorld + shown.worldFromView * way * (kMove_mps * dt_s) - origin_;
+    glm::vec3 from = shown.headWorld + shown.worldFromView * way * (kMove_mps * dt_s) - player.positionWorld;
     if (const float length = glm::length(from); length > kFarthest_m) from *= kFarthest_m / length;
-    shown.headWorld = origin_ + from;
+    shown.headWorld = player.positionWorld + from;
+    for (size_t side = 0; side < hands_.size() && c.was(Action::SwapHands); ++side)
+        shown.hands[side].visible = hands_[side] && !shown.hands[side].visible;
     fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
     const platform::WindowInput& input = c.input;
     if (c.was(Action::Pause) || std::ranges::count(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) > 0)

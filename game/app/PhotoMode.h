@@ -1,10 +1,12 @@
-// In photo mode the dive stands still, the camera is free and no text covers the picture. A press saves the
-// picture and a lat-long of all directions as PNG files in the player's folder for pictures.
+// In photo mode the dive stands still, the camera is free and no text covers the picture, nor do the player's
+// hands, unless the player wants them. A press saves the picture and a lat-long of all directions as PNG
+// files in the player's folder for pictures.
 #pragma once
 
 #include "engine/core/Image.h"
 #include "game/rules/Snapshot.h"
 #include "game/session/Controls.h"
+#include "game/views/ArmPose.h"
 
 namespace shoal::app {
 
@@ -23,11 +25,12 @@ class PhotoMode {
     void save(const ImageRgb8& picture, SceneRenderer& renderer);
 
     game::Snapshot shown; // the dive's, with the free camera as the viewer
+    Head player;          // whose arms are drawn
     float fovBefore_deg;
     std::optional<game::Notice> notice; // to show now
 
   private:
-    glm::vec3 origin_;
+    std::array<bool, 2> hands_; // that the player chooses to see: those of the dive
     LookAngles look_;
 };
 

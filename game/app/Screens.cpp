@@ -88,8 +88,6 @@ static const MetAnimal* findMet(const std::vector<MetAnimal>& met, const std::st
     return found == met.end() ? nullptr : &*found;
 }
 
-static std::string lengthText(float length_m) { return fmt::format("{} cm", std::lround(100 * length_m)); }
-
 void Screens::open(Screen screen, size_t focus) {
     stack_.clear();
     push(screen, 0, focus);
@@ -504,6 +502,11 @@ MenuPage Screens::pausedPage() {
     return page;
 }
 
+bool Screens::isRecord(const game::Species& kind, float length_m) const {
+    const MetAnimal* before = findMet(facts.metBefore, kind.name);
+    return before && before->caught > 0 && length_m > before->largest_m;
+}
+
 // Returns pictures of what was caught in the dive, the longest first.
 std::vector<MenuPicture> Screens::catches() const {
     const std::vector<game::SpeciesTally>& tally = facts.results.tally;
@@ -518,8 +521,7 @@ std::vector<MenuPicture> Screens::catches() const {
     for (const size_t i : caught) {
         const game::Species& kind = (*facts.species)[i];
         const float largest_m = tally[i].largest_m;
-        const MetAnimal* before = findMet(facts.metBefore, kind.name);
-        const bool record = before && before->caught > 0 && largest_m > before->largest_m;
+        const bool before = findMet(facts.metBefore, kind.name), record = isRecord(kind, largest_m);
         MenuPicture& picture = pictures.emplace_back();
         picture.file = "guide/" + kind.name + ".png";
         picture.count = fmt::format("\u00d7{}", tally[i].caught);
@@ -622,15 +624,15 @@ void ProgramStates::keepGuide() {
     for (size_t i = 0; i < tally.size(); ++i) {
         if (!tally[i].touched) continue;
         const std::string& name = session_.dive.species()[i].name;
-        if (!findMet(met, name)) {
+        auto animal = std::ranges::find(met, name, &MetAnimal::species);
+        if (animal == met.end()) {
             const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-            met.push_back({.species = name,
-                           .dive = session_.dive.file().title,
-                           .date = fmt::format("{:%Y-%m-%d}", fmt::localtime(now))});
+            animal = met.insert(animal, {.species = name,
+                                         .dive = session_.dive.file().title,
+                                         .date = fmt::format("{:%Y-%m-%d}", fmt::localtime(now))});
         }
-        MetAnimal& animal = *std::ranges::find(met, name, &MetAnimal::species);
-        animal.caught += tally[i].caught - counted_[i].caught;
-        animal.largest_m = std::max(animal.largest_m, tally[i].largest_m);
+        animal->caught += tally[i].caught - counted_[i].caught;
+        animal->largest_m = std::max(animal->largest_m, tally[i].largest_m);
     }
     counted_ = tally;
     if (met == before || !keepsScores_ || !byPerson()) return;

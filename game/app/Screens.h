@@ -109,6 +109,9 @@ class Screens {
 
     const Menu& menu() const { return menu_; }
 
+    // Returns whether a fish of that length is longer than all of its species that the player had caught when
+    // the dive began; not if that was none.
+    bool isRecord(const game::Species& kind, float length_m) const;
     // Returns a line for each of the dive's goals, with its progress.
     std::vector<std::string> goalLines(std::span<const game::GoalView> goals) const;
 

@@ -25,7 +25,6 @@ constexpr float kMusicRise_s = 1.5f, kMusicFall_s = 4; // from silence to a laye
 constexpr float kCalm = 0.75f, kLift = 0.25f;          // gain of the calm layer, and added after a catch
 constexpr float kLiftStay_s = 2;
 constexpr float kSharkFar_m = 2.5f, kSharkNear_m = 1.2f; // from the head: where tension begins, and is full
-constexpr float kThreatFins = 0.65f;                     // BodyShape::finsDown of a shark that threatens
 constexpr float kLastSeconds_s = 10;
 constexpr size_t kEventsReserved = 64; // more than a frame's sounds in ordinary play
 
@@ -107,7 +106,7 @@ float tensionOf(const Snapshot& shown) {
         if (motion != Motion::Cruise) continue;
         const float away_m = glm::distance(creature.position, shown.headWorld);
         const float near = std::clamp((kSharkFar_m - away_m) / (kSharkFar_m - kSharkNear_m), 0.0f, 1.0f);
-        const float threat = std::min(creature.shape.finsDown / kThreatFins, 1.0f);
+        const float threat = std::min(creature.shape.finsDown / BodyShape::kThreatens, 1.0f);
         tension = std::max({tension, 0.6f * near * near, 0.9f * threat});
     }
     return tension;

@@ -176,7 +176,8 @@ void Dive::reachGoals(Events& events) {
 
 // Snapshots.
 
-static void showHand(const Hand& hand, const DiveContext& in, HandView& view) {
+static void showHand(int h, const DiveContext& in, HandView& view) {
+    const Hand& hand = in.state.hands[h];
     view.visible = hand.visible;
     view.grip = hand.grip;
     view.joints = hand.fingers.shown;
@@ -184,8 +185,7 @@ static void showHand(const Hand& hand, const DiveContext& in, HandView& view) {
     view.touching = hand.touching;
     view.ready = view.haste = view.holdProgress = 0;
     for (const Fish& f : in.state.fish)
-        if (f.catchableBy >= 0 && &in.state.hands[f.catchableBy] == &hand)
-            view.ready = std::max(view.ready, f.catchable);
+        if (f.catchableBy == h) view.ready = std::max(view.ready, f.catchable);
     view.outOfReach = outOfReach(hand, in.state.fish, in);
     if (hand.solid && view.ready == 0 && !hand.grasp.closed) view.haste = hasteOf(hand, in.state.fish, in);
     if (view.holds < 0) return;
@@ -239,7 +239,7 @@ void Dive::snapshot(Snapshot& out) const {
     out.worldFromView = s.view.worldFromView;
     out.headWorld = s.view.headWorld;
     const DiveContext in = context();
-    for (size_t h = 0; h < s.hands.size(); ++h) showHand(s.hands[h], in, out.hands[h]);
+    for (int h = 0; h < 2; ++h) showHand(h, in, out.hands[h]);
     const bool passing = s.passer.state == Passer::State::Passing;
     out.creatures.resize(static_cast<size_t>(passerId()) + (passing ? 1 : 0));
     const auto show = [&](size_t id, const Swimmer& from, int species) -> CreatureView& {

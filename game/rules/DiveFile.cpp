@@ -14,7 +14,6 @@ constexpr int kMaxFish = 1000;
 constexpr size_t kMaxVisits = 100;
 constexpr size_t kMaxMarks = 100;
 constexpr size_t kMaxGoals = 60;
-constexpr int kLevels = 3;
 
 static Species readOne(TomlTable& table) {
     Species s;

@@ -121,7 +121,8 @@ enum class GoalKind {
 constexpr std::array<const char*, 12> kGoalNames = {"catch",  "different",  "score", "no_loss",
                                                     "combo",  "quick",      "first", "each_hand",
                                                     "guests", "turn_shark", "meet",  "calm"};
-constexpr size_t kGoals = 3; // of one dive
+constexpr int kLevels = 3;         // of goals
+constexpr size_t kGoals = kLevels; // of one dive
 constexpr int kMaxCombo = 5, kMaxQuick = 8;
 
 struct Goal {
@@ -129,7 +130,7 @@ struct Goal {
     int species = -1; // index into the species table, for Catch and First; -1: any
     int count = 1;
     float within_s = 20; // for Quick
-    int level = 0;       // 1 easy to 3 hard; 0: none
+    int level = 0;       // 1 easy to kLevels hard; 0: none
 };
 
 struct DiveFile {

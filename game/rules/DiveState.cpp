@@ -200,8 +200,13 @@ void trackHands(const TickInput& input, Viewpoint& view, Hands& hands) {
 
 std::vector<int> drawGoals(const std::vector<Goal>& all, uint64_t seed) {
     std::vector<int> drawn;
+    if (all.size() <= kGoals) {
+        drawn.resize(all.size());
+        std::iota(drawn.begin(), drawn.end(), 0);
+        return drawn;
+    }
     Random random(seed, 2);
-    for (int level = 1; level <= 3; ++level) {
+    for (int level = 1; level <= kLevels; ++level) {
         std::vector<int> open;
         for (size_t i = 0; i < all.size(); ++i) {
             const auto like = [&](int other) {
@@ -213,9 +218,6 @@ std::vector<int> drawGoals(const std::vector<Goal>& all, uint64_t seed) {
         }
         if (!open.empty()) drawn.push_back(open[random.below(static_cast<uint32_t>(open.size()))]);
     }
-    if (all.size() > kGoals) return drawn;
-    drawn.resize(all.size());
-    std::iota(drawn.begin(), drawn.end(), 0);
     return drawn;
 }
 

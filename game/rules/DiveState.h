@@ -146,6 +146,8 @@ struct Shark : Swimmer {
                         warned_s);
     }
 
+    bool aims() const { return state == State::Threaten || state == State::Strike; } // at a hand
+
     void set(State next) {
         state = next;
         state_s = 0;

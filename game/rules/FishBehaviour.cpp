@@ -88,7 +88,8 @@ void startle(Fish& f, int id, glm::vec3 from, const DiveContext& in, Random& ran
 
 constexpr float kFrightens_mps = 1.2f; // closing speed from which a hand frightens fish
 
-// Returns a hand's closing speed on a fish that is near enough to notice it at `margin_m` less; 0: it is not.
+// Returns the hand's closing speed on a fish that notices the hand; 0: it does not. margin_m is added to the
+// distance from which the fish notices it.
 static float noticed_mps(const Fish& f, const Hand& hand, float margin_m, const DiveContext& in) {
     if (f.state != Fish::State::Cruise || f.flight.rest_s > 0 || feeds(f, in.state.hands)) return 0;
     const glm::vec3 apart = f.position - hand.graspCentre;

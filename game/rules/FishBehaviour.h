@@ -33,7 +33,8 @@ void swimFish(std::span<Fish>, const DiveContext&, std::span<Neighbours>, Random
 // hand or a mouth is not affected.
 void startle(Fish&, int id, glm::vec3 from, const DiveContext&, Random&, Events&);
 
-// Returns how nearly the hand frightens a fish in front of it, 0 from two thirds of that speed on to 1.
+// Returns how nearly the hand frightens a fish in front of it: 0 up to two thirds of the closing speed that
+// frightens, and 1 from that speed on.
 float hasteOf(const Hand&, std::span<const Fish>, const DiveContext&);
 
 // Startles fish that a fast hand approaches.

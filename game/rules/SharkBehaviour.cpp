@@ -99,18 +99,18 @@ static void threaten(Shark& shark, int hand, std::span<Fish> fish, const DiveCon
             startle(fish[i], static_cast<int>(i), mouth, in, random, events);
 }
 
-static void decideProwling(Shark& shark, std::span<Fish> fish, const DiveContext& in, int struggling,
-                           Random& random, Events& events) {
+// Returns the hand that it begins to threaten; -1: none.
+static int decideProwling(Shark& shark, const DiveContext& in, int struggling) {
     if (openRadius(shark.position, in) > kVisitRoom_m) shark.visit_s -= kDt; // else it waits for room
     shark.threatRest_s -= kDt;
-    if (shark.visit_s <= 0) return shark.set(State::Leave);
-    const int h = watchedHand(shark, in);
-    if (h < 0) return;
+    if (shark.visit_s <= 0) shark.set(State::Leave);
+    const int h = shark.state == State::Prowl ? watchedHand(shark, in) : -1;
+    if (h < 0) return -1;
     const Hand& hand = in.state.hands[h];
     const bool holds = struggling >= 0 && hand.grasp.holds == struggling;
-    if (fromMouth(shark, hand, in) >= kThreatFrom_m || threatSpare(shark, h, in) <= kThreatSpare_m) return;
-    if (!holds && shark.threatRest_s > 0) return;
-    threaten(shark, h, fish, in, random, events);
+    const bool near =
+        fromMouth(shark, hand, in) < kThreatFrom_m && threatSpare(shark, h, in) > kThreatSpare_m;
+    return near && (holds || shark.threatRest_s <= 0) ? h : -1;
 }
 
 static void decideThreatening(Shark& shark, const DiveContext& in, int struggling) {
@@ -183,15 +183,16 @@ static void breakFree(Shark& shark, Fish& f) {
 void decide(Shark& shark, std::span<Fish> fish, const DiveContext& in, Random& random, Events& events) {
     shark.bumpRest_s = std::max(0.0f, shark.bumpRest_s - kDt);
     shark.state_s += kDt;
-    const bool hunts = shark.state == State::Threaten || shark.state == State::Strike;
-    shark.warned_s = hunts ? shark.warned_s + kDt : 0;
+    shark.warned_s = shark.aims() ? shark.warned_s + kDt : 0;
     const int struggling = strugglingFish(in);
     shark.interest = struggling >= 0 ? shark.interest + kDt : std::max(0.0f, shark.interest - 0.03f * kDt);
     switch (shark.state) {
     case State::Circle:
         return decideCircling(shark, in, events);
     case State::Prowl:
-        return decideProwling(shark, fish, in, struggling, random, events);
+        if (const int hand = decideProwling(shark, in, struggling); hand >= 0)
+            threaten(shark, hand, fish, in, random, events);
+        return;
     case State::Threaten:
         return decideThreatening(shark, in, struggling);
     case State::Strike:
@@ -319,7 +320,7 @@ Course courseOf(const Shark& shark, const DiveContext& in) {
 
 // Steers it around the player's head and hands.
 void avoidPlayer(const Shark& shark, const DiveContext& in, Course& course) {
-    if (shark.state == State::Strike || shark.state == State::Threaten) return;
+    if (shark.aims()) return;
     const glm::vec3 nose = mouthOf(shark, in);
     const auto avoid = [&](glm::vec3 from, float shy_m, float least_mps) {
         const glm::vec3 apart = nose - from;
@@ -361,7 +362,7 @@ float roomTowards(const Shark& shark, const DiveContext& in, float direction) {
 
 // Reverses the shark if its circle leads to a wall and there is more room the other way.
 void turnBack(Shark& shark, const DiveContext& in) {
-    if (!in.film.known() || shark.state == State::Threaten || shark.state == State::Strike) return;
+    if (!in.film.known() || shark.aims()) return;
     const float ahead = roomTowards(shark, in, shark.direction);
     if (ahead < kRoomy_m && roomTowards(shark, in, -shark.direction) > ahead + kWider_m)
         shark.direction = -shark.direction;
@@ -398,7 +399,7 @@ void bendAndBeat(Shark& shark, const Species& kind, glm::vec3 desiredSpin) {
         eased(shape.bendLeft, bendFor(shark, glm::dot(desiredSpin, kUp), kind.length_m, kMaxBendLeft), 3);
     const float pitch = bendFor(shark, -glm::dot(desiredSpin, leftOf(shark.forward)), kind.length_m, 0.2f);
     shape.bendUp = eased(shape.bendUp, threatens ? 0.4f : pitch, 5);
-    shape.finsDown = eased(shape.finsDown, threatens ? 0.65f : 0.0f, 5);
+    shape.finsDown = eased(shape.finsDown, threatens ? BodyShape::kThreatens : 0.0f, 5);
 }
 
 } // namespace

@@ -37,7 +37,8 @@ struct BodyShape {
     // Curvature times length: the angle between head and tail, radians; both ends to the left.
     float bendLeft = 0;
     float bendUp = 0;   // the same, both ends up
-    float finsDown = 0; // how far the pectoral fins are lowered, radians
+    float finsDown = 0; // how far the pectoral fins are lowered, radians; at most kThreatens
+    static constexpr float kThreatens = 0.65f; // finsDown of a shark that threatens
 };
 
 // The animation clip that plays, and the clip from which it blends.

@@ -141,6 +141,8 @@ void GameSession::advance(double elapsed_s) {
     headBefore_ = head;
     game::interpolate(before, after, clock.alpha(), shown);
     if (tracked) tracked->showElbows(shown);
+    const auto* mouse = std::get_if<MouseSource>(&source);
+    if (mouse && !(tracked && tracked->moveHands())) mouse->show(shown);
 }
 
 void DiveRunner::moveMouse(const Controls* controls, glm::ivec2 size) {

@@ -15,7 +15,9 @@ constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
 constexpr float kStickReach_ps = 1.1f;   // speed of the hand with a full stick, half pictures a second
 constexpr float kKeyNotches_ps = 12;     // speed with a key, wheel notches a second
 constexpr float kTriggerStarts = 0.06f;  // a trigger at rest is not always at 0
-constexpr double kFindDevices_s = 1;     // time before the mouse is announced as the only source
+constexpr float kSinks_m = 0.3f,
+                kSink_s = 0.15f;     // way of the idle hand out of the picture, and its time constant
+constexpr double kFindDevices_s = 1; // time before the mouse is announced as the only source
 
 // Returns the options for a camera's number, a clip's file or, without text, the first camera.
 static hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
@@ -111,6 +113,20 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         mouse.reachHelp = options.reachHelp;
     }
     poses_ = hands_.update(mouse, dt_s);
+    for (size_t side = 0; side < 2; ++side) {
+        const bool idle = side != static_cast<size_t>(hands_.active()) && shown.hands[side].holds < 0;
+        sunk_[side] += ((idle ? 1.0f : 0.0f) - sunk_[side]) * math::followShare(dt_s, kSink_s);
+    }
+}
+
+void MouseSource::show(game::Snapshot& shown) const {
+    constexpr float kHidden = 0.95f;
+    for (size_t side = 0; side < 2; ++side) {
+        game::HandView& hand = shown.hands[side];
+        hand.visible = hand.visible && sunk_[side] < kHidden;
+        const glm::vec3 down = shown.worldFromView * glm::vec3(0, -kSinks_m * sunk_[side], 0);
+        for (hands::Joint& joint : hand.joints) joint.position += down;
+    }
 }
 
 TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& options,
@@ -122,6 +138,7 @@ TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& op
       hands_(live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps) {}
 
 void TrackedHands::announce() {
+    const bool gone = announced_.value_or(false);
     announced_ = state_.present;
     announcedAt_s_ = played_s_;
     const std::string name(tracker_->name());
@@ -129,7 +146,7 @@ void TrackedHands::announce() {
     if (state_.present) {
         announcement_ = game::Notice{"Hands: {}", name};
         log::info("Hands: {}, {}", name, state_.description);
-    } else if (asked_) { // says why the chosen device is not used
+    } else if (asked_ || gone) { // says why the device is not used
         announcement_ = needs();
         if (!announcement_) announcement_ = game::Notice{"{} was not found: the mouse moves the hands", name};
         log::info("Hands: mouse; {}: {}", name, state_.description);

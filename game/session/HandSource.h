@@ -42,6 +42,9 @@ class MouseSource {
         out.hands = poses_;
         out.worldFromView = look_.worldFromView();
     }
+    // Shows the hand that the mouse does not move only while it holds something; else it sinks out of the
+    // picture, of which hand and arm would hide a part. The rules' hands stay.
+    void show(game::Snapshot& shown) const;
     void recentre() { look_ = {}; }
     // Speed at which the player turns the view, radians a second, smoothed: for the comfort setting vignette.
     float turning_radps() const { return turning_radps_; }
@@ -51,6 +54,7 @@ class MouseSource {
     game::SpeciesTable species_;
     int reachTarget_ = -1; // see reachHelp()
     std::array<hands::HandPose, 2> poses_{};
+    std::array<float, 2> sunk_{1, 1}; // by hand, 0 to 1: how far it has sunk
     LookAngles look_;
     float turning_radps_ = 0;
     glm::vec2 pointer_{0}; // position that the hand reaches for: -1 to 1 across the window, +x right, +y up
@@ -94,6 +98,8 @@ class TrackedHands {
         for (size_t side = 0; side < 2; ++side)
             shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
     }
+
+    bool moveHands() const { return choice_.fromDevice(); } // else the mouse does
 
     // Returns the hands that the device sees now, viewer's frame; the others are not tracked.
     std::array<hands::HandPose, 2> seen() const {

@@ -45,6 +45,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Stars in all: {}", "Sterne insgesamt: {}", "Étoiles en tout : {}"},
     {"new", "neu", "nouveau"},
     {"record", "Rekord", "record"},
+    {"Your largest", "Dein größter Fang", "Ta plus belle prise"},
     {"{} fish caught", "{} Fische gefangen", "{} poissons attrapés"},
     {"1 fish caught", "1 Fisch gefangen", "1 poisson attrapé"},
     {"{} taken by the shark", "{} vom Hai geraubt", "{} volés par le requin"},
@@ -93,12 +94,12 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Une main rapide effraie les poissons"},
     {"Wait in a fish’s way with an open hand", "Warte mit offener Hand auf dem Weg eines Fischs",
      "Attends, main ouverte, sur le chemin d’un poisson"},
-    {"Click: take a picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
-     "Klick: Foto. Rechte Taste: umsehen. {}: bewegen. Mausrad: Zoom. Esc: zurück",
-     "Clic : photo. Bouton droit : regarder. {} : se déplacer. Molette : zoom. Échap : retour"},
-    {"A: take a picture. Left stick: look. Right stick: move. B: back",
-     "A: Foto. Linker Stick: umsehen. Rechter Stick: bewegen. B: zurück",
-     "A : photo. Stick gauche : regarder. Stick droit : se déplacer. B : retour"},
+    {"Click: take a picture. Right button: look. {}: move. Wheel: zoom. {}: hands. Esc: back",
+     "Klick: Foto. Rechte Taste: umsehen. {}: bewegen. Mausrad: Zoom. {}: Hände. Esc: zurück",
+     "Clic : photo. Bouton droit : regarder. {} : se déplacer. Molette : zoom. {} : mains. Échap : retour"},
+    {"A: take a picture. Left stick: look. Right stick: move. Y: hands. B: back",
+     "A: Foto. Linker Stick: umsehen. Rechter Stick: bewegen. Y: Hände. B: zurück",
+     "A : photo. Stick gauche : regarder. Stick droit : se déplacer. Y : mains. B : retour"},
     {"Left stick", "Linker Stick", "Stick gauche"},
     {"Right stick, slowly: a fast hand frightens fish",
      "Rechter Stick, langsam: Eine schnelle Hand verscheucht Fische",
@@ -490,12 +491,12 @@ class Text {
     size_t row_;
 };
 
-// One message to the player: a text, and the value that replaces its "{}". All messages are of this type.
+// One message to the player: a text, and the values that replace its "{}". All messages are of this type.
 struct Notice {
     Text text;
-    std::string value{}; // a name, a number or a file, in place of "{}"
+    std::string value{}, second{}; // names, numbers or files, in place of the first and second "{}"
 
-    std::string in(Language language) const { return text.in(language, value); }
+    std::string in(Language language) const { return text.in(language, value, second); }
     bool operator==(const Notice&) const = default;
 };
 

@@ -165,9 +165,10 @@ static void drawPopups(const Pen& pen, const HudInfo& info) {
         std::string text = fmt::format("+{} {}", popup.points, animalName(*popup.species, 1, pen.language));
         if (popup.combo > 1) text += fmt::format("  \u00d7{}", popup.combo);
         if (popup.length_m > 0)
-            text += fmt::format("  {:.0f} cm, {}", 100 * popup.length_m,
+            text += fmt::format("  {}, {}", lengthText(popup.length_m),
                                 popup.mass_kg < 1 ? fmt::format("{:.0f} g", 1000 * popup.mass_kg)
                                                   : fmt::format("{:.1f} kg", popup.mass_kg));
+        if (popup.isRecord) text += std::string("  ") + pen.in("Your largest");
         const float rise = 3 * pen.line * popup.age_s / Popup::kStay_s;
         const float lowest = pen.size.y - (2 + 1.6f * static_cast<float>(info.captions.size())) * pen.line;
         pen.label(at.x, std::clamp(at.y - 4.5f * pen.line - rise, pen.line, std::max(lowest, pen.line)), 0.5f,

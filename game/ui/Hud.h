@@ -34,16 +34,20 @@ inline const std::string& animalName(const game::Species& animal, int count, gam
     return name.empty() ? animal.name : name;
 }
 
+inline std::string lengthText(float length_m) { return std::to_string(std::lround(100 * length_m)) + " cm"; }
+
 // Part to draw. In a headset the text is on a panel, and marks are at their places in the world.
 enum class HudPart { All, Panel, Marks };
 
-// Points that rise where a fish was caught, with its length and weight: "+25 snapper  31 cm, 600 g".
+// Points that rise where a fish was caught, with its length and weight: "+25 snapper  31 cm, 600 g  Your
+// largest".
 struct Popup {
     static constexpr float kStay_s = 2.0f;
     int points = 0, combo = 0;
     const game::Species* species = nullptr;
     glm::vec3 position{0};           // world
     float length_m = 0, mass_kg = 0; // 0: not shown
+    bool isRecord = false;           // the player's longest of its species
     float age_s = 0;
 };
 

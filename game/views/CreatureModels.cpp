@@ -4,7 +4,6 @@
 #include "engine/core/RunProgram.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/math/Trigonometry.h"
-#include "game/views/ArmPose.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -18,6 +17,9 @@ constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints
 constexpr std::array kHandModels = {"models/hand_left.glb", "models/hand_right.glb"};
 constexpr std::array kArmModels = {"models/arm_left.glb", "models/arm_right.glb"};
 constexpr float kHoldingOpacity = 0.4f;
+// From the eyes to a hand's nearest joint: it fades from kFades_m on, and is gone before the near plane or
+// its own size would show it as torn polygons that fill the view.
+constexpr float kFades_m = 0.16f, kGone_m = 0.06f;
 constexpr float kArmMargin = 1.3f; // factor on an arm's bounding spheres: a bend moves its flesh
 constexpr float kMinSwing =
     0.01f; // swing of the tail in a clip, body lengths: below, there is no wave to scale
@@ -34,6 +36,14 @@ static void placeJoints(std::span<const hands::Joint> joints, std::span<const in
     for (size_t k = 0; k < joints.size(); ++k)
         pose.modelFromNode[nodes[k]] =
             glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
+}
+
+// Returns the opacity of a hand and its arm by how near the hand is to the eyes: 0 gone to 1.
+static float opacityNear(const glm::vec3& eyes, std::span<const hands::Joint> joints) {
+    float nearest_m = kFades_m;
+    for (const hands::Joint& joint : joints)
+        nearest_m = std::min(nearest_m, glm::distance(joint.position, eyes) - joint.radius);
+    return glm::smoothstep(kGone_m, kFades_m, nearest_m);
 }
 
 // Returns one ellipsoid that fills the bounds, for a model whose ellipsoids could not be made.
@@ -231,7 +241,7 @@ void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& ins
     scene::updateGlobals(instance.model, instance.pose);
 }
 
-void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& light,
+void CreatureModels::show(const game::Snapshot& snapshot, const Head& player, const AnimalLight& light,
                           render::ObjectPass& pass) {
     for (size_t i = 0; i < snapshot.creatures.size(); ++i) {
         const game::CreatureView& creature = snapshot.creatures[i];
@@ -254,21 +264,21 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                   .highlight = creature.catchable,
                   .lightDifference = &light.of(i)});
     }
-    const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
         const game::HandView& hand = snapshot.hands[side];
-        if (!hand.visible) continue;
+        const float opacity = hand.visible ? opacityNear(snapshot.headWorld, hand.joints) : 0.0f;
+        if (opacity == 0) continue;
         placeJoints(hand.joints, hands_[side].jointNodes, hands_[side].pose);
         // A hand gives way to the fish that it holds, as quickly as the fish begins to struggle.
         const float held =
             hand.holds < 0 ? 0 : snapshot.creatures[static_cast<size_t>(hand.holds)].gait.blend;
         const auto lamp = light.ofLamp(hand.joints[hands::kWristJoint].position);
-        showPosed(hands_[side], 1, lamp, pass, 1 - (1 - kHoldingOpacity) * held, hand.ready);
-        const ArmPose arm =
-            poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head, hand.towardsElbow);
+        showPosed(hands_[side], 1, lamp, pass, opacity * (1 - (1 - kHoldingOpacity) * held), hand.ready);
+        const ArmPose arm = poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], player,
+                                    hand.towardsElbow);
         for (size_t k = 0; k < arm.size(); ++k)
             arms_[side].pose.modelFromNode[arms_[side].jointNodes[k]] = arm[k];
-        showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), lamp, pass);
+        showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), lamp, pass, opacity);
     }
 }
 

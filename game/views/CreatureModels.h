@@ -12,6 +12,7 @@
 #include "engine/scene/Surface.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
+#include "game/views/ArmPose.h"
 
 #include <array>
 #include <functional>
@@ -78,8 +79,10 @@ class CreatureModels {
 
     float minRoughness() const { return minRoughness_; } // least roughness of all surfaces
 
-    // Poses every creature and visible hand of the snapshot and adds them to the pass.
-    void show(const game::Snapshot& snapshot, const AnimalLight& light, render::ObjectPass& pass);
+    // Poses every creature and visible hand of the snapshot, with the player's arms, and adds them to the
+    // pass.
+    void show(const game::Snapshot& snapshot, const Head& player, const AnimalLight& light,
+              render::ObjectPass& pass);
 
   private:
     struct ModelInstance {

@@ -50,7 +50,8 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     animalLight_.follow(
         snapshot, bounces && environment.depth() ? &environment.player().frame().lightDifference : nullptr,
         environment.envFromWorld(), {look.lamp, environment.player().water().attenuation_perM});
-    creatureModels_->show(snapshot, animalLight_, passes_.objects);
+    const Head viewer{snapshot.headWorld, snapshot.worldFromView};
+    creatureModels_->show(snapshot, look.player.value_or(viewer), animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }
 

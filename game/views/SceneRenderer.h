@@ -9,6 +9,7 @@
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
 #include "game/settings/PlayOptions.h"
+#include "game/views/ArmPose.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 
@@ -36,8 +37,9 @@ struct SceneRendererSetup {
 struct Look {
     render::Exposure exposure;
     render::Glossy glossy = render::Glossy::Prefiltered;
-    bool particles = true; // particles drift in the water, if there is water
-    float lamp = 0;        // game::DiveFile::lamp
+    bool particles = true;        // particles drift in the water, if there is water
+    float lamp = 0;               // game::DiveFile::lamp
+    std::optional<Head> player{}; // whose arms are drawn; empty: the viewer's
 };
 
 // Returns the look that the options ask for. lamp: the dive's.

@@ -196,6 +196,25 @@ TEST_F(Backends, NoShadowIsOlderThanTheFilmsPicture) {
     }
 }
 
+// A tracked hand may come to the eyes, where the near plane would cut it open: it has faded by then.
+TEST_F(Backends, AHandAtTheEyesIsGone) {
+    game::Snapshot shown;
+    const ImageRgba8 nothing = draw(shown, 1)[0];
+    game::HandView& hand = shown.hands[1];
+    hand.visible = true;
+    const auto mostAt = [&](float away_m) { // the greatest difference that a hand makes there
+        hand.joints = hands::reachingHand(config_->rig, hands::Side::Right, {0, 0, -away_m}, 0).joints;
+        const ImageRgba8 with = draw(shown, 1)[0];
+        int most = 0;
+        for (size_t k = 0; k < with.pixels.size(); ++k)
+            most = std::max(most, std::abs(with.pixels[k] - nothing.pixels[k]));
+        return most;
+    };
+    EXPECT_GE(mostAt(0.4f), 100);
+    EXPECT_GT(mostAt(0.15f), 0);
+    for (const float away_m : {0.08f, 0.04f, 0.01f}) EXPECT_EQ(mostAt(away_m), 0) << away_m;
+}
+
 // With a copy of the shaders, to change.
 class ShaderReload : public Backends {
   protected:

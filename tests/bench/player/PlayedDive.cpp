@@ -122,10 +122,7 @@ PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSet
     const int frames = static_cast<int>(files.dive.duration_s * kFrameRate_Hz);
     for (int frame = 0; frame < frames; ++frame) {
         Action action = player.frame(now, static_cast<double>(frame) / kFrameRate_Hz);
-        const game::Shark& shark = dive.state().shark;
-        const bool aims =
-            shark.state == game::Shark::State::Threaten || shark.state == game::Shark::State::Strike;
-        if (heeds && aims && now.time_s - warned_s > kHeeds_s) action.close = false;
+        if (heeds && dive.state().shark.aims() && now.time_s - warned_s > kHeeds_s) action.close = false;
         played.closings += action.close && !closed;
         played.spent_s[static_cast<size_t>(player.doing())] += kFrame_s;
         closed = action.close;

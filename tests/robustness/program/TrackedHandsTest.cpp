@@ -236,17 +236,23 @@ TEST_F(TrackedHands, DevicesListsThem) {
 }
 
 // Whatever answers on the tracker's port does not take over without a word.
-TEST(HandsNotice, NamesTheDeviceThatAutoHasFound) {
-    Server server;
+TEST(HandsNotice, NamesTheDeviceThatAutoHasFoundAndSaysWhenItGoes) {
+    std::optional<Server> server(std::in_place);
     app::HandOptions options;
-    options.leap.port = static_cast<uint16_t>(server.port());
+    options.leap.port = static_cast<uint16_t>(server->port());
     app::TrackedHands tracked({app::HandSourceKind::Auto, {}}, options, rig(), true);
-    ASSERT_TRUE(server.waitForHeard(2)); // the service is connected
+    ASSERT_TRUE(server->waitForHeard(2)); // the service is connected
     tracked.frame(0.01);
     ASSERT_TRUE(tracked.notice());
     EXPECT_EQ(tracked.notice()->in(game::Language::English), "Hands: Leap Motion");
     tracked.frame(5); // seconds
     EXPECT_FALSE(tracked.notice()) << "once";
+    server.reset();
+    const auto hangs = std::chrono::steady_clock::now() + std::chrono::minutes(10);
+    while (!tracked.notice() && std::chrono::steady_clock::now() < hangs) tracked.frame(0.01);
+    ASSERT_TRUE(tracked.notice());
+    EXPECT_EQ(tracked.notice()->in(game::Language::English),
+              "Leap Motion was not found: the mouse moves the hands");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Effects of keys and of the dive in each state of the program, and the pages shown over the picture then.
 #include "game/app/FirstSteps.h"
+#include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
 #include "game/rules/DiveFile.h"
 #include "game/session/GameSession.h"
@@ -136,6 +137,9 @@ TEST_F(ProgramStatesTest, TheGuideCountsEachCatchOnceAndKeepsTheLongest) {
     const auto& gallery = screens_.menu().page().gallery;
     ASSERT_EQ(gallery.size(), 3u);
     EXPECT_EQ(gallery[0].note, "40 cm  record");
+    EXPECT_TRUE(screens_.isRecord(config().species[1], 0.31f)) << "the guide had 30 cm";
+    EXPECT_FALSE(screens_.isRecord(config().species[1], 0.3f));
+    EXPECT_FALSE(screens_.isRecord(config().species[0], 0.3f)) << "the first of its species";
     EXPECT_EQ(gallery[1].file, "guide/" + config().species[2].name + ".png") << "the longest first";
     EXPECT_EQ(gallery[2].note, "10 cm  new");
 }
@@ -153,6 +157,45 @@ TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {
     EXPECT_EQ(screens_.top(), Screen::Title);
     EXPECT_FALSE(back()); // Escape does not leave by mistake
     EXPECT_EQ(screens_.top(), Screen::Title);
+}
+
+// Mouse and keys move one hand; the other is in the picture only while it holds something.
+TEST(MouseSource, ShowsTheHandsThatDoSomething) {
+    GameSession session(config());
+    auto& mouse = std::get<MouseSource>(session.source);
+    const auto shown = [&](int frames, bool swap = false, int leftHolds = -1) {
+        Controls controls;
+        for (int i = 0; i < frames; ++i) {
+            controls.pressed[static_cast<size_t>(Action::SwapHands)] = swap && i == 0;
+            session.shown.hands[0].holds = leftHolds;
+            mouse.frame(&controls, {}, session.shown, 1 / 60.0f, 1, 1);
+            session.advance(1 / 60.0);
+        }
+        return std::array{session.shown.hands[0].visible, session.shown.hands[1].visible};
+    };
+    EXPECT_EQ(shown(2), (std::array{false, true}));
+    EXPECT_TRUE(session.after.hands[0].visible) << "to the rules it is there";
+    EXPECT_EQ(shown(3, true), (std::array{true, true})) << "the right hand sinks";
+    EXPECT_EQ(shown(60), (std::array{true, false}));
+    EXPECT_EQ(shown(60, true, 3), (std::array{true, true})) << "the left hand holds something";
+}
+
+// The camera moves, and the player's arms stay with the player.
+TEST(PhotoMode, ShowsTheDivesHandsWhenTheyAreAskedFor) {
+    game::Snapshot dive;
+    dive.hands[1].visible = true;
+    PhotoMode photo(dive, 65, false, Bindings());
+    float fov_deg = 65;
+    Controls controls;
+    controls.pressed.set(static_cast<size_t>(Action::SwapHands));
+    controls.down.set(static_cast<size_t>(Action::LookUp));
+    for (const bool shown : {false, true, false}) {
+        EXPECT_EQ(photo.shown.hands[1].visible, shown);
+        EXPECT_FALSE(photo.shown.hands[0].visible);
+        photo.step(controls, 1, 0.1f, fov_deg);
+    }
+    EXPECT_NE(photo.shown.headWorld, glm::vec3(0));
+    EXPECT_EQ(photo.player.positionWorld, glm::vec3(0));
 }
 
 TEST(FrameClock, FixedStepsAreEqualAndADisplayKnowsBetter) {
@@ -248,6 +291,25 @@ TEST(FirstSteps, TheGhostHandReachesForNothingThatStings) {
     p.follow(1.1f * Tutorial::kShown_s);
     ASSERT_TRUE(p.steps.target());
     EXPECT_EQ(*p.steps.target(), p.shown.creatures[1].position);
+}
+
+// A picture of 65 degrees ends 33 degrees below its middle.
+TEST(FirstSteps, TheGhostHandReachesForNothingBelowThePicture) {
+    Pupil p;
+    p.shown.creatures = {{.species = 1, .position = {0, -0.57f, -0.81f}}}; // 35 degrees below
+    p.follow(0.1f);
+    EXPECT_FALSE(p.steps.target());
+}
+
+TEST(FirstSteps, TheGhostHandReachesForWhatTheTurnedViewSees) {
+    Pupil p;
+    p.shown.creatures = {{.species = 1, .position = {0, 0, -0.9f}}};
+    p.follow(0.1f);
+    ASSERT_TRUE(p.steps.target());
+    p.shown.worldFromView = turned(1.5f);
+    p.follow(0.1f);
+    ASSERT_EQ(p.steps.step(), Step::Reach);
+    EXPECT_FALSE(p.steps.target());
 }
 
 // First steps are made from a copy of the session, which no longer exists when they are drawn.

@@ -267,6 +267,15 @@ TEST(Glare, IsOnlyABoundWhereNothingIsDark) {
     EXPECT_EQ(glowOf(ImageRgb8()).maxShare, 1);
 }
 
+// Stones and shadows in a meadow: each cell is bright, and small things in it are nearly black.
+TEST(Glare, SmallDarkThingsBoundItBelowThatOfAUsualLens) {
+    ImageRgb8 meadow(1024, 512);
+    for (int y = 0; y < meadow.height; ++y)
+        for (int x = 0; x < meadow.width; ++x) // three in eight texels are dark
+            std::fill_n(meadow.at(x, y), 3, uint8_t(x % 8 < 3 ? 10 : 180));
+    EXPECT_LT(glowOf(meadow).maxShare, 0.01f);
+}
+
 TEST(Glare, SpreadsLightOverFiveDegreesAndLosesNone) {
     ImageRgb8 frame(1024, 512);
     for (int y = 248; y < 264; ++y)

@@ -339,9 +339,7 @@ TEST(SharkRules, NeverStrikesUnannounced) {
                 EXPECT_GE(warned, 143) << "ticks, at tick " << i;
                 EXPECT_GE(held, 59) << "ticks, at tick " << i;
             }
-            const bool hunts =
-                one.shark.state == Shark::State::Threaten || one.shark.state == Shark::State::Strike;
-            warned = hunts ? warned + 1 : 0;
+            warned = one.shark.aims() ? warned + 1 : 0;
             held = one.held() >= 0 ? held + 1 : 0;
             aimed = one.shark.state == Shark::State::Threaten && one.pointsAtHand() ? aimed + 1 : 0;
         }

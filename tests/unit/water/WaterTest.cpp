@@ -189,6 +189,12 @@ TEST(EstimateWater, ReadsBlueFirstFramesAndPartsOfFrames) {
               WaterEstimator().estimate(viewOf(frame)).water.attenuation_perM);
 }
 
+// Leaves keep less blue than red; water keeps more, of whatever colour it is.
+TEST(EstimateWater, AMeadowAndTreesAroundItAreNoWater) {
+    EXPECT_EQ(estimated(evenFrame(70, 130, 40)).evidence, 0);
+    EXPECT_EQ(estimated(evenFrame(70, 130, 90)).evidence, 1) << "a green coast";
+}
+
 // Photographs of dry land and of a cave under water.
 TEST(EstimateWater, TellsLandFromWater) {
     const Path photos = tests::sharedDataFolder() / "photo";
