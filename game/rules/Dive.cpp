@@ -259,6 +259,7 @@ void Dive::snapshot(Snapshot& out) const {
         CreatureView& view = show(i, fish, fish.species);
         view.heldBy = fish.heldBy;
         view.catchable = fish.catchable;
+        view.catchableBy = fish.catchableBy;
         const bool gone = fish.state == Fish::State::Gone;
         if (gone) view.position = {0, -1000, 0};
         view.hidden = gone || in.hides(fish.position);

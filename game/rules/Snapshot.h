@@ -67,10 +67,11 @@ struct CreatureView {
     glm::vec3 velocity{0};               // m/s
     float length = 0.2f;                 // metres, nose to tail
     Gait gait;
-    BodyShape shape;     // the spine
-    int heldBy = -1;     // 0 left, 1 right, -1 free
-    float catchable = 0; // 1 if a hand that closes now takes it, else 0, eased in between
-    bool hidden = false; // the film hides it from the player's head
+    BodyShape shape;      // the spine
+    int heldBy = -1;      // 0 left, 1 right, -1 free
+    float catchable = 0;  // 1 if a hand that closes now takes it, else 0, eased in between
+    int catchableBy = -1; // that hand: 0 left, 1 right, -1 none
+    bool hidden = false;  // the film hides it from the player's head
 };
 
 // Reason why a closing hand took nothing, as the events below.

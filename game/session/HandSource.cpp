@@ -126,6 +126,8 @@ void MouseSource::show(game::Snapshot& shown) const {
         hand.visible = hand.visible && sunk_[side] < kHidden;
         const glm::vec3 down = shown.worldFromView * glm::vec3(0, -kSinks_m * sunk_[side], 0);
         for (hands::Joint& joint : hand.joints) joint.position += down;
+        for (game::CreatureView& animal : shown.creatures)
+            if (animal.catchableBy == static_cast<int>(side)) animal.catchable *= 1 - sunk_[side];
     }
 }
 

@@ -177,6 +177,11 @@ TEST(MouseSource, ShowsTheHandsThatDoSomething) {
     EXPECT_TRUE(session.after.hands[0].visible) << "to the rules it is there";
     EXPECT_EQ(shown(3, true), (std::array{true, true})) << "the right hand sinks";
     EXPECT_EQ(shown(60), (std::array{true, false}));
+    game::Snapshot marked;
+    marked.creatures = {{.catchable = 1, .catchableBy = 0}, {.catchable = 1, .catchableBy = 1}};
+    mouse.show(marked);
+    EXPECT_GT(marked.creatures[0].catchable, 0.95f);
+    EXPECT_LT(marked.creatures[1].catchable, 0.05f) << "no mark says what a hand can take that is not there";
     EXPECT_EQ(shown(60, true, 3), (std::array{true, true})) << "the left hand holds something";
 }
 
