@@ -93,7 +93,7 @@ vec3 throughWater(vec3 display) {
 
 // Lightens an object that is marked for the player: display values get brighter, which every kind of colour
 // vision sees, in a cave and before a white sky; at night less, so as not to dazzle. It lights nothing else.
-vec3 lightened(vec3 display, float share) { return mix(display, min(2.5 * display + 0.25, vec3(1.0, 0.98, 0.90)), share); }
+vec3 lightened(vec3 display, float share) { return mix(display, min(1.9 * display + 0.12, vec3(1.0, 0.98, 0.90)), share); }
 
 #ifndef VERTEX_LIT
 // Returns the normal on the side that the eye sees, with the normal map. geometric: without the map.

@@ -115,7 +115,7 @@ TEST_F(RenderGL, HighlightLightensMostAtTheRim) {
                 // A pixel beside the middle row; by the vertex, a chord of the curve, which lies above it:
                 // over a rim of 24 triangles to the circle by a tenth of the display at most.
                 const auto plain = static_cast<float>(grey);
-                const float lightest = std::min(2.5f * plain + 0.25f * 255, 255.0f);
+                const float lightest = std::min(1.9f * plain + 0.12f * 255, 255.0f);
                 EXPECT_NEAR(picture.at(x, kPixels / 2)[0], glm::mix(plain, lightest, share), lean ? 24 : 4)
                     << x << " grey " << int(grey) << (lean ? " lean" : "");
             }
