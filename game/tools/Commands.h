@@ -82,6 +82,7 @@ struct LightOptions {
 struct PanoramaOptions {
     std::string photo, out, layer;
     std::optional<float> fov_deg; // horizontal, of the photo
+    bool full = false;
 
     void addTo(SettingsTable& table) {
         table.add("PHOTO", &photo, "JPEG, PNG, WebP, AVIF, TIFF, BMP, PNM; .hdr, .exr, .pfm",
@@ -94,6 +95,9 @@ struct PanoramaOptions {
                   "Horizontal field of view of the photo, degrees; 65 along its longer side if not given. "
                   "Given, a photo that is twice as wide as high is taken for an ordinary one too",
                   {.range = {panorama::kMinFov_deg, panorama::kMaxFov_deg}});
+        table.add("--full", &full,
+                  "Carves the photo up and down to 180 degrees too, as the thesis does, in place of 90 with "
+                  "sky and ground extrapolated");
         table.add("--layer", &layer, "Layer of an OpenEXR photo, if it has several", {.placeholder = "NAME"});
     }
 };

@@ -372,8 +372,11 @@ TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
         EXPECT_EQ(grown.status, 0) << grown.err;
         EXPECT_NE(grown.out.find("grown around its light"), std::string::npos) << grown.out;
         EXPECT_NE(grown.out.find("the seam where its ends meet can"), std::string::npos) << grown.out;
-        const Outcome checked = run("check " + out);
-        EXPECT_NE(checked.out.find("lat-long mono"), std::string::npos) << checked.out << checked.err;
+        const std::string band = textOf(name), check = run("check " + out).out;
+        EXPECT_THAT(check, HasSubstr("lat-long mono"));
+        EXPECT_EQ(run("panorama " + photo + " -o " + out + " --fov 60 --full").status, 0);
+        EXPECT_EQ(run("check " + out).out, check); // its size, and twice as wide as high
+        EXPECT_NE(textOf(name), band);
     }
     // Once it is an environment it stays as it is, unless somebody says that it is a photo all the same.
     const std::string full = (folder_ / "out.png").string(), again = (folder_ / "again.png").string();
