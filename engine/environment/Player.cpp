@@ -183,7 +183,7 @@ void Player::makeLight(const light::FrameView& frame, const ImageRgbF& radianceL
         return;
     }
     sinceLight_ = 0;
-    out.measured = !radianceLin.empty() && setup_.source.light != light::FrameRadiance::Thesis;
+    out.measured = !radianceLin.empty() && light::takesMeasured(setup_.source.light);
     if (out.measured)
         lightMaker_.makeFromHdr(radianceLin, made_);
     else

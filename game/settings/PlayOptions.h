@@ -52,7 +52,9 @@ namespace shoal {
 template <> inline constexpr std::array kEnumNames<app::Tone> = {"auto", "aces", "linear"};
 template <> inline constexpr std::array kEnumNames<render::Glossy> = {"ggx", "phong36"};
 template <> inline constexpr std::array kEnumNames<light::DiffuseMethod> = {"default", "thesis"};
-template <> inline constexpr std::array kEnumNames<light::FrameRadiance> = {"auto", "thesis", "linear"};
+template <>
+inline constexpr std::array kEnumNames<light::FrameRadiance> = {"auto", "thesis", "linear", "akyuz",
+                                                                "landis"};
 template <>
 inline constexpr std::array kEnumNames<app::Occlusion> = {"off", "ellipsoids", "ollfb", "ollfb-thesis"};
 template <>
@@ -122,7 +124,7 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
                   "Meaning of a video's or photo's values. auto: decoded sRGB, and how bright the light "
                   "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB "
                   "(both: PQ and HLG as measured); thesis: its inverse tone mapping, with colours of objects "
-                  "taken as they are coded");
+                  "taken as they are coded; akyuz, landis: operators that it names, which make white 10");
         table.add("!--no-depth", &depth,
                   "Leaves the video's distances (NAME.depth.mkv beside NAME.mp4) alone: nothing of it hides "
                   "what swims, and for two eyes it is endlessly far");

@@ -69,10 +69,12 @@ struct LightOptions {
                   "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy "
                   "light by 36 samples of a Phong lobe");
         table.add("--format", choice(format), "Format of the pictures: 32-bit pfm, exr, or Radiance hdr");
-        table.add("--light", choice(frames),
-                  "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
-                  "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
-                  "sRGB (both: PQ and HLG as measured); thesis: its inverse tone mapping");
+        table.add(
+            "--light", choice(frames),
+            "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
+            "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
+            "sRGB (both: PQ and HLG as measured); thesis: its inverse tone mapping; akyuz, landis: operators "
+            "that it names, which make white 10");
         table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several",
                   {.placeholder = "NAME"});
         table.add("--at", &at_s, "Second of the video", {.range = {0, 36000}});

@@ -60,7 +60,7 @@ static Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     ImageRgbF radianceLin;
     auto coded = readCoded(options.file, isPhoto, options.at_s, radianceLin);
     if (!coded) return coded.error();
-    if (!radianceLin.empty() && frames != light::FrameRadiance::Thesis) {
+    if (!radianceLin.empty() && light::takesMeasured(frames)) {
         maker.makeFromHdr(radianceLin, made);
         return made;
     }

@@ -224,6 +224,8 @@ TEST_F(Program, LightOfCodedValuesAsAsked) {
     EXPECT_NE(automatic, linear);
     EXPECT_NE(automatic, thesis);
     EXPECT_NE(thesis, linear);
+    EXPECT_NE(of("akyuz"), of("landis"));
+    EXPECT_NE(of("landis"), linear);
     EXPECT_EQ(run("light " + photo.string() + " -o " + (folder_ / "none").string() + " --light ours").status,
               2);
 }
