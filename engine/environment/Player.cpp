@@ -142,6 +142,7 @@ void Player::prepareFor(light::LightQuality quality, size_t slots) {
     lightMaker_ =
         light::LightMaker({quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
                            setup_.minRoughness, quality, setup_.source.light});
+    thesisDiffuse_ = light::BruteForceDiffuse(setup_.diffuseWidth);
     frames_.resize(slots);
     shown_ = frames_.data();
 }

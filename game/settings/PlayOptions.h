@@ -44,6 +44,10 @@ enum class LanguageChoice { Auto, English, German, French }; // Auto: the system
 enum class Start { Auto, Title, Dive };
 enum class Background { Environment, None };
 enum class LightFormat { Pfm, Exr, Hdr };
+enum class DiffuseSize { W16, W32, W64, W128, W256, W512, W1024 };
+
+// Returns the width of a diffuse map, texels.
+constexpr int widthOf(DiffuseSize size) { return 16 << static_cast<int>(size); }
 
 } // namespace shoal::app
 
@@ -90,6 +94,8 @@ template <> inline constexpr std::array kEnumNames<hands::LeapMount> = {"desk", 
 template <> inline constexpr std::array kEnumNames<app::Background> = {"env", "none"};
 // Also the files' extensions
 template <> inline constexpr std::array kEnumNames<app::LightFormat> = {"pfm", "exr", "hdr"};
+template <>
+inline constexpr std::array kEnumNames<app::DiffuseSize> = {"16", "32", "64", "128", "256", "512", "1024"};
 
 } // namespace shoal
 
