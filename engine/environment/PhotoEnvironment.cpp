@@ -65,11 +65,11 @@ Result<PhotoEnvironment<Picture>> placed(const Path& file, const Picture& photo,
 template <class Picture>
 Result<PhotoEnvironment<Picture>> grown(const Path& file, const Picture& photo, const PhotoOptions& options) {
     ProgressLine line(file);
-    auto full =
-        panorama::panoramaFromPhoto(photo, {.fov_deg = options.fov_deg, .progress = [&](double share) {
-                                                line.show(share);
-                                                if (options.progress) options.progress(share);
-                                            }});
+    auto full = panorama::panoramaFromPhoto(
+        photo, {.fov_deg = options.fov_deg, .full = options.full, .progress = [&](double share) {
+                    line.show(share);
+                    if (options.progress) options.progress(share);
+                }});
     if (!full) return Error{file.string(), full.error().reason};
     return PhotoEnvironment<Picture>{
         .picture = std::move(full->latLong),

@@ -21,6 +21,7 @@ template <class Picture> struct PhotoEnvironment {
 
 struct PhotoOptions {
     std::optional<double> fov_deg;              // declares an ordinary photo with this field of view
+    bool full = false;                          // panorama::PanoramaOptions::full
     media::Layout layout = media::Layout::Auto; // any other declares a full environment
     std::function<void(double)> progress;       // called with the share done, 0 to 1, while a photo is grown
 };

@@ -142,6 +142,7 @@ void Player::prepareFor(light::LightQuality quality, size_t slots) {
     lightMaker_ =
         light::LightMaker({quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
                            setup_.minRoughness, quality, setup_.source.light});
+    thesisDiffuse_ = light::BruteForceDiffuse(setup_.diffuseWidth);
     frames_.resize(slots);
     shown_ = frames_.data();
 }
@@ -183,7 +184,7 @@ void Player::makeLight(const light::FrameView& frame, const ImageRgbF& radianceL
         return;
     }
     sinceLight_ = 0;
-    out.measured = !radianceLin.empty() && setup_.source.light != light::FrameRadiance::Thesis;
+    out.measured = !radianceLin.empty() && light::takesMeasured(setup_.source.light);
     if (out.measured)
         lightMaker_.makeFromHdr(radianceLin, made_);
     else

@@ -55,6 +55,7 @@ struct Setup {
     float minRoughness = 0;     // least roughness drawn: no light is made for smoother surfaces
     light::LightQuality quality = light::LightQuality::Video; // Still for stills
     light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    int diffuseWidth = light::BruteForceDiffuse::kThesisWidth; // of the thesis' map
     bool water = false;
     bool lights = false; // directions of the light sources, for shadows
     bool cameraResponse = false;

@@ -50,6 +50,7 @@ BruteForceDiffuse::BruteForceDiffuse(int width) : width_(width) {
 }
 
 void BruteForceDiffuse::make(const RadiancePyramid& pyramid, ImageRgbF& out) {
+    if (pyramid.levels[0].width < width_) *this = BruteForceDiffuse(pyramid.levels[0].width);
     const ImageRgbF& level = pyramid.ofWidth(width_);
     const size_t texels = solidAngleOverPi_.size();
     for (size_t i = 0; i < texels; ++i)

@@ -13,7 +13,7 @@ class BruteForceDiffuse {
   public:
     static constexpr int kThesisWidth = 64;
 
-    // width: texels around the map, a multiple of 16; every pyramid must have a level of this width.
+    // width: texels around the map, a power of two of at least 16; a narrower pyramid's width from then on.
     explicit BruteForceDiffuse(int width = kThesisWidth);
 
     // Makes the map of a white matte surface's radiance. Allocates nothing while out keeps its size.

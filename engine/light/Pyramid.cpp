@@ -42,6 +42,29 @@ void decodeLinearRow(const uint8_t* __restrict bytes, int width, bool bgr, float
     }
 }
 
+// Returns the least and the greatest luminance of a frame's decoded pixels. row: holds a row of it.
+glm::vec2 luminanceRange(const FrameView& frame, std::vector<float>& row) {
+    glm::vec2 range(1, 0);
+    for (int y = 0; y < frame.height; ++y) {
+        decodeLinearRow(frame.row(y), frame.width, frame.bgr, row.data());
+        for (size_t i = 0; i < row.size(); i += 3) {
+            const float l = linearLuminance({row[i], row[i + 1], row[i + 2]});
+            range = {std::min(range.x, l), std::max(range.y, l)};
+        }
+    }
+    return range;
+}
+
+// Applies the operator of Akyuz or of Landis to a decoded row. range: luminanceRange(), for Akyuz.
+void expandRow(FrameRadiance from, const glm::vec2& range, std::vector<float>& row) {
+    for (size_t i = 0; i < row.size(); i += 3) {
+        const glm::vec3 decoded(row[i], row[i + 1], row[i + 2]);
+        const glm::vec3 radiance = from == FrameRadiance::Landis ? landisRadiance(decoded)
+                                                                 : akyuzRadiance(decoded, range.x, range.y);
+        for (int c = 0; c < 3; ++c) row[i + static_cast<size_t>(c)] = radiance[c];
+    }
+}
+
 // Writes each pixel's clippedSteps() times `unit`; returns the sum of the steps, without the factor.
 SHOAL_VECTORISE
 int decodeClippedRow(const uint8_t* __restrict bytes, int width, float unit, float* __restrict out) {
@@ -268,14 +291,17 @@ void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid&
         clippedShares_.clear();
         for (int y = 0; y < frame.height; ++y) clippedShares_.push_back(clippedShare(y, frame.height));
     }
-    if (makeByBlocks(frame, askedWidth, out, from)) return;
+    const bool expands = from == FrameRadiance::Akyuz || from == FrameRadiance::Landis;
+    if (!expands && makeByBlocks(frame, askedWidth, out, from)) return;
     prepare(frame.width, frame.height, askedWidth, out);
     ImageRgbF& base = out.levels[0];
     std::ranges::fill(base.pixels, 0.0f);
     const auto decode = from == FrameRadiance::Thesis ? decodeRow : decodeLinearRow;
+    const glm::vec2 range = from == FrameRadiance::Akyuz ? luminanceRange(frame, row_) : glm::vec2(0);
     addRows(
         [&](int y) {
             decode(frame.row(y), frame.width, frame.bgr, row_.data());
+            if (expands) expandRow(from, range, row_);
             return true;
         },
         base);

@@ -8,8 +8,10 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace shoal::occlusion {
@@ -27,6 +29,12 @@ struct ThesisViews {
     int cells = 5; // number of views: 6 cells^2, so 54 for 3 cells, 150 for 5, 486 for 9
     int resolution = 64;
     Sphere sphere;
+
+    // Returns the cells for a number of views; empty if no number of cells gives it.
+    static std::optional<int> cellsFor(int views) {
+        const auto cells = static_cast<int>(std::lround(std::sqrt(views / 6.0)));
+        return 6 * cells * cells == views ? std::optional(cells) : std::nullopt;
+    }
 
     // Half a pixel stays free on each side of the sphere, so that points on its edge are inside.
     float pixelsPerMetre() const {

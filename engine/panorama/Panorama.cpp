@@ -146,9 +146,9 @@ std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, 
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
 // rest. The ring should reach kBand_deg up and down. The parts above and below light and horizon are
-// stretched fourfold at most, so a photo with small such parts reaches less far. light: in pixels of the
-// patch.
-RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& light,
+// stretched fourfold at most, so a photo with small such parts reaches less far; full: to the poles, however
+// far that is. light: in pixels of the patch.
+RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& light, bool full,
                     const Progress& progress) {
     RingMap ring;
     ring.column = insertSideways(patch, light, within(progress, 0, 0.8));
@@ -160,7 +160,9 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& lig
     const int upperEnd = row(std::min(light.place.y - margin, horizon - kAroundLight / 2));
     const int lowerStart = row(std::max(light.place.y + margin, horizon + kAroundLight / 2));
     const double lacking = px((kBand_deg * kRadiansPerDegree - lens.latitude) / kRadiansPerDegree);
-    const auto rowsFor = [&](int have) {
+    const int toPoles = kMapWidth / 2 - patch.rows; // rows that are lacking above and below together
+    const auto rowsFor = [&](int have, int toPole) {
+        if (full && have > 0) return have + toPole;
         return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward * 1.0));
     };
     // The patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
@@ -169,12 +171,14 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& lig
         return cv::Vec2f(ring.column[4 * y + 2], static_cast<float>(x));
     });
     const cv::Mat weight = seamWeights(turned);
-    const int up = rowsFor(upperEnd), down = rowsFor(patch.rows - lowerStart);
+    const int up = rowsFor(upperEnd, toPoles / 2),
+              down = rowsFor(patch.rows - lowerStart, toPoles - toPoles / 2);
     insertColumns(turned, weight, 0, upperEnd, up, within(progress, 0.8, 0.9), ring.row);
     for (int y = upperEnd; y < lowerStart; ++y) ring.row.push_back(static_cast<float>(y));
     insertColumns(turned, weight, lowerStart, patch.rows, down, within(progress, 0.9, 1), ring.row);
     smoothMap(ring.row, kSmoothUp);
-    ring.top = lens.latitude + (up - upperEnd) * kRadiansPerDegree / kMapPixelsPerDegree;
+    ring.top = full && up > 0 ? std::numbers::pi / 2
+                              : lens.latitude + (up - upperEnd) * kRadiansPerDegree / kMapPixelsPerDegree;
     return ring;
 }
 
@@ -331,14 +335,15 @@ void fillPoles(cv::Mat& sphere, int top, int bottom) {
     cv::flip(sphere, sphere, 0);
 }
 
-// Puts the ring on the sphere, its lightColumn in the middle, and fills the poles. topLatitude: radians.
-cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) {
+// Puts the ring on the sphere, its lightColumn in the middle, and fills the poles, each by fromPole rows at
+// least. topLatitude: radians.
+cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn, int fromPole) {
     const int width = ring.cols;
     cv::Mat sphere = cv::Mat::zeros(width / 2, width, CV_32FC3);
     const double perRadian = width / (2 * std::numbers::pi);
-    const int top = std::clamp(
-        static_cast<int>(std::lround((std::numbers::pi / 2 - topLatitude) * perRadian)), 1, width / 4 - 1);
-    const int bottom = std::min(top + ring.rows, width / 2 - 1);
+    const auto above = static_cast<int>(std::lround((std::numbers::pi / 2 - topLatitude) * perRadian));
+    const int top = std::clamp(above, fromPole, width / 4 - 1);
+    const int bottom = std::min(top + ring.rows, width / 2 - fromPole);
     const cv::Mat known = ring.rowRange(0, bottom - top), to = sphere.rowRange(top, bottom);
     const int by = (static_cast<int>(std::lround(width / 2 - lightColumn)) + width) % width; // to the right
     if (by > 0) known.colRange(width - by, width).copyTo(to.colRange(0, by)); // OpenCV refuses empty columns
@@ -348,7 +353,8 @@ cv::Mat sphereFrom(const cv::Mat& ring, double topLatitude, double lightColumn) 
 }
 
 // photo: 3 coded floats, bounded; the panorama is coded alike.
-Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width, const Progress& progress) {
+Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width, bool full,
+                                    const Progress& progress) {
     const MainLight light = findMainLight(photo);
     const Lens lens = Lens::make(photo.cols, photo.rows, fov);
     const cv::Mat patch = patchOf(photo, lens);
@@ -357,7 +363,7 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
     const MainLight inPatch{
         {(lightLon / lens.longitude + 1) / 2 * patch.cols, (1 - lightLat / lens.latitude) / 2 * patch.rows},
         light.radius_px / photo.cols * patch.cols};
-    const RingMap map = makeRingMap(patch, lens, inPatch, within(progress, 0, 0.7));
+    const RingMap map = makeRingMap(patch, lens, inPatch, full, within(progress, 0, 0.7));
     progress(0.75);
     cv::Mat ring = ringOf(photo, map, lens, patch.size(), width);
     progress(0.85);
@@ -365,7 +371,7 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
     const WrapDiscontinuity seam = wrapDiscontinuity(ring);
     progress(0.9);
     const double lightColumn = ringColumn(map.column, inPatch.place.x) / kMapWidth * width;
-    const cv::Mat sphere = sphereFrom(ring, map.top, lightColumn);
+    const cv::Mat sphere = sphereFrom(ring, map.top, lightColumn, full ? 0 : 1);
     progress(1);
     return {sphere, {light.place.x, light.place.y}, lightLat / kRadiansPerDegree, seam};
 }
@@ -421,7 +427,7 @@ Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const Panorama
     const double fov = options.fov_deg ? *options.fov_deg * kRadiansPerDegree : 2 * std::atan(usual);
     const int detailed = static_cast<int>(photo.width * 2 * std::numbers::pi / fov);
     const Panorama<cv::Mat> made = panoramaFromCoded(
-        coded, fov, std::clamp(detailed / 64 * 64, 512, 4096),
+        coded, fov, std::clamp(detailed / 64 * 64, 512, 4096), options.full,
         options.progress ? options.progress : [](double) {});
     return Panorama<Picture>{pictureFromCoded<Picture>(made.latLong),
                              made.lightInPhoto * (photo.width * 1.0 / coded.cols), made.lightLatitude_deg,

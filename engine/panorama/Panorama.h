@@ -23,6 +23,7 @@ struct PanoramaOptions {
     // Horizontal field of view of the photo, degrees, kMinFov_deg to kMaxFov_deg; empty: 65 along the
     // longer side, as of a phone's main camera.
     std::optional<double> fov_deg;
+    bool full = false; // heighten it by seam insertion to both poles, as the thesis does
     Progress progress;
 };
 

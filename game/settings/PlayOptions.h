@@ -44,6 +44,10 @@ enum class LanguageChoice { Auto, English, German, French }; // Auto: the system
 enum class Start { Auto, Title, Dive };
 enum class Background { Environment, None };
 enum class LightFormat { Pfm, Exr, Hdr };
+enum class DiffuseSize { W16, W32, W64, W128, W256, W512, W1024 };
+
+// Returns the width of a diffuse map, texels.
+constexpr int widthOf(DiffuseSize size) { return 16 << static_cast<int>(size); }
 
 } // namespace shoal::app
 
@@ -52,7 +56,9 @@ namespace shoal {
 template <> inline constexpr std::array kEnumNames<app::Tone> = {"auto", "aces", "linear"};
 template <> inline constexpr std::array kEnumNames<render::Glossy> = {"ggx", "phong36"};
 template <> inline constexpr std::array kEnumNames<light::DiffuseMethod> = {"default", "thesis"};
-template <> inline constexpr std::array kEnumNames<light::FrameRadiance> = {"auto", "thesis", "linear"};
+template <>
+inline constexpr std::array kEnumNames<light::FrameRadiance> = {"auto", "thesis", "linear", "akyuz",
+                                                                "landis"};
 template <>
 inline constexpr std::array kEnumNames<app::Occlusion> = {"off", "ellipsoids", "ollfb", "ollfb-thesis"};
 template <>
@@ -88,6 +94,8 @@ template <> inline constexpr std::array kEnumNames<hands::LeapMount> = {"desk", 
 template <> inline constexpr std::array kEnumNames<app::Background> = {"env", "none"};
 // Also the files' extensions
 template <> inline constexpr std::array kEnumNames<app::LightFormat> = {"pfm", "exr", "hdr"};
+template <>
+inline constexpr std::array kEnumNames<app::DiffuseSize> = {"16", "32", "64", "128", "256", "512", "1024"};
 
 } // namespace shoal
 
@@ -122,7 +130,7 @@ struct EnvironmentOptions : environment::Source { // if none is given, the dive'
                   "Meaning of a video's or photo's values. auto: decoded sRGB, and how bright the light "
                   "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB "
                   "(both: PQ and HLG as measured); thesis: its inverse tone mapping, with colours of objects "
-                  "taken as they are coded");
+                  "taken as they are coded; akyuz, landis: operators that it names, which make white 10");
         table.add("!--no-depth", &depth,
                   "Leaves the video's distances (NAME.depth.mkv beside NAME.mp4) alone: nothing of it hides "
                   "what swims, and for two eyes it is endlessly far");

@@ -1,6 +1,8 @@
 #include "game/settings/Setting.h"
 
 #include <cmath>
+#include <ranges>
+#include <set>
 
 namespace shoal::app {
 
@@ -66,6 +68,19 @@ TextSetting addressSetting(std::string& host, uint16_t& port) {
 TextSetting vectorSetting(std::optional<glm::vec3>& value) {
     const auto set = [&](const std::string& text) { return setVector<3>(value, text, ',', -1e6f, 1e6f); };
     return {set, "wants three numbers from -1000000 to 1000000 with commas between", {}};
+}
+
+TextSetting listSetting(std::vector<float>& values, float low, float high) {
+    const auto set = [&values, low, high](const std::string& text) {
+        std::set<float> read;
+        for (const auto part : std::views::split(text, ',')) {
+            const auto number = parseNumber(std::string_view(part.begin(), part.end()), low, high);
+            if (!number || !read.insert(*number).second) return false;
+        }
+        values.assign(read.begin(), read.end());
+        return !values.empty();
+    };
+    return {set, fmt::format("wants different numbers from {} to {} with commas between", low, high), {}};
 }
 
 std::string Setting::key() const {

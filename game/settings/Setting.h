@@ -52,6 +52,8 @@ template <class E> TextSetting choice(E& value, const std::vector<E>& values = {
 TextSetting sizeSetting(glm::ivec2& pixels);                   // WIDTHxHEIGHT
 TextSetting addressSetting(std::string& host, uint16_t& port); // HOST:PORT or [IPV6]:PORT
 TextSetting vectorSetting(std::optional<glm::vec3>& value);    // X,Y,Z
+// Different numbers with commas between; `values` has them in ascending order.
+TextSetting listSetting(std::vector<float>& values, float low, float high);
 
 struct SettingTraits { // what only some settings have
     struct Range {

@@ -1,6 +1,7 @@
 // The commands of the program, each tool with its options and their table of settings.
 #pragma once
 
+#include "engine/occlusion/Ollfb.h"
 #include "engine/panorama/Panorama.h"
 #include "game/settings/PlayOptions.h"
 
@@ -16,6 +17,8 @@ struct ViewOptions {
     EnvironmentOptions environment;
     LookOptions look{.size = {768, 768}};
     light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    DiffuseSize diffuseSize = DiffuseSize::W64;
+    occlusion::Ollfb::Options layers;
     std::optional<glm::vec3> orbit;  // theta and phi in degrees, radius in metres; empty: fits the model
     std::optional<glm::vec3> target; // metres; empty: the model's middle
     float fov_deg = 45;              // vertical
@@ -33,7 +36,15 @@ struct ViewOptions {
         look.addTo(table, true);
         table.category = Category::General;
         table.add("--diffuse", choice(diffuse),
-                  "Diffuse light: default, exact; thesis: a map of 64x32 texels, each the sum over all");
+                  "Diffuse light: default, exact; thesis: a map in which each texel is the sum over all");
+        table.add("--diffuse-size", choice(diffuseSize),
+                  "Width of that map, texels, twice its height; 1024 takes a minute a frame",
+                  {.needs = {"--diffuse"}});
+        table.add("--ollfb-views", &layers.views,
+                  "Views in layered fragment buffers; of ollfb-thesis 6 n^2: 54, 96, 150 and so on",
+                  {.range = {6, 1536}, .needs = {"--occlusion"}});
+        table.add("--ollfb-size", &layers.resolution, "Width of each of these views, pixels",
+                  {.range = {8, 256}, .needs = {"--occlusion"}});
         table.add("--orbit", vectorSetting(orbit),
                   "Camera around the target: degrees around, degrees from straight up, metres away; 0,90 "
                   "looks along -Z",
@@ -57,6 +68,8 @@ struct LightOptions {
     std::string file, out;
     LightFormat format = LightFormat::Pfm;
     light::DiffuseMethod method = light::DiffuseMethod::Default; // Thesis: the thesis' glossy maps too
+    DiffuseSize diffuseSize = DiffuseSize::W64;
+    std::vector<float> roughness; // ascending; empty: those of light::glossyPlans()
     light::FrameRadiance frames = light::FrameRadiance::Auto;
     std::string layer;
     float at_s = 0;
@@ -66,13 +79,20 @@ struct LightOptions {
         table.add("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json",
                   {.placeholder = "FOLDER", .required = true});
         table.add("--method", choice(method),
-                  "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy "
-                  "light by 36 samples of a Phong lobe");
+                  "default: exact lobes; thesis: diffuse light by brute force from as many texels as it has, "
+                  "glossy light by 36 samples of a Phong lobe");
+        table.add("--diffuse-size", choice(diffuseSize),
+                  "Width of the diffuse map, texels, twice its height; 1024 by the thesis takes a minute");
+        table.add("--roughness", listSetting(roughness, 0.01f, 1),
+                  "Perceptual roughness (glTF's) of each glossy map; 16 for each factor of ten if not given",
+                  {.placeholder = "R,R..."});
         table.add("--format", choice(format), "Format of the pictures: 32-bit pfm, exr, or Radiance hdr");
-        table.add("--light", choice(frames),
-                  "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
-                  "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
-                  "sRGB (both: PQ and HLG as measured); thesis: its inverse tone mapping");
+        table.add(
+            "--light", choice(frames),
+            "Meaning of a photo's or video's values. auto: decoded sRGB, and what the camera clipped "
+            "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
+            "sRGB (both: PQ and HLG as measured); thesis: its inverse tone mapping; akyuz, landis: operators "
+            "that it names, which make white 10");
         table.add("--layer", &layer, "Layer of an OpenEXR picture, if it has several",
                   {.placeholder = "NAME"});
         table.add("--at", &at_s, "Second of the video", {.range = {0, 36000}});
@@ -82,6 +102,7 @@ struct LightOptions {
 struct PanoramaOptions {
     std::string photo, out, layer;
     std::optional<float> fov_deg; // horizontal, of the photo
+    bool full = false;
 
     void addTo(SettingsTable& table) {
         table.add("PHOTO", &photo, "JPEG, PNG, WebP, AVIF, TIFF, BMP, PNM; .hdr, .exr, .pfm",
@@ -94,6 +115,9 @@ struct PanoramaOptions {
                   "Horizontal field of view of the photo, degrees; 65 along its longer side if not given. "
                   "Given, a photo that is twice as wide as high is taken for an ordinary one too",
                   {.range = {panorama::kMinFov_deg, panorama::kMaxFov_deg}});
+        table.add("--full", &full,
+                  "Carves the photo up and down to 180 degrees too, as the thesis does, in place of 90 with "
+                  "sky and ground extrapolated");
         table.add("--layer", &layer, "Layer of an OpenEXR photo, if it has several", {.placeholder = "NAME"});
     }
 };

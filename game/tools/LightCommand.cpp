@@ -60,7 +60,7 @@ static Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     ImageRgbF radianceLin;
     auto coded = readCoded(options.file, isPhoto, options.at_s, radianceLin);
     if (!coded) return coded.error();
-    if (!radianceLin.empty() && frames != light::FrameRadiance::Thesis) {
+    if (!radianceLin.empty() && light::takesMeasured(frames)) {
         maker.makeFromHdr(radianceLin, made);
         return made;
     }
@@ -79,14 +79,23 @@ template <class F> static void fill(ImageRgbF& map, F&& radianceIn) {
         }
 }
 
-// Replaces the diffuse map and the filtered glossy levels by the thesis' methods. Levels whose lobes are
-// narrower than a texel of the pyramid stay as they are.
-static void makeAsTheThesis(light::EnvironmentLight& made) {
-    light::BruteForceDiffuse().make(made.radiance, made.diffuse);
-    for (light::GlossyLevel& level : made.glossy)
-        fill(level.radianceLin, [&](const glm::dvec3& direction) {
-            return light::phongRingsRadiance(made.radiance, direction, static_cast<double>(level.roughness));
+// Makes the glossy levels of the roughnesses that are asked for, each as wide as the level that is no
+// rougher, and all maps by the method that is asked for. Where no roughness is asked for, levels whose lobes
+// are narrower than a texel of the pyramid stay as they are.
+static void makeAsAsked(const LightOptions& options, light::EnvironmentLight& made) {
+    const bool asTheThesis = options.method == light::DiffuseMethod::Thesis;
+    std::vector<light::GlossyLevel> levels;
+    for (const float r : options.roughness)
+        levels.push_back(
+            {r, light::glossyImage(made, static_cast<size_t>(light::lodFromRoughness(made.glossy, r)))});
+    if (levels.empty() && asTheThesis) levels = made.glossy;
+    for (auto& [roughness, map] : levels)
+        fill(map, [&, r = roughness](const glm::dvec3& direction) {
+            return asTheThesis ? light::phongRingsRadiance(made.radiance, direction, static_cast<double>(r))
+                               : light::lookUpGlossy(made, direction, r);
         });
+    if (!levels.empty()) made.glossy = std::move(levels);
+    if (asTheThesis) light::BruteForceDiffuse(widthOf(options.diffuseSize)).make(made.radiance, made.diffuse);
 }
 
 static std::string harmonics(const light::EnvironmentLight& made) {
@@ -119,11 +128,14 @@ static Status writeAll(const LightOptions& options, const light::EnvironmentLigh
         files.push_back({name, std::move(*bytes)});
         return Done{};
     };
-    ImageRgbF small(64, 32); // size of the thesis' map, which engines take
-    fill(small, [&](const glm::dvec3& direction) { return light::lookUp(made.diffuse, direction); });
-    if (Status s = put("diffuse", small); !s) return s;
-    for (size_t k = 0; k < made.glossy.size(); ++k)
-        if (Status s = put(glossyName(made.glossy, k), light::glossyImage(made, k)); !s) return s;
+    ImageRgbF diffuse(widthOf(options.diffuseSize), widthOf(options.diffuseSize) / 2);
+    fill(diffuse, [&](const glm::dvec3& direction) { return light::lookUp(made.diffuse, direction); });
+    if (Status s = put("diffuse", diffuse); !s) return s;
+    for (size_t k = 0; k < made.glossy.size(); ++k) {
+        const std::string name = options.roughness.empty() ? glossyName(made.glossy, k)
+                                                           : fmt::format("glossy_{}", options.roughness[k]);
+        if (Status s = put(name, light::glossyImage(made, k)); !s) return s;
+    }
     files.push_back({"sh.json", harmonics(made)});
     return writeFolderWhole(options.out, files);
 }
@@ -131,7 +143,7 @@ static Status writeAll(const LightOptions& options, const light::EnvironmentLigh
 Status light(const LightOptions& options) {
     auto made = makeLight(options);
     if (!made) return made.error();
-    if (options.method == light::DiffuseMethod::Thesis) makeAsTheThesis(*made);
+    makeAsAsked(options, *made);
     return writeAll(options, *made);
 }
 

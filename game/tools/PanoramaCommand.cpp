@@ -15,8 +15,8 @@ namespace shoal::app {
 template <class Picture, class Write>
 static Status convert(const PanoramaOptions& options, Picture photo, const media::PhotoMetadata& metadata,
                       Write&& write) {
-    auto made =
-        environment::environmentFrom(options.photo, std::move(photo), metadata, {.fov_deg = options.fov_deg});
+    auto made = environment::environmentFrom(options.photo, std::move(photo), metadata,
+                                             {.fov_deg = options.fov_deg, .full = options.full});
     if (!made) return made.error();
     const bool isMono = made->layout == media::Layout::Mono;
     if (glm::angle(made->envFromPhoto) > 0) // the file that is written does not state it

@@ -76,6 +76,10 @@ struct Orbit {
     }
 };
 
+bool isLayered(Occlusion occlusion) {
+    return occlusion == Occlusion::Ollfb || occlusion == Occlusion::OllfbThesis;
+}
+
 class Viewer {
   public:
     explicit Viewer(const ViewOptions& options) : options_(options) {}
@@ -90,10 +94,6 @@ class Viewer {
     Status seeLayers();
     Status followPose(bool moving);
     void aim();
-    bool wantsLayers() const {
-        return options_.look.occlusion == Occlusion::Ollfb ||
-               options_.look.occlusion == Occlusion::OllfbThesis;
-    }
 
     const ViewOptions& options_;
     std::optional<platform::Headless> headless_; // before all that uses its context, and so destroyed last
@@ -132,7 +132,8 @@ Status Viewer::seeLayers() {
     auto layers = occlusion::LayersGpu::make({surface.positions, surface.normals, triangles},
                                              options_.look.occlusion == Occlusion::Ollfb
                                                  ? occlusion::LayerMethod::Ollfb
-                                                 : occlusion::LayerMethod::Thesis);
+                                                 : occlusion::LayerMethod::Thesis,
+                                             options_.layers);
     if (!layers) return Error{options_.model, layers.error().message()};
     layers_ = std::move(*layers);
     return Done{};
@@ -165,14 +166,15 @@ Status Viewer::open() {
             return Error{"", "there is no display to open a window on; --out FILE.png writes a picture"};
         window_ = std::move(*opened);
     }
-    if (wantsLayers())
+    if (isLayered(options_.look.occlusion))
         if (Status can = occlusion::canKeepLayers(); !can) return Error{"--occlusion", can.error().message()};
     auto environment = Environment::open(
         {.player = {.source = options_.environment.orOwn(dataRoot() / "content/video/reef.mp4"),
                     .pyramid = options_.look.glossy == render::Glossy::PhongRings,
                     .minRoughness = scene::minGloss(model_).minRoughness,
                     .quality = light::LightQuality::Still,
-                    .diffuse = options_.diffuse},
+                    .diffuse = options_.diffuse,
+                    .diffuseWidth = widthOf(options_.diffuseSize)},
          .yaw_deg = options_.environment.envYaw_deg},
         [this](float) { return !window_ || !window_->poll().closing; });
     if (!environment) return environment.error();
@@ -250,7 +252,7 @@ ImageRgba8 reduced(const ImageRgba8& large) {
 }
 
 Status Viewer::writePicture() {
-    if (wantsLayers())
+    if (isLayered(options_.look.occlusion))
         if (Status seen = seeLayers(); !seen) return seen;
     const glm::ivec2 size = options_.look.size * kSupersampling;
     GLint maximum = 0;
@@ -264,7 +266,7 @@ Status Viewer::writePicture() {
 
 // Rebuilds the layers for a still pose. This takes up to a second, so a moving body is shown without layers.
 Status Viewer::followPose(bool moving) {
-    if (!wantsLayers() || (!moving && layers_)) return Done{};
+    if (!isLayered(options_.look.occlusion) || (!moving && layers_)) return Done{};
     window_->setTitle(
         "Shoal: " + options_.model +
         (moving ? " (reflections and shadows of itself are rebuilt when the animation pauses: space)" : ""));
@@ -320,9 +322,24 @@ Status Viewer::showWindow() {
     }
 }
 
+// Returns an error if an option of a method is given with another method.
+Status checkMethods(const ViewOptions& options) {
+    const ViewOptions usual;
+    const auto& [views, resolution, maxBytes] = options.layers;
+    if (options.diffuse != light::DiffuseMethod::Thesis && options.diffuseSize != usual.diffuseSize)
+        return Error{"--diffuse-size", "is for --diffuse thesis"};
+    if (!isLayered(options.look.occlusion) &&
+        (views != usual.layers.views || resolution != usual.layers.resolution))
+        return Error{"--ollfb-views and --ollfb-size", "are for --occlusion ollfb and ollfb-thesis"};
+    if (options.look.occlusion == Occlusion::OllfbThesis && !occlusion::ThesisViews::cellsFor(views))
+        return Error{"--ollfb-views", "the thesis has 6 n^2 views: 54, 96, 150, 216, 294, 384, 486 ..."};
+    return Done{};
+}
+
 } // namespace
 
 Status view(const ViewOptions& options) {
+    if (Status possible = checkMethods(options); !possible) return possible;
     if (!options.out.empty()) { // outputs are checked before the work
         if (media::writtenAs(options.out) != media::WrittenAs::Png)
             return Error{options.out, "pictures are PNG files; let the name end in .png"};

@@ -69,9 +69,11 @@ render::Exposure Environment::exposure(Tone chosen, float exposure_ev) const {
 }
 
 game::Text Environment::lightName() const {
-    static constexpr std::array<game::Text, 3> kNames = {
+    static constexpr std::array<game::Text, 5> kNames = {
         "decoded sRGB, clipped light estimated, GGX prefiltered",
-        "thesis inverse tone mapping, GGX prefiltered", "decoded sRGB, GGX prefiltered"}; // by FrameRadiance
+        "thesis inverse tone mapping, GGX prefiltered", "decoded sRGB, GGX prefiltered",
+        "inverse tone mapping by Akyuz, GGX prefiltered",
+        "inverse tone mapping by Landis, GGX prefiltered"}; // by FrameRadiance
     return player_->isHdr() || player_->frame().found.measured
                ? "as measured, GGX prefiltered"
                : kNames[static_cast<size_t>(setup_.player.source.light)];

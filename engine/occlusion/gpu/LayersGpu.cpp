@@ -62,13 +62,13 @@ Result<gl::Buffer> storageBuffer(const void* data, size_t bytes) {
     return buffer;
 }
 
-Result<LayersGpu> LayersGpu::make(const BodyMesh& mesh, LayerMethod method) {
+Result<LayersGpu> LayersGpu::make(const BodyMesh& mesh, LayerMethod method, const Ollfb::Options& options) {
     if (Status status = canKeepLayers(); !status) return status.error();
     if (method == LayerMethod::Thesis) {
-        const auto made = ThesisLayers::make(mesh, {});
+        const auto made = ThesisLayers::make(
+            mesh, {.cells = *ThesisViews::cellsFor(options.views), .resolution = options.resolution});
         return made ? upload(*made) : made.error();
     }
-    const Ollfb::Options options;
     const auto made = Ollfb::make(mesh, options);
     if (!made) return made.error();
     auto layers = upload(*made);

@@ -27,9 +27,10 @@ enum class LayerMethod {
 
 class LayersGpu {
   public:
-    // Makes 150 views of 64 x 64 pixels. mesh: world frame. Fails without OpenGL 4.3, for a broken or too
-    // large mesh, or without memory. Takes up to some seconds.
-    static Result<LayersGpu> make(const BodyMesh& mesh, LayerMethod method);
+    // Makes the views; Thesis wants a number that ThesisViews::cellsFor() takes. mesh: world frame. Fails
+    // without OpenGL 4.3, for a broken or too large mesh, or without memory. Takes up to some seconds.
+    static Result<LayersGpu> make(const BodyMesh& mesh, LayerMethod method,
+                                  const Ollfb::Options& options = {});
 
     // Upload the buffers; both fail without OpenGL 4.3 or memory.
     static Result<LayersGpu> upload(const Ollfb& ollfb);

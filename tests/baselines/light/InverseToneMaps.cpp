@@ -157,25 +157,15 @@ InverseToneMapMethod akyuz(float gamma) {
                     minimum = std::min(minimum, l), maximum = std::max(maximum, l);
                     return linear;
                 });
-                const float range = std::max(maximum - minimum, 1e-6f);
-                for (size_t i = 0; i < out.pixels.size(); i += 3) {
-                    float* texel = &out.pixels[i];
-                    const float l = luminance({texel[0], texel[1], texel[2]});
-                    const float scale =
-                        l > 0 ? std::pow(std::max(0.0f, l - minimum) / range, gamma) / l : 0.0f;
-                    for (int c = 0; c < 3; ++c) texel[c] *= scale;
-                }
+                forEach(frame, out, [&](const glm::vec3& coded) {
+                    return akyuzRadiance(decoded(coded), minimum, maximum, 1, gamma);
+                });
             }};
 }
 
 InverseToneMapMethod landis() {
-    return method({"expanded above half", "", "", "Landis 2002"}, [](const glm::vec3& coded) {
-        constexpr float kThreshold = 0.5f, kMax = 10;
-        const glm::vec3 linear = decoded(coded);
-        const float above = std::max(0.0f, (luminance(linear) - kThreshold) / (1 - kThreshold));
-        const float part = above * above;
-        return linear * (1 - part + part * kMax);
-    });
+    return method({"expanded above half", "", "", "Landis 2002"},
+                  [](const glm::vec3& coded) { return landisRadiance(decoded(coded)); });
 }
 
 } // namespace shoal::light::baselines

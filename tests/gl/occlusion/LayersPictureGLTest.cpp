@@ -41,7 +41,8 @@ class LayersPicture : public WithContext {
     // Mean radiance around the middle of a picture that looks at a place of the body. No method: nothing is
     // in the light's way.
     glm::vec3 radianceAt(const scene::Model& model, const glm::vec3& place, const glm::vec3& towardsEye,
-                         std::optional<LayerMethod> method) const {
+                         std::optional<LayerMethod> method,
+                         const occlusion::Ollfb::Options& options = {}) const {
         light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
         for (auto* image : {&light.atlas, light.mirrors.data()})
             for (size_t i = 0; i < image->pixels.size(); ++i)
@@ -51,7 +52,7 @@ class LayersPicture : public WithContext {
         environment.uploadLight(light);
         std::optional<LayersGpu> layers;
         if (method) {
-            auto made = tests::valueOf(LayersGpu::make(body_.mesh(), *method));
+            auto made = tests::valueOf(LayersGpu::make(body_.mesh(), *method, options));
             EXPECT_EQ(made.method(), *method);
             layers = std::move(made);
         }
@@ -125,8 +126,17 @@ TEST_F(LayersPicture, WhiteInEvenLightStaysWhite) {
             // The split sum's own loss at the surface itself is in both.
             const float off = radianceAt(model, place, eye, {}).g;
             EXPECT_NEAR(off, kEvenLight, 0.03f);
-            EXPECT_NEAR(radianceAt(model, place, eye, method).g, off, 0.03f) << metallic;
+            for (const auto& [views, size] : {std::pair{150, 64}, {6, 8}, {54, 32}, {486, 64}})
+                EXPECT_NEAR(radianceAt(model, place, eye, method, {views, size}).g, off, 0.03f)
+                    << metallic << ", " << views << " views of " << size;
         }
+}
+
+TEST(ThesisViews, AreSixTimesASquare) {
+    for (const auto& [views, cells] : {std::pair{6, 1}, {54, 3}, {150, 5}, {486, 9}, {1536, 16}})
+        EXPECT_EQ(occlusion::ThesisViews::cellsFor(views), cells);
+    for (const int views : {7, 53, 55, 100, 485})
+        EXPECT_EQ(occlusion::ThesisViews::cellsFor(views), std::nullopt);
 }
 
 } // namespace

@@ -43,7 +43,8 @@ TEST_F(Numbers, OptionsRefuseThem) {
                "effects-volume", "music", "video-sound", "haptics", "hand-size", "sensitivity", "reach-help",
                "eye-distance"}},
              {"view m.glb --out a.png", {"fov", "at", "exposure", "env-yaw", "samples"}},
-             {"light a.hdr -o out", {"at"}},
+             {"light a.hdr -o out", {"at", "roughness"}},
+             {"view m.glb --occlusion ollfb", {"ollfb-views", "ollfb-size"}},
              {"panorama a.jpg -o a.png", {"fov"}}})
         for (const std::string& option : options)
             fill({command + " --" + option + "='#'", "--" + option}, kNone, [&](const std::string& words) {
@@ -68,6 +69,8 @@ TEST_F(Numbers, OptionsThatHoldSeveralRefuseThem) {
         {"view m.glb --out a.png --orbit='#,0,1'", "--orbit: wants"},
         {"view m.glb --out a.png --orbit='0,90,#'", "--orbit: wants"},
         {"view m.glb --out a.png --target='0,#,1'", "--target: wants"},
+        {"light a.hdr -o out --roughness='0.1,#'", "--roughness: wants"},
+        {"light a.hdr -o out --roughness='#,0.1'", "--roughness: wants"},
         {"play --headless --size='#x64'", "--size: wants"},
         {"play --headless --size='64x#'", "--size: wants"},
         {"play --headless --leap='localhost:#'", "--leap: wants"},
@@ -77,8 +80,11 @@ TEST_F(Numbers, OptionsThatHoldSeveralRefuseThem) {
         fill(place, kNone, [&](const std::string& words) { expectOneMessage(run(words), place.named, 2); });
     for (const char* words :
          {"view m.glb --out a.png --orbit=1e30,0,1", "view m.glb --out a.png --orbit=0,90",
-          "view m.glb --out a.png --orbit=0,90,1,1", "play --headless --size=4294967360x64",
-          "play --headless --leap=localhost:4294967297", "play --headless --leap=:80"})
+          "view m.glb --out a.png --orbit=0,90,1,1", "light a.hdr -o out --roughness=0.2,0.2",
+          "light a.hdr -o out --roughness=0.5,1.01", "light a.hdr -o out --roughness=0",
+          "view m.glb --occlusion ollfb --ollfb-views=5", "view m.glb --occlusion ollfb --ollfb-size=257",
+          "play --headless --size=4294967360x64", "play --headless --leap=localhost:4294967297",
+          "play --headless --leap=:80"})
         expectOneMessage(run(words), ": wants", 2);
     expectOneMessage(run("check camera:nan"), "camera:nan");
 }

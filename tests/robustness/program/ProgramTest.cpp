@@ -3,6 +3,7 @@
 #include "Program.h"
 #include "tests/Test.h"
 
+#include <fmt/core.h>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -80,6 +81,18 @@ TEST_F(Program, WrongWordsOnTheCommandLine) {
     expectOneMessage(run("play --occlusion ollfb"), "--occlusion", 2); // of one body at rest: view has it
     expectOneMessage(run("view model.glb --diffuse none"), "--diffuse", 2);
     expectOneMessage(run("light photo.jpg -o out --method none"), "--method", 2);
+    expectOneMessage(run("light photo.jpg -o out --diffuse-size 48"), "--diffuse-size", 2);
+    expectOneMessage(run("view m.glb --diffuse thesis --diffuse-size 2048"), "--diffuse-size", 2);
+}
+
+TEST_F(Program, OptionsOfAMethodWantThatMethod) {
+    const std::string view = "view m.glb --out a.png ";
+    expectOneMessage(run(view + "--diffuse-size 32"), "--diffuse", 2);
+    expectOneMessage(run(view + "--diffuse default --diffuse-size 32"),
+                     "--diffuse-size: is for --diffuse thesis");
+    expectOneMessage(run(view + "--ollfb-views 54"), "--occlusion", 2);
+    expectOneMessage(run(view + "--occlusion off --ollfb-size 32"), "are for --occlusion ollfb");
+    expectOneMessage(run(view + "--occlusion ollfb-thesis --ollfb-views 100"), "6 n^2 views");
 }
 
 TEST_F(Program, AMistypedWordIsMetWithTheOneThatMayBeMeant) {
@@ -182,6 +195,11 @@ TEST_F(Program, WaysOfLightingCanBeChosen) {
     EXPECT_NE(draw("--occlusion off"), ours);
     EXPECT_NE(draw("--diffuse thesis"), ours);
     EXPECT_NE(draw("--glossy phong36"), ours);
+    const std::string thesis = draw("--diffuse thesis");
+    EXPECT_EQ(draw("--diffuse thesis --diffuse-size 64"), thesis);
+    EXPECT_NE(draw("--diffuse thesis --diffuse-size 16"), thesis);
+    EXPECT_NE(draw("--light akyuz"), ours);
+    EXPECT_NE(draw("--light landis"), draw("--light akyuz"));
 }
 
 // Below OpenGL 4.3 one sentence says so. If the driver cannot lower its version, a picture is drawn.
@@ -210,6 +228,32 @@ TEST_F(Program, LightByTheThesisHasTheSameFiles) {
     EXPECT_NE(ours.at("glossy_1.00.pfm"), thesis.at("glossy_1.00.pfm"));
 }
 
+// Grey all around, of sRGB 188: each map is that, in its own size; only the sum over 16 x 8 texels is a
+// little off.
+TEST_F(Program, LightHasTheMapsThatAreAskedFor) {
+    std::string grey = "P6 256 128 255\n" + std::string(256 * 128 * 3, '\xbc');
+    const Path photo = write("photo.ppm", grey);
+    for (const std::string method : {"default", "thesis"})
+        for (const int width : {16, 32, 64, 128, 256}) {
+            const auto files = lightFiles(photo, folder_ / (method + std::to_string(width)),
+                                          "--light linear --roughness 0.5,0.01,0.055 --diffuse-size " +
+                                              std::to_string(width) + " --method " + method);
+            ASSERT_EQ(files.size(), 5u);
+            for (const char* name :
+                 {"diffuse.pfm", "glossy_0.01.pfm", "glossy_0.055.pfm", "glossy_0.5.pfm"}) {
+                const std::string& bytes = files.at(name);
+                if (name[0] == 'd') {
+                    EXPECT_TRUE(bytes.starts_with(fmt::format("PF\n{} {}\n", width, width / 2))) << width;
+                }
+                std::vector<float> texels(name[0] == 'd' ? width * width / 2 * 3 : 64 * 32 * 3);
+                const size_t size = texels.size() * sizeof(float);
+                std::memcpy(texels.data(), bytes.data() + bytes.size() - size, size);
+                for (const float texel : texels)
+                    ASSERT_NEAR(texel, 0.5029, 0.0041 * 256 / (width * width) + 2e-4) << name << width;
+            }
+        }
+}
+
 // White above, dark grey below: clipped light is estimated by auto alone, and the thesis' operator scales
 // all.
 TEST_F(Program, LightOfCodedValuesAsAsked) {
@@ -224,6 +268,8 @@ TEST_F(Program, LightOfCodedValuesAsAsked) {
     EXPECT_NE(automatic, linear);
     EXPECT_NE(automatic, thesis);
     EXPECT_NE(thesis, linear);
+    EXPECT_NE(of("akyuz"), of("landis"));
+    EXPECT_NE(of("landis"), linear);
     EXPECT_EQ(run("light " + photo.string() + " -o " + (folder_ / "none").string() + " --light ours").status,
               2);
 }
@@ -372,8 +418,11 @@ TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
         EXPECT_EQ(grown.status, 0) << grown.err;
         EXPECT_NE(grown.out.find("grown around its light"), std::string::npos) << grown.out;
         EXPECT_NE(grown.out.find("the seam where its ends meet can"), std::string::npos) << grown.out;
-        const Outcome checked = run("check " + out);
-        EXPECT_NE(checked.out.find("lat-long mono"), std::string::npos) << checked.out << checked.err;
+        const std::string band = textOf(name), check = run("check " + out).out;
+        EXPECT_THAT(check, HasSubstr("lat-long mono"));
+        EXPECT_EQ(run("panorama " + photo + " -o " + out + " --fov 60 --full").status, 0);
+        EXPECT_EQ(run("check " + out).out, check); // its size, and twice as wide as high
+        EXPECT_NE(textOf(name), band);
     }
     // Once it is an environment it stays as it is, unless somebody says that it is a photo all the same.
     const std::string full = (folder_ / "out.png").string(), again = (folder_ / "again.png").string();

@@ -1,4 +1,5 @@
 #include "engine/light/MakeLight.h"
+#include "engine/light/BruteForceDiffuse.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/PackedLight.h"
@@ -31,6 +32,24 @@ TEST(MakeLight, WhiteFurnaceIsExact) {
             EXPECT_LT(largestDifference(glossyImage(light, k), white), 1e-5) << "glossy level " << k;
         const glm::vec3 rings = phongRingsRadiance(light.radiance, glm::vec3(0.6f, 0, 0.8f), 0.4);
         EXPECT_LT(glm::length(rings - glm::vec3(white)), 1e-5f);
+    }
+}
+
+// The thesis' sizes, but for 1024, which takes a minute. Sums over texels leave an error that goes with the
+// square of their width (tests/unit/light_baselines), and rounding of 32768 floats 1e-5 (measured).
+TEST(BruteForceDiffuse, EvenLightStaysAtEverySize) {
+    PyramidMaker maker;
+    RadiancePyramid pyramid;
+    maker.make(uniform(256, glm::dvec3(0.25, 1, 3)), 256, pyramid);
+    for (const int width : {16, 32, 64, 128, 256, 1024}) {
+        ImageRgbF map;
+        BruteForceDiffuse(width).make(pyramid, map);
+        ASSERT_EQ(map.width, std::min(width, 256)); // no wider than the pyramid
+        const double tolerance = 0.008 * std::pow(16.0 / map.width, 2) + 2e-5;
+        for (size_t i = 0; i < map.pixels.size(); i += 3) {
+            EXPECT_NEAR(map.pixels[i], 0.25, 0.25 * tolerance);
+            EXPECT_NEAR(map.pixels[i + 2], 3, 3 * tolerance);
+        }
     }
 }
 

@@ -286,6 +286,30 @@ TEST(Pyramid, LinearFramesAreDecodedSrgb) {
     }
 }
 
+// Greys from black to white in frames of the base's size and of four times it, where blocks serve others.
+TEST(Pyramid, OperatorsThatTheThesisNames) {
+    for (const int width : {256, 1024}) {
+        PyramidMaker maker;
+        RadiancePyramid akyuz, landis;
+        Bytes bytes = frame(width, width / 2, true, 0);
+        for (size_t i = 0; i < bytes.data.size(); ++i)
+            bytes.data[i] = static_cast<uint8_t>(i / 3 * 256 / width);
+        maker.make(bytes.view, 256, akyuz, FrameRadiance::Akyuz);
+        maker.make(bytes.view, 256, landis, FrameRadiance::Landis);
+        for (int x = 0; x < 256; ++x) {
+            const double l = math::linearFromSrgb(x / 255.0), above = std::max(0.0, 2 * l - 1);
+            EXPECT_NEAR(akyuz.levels[0].at(x, 7)[0], 10 * std::pow(l, 2.2), 1e-5) << x;
+            EXPECT_NEAR(landis.levels[0].at(x, 7)[1], l * (1 + 9 * above * above), 1e-5) << x;
+        }
+    }
+    // The range is the frame's own, and hues stay.
+    const glm::vec3 orange(0.4f, 0.2f, 0.1f);
+    const float l = linearLuminance(orange);
+    EXPECT_LT(glm::length(akyuzRadiance(orange, 0, l) - 10.0f * orange / l), 1e-5f);
+    EXPECT_LT(glm::length(akyuzRadiance(orange, l / 2, 3 * l / 2, 1, 1) - 0.5f * orange / l), 1e-5f);
+    EXPECT_EQ(akyuzRadiance(orange, l, l), glm::vec3(0));
+}
+
 TEST(Pyramid, LinearSourceOfTheBasesSizeIsKept) {
     const ImageRgbF source = noise(512, 256);
     RadiancePyramid pyramid;

@@ -225,6 +225,27 @@ TEST(Panorama, PillarsStayUpright) {
     EXPECT_EQ(pillars, 4);
 }
 
+// Carved to the poles the photo's first and last row lie there; its middle is that of the band.
+TEST(Panorama, FullReachesBothPolesAndKeepsTheMiddle) {
+    const ImageRgb8 photo = dusk(480, 360, 240, 100, 9, {}, 0);
+    const auto band = tests::valueOf(panoramaFromPhoto(photo, {.fov_deg = 60})).latLong;
+    const auto full = tests::valueOf(panoramaFromPhoto(photo, {.fov_deg = 60, .full = true})).latLong;
+    ASSERT_EQ(full.width, band.width);
+    ASSERT_EQ(full.width, 2 * full.height);
+    for (int x = 0; x < full.width; ++x) {
+        EXPECT_NEAR(full.at(x, 0)[1], photo.at(0, 0)[1], 1) << x;
+        EXPECT_NEAR(full.at(x, full.height - 1)[1], photo.at(0, 359)[1], 1) << x;
+    }
+    // Halfway from the horizon to the light, 10.9 degrees high, and as far from what is stretched as can be.
+    // Rows of the map are a quarter of a degree, so there may be a shift of half of that.
+    const int y = static_cast<int>((90 - 5.5) / 180 * full.height);
+    for (int x = full.width / 4; x < full.width * 3 / 4; ++x)
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(full.at(x, y)[c], band.at(x, y)[c], 2) << x;
+    for (const double at : {1.0, 63.0}) // a light in a corner has nothing above it or below
+        EXPECT_TRUE(
+            panoramaFromPhoto(dusk(64, 48, at, at * 47 / 63, 4, {}, 0), {.fov_deg = 100, .full = true}));
+}
+
 TEST(Panorama, SameBytesTwice) {
     const ImageRgb8 photo = bench::beach(320, 240).photo;
     const auto a = panoramaFromPhoto(photo, {}), b = panoramaFromPhoto(photo, {});
