@@ -65,13 +65,13 @@ void madeTable() {
     none("half black, half white", paint(1024, 512, [](const glm::dvec3& d) { return glm::dvec3(d.x > 0); }));
 }
 
-void clippedTable(const Path& shared) {
+void clippedTable() {
     std::printf("\n| picture of high dynamic range: its strongest light | share, %% | clipped, mean at 10 %% "
                 "of white: off, "
                 "degrees | radius | share | mean at 20 %%: off | radius | share "
                 "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
     LightWatcher eye;
-    for (const auto& source : bench::hdrSources(shared)) {
+    for (const auto& source : bench::clippedSources()) {
         const auto environment = source.load();
         if (!environment) continue;
         const FoundLights truth = eye.look(environment->radianceLin);
@@ -114,9 +114,7 @@ void truthTable() {
 } // namespace
 
 int main() {
-    const char* set = std::getenv("SHOAL_SHARED");
-    const Path shared = set ? Path(set) : Path();
     madeTable();
-    clippedTable(shared);
+    clippedTable();
     truthTable();
 }

@@ -36,11 +36,13 @@ Exposed expose(const ImageRgbF& radianceLin) {
 }
 
 // Light of roughness 0.5 needs no more than 256 texels around.
-ImageRgbF quartered(const ImageRgbF& image) {
-    ImageRgbF half, quarter;
-    light::halve(image, half);
-    light::halve(half, quarter);
-    return quarter;
+ImageRgbF quartered(ImageRgbF image) {
+    ImageRgbF half;
+    for (int i = 0; i < 2 && image.width > 256; ++i) {
+        light::halve(image, half);
+        std::swap(image, half);
+    }
+    return image;
 }
 
 bool isClipped(const uint8_t* coded) { return std::max({coded[0], coded[1], coded[2]}) == 255; }
@@ -177,7 +179,7 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
             }
         }
     };
-    for (const EnvironmentSource& source : clippedSources(plan.shared)) {
+    for (const EnvironmentSource& source : clippedSources()) {
         if (plan.quick && chart.toneMapEnvironments.size() == 2) break;
         const auto environment = source.load();
         if (!environment) continue;
@@ -185,6 +187,7 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         measure(source.name, exposed.frame, quartered(exposed.radianceLin), exposed.radianceLin, 1);
     }
     chart.toneMapsClipped = chart.toneMapEnvironments.size();
+    chart.toneMapsApart = std::min(chart.toneMapsClipped, apartSources().size());
     for (const EnvironmentSource& source : filmedSources())
         if (const auto one = source.load()) {
             measure(source.name, one->frame, one->radianceLin, one->radianceLin,

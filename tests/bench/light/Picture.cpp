@@ -163,8 +163,8 @@ std::string toneMapPoints(const Chart& chart) {
     std::string out;
     for (const Measured& each : chart.toneMaps)
         out += fmt::format("{:.3f} {:.2f} {:.2f} \"{}\"\n", each.cost.update_us / 1e3,
-                           100 * medianOfToneMap(chart, each, false, 0),
-                           100 * medianOfToneMap(chart, each, true, 0), each.label.name);
+                           100 * medianOfToneMap(chart, each, ToneMapped::Clipped, 0),
+                           100 * medianOfToneMap(chart, each, ToneMapped::Film, 0), each.label.name);
     return out;
 }
 

@@ -13,12 +13,11 @@ int main(int argc, char** argv) {
     }
     const bool quick = option == "--quick";
     const Path folder = argv[1];
-    const char* shared = std::getenv("SHOAL_SHARED");
     const auto scenes = bench::makeScenes();
     if (!scenes) return bench::exitStatus("occlusion", scenes.error());
     Status done = bench::writeSheet(std::span(*scenes).first(bench::kShownScenes), folder);
     if (!done || option == "--sheet") return bench::exitStatus("occlusion", done);
-    const auto chart = bench::measureOcclusion(*scenes, shared ? shared : "", quick);
+    const auto chart = bench::measureOcclusion(*scenes, quick);
     const auto layers = bench::measureLayers(*scenes, quick);
     done = bench::writeOcclusionMarkdown(chart, layers, folder);
     if (done) done = bench::writeOcclusionPicture(chart, folder);
