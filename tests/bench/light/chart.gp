@@ -44,7 +44,7 @@ do for [picture in "chart suns"] {
         unset arrow; unset label
         if (panel eq "diffuse") {
             title = "Diffuse light"
-            axis = sprintf("microseconds for a 2048x1024 video frame on one core, without its pyramid, which all need (%.0f; a plain read of its bytes: %.0f)", pyramid_us, read_us)
+            axis = sprintf("microseconds for a 2048x1024 video frame on one core, beyond its pyramid (%.0f; a plain read: %.0f)", pyramid_us, read_us)
         } else {
             title = "Glossy light, roughness 0.1 to 1, environments with" . (panel eq "suns" ? " a point sun" : "out point suns")
             axis = "microseconds for a 2048x1024 video frame and 100 000 shaded pixels on one core"
