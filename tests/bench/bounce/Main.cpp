@@ -1,5 +1,5 @@
 // bench_bounce places FOLDER: writes FOLDER/NAME.places and FOLDER/NAME.frames, where animals are in each
-// dive, for make_video_frames to trace. bench_bounce measure FOLDER: compares the light there
+// dive, for make_video_frames to trace. bench_bounce measure FOLDER FILM...: compares the light there
 // (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
 // film's distances. Writes FOLDER/bounce.tsv, and FOLDER/time.tsv: error over time.
 #include "engine/depth/LightDifference.h"
@@ -251,12 +251,12 @@ class Measuring {
 };
 
 Status run(int argc, char** argv) {
-    const std::string task = argc == 3 ? argv[1] : "";
+    const std::string task = argc >= 3 ? argv[1] : "";
     if (task == "places") return writePlaces(argv[2]);
-    if (task != "measure") return shoal::Error{"", "bench_bounce places|measure FOLDER"};
+    if (task != "measure") return shoal::Error{"", "bench_bounce places FOLDER | measure FOLDER FILM..."};
     Measuring measuring(argv[2]);
-    for (const Film& film : kFilms)
-        if (Status s = measuring.add(film.name); !s) return s;
+    for (int i = 3; i < argc; ++i)
+        if (Status s = measuring.add(argv[i]); !s) return s;
     return measuring.write();
 }
 

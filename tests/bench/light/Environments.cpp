@@ -3,7 +3,6 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
-#include "tests/accuracy/light/RadianceFile.h"
 #include "tests/unit/light/Environments.h"
 
 namespace shoal::bench {
@@ -43,93 +42,80 @@ Environment fromFrame(const std::string& name, ImageRgb8 frame) {
     return environment;
 }
 
-// The upper eye's half where both eyes lie one above the other.
-ImageRgb8 oneEye(ImageRgb8 frame, bool overUnder) {
-    if (overUnder) {
-        frame.height /= 2;
-        frame.pixels.resize(frame.pixels.size() / 2);
-    }
-    return frame;
-}
-
 std::optional<ImageRgb8> frameOf(const Path& file, std::optional<int> number = std::nullopt) {
     auto player = media::VideoPlayer::open(file);
     if (!player) return std::nullopt;
     ImageRgb8 frame = player->waitFor(number ? *number / player->info().fps : 1.0)->pixelsBgr;
     for (size_t i = 0; i < frame.pixels.size(); i += 3) std::swap(frame.pixels[i], frame.pixels[i + 2]);
-    return oneEye(std::move(frame), player->info().layout == media::Layout::TopBottom);
-}
-
-std::optional<ImageRgb8> photoOf(const Path& file) {
-    auto photo = media::readPhoto(file);
-    if (!photo) return std::nullopt;
-    const bool overUnder = photo->picture.width == photo->picture.height;
-    return oneEye(std::move(photo->picture), overUnder);
-}
-
-EnvironmentSource coded(const std::string& kind, const Path& file,
-                        std::function<std::optional<ImageRgb8>(const Path&)> read) {
-    const std::string name = kind + file.stem().string();
-    return {name, [=]() -> std::optional<Environment> {
-                auto frame = read(file);
-                if (!frame) return std::nullopt;
-                return fromFrame(name, std::move(*frame));
-            }};
-}
-EnvironmentSource video(const Path& file) {
-    return coded("video: ", file, [](const Path& from) { return frameOf(from); });
-}
-EnvironmentSource photo(const Path& file) { return coded("photo: ", file, photoOf); }
-
-EnvironmentSource hdr(const Path& file) {
-    const std::string name = "hdr: " + file.stem().string();
-    return {name, [=]() -> std::optional<Environment> {
-                auto picture = readRadianceFile(file);
-                if (!picture) return std::nullopt;
-                return Environment{name, {}, std::move(*picture)};
-            }};
+    return frame;
 }
 
 Path gameVideo(const std::string& name) { return dataRoot() / "content/video" / (name + ".mp4"); }
 
+EnvironmentSource video(const std::string& film) {
+    const std::string name = "video: " + film;
+    return {name, [=]() -> std::optional<Environment> {
+                auto frame = frameOf(gameVideo(film));
+                if (!frame) return std::nullopt;
+                return fromFrame(name, std::move(*frame));
+            }};
+}
+
+// Of a panorama that tests/bench/get_pictures fetched.
+EnvironmentSource hdr(const std::string& stem) {
+    const std::string name = "hdr: " + stem;
+    return {name, [=]() -> std::optional<Environment> {
+                auto picture = media::readHdr(dataRoot() / "build/bench-pictures" / (stem + ".exr"));
+                if (!picture) return std::nullopt;
+                return Environment{name, {}, std::move(picture->radianceLin)};
+            }};
+}
+
+std::vector<EnvironmentSource> hdrs(std::initializer_list<const char*> stems) {
+    std::vector<EnvironmentSource> sources;
+    for (const char* stem : stems) sources.push_back(hdr(stem));
+    return sources;
+}
+
 } // namespace
 
-std::vector<EnvironmentSource> hdrSources(const Path& shared) {
-    std::vector<EnvironmentSource> sources;
-    for (const char* name : {"venice_sunset", "studio_small_03", "dikhololo_night", "st_fagans_interior",
-                             "kloppenheim_05", "rainforest_trail"})
-        sources.push_back(hdr(shared / "data" / "hdr" / (std::string(name) + "_1k.hdr")));
+std::vector<EnvironmentSource> hdrSources() {
+    return hdrs({"blender_courtyard", "blender_sunrise", "blender_city", "blender_forest", "blender_interior",
+                 "blender_night", "blender_studio", "blender_sunset"});
+}
+
+std::vector<EnvironmentSource> apartSources() {
+    return hdrs({"blender_sunset", "pmndrs_lobby", "pmndrs_night", "pmndrs_studio"});
+}
+
+std::vector<EnvironmentSource> clippedSources() {
+    auto sources = apartSources();
+    for (const auto& each :
+         hdrs({"blender_city",     "blender_courtyard", "blender_forest",  "blender_interior",
+               "blender_night",    "blender_studio",    "blender_sunrise", "pmndrs_apartment",
+               "pmndrs_bridge",    "pmndrs_city",       "pmndrs_dawn",     "pmndrs_esplanade",
+               "pmndrs_forest",    "pmndrs_hall",       "pmndrs_lab",      "pmndrs_park",
+               "pmndrs_sky",       "pmndrs_sunrise",    "pmndrs_sunset",   "pmndrs_venice",
+               "pmndrs_warehouse", "pmndrs_workshop"}))
+        sources.push_back(each);
     return sources;
 }
 
-std::vector<EnvironmentSource> clippedSources(const Path& shared) {
-    auto sources = hdrSources(shared);
-    for (const char* name : {"aircraft_workshop_01", "lightroom_14b"})
-        sources.push_back(hdr(shared / "data" / "fidelity" / (std::string(name) + "_1k.hdr")));
-    return sources;
-}
-
-std::vector<EnvironmentSource> environmentSources(const Path& shared, bool quick) {
-    const Path photos = shared / "data" / "photo", videos = shared / "data" / "video";
+std::vector<EnvironmentSource> environmentSources(bool quick) {
     const auto step = painted("made: half black, half white", [](const glm::dvec3& d) { return d.x > 0; });
     const auto gradient = painted("made: smooth gradient", [](const glm::dvec3& d) { return 1 + 0.8 * d.y; });
     if (quick) {
-        auto some = hdrSources(shared);
+        auto some = hdrSources();
         some.resize(2);
-        for (const auto& each :
-             {video(videos / "richo_360_mono_426x214.mp4"), step, gradient, sun("at the zenith", {0.5, 0})})
+        for (const auto& each : {video("reef.small"), step, gradient, sun("at the zenith", {0.5, 0})})
             some.push_back(each);
         return some;
     }
-    auto all = hdrSources(shared);
+    auto all = hdrSources();
     for (const EnvironmentSource& each : {
-             video(gameVideo("reef")),
-             video(videos / "overpass_360_mono_2048x1024.mp4"),
-             video(videos / "congo_360_overunder_1920x1080.mp4"),
-             video(videos / "richo_360_mono_426x214.mp4"),
-             photo(photos / "coral_underwater_360_overunder_2048.jpg"),
-             photo(photos / "petra_360_2048x1024.jpg"),
-             photo(photos / "puydesancy_360_4096x2048.jpg"),
+             video("reef"),
+             video("night"),
+             video("kelp"),
              painted("made: uniform", [](const glm::dvec3&) { return 1.0; }),
              gradient,
              step,

@@ -1,5 +1,5 @@
-// The environments that the chart is measured over: real ones if the reference data is there, the game's own
-// video, and synthetic ones in which methods are known to fail.
+// The environments that the chart is measured over: panoramas that tests/bench/get_pictures fetched, the
+// game's own video, and synthetic ones in which methods are known to fail.
 #pragma once
 
 #include "engine/light/FrameView.h"
@@ -27,14 +27,18 @@ struct EnvironmentSource {
     std::function<std::optional<Environment>()> load; // empty if its file is missing
 };
 
-// shared: the folder of reference data, which may be missing. quick: only a few, none larger than 1024x512.
-std::vector<EnvironmentSource> environmentSources(const Path& shared, bool quick);
+// quick: only a few.
+std::vector<EnvironmentSource> environmentSources(bool quick);
 
-// Returns the six pictures of high dynamic range alone.
-std::vector<EnvironmentSource> hdrSources(const Path& shared);
+// Returns the eight pictures of high dynamic range of 1024x512 alone.
+std::vector<EnvironmentSource> hdrSources();
 
-// Returns hdrSources() and the two pictures under data/fidelity, to measure the light that clipping loses.
-std::vector<EnvironmentSource> clippedSources(const Path& shared);
+// Returns all pictures of high dynamic range, to measure the light that clipping loses; apartSources() first.
+std::vector<EnvironmentSource> clippedSources();
+
+// Returns the pictures that are known not to be among those that the constants of engine/light/ClippedLight.h
+// were fitted to.
+std::vector<EnvironmentSource> apartSources();
 
 // Returns frames of the game's own video, with radianceLin holding the true light before the camera
 // (content/truth). No other source has both.

@@ -11,12 +11,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     const Path folder = argv[1];
-    const char* shared = std::getenv("SHOAL_SHARED");
     const bool quick = argc == 3;
-    bench::Chart chart = bench::measure({.shared = shared ? shared : "",
-                                         .cache = folder / "truth",
-                                         .spread = quick ? 16 : 64,
-                                         .quick = quick});
+    bench::Chart chart =
+        bench::measure({.cache = folder / "truth", .spread = quick ? 16 : 64, .quick = quick});
     Status done = bench::lightBalls(folder / "balls.jpg").moveTo(chart.balls);
     for (const auto write : {bench::writeMarkdown, bench::writePicture})
         if (done) done = write(chart, folder);

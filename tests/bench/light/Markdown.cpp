@@ -87,8 +87,9 @@ std::string pyramidTable(const Chart& chart) {
 
 std::string toneMapTable(const Chart& chart) {
     std::string
-        out = "| operator | ms | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % |",
-        rule = "|---|--:|--:|--:|--:|--:|";
+        out = "| operator | ms | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % | "
+              "apart: diffuse, % | glossy 0.5, % |",
+        rule = "|---|--:|--:|--:|--:|--:|--:|--:|";
     for (const std::string& name : chart.toneMapEnvironments) {
         out += " " + name.substr(name.find(' ') + 1) + " |";
         rule += "--:|";
@@ -97,9 +98,9 @@ std::string toneMapTable(const Chart& chart) {
     for (const Measured& each : chart.toneMaps) {
         out += "| " + nameOf(each) +
                (each.cost.update_us > 0 ? fmt::format(" | {:.1f} |", each.cost.update_us / 1e3) : " | |");
-        for (const bool film : {false, true})
+        for (const auto which : {ToneMapped::Clipped, ToneMapped::Film, ToneMapped::Apart})
             for (const size_t lobe : {0, 1})
-                out += " " + percent(medianOfToneMap(chart, each, film, lobe)) + " |";
+                out += " " + percent(medianOfToneMap(chart, each, which, lobe)) + " |";
         for (const auto& errors : each.errors)
             out += " " + percent(errors[0].rms) + " and " + percent(errors[1].rms) + " |";
         out += " " + each.label.source + " |\n";
@@ -161,6 +162,9 @@ The HDR pictures exposed so that a tenth of their pixels lies above 0.8, clipped
 expanded. Light against that of the original, each after the one factor that brings it nearest: how bright the frame was
 exposed is not the operator's to know. For each picture diffuse and glossy 0.5. The films of high dynamic range keep the same
 exposure, 1 at 203 cd/m2, in 10 bits: what they lose lies above 10000 cd/m2 (PQ) and 1000 (HLG).
+
+The constants of the default were fitted to 42 pictures of Poly Haven, whose names were not kept. "Apart": the first four
+pictures, which are known not to be among them. The others come from Poly Haven too, so any of them may be.
 
 )";
     md += toneMapTable(chart);

@@ -45,7 +45,7 @@ Chart measure(const SessionConfig& plan) {
     const auto dirs = chartDirections(plan.spread);
     const std::vector<glm::vec3> floatDirs(dirs.begin(), dirs.end());
     std::vector<glm::vec3> out(dirs.size());
-    for (const EnvironmentSource& source : environmentSources(plan.shared, plan.quick)) {
+    for (const EnvironmentSource& source : environmentSources(plan.quick)) {
         const auto environment = source.load();
         if (!environment) {
             std::fprintf(stderr, "chart: left out, not at hand: %s\n", source.name.c_str());
@@ -94,10 +94,13 @@ Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstL
     return pool;
 }
 
-double medianOfToneMap(const Chart& chart, const Measured& method, bool film, size_t lobe) {
+double medianOfToneMap(const Chart& chart, const Measured& method, ToneMapped which, size_t lobe) {
+    const bool film = which == ToneMapped::Film;
+    const size_t end = film                         ? method.errors.size()
+                       : which == ToneMapped::Apart ? chart.toneMapsApart
+                                                    : chart.toneMapsClipped;
     std::vector<double> errors;
-    for (size_t i = film ? chart.toneMapsClipped : 0;
-         i < (film ? method.errors.size() : chart.toneMapsClipped); ++i)
+    for (size_t i = film ? chart.toneMapsClipped : 0; i < end; ++i)
         errors.push_back(method.errors[i][lobe].rms);
     if (errors.empty()) return std::nan("");
     std::ranges::sort(errors);

@@ -83,15 +83,15 @@ struct Chart {
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
     std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded environments count
     // Errors of two lobes (diffuse, roughness 0.5) over toneMapEnvironments: its first toneMapsClipped are
-    // clippedSources(), the rest filmedSources().
+    // clippedSources(), of which the first toneMapsApart are apartSources(); the rest are filmedSources().
     std::vector<Measured> toneMaps;
-    size_t toneMapsClipped = 0;
+    size_t toneMapsApart = 0, toneMapsClipped = 0;
     std::vector<std::string> toneMapEnvironments;
     std::vector<BallErrors> balls; // one for each of filmedSources()
 };
 
 struct SessionConfig {
-    Path shared, cache;
+    Path cache;
     int spread = 64; // directions besides the six axes
     bool quick = false;
 };
@@ -126,8 +126,9 @@ enum class Suns { With, Without, Only };
 Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes);
 
 // Returns the median of one lobe's root mean square errors by an inverse tone mapping, over the clipped HDR
-// pictures or over our film. NaN if nothing was measured.
-double medianOfToneMap(const Chart& chart, const Measured& method, bool film, size_t lobe);
+// pictures, those of them that are apart, or our film. NaN if nothing was measured.
+enum class ToneMapped { Clipped, Apart, Film };
+double medianOfToneMap(const Chart& chart, const Measured& method, ToneMapped which, size_t lobe);
 
 // Returns the microseconds for a frame with so many shaded pixels.
 double frame_us(const Cost& cost, double pixels);

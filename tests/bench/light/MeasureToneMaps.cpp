@@ -36,11 +36,13 @@ Exposed expose(const ImageRgbF& radianceLin) {
 }
 
 // Light of roughness 0.5 needs no more than 256 texels around.
-ImageRgbF quartered(const ImageRgbF& image) {
-    ImageRgbF half, quarter;
-    light::halve(image, half);
-    light::halve(half, quarter);
-    return quarter;
+ImageRgbF quartered(ImageRgbF image) {
+    ImageRgbF half;
+    for (int i = 0; i < 2 && image.width > 256; ++i) {
+        light::halve(image, half);
+        std::swap(image, half);
+    }
+    return image;
 }
 
 bool isClipped(const uint8_t* coded) { return std::max({coded[0], coded[1], coded[2]}) == 255; }
@@ -76,12 +78,11 @@ double exposureOf(const ImageRgb8& frame, const ImageRgbF& lit) {
     return both / own;
 }
 
-// Sets each connected region of clipped pixels (over the seam too) to the mean of its true radiance, in the
-// frame's exposure. lit: true radiance, coarser than the frame.
-ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
+// Sets each connected region of clipped pixels (over the seam too) to the mean of its true radiance. lit:
+// true radiance, as fine as the frame or coarser; the frame is `exposure` times as bright.
+ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit, double exposure) {
     const Parts parts = partsOf(frame);
     ImageRgbF out = parts.unclipped;
-    const double exposure = exposureOf(frame, lit);
     std::vector<uint8_t> left(out.pixels.size() / 3);
     for (size_t i = 0; i < left.size(); ++i) left[i] = isClipped(&frame.pixels[3 * i]);
     std::vector<std::pair<int, int>> region;
@@ -161,7 +162,7 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         const Parts parts = partsOf(frame);
         const Truth unclipped = integrals(quartered(parts.unclipped), dirs, lobes);
         const Truth clipped = integrals(quartered(parts.clipped), dirs, lobes);
-        const Truth regions = integrals(quartered(withTrueRegions(frame, lit)), dirs, lobes);
+        const Truth regions = integrals(quartered(withTrueRegions(frame, whole, exposure)), dirs, lobes);
         auto& best = chart.toneMaps[oneGain].errors.emplace_back();
         auto& known = chart.toneMaps[trueRegions].errors.emplace_back();
         for (size_t lobe = 0; lobe < std::size(lobes); ++lobe) {
@@ -177,7 +178,7 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
             }
         }
     };
-    for (const EnvironmentSource& source : clippedSources(plan.shared)) {
+    for (const EnvironmentSource& source : clippedSources()) {
         if (plan.quick && chart.toneMapEnvironments.size() == 2) break;
         const auto environment = source.load();
         if (!environment) continue;
@@ -185,6 +186,7 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         measure(source.name, exposed.frame, quartered(exposed.radianceLin), exposed.radianceLin, 1);
     }
     chart.toneMapsClipped = chart.toneMapEnvironments.size();
+    chart.toneMapsApart = std::min(chart.toneMapsClipped, apartSources().size());
     for (const EnvironmentSource& source : filmedSources())
         if (const auto one = source.load()) {
             measure(source.name, one->frame, one->radianceLin, one->radianceLin,

@@ -1,3 +1,4 @@
+#include "tests/bench/Names.h"
 #include "tests/bench/light/Measure.h"
 
 #include <fmt/format.h>
@@ -10,38 +11,12 @@ using light::baselines::Role;
 namespace {
 
 // The size of one panel's plot in a picture 900 pixels wide; chart.gp places it so.
-constexpr double kPanelWidth = 810, kPanelHeight = 430;
+constexpr double kPanelWidth = 790, kPanelHeight = 430;
 
 struct Point {
     const Measured* method = nullptr;
     double cost_us = 0, error_percent = 0;
-    glm::dvec2 at{0}, name{0}; // pixels within the panel, from its lower left
 };
-
-// A logarithmic axis.
-struct Axis {
-    double minimum = 0, maximum = 0, pixels = 0;
-
-    double toPixel(double value) const {
-        return pixels * std::log(value / minimum) / std::log(maximum / minimum);
-    }
-    double fromPixel(double pixel) const { return minimum * std::pow(maximum / minimum, pixel / pixels); }
-};
-
-struct Box {
-    glm::dvec2 centre{0}, half{0};
-
-    double overlap(const Box& other) const {
-        const glm::dvec2 apart = glm::abs(centre - other.centre);
-        const glm::dvec2 both = half + other.half - apart;
-        return both.x > 0 && both.y > 0 ? both.x * both.y : 0;
-    }
-};
-
-Axis axisAround(const std::vector<double>& values, double pixels, double margin) {
-    const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
-    return {*minimum / margin, *maximum * margin, pixels};
-}
 
 // Number of a colour and a shape in chart.gp, the same in both panels.
 int styleOf(const std::string& family) {
@@ -70,41 +45,15 @@ std::vector<glm::dvec2> frontOf(std::vector<Point> points) {
     return front;
 }
 
-// Places each name where it covers least, as near to its point as possible; the default's name first.
-void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
-    constexpr double kLetter = 6.6, kLine = 12, kMark = 6; // pixels
-    std::vector<Box> taken;
-    for (const Point& point : points) taken.push_back({point.at, glm::dvec2(kMark)});
-    for (Point& point : points) {
-        const glm::dvec2 half(0.5 * kLetter * static_cast<double>(point.method->label.brief.size()),
-                              kLine / 2);
-        double minimum = 1e30;
-        for (const double reach : {5.0, 14.0, 24.0, 36.0, 50.0})
-            for (int step = 0; step < 16; ++step) {
-                const double turn = step * glm::radians(22.5);
-                const glm::dvec2 to(std::cos(turn), std::sin(turn));
-                const Box box{point.at + to * (reach + kMark) + to * half, half};
-                double cost = reach * 2;
-                for (const Box& other : taken) cost += 10 * box.overlap(other);
-                for (const Box& line : lines) cost += 0.2 * box.overlap(line);
-                // A name nearer to another point would be taken for that point's name.
-                for (const Point& other : points)
-                    if (glm::distance(other.at, box.centre) < glm::distance(point.at, box.centre)) cost += 40;
-                const glm::dvec2 low = box.centre - half, high = box.centre + half;
-                if (low.x < 2 || low.y < 2 || high.x > kPanelWidth - 2 || high.y > kPanelHeight - 2)
-                    cost += 1e6;
-                if (cost < minimum) minimum = cost, point.name = box.centre;
-            }
-        taken.push_back({point.name, half});
-    }
-}
-
 // The file that chart.gp reads for a panel: variables and data blocks, one for each family.
 std::string panel(const char* name, std::vector<Point> points, double margin) {
     std::vector<double> costs, errors;
     for (const Point& each : points) costs.push_back(each.cost_us), errors.push_back(each.error_percent);
     const Axis x = axisAround(costs, kPanelWidth, margin), y = axisAround(errors, kPanelHeight, margin);
-    for (Point& each : points) each.at = {x.toPixel(each.cost_us), y.toPixel(each.error_percent)};
+    std::vector<Name> placed;
+    for (const Point& each : points)
+        placed.push_back(
+            {each.method->label.brief, {x.toPixel(each.cost_us), y.toPixel(each.error_percent)}});
     auto front = frontOf(points);
     front.insert(front.begin(), {front[0].x, y.maximum});
     front.emplace_back(x.maximum, front.back().y);
@@ -115,7 +64,7 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
         lines.push_back({{(from.x + to.x) / 2, from.y}, {(to.x - from.x) / 2 + 1, 1.5}});
         lines.push_back({{to.x, (from.y + to.y) / 2}, {1.5, (from.y - to.y) / 2 + 1}});
     }
-    placeNames(points, lines);
+    placeNames(placed, lines, {kPanelWidth, kPanelHeight}, 6.6);
 
     std::vector<std::string> families;
     for (const Point& each : points)
@@ -127,30 +76,24 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
                        name, x.maximum, name, y.minimum, name, y.maximum);
     const auto block = [&](const std::string& title, auto&& include) {
         out += fmt::format("${}_{} << END\n", name, title);
-        for (const Point& each : points)
-            if (include(each))
-                out +=
-                    fmt::format("{:.8g} {:.8g} {:.8g} {:.8g} \"{}\"\n", each.cost_us, each.error_percent,
-                                x.fromPixel(each.name.x), y.fromPixel(each.name.y), each.method->label.brief);
+        for (size_t i = 0; i < points.size(); ++i)
+            if (include(i))
+                out += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g} \"{}\"\n", points[i].cost_us,
+                                   points[i].error_percent, x.fromPixel(placed[i].box.centre.x),
+                                   y.fromPixel(placed[i].box.centre.y), placed[i].text);
         out += "END\n";
     };
     for (size_t i = 0; i < families.size(); ++i) {
         block("family" + std::to_string(i + 1),
-              [&](const Point& each) { return each.method->label.family == families[i]; });
+              [&](size_t k) { return points[k].method->label.family == families[i]; });
         names += fmt::format("\"{}\" ", families[i]);
         styles += fmt::format("{} ", styleOf(families[i]));
     }
     out += fmt::format("{}_families = '{}'; {}_styles = '{}'\n", name, names, name, styles);
-    block("all", [](const Point&) { return true; });
-    block("thesis", [](const Point& each) { return each.method->label.role == Role::Thesis; });
-    // Names that stand apart from their points get a line.
-    const auto apart = [](const Point& each) {
-        const double half = 3.3 * static_cast<double>(each.method->label.brief.size());
-        const glm::dvec2 between = glm::abs(each.name - each.at);
-        return between.x > half + 16 || between.y > 6 + 16;
-    };
-    out += fmt::format("{}_led_count = {}\n", name, std::count_if(points.begin(), points.end(), apart));
-    block("led", apart);
+    block("all", [](size_t) { return true; });
+    block("thesis", [&](size_t i) { return points[i].method->label.role == Role::Thesis; });
+    out += fmt::format("{}_led_count = {}\n", name, std::ranges::count_if(placed, &Name::apart));
+    block("led", [&](size_t i) { return placed[i].apart(); });
     out += fmt::format("${}_front << END\n", name);
     for (const glm::dvec2& each : front) out += fmt::format("{:.8g} {:.8g}\n", each.x, each.y);
     out += "END\n";
@@ -163,8 +106,8 @@ std::string toneMapPoints(const Chart& chart) {
     std::string out;
     for (const Measured& each : chart.toneMaps)
         out += fmt::format("{:.3f} {:.2f} {:.2f} \"{}\"\n", each.cost.update_us / 1e3,
-                           100 * medianOfToneMap(chart, each, false, 0),
-                           100 * medianOfToneMap(chart, each, true, 0), each.label.name);
+                           100 * medianOfToneMap(chart, each, ToneMapped::Clipped, 0),
+                           100 * medianOfToneMap(chart, each, ToneMapped::Film, 0), each.label.name);
     return out;
 }
 
@@ -172,8 +115,9 @@ std::string toneMapPoints(const Chart& chart) {
 
 Status writePicture(const Chart& chart, const Path& folder) {
     std::vector<Point> diffuse, glossy, suns;
-    for (const Measured& each : chart.diffuse)
-        diffuse.push_back({&each, each.cost.update_us, 100 * pooled(chart, each, Suns::With, 0, 1).rms()});
+    for (const Measured& each : chart.diffuse) // all read the pyramid
+        diffuse.push_back({&each, std::max(each.cost.update_us - chart.pyramid_us, 1.0),
+                           100 * pooled(chart, each, Suns::With, 0, 1).rms()});
     for (const Measured& each : chart.glossy) {
         const auto error = [&](Suns which) {
             return 100 * pooled(chart, each, which, 0, kGlossyLobes).rms();

@@ -15,22 +15,20 @@ set logscale x
 set grid linecolor rgb "#d0d0d0" linewidth 0.7
 set border linecolor rgb "#606060"
 set xlabel "milliseconds for a 2048x1024 frame, one core" font ",11"
-set xrange [2:500]; set xtics font ",11"; set ytics font ",11"
-set yrange [0:45]; set format y "%g %%"
+set xrange [*:*]; set xtics font ",11"; set ytics font ",11"
+set offsets graph 0.05, graph 0.05, 0, 0
+stats data using (column(2) > column(3) ? column(2) : column(3)) nooutput
+set yrange [0:1.1 * STATS_max]; set format y "%g %%"
 set tmargin at screen 0.93; set bmargin at screen 0.40
 do for [film = 0:1] {
-    set lmargin at screen 0.08 + 0.48 * film; set rmargin at screen 0.50 + 0.48 * film
+    set lmargin at screen 0.09 + 0.48 * film; set rmargin at screen 0.50 + 0.48 * film
     set title film ? "Our film" : "HDR pictures, clipped"
     set ylabel film ? "" : "error of diffuse light, median over pictures" font ",11"
-    if (film) { unset key } else { set key at screen 0.5,0.28 center top maxrows 7 samplen 1 font ",10" }
-    unset arrow; unset label
-    do for [i = methods + 1:all] {
-        level = field(i, 2 + film)
-        set arrow from graph 0,first level to graph 1,first level nohead dashtype 2 linecolor rgb "#606060"
-        set label name(i) at graph 0.02,first level offset 0,0.5 font ",9" textcolor rgb "#606060"
-    }
+    if (film) { unset key } else { set key at screen 0.5,0.29 center top maxrows 8 samplen 2 font ",10" }
     plot for [i = 1:methods] data every ::i-1::i-1 using 1:2+film with points pointtype int(word(shapes, i)) \
-        pointsize 1.3 linecolor rgb word(colours, (i - 1) % 7 + 1) title name(i)
+        pointsize 1.3 linecolor rgb word(colours, (i - 1) % 7 + 1) title name(i), \
+        for [i = methods + 1:all] field(i, 2 + film) with lines linewidth 1.4 dashtype i - methods + 1 \
+        linecolor rgb word(colours, (i - methods) % 7 + 1) title name(i)
 }
 unset multiplot
 unset output

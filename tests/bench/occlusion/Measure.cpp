@@ -27,12 +27,12 @@ SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, s
     return {std::sqrt(off[0] / whole[0]), std::sqrt(off[1] / whole[1])};
 }
 
-std::vector<LitEnvironment> litEnvironments(const Path& shared, bool quick) {
+std::vector<LitEnvironment> litEnvironments(bool quick) {
     std::vector<LitEnvironment> all;
     light::LightMaker video({.baseWidth = 512, .minRoughness = 0.25f});
     light::LightMaker still(
         {.baseWidth = 1024, .minRoughness = 0.25f, .quality = light::LightQuality::Still});
-    for (const EnvironmentSource& source : environmentSources(shared, quick)) {
+    for (const EnvironmentSource& source : environmentSources(quick)) {
         const auto environment = source.load();
         if (!environment) {
             std::fprintf(stderr, "occlusion: left out, not at hand: %s\n", source.name.c_str());
@@ -75,10 +75,10 @@ std::vector<OcclusionMethod> occlusionMethods() {
 
 } // namespace
 
-OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& shared, bool quick) {
+OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick) {
     OcclusionChart chart;
     std::fprintf(stderr, "occlusion: light of the environments\n");
-    const auto environments = litEnvironments(shared, quick);
+    const auto environments = litEnvironments(quick);
     std::vector<Fine> fine;
     for (const LitEnvironment& each : environments) {
         chart.environments.push_back(each.lit.name);

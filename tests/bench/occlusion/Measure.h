@@ -56,7 +56,7 @@ struct OcclusionChart {
     GlossyChart glossy;
 };
 
-OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& shared, bool quick);
+OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick);
 
 // Quality of layered fragment buffers by their size: gaps, and errors in the picture of a body as a mirror.
 struct LayerQuality {

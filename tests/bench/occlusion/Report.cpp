@@ -1,3 +1,4 @@
+#include "tests/bench/Names.h"
 #include "tests/bench/occlusion/Measure.h"
 
 #include <fmt/format.h>
@@ -174,42 +175,46 @@ Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {
     for (const OcclusionMeasured& each : chart.methods)
         if (std::ranges::find(families, each.label.family) == families.end())
             families.push_back(each.label.family);
-    std::string names;
-    for (const std::string& each : families) names += "\"" + each + "\" ";
-    out += "families = '" + names + "'\n";
+    out += "families = '";
+    for (const std::string& each : families) out += "\"" + each + "\" ";
+    out += "'\n";
+    constexpr double kLine = 5; // percent: occlusion.gp draws a line there
     int panel = 0;
     for (size_t k = 0; k < chart.scenes.size(); ++k) {
         if (!isJudged(chart.scenes[k])) continue;
         ++panel;
         out += fmt::format("title{} = '{}'\n", panel, chart.scenes[k]);
-        std::string labels;
-        struct Placed {
-            double x = 0, y = 0; // decades
-        };
-        std::vector<Placed> taken;
+        std::vector<double> costs, errors;
+        std::vector<const OcclusionMeasured*> methods; // by family
         for (size_t f = 0; f < families.size(); ++f) {
             out += fmt::format("$points{}_{} << END\n", panel, f + 1);
             for (const OcclusionMeasured& each : chart.methods) {
                 if (each.label.family != families[f]) continue;
-                const double x = each.receiver_ns[k], y = 100 * pooledError(chart, each, k, Under::NoSuns);
-                out += fmt::format("{:.6g} {:.6g}\n", x, y);
-                // Places a name beside its point, moved up or down until it covers no other name.
-                Placed at{std::log10(x), std::log10(y)};
-                const auto covers = [&](const Placed& p) {
-                    return std::ranges::any_of(taken, [&](const Placed& other) {
-                        return std::abs(p.x - other.x) < 0.55 && std::abs(p.y - other.y) < 0.042;
-                    });
-                };
-                for (int step = 1; covers(at) && step < 40; ++step)
-                    at.y = std::log10(y) + 0.022 * static_cast<double>((step + 1) / 2) * (step % 2 ? 1 : -1);
-                taken.push_back(at);
-                const double kB = static_cast<double>(each.bytes[k]) * 1e-3;
-                labels += fmt::format("{:.6g} {:.6g} \"{}{}\"\n", x, std::pow(10, at.y), each.label.brief,
-                                      kB > 0 ? fmt::format(", {:.{}f} kB", kB, kB < 10 ? 1 : 0) : "");
+                methods.push_back(&each);
+                costs.push_back(each.receiver_ns[k]);
+                errors.push_back(100 * pooledError(chart, each, k, Under::NoSuns));
+                out += fmt::format("{:.6g} {:.6g}\n", costs.back(), errors.back());
             }
             out += "END\n";
         }
-        out += fmt::format("$labels{} << END\n{}END\n", panel, labels);
+        errors.push_back(kLine);
+        const Axis x = axisAround(costs, 800, 2), y = axisAround(errors, 410, 1.5); // occlusion.gp
+        out += fmt::format("left{0} = {1:g}; right{0} = {2:g}; low{0} = {3:g}; high{0} = {4:g}\n", panel,
+                           x.minimum, x.maximum, y.minimum, y.maximum);
+        std::vector<Name> names;
+        for (size_t i = 0; i < methods.size(); ++i) {
+            const double kB = static_cast<double>(methods[i]->bytes[k]) * 1e-3;
+            names.push_back(
+                {methods[i]->label.brief + (kB > 0 ? fmt::format(", {:.{}f} kB", kB, kB < 10 ? 1 : 0) : ""),
+                 {x.toPixel(costs[i]), y.toPixel(errors[i])}});
+        }
+        placeNames(names, {{{400, y.toPixel(kLine)}, {400, 1}}}, {800, 410}, 6.6);
+        out += fmt::format("$labels{} << END\n", panel);
+        for (size_t i = 0; i < names.size(); ++i)
+            out += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} \"{}\" {}\n", costs[i], errors[i],
+                               x.fromPixel(names[i].box.centre.x), y.fromPixel(names[i].box.centre.y),
+                               names[i].text, names[i].apart() ? "apart" : "beside");
+        out += "END\n";
     }
     return writeFileWhole(folder / "occlusion.data.gp", out);
 }

@@ -15,14 +15,14 @@ LandmarkFinder landmarkFinder(const HandRig& rig) {
     std::exit(1);
 }
 
-constexpr int kPictures = 90;
+int pictures = 90;
 
 void printRows(test::HandClip& clip, const HandRig& rig) {
     std::puts("| hands | found, % | other side | phantoms | tips off, mm | ms a picture "
               "|\n|---|--:|--:|--:|--:|--:|");
     for (const test::Row& row : test::rows()) {
         LandmarkFinder finder = landmarkFinder(rig);
-        const test::RowResult result = test::measure(clip, rig, row, kPictures, finder);
+        const test::RowResult result = test::measure(clip, rig, row, pictures, finder);
         std::printf("| %s | ", row.name);
         if (result.shown) std::printf("%.1f", 100.0 * result.found / result.shown);
         std::printf(" | %d | %d | ", result.otherSide, result.phantoms);
@@ -42,7 +42,7 @@ void printSizes(test::HandClip& clip, const HandRig& rig) {
         for (const float distance_m : {0.3f, 0.5f, 0.9f}) {
             LandmarkFinder finder = landmarkFinder(rig);
             const test::Row row{.name = "size", .distance_m = distance_m, .size = size};
-            const test::RowResult result = test::measure(clip, rig, row, kPictures, finder);
+            const test::RowResult result = test::measure(clip, rig, row, pictures, finder);
             std::printf("| %.0f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", 100 * static_cast<double>(size),
                         100 * measured, static_cast<double>(distance_m),
                         100.0 * result.found / std::max(result.shown, 1), result.wristOff_percent(1),
@@ -54,7 +54,8 @@ void printSizes(test::HandClip& clip, const HandRig& rig) {
 
 } // namespace
 
-int main() {
+int main(int argc, char**) {
+    if (argc > 1) pictures = 9; // --quick
     const auto rig = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
     if (!rig || !clip) {
