@@ -17,7 +17,7 @@
 // above the horizon only: clipped pixels below it are mostly sunlit ground, not far above white. The tint is
 // the cast that the whole picture and its brightest unclipped parts share, as under water; a white sun in a
 // blue sky stays white. tests/bench/figures/chart.md has the errors for pictures with known light. The
-// constants minimise the error over 42 other public HDR pictures in three exposures each, except that
+// constants minimise the error over 42 public HDR pictures in three exposures each, except that
 // kFewClipped is chosen so that the light of our films is steady.
 #pragma once
 
