@@ -116,8 +116,9 @@ PhotoMode::Command PhotoMode::step(const Controls& c, float sensitivity, float d
     glm::vec3 from = shown.headWorld + shown.worldFromView * way * (kMove_mps * dt_s) - player.positionWorld;
     if (const float length = glm::length(from); length > kFarthest_m) from *= kFarthest_m / length;
     shown.headWorld = player.positionWorld + from;
-    for (size_t side = 0; side < hands_.size() && c.was(Action::SwapHands); ++side)
-        shown.hands[side].visible = hands_[side] && !shown.hands[side].visible;
+    if (c.was(Action::SwapHands))
+        for (size_t side = 0; side < hands_.size(); ++side)
+            shown.hands[side].visible = hands_[side] && !shown.hands[side].visible;
     fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
     const platform::WindowInput& input = c.input;
     if (c.was(Action::Pause) || std::ranges::count(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) > 0)

@@ -96,10 +96,9 @@ depth::LightHarmonics AnimalLight::ofLamp(const glm::vec3& place) const {
     const glm::vec3 towards = lampWorld_ - place;
     const float distance_m = glm::length(towards);
     const math::ShBasis basis = math::shBasis(envFromWorld_ * towards / std::max(distance_m, 1e-3f));
-    const float spread = distance_m * distance_m + kLampRadius_m * kLampRadius_m;
-    const glm::vec3 irradiance = glm::pi<float>() * lamp_.radiance / spread *
-                                 (1 + kLampRadius_m * kLampRadius_m) *
-                                 glm::exp(-lamp_.attenuation_perM * distance_m);
+    constexpr float kSquare = kLampRadius_m * kLampRadius_m;
+    const float atPlace = lamp_.radiance * (1 + kSquare) / (distance_m * distance_m + kSquare);
+    const glm::vec3 irradiance = glm::pi<float>() * atPlace * glm::exp(-lamp_.attenuation_perM * distance_m);
     depth::LightHarmonics light;
     for (size_t k = 0; k < light.size(); ++k) light[k] = static_cast<float>(basis[k]) * irradiance;
     return light;

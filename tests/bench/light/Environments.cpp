@@ -61,7 +61,7 @@ EnvironmentSource video(const std::string& film) {
             }};
 }
 
-// Of a panorama that tests/bench/get_pictures fetched.
+// Returns a source of a panorama that tests/bench/get_pictures fetched.
 EnvironmentSource hdr(const std::string& stem) {
     const std::string name = "hdr: " + stem;
     return {name, [=]() -> std::optional<Environment> {
