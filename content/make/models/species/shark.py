@@ -270,8 +270,9 @@ def fin_paint(kind, seed):
         if kind == 'tail':
             edge = step(0.80, 0.96, b + 0.03 * grain + 0.10 * step(0.1, 0.6, a))
             colour = mix(colour, rgb('#1b1e1f'), 0.90 * edge)
-            skin = mix(rgb(GREY), rgb(PALE), step(0.62, 0.80, a))
-            colour = mix(colour, skin, step(0.42, 0.14, b))
+            # at its root the body's own colours, so that no seam shows
+            skin = mix(mix(rgb(GREY), rgb(DARK), step(0.46, 0.04, a)), rgb(PALE), step(0.61, 0.69, a))
+            colour = mix(colour, skin * (1 + 0.1 * grain)[..., None], step(0.40, 0.10, b))
         elif kind == 'dorsal':
             colour = mix(colour, rgb('#9aa09c'), 0.5 * step(0.88, 1.0, b + 0.02 * grain) + 0.3 * step(0.93, 1, a))
         else:
@@ -319,10 +320,11 @@ def make():
     anal = median_fin(body, 'anal', 'lower', 0.625, 0.675, lengths=[(0, 0.044), (0.3, 0.032), (0.7, 0.017), (1, 0.024)],
                       leans=[(0, 0.80), (0.5, 1.1), (1, 1.52)], tile=(0.81, 0.832, 0.16, 0.150), sink=0.008,
                       thickness=0.004, paint=fin_paint('dark', 145), **small)
-    tail = tail_fin(body, lengths=[(0, 0.290), (0.05, 0.258), (0.10, 0.208), (0.15, 0.172), (0.20, 0.142), (0.28, 0.106),
-                                   (0.38, 0.080), (0.50, 0.064), (0.66, 0.068), (0.80, 0.094), (0.92, 0.132), (1, 0.140)],
-                    spread=0.74, turn=-0.06, tile=(0.012, 0.655, 0.40, 0.160), overlap=0.045, columns=21, rows=7,
-                    thickness=0.016, paint=fin_paint('tail', 147))
+    tail = tail_fin(body, lengths=[(0, 0.300), (0.05, 0.232), (0.10, 0.190), (0.15, 0.158), (0.20, 0.132), (0.28, 0.102),
+                                   (0.38, 0.078), (0.50, 0.064), (0.66, 0.068), (0.80, 0.088), (0.90, 0.105), (0.95, 0.121),
+                                   (1, 0.166)],
+                    spread=0.80, turn=-0.06, tile=(0.012, 0.655, 0.40, 0.160), overlap=0.045, columns=21, rows=7,
+                    thickness=0.016, bend=(0, 0.02, -0.09), paint=fin_paint('tail', 147))
     tail.flesh = 0.0  # a shark's skin goes on over its tail
     pectoral = paired_fin(body, 'pectoral', 0.232, (-0.034, -0.046), lengths=[(0, 0.190), (0.06, 0.186), (0.25, 0.140),
                                                                              (0.5, 0.088), (0.75, 0.058), (1, 0.050)],
