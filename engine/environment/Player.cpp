@@ -157,6 +157,8 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
     depth::widenNear(made.depth, made.widened);
     made.depthRange.make(made.depth);
     made.lightDifference.make(made.found.radianceLin, made.depth);
+    made.caustics.make(made.found.radianceLin, static_cast<float>(frame.time_s - groundTime_s_), groundMean_);
+    groundTime_s_ = frame.time_s;
 }
 
 void Player::prepare(const media::VideoFrame& frame) {

@@ -4,6 +4,7 @@
 #include "engine/camera/CameraResponse.h"
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
+#include "engine/depth/Caustics.h"
 #include "engine/depth/DepthMap.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/light/BruteForceDiffuse.h"
@@ -93,6 +94,7 @@ struct Frame {
     depth::DepthMap depth, widened; // empty: unknown; of a stereo film's left picture; see widenNear()
     depth::DepthRange depthRange;
     depth::LightDifference lightDifference;
+    depth::Caustics caustics;
 };
 
 // One thread uses it; a video's frames are analysed on the decode thread.
@@ -177,6 +179,8 @@ class Player {
     media::DepthFrame trackFrame_; // the last one decoded
     int trackFrameNumber_ = -1;
     depth::DepthRefiner depthRefiner_;
+    ImageF groundMean_; // of depth::Caustics
+    double groundTime_s_ = 0;
     std::optional<media::VideoPlayer> player_;
     std::optional<media::LivePlayer> live_; // instead of player_
     int64_t shownIndex_ = -1;

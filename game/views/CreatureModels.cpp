@@ -63,10 +63,28 @@ static std::optional<render::BakedOcclusion> stored(const Path& file, scene::Mod
 constexpr size_t kEachTime = 4;    // animals whose light is looked up for each picture: 35 take nine pictures
 constexpr float kFollow_s = 0.25f; // time constant of that light
 constexpr float kLampAbove_m = 0.15f, kLampRadius_m = 0.3f; // a wide lamp dazzles less from near
+constexpr float kLowest = 0.5f; // height at which light counts as grazing: the sun under water is higher
 constexpr float kJump_m = 0.5f; // movement between two pictures from which it counts as another animal
 
+// Returns the harmonics of light from one direction; irradiance: on a plane that faces it.
+static depth::LightHarmonics harmonicsOf(const glm::vec3& towardsEnv, const glm::vec3& irradiance) {
+    const math::ShBasis basis = math::shBasis(towardsEnv);
+    depth::LightHarmonics light;
+    for (size_t k = 0; k < light.size(); ++k) light[k] = static_cast<float>(basis[k]) * irradiance;
+    return light;
+}
+
+// Returns by how much more light than in its mean falls on an animal from the direction of the waves' light.
+static depth::LightHarmonics ofWaves(const FocusedLight& focused, const glm::vec3& placeEnv, float length_m) {
+    if (!focused.caustics || focused.from->presence == 0) return {};
+    const glm::vec3 towards = focused.from->light.direction;
+    const float change = focused.caustics->changeAt(placeEnv, towards, length_m, *focused.map);
+    return harmonicsOf(towards, focused.from->groundIrradiance *
+                                    (change * focused.from->presence / std::max(towards.y, kLowest)));
+}
+
 void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
-                         const glm::mat3& envFromWorld, const DiverLamp& lamp) {
+                         const glm::mat3& envFromWorld, const DiverLamp& lamp, const FocusedLight& focused) {
     lamp_ = lamp;
     lampWorld_ = snapshot.headWorld + glm::vec3(0, kLampAbove_m, 0);
     envFromWorld_ = envFromWorld;
@@ -84,9 +102,10 @@ void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDiffe
         if (jumped || (i + count - next_ % count) % count < turns)
             animal.found = light ? light->at(envFromWorld * position) : depth::LightHarmonics{};
         animal.lit = ofLamp(position);
+        const auto waves = ofWaves(focused, envFromWorld * position, snapshot.creatures[i].length);
         for (size_t k = 0; k < animal.now.size(); ++k) {
             animal.now[k] += (jumped ? 1 : share) * (animal.found[k] - animal.now[k]);
-            animal.lit[k] += animal.now[k];
+            animal.lit[k] += animal.now[k] + waves[k];
         }
     }
     next_ = count > 0 ? (next_ + turns) % count : 0;
@@ -95,13 +114,10 @@ void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDiffe
 depth::LightHarmonics AnimalLight::ofLamp(const glm::vec3& place) const {
     const glm::vec3 towards = lampWorld_ - place;
     const float distance_m = glm::length(towards);
-    const math::ShBasis basis = math::shBasis(envFromWorld_ * towards / std::max(distance_m, 1e-3f));
     constexpr float kSquare = kLampRadius_m * kLampRadius_m;
     const float atPlace = lamp_.radiance * (1 + kSquare) / (distance_m * distance_m + kSquare);
     const glm::vec3 irradiance = glm::pi<float>() * atPlace * glm::exp(-lamp_.attenuation_perM * distance_m);
-    depth::LightHarmonics light;
-    for (size_t k = 0; k < light.size(); ++k) light[k] = static_cast<float>(basis[k]) * irradiance;
-    return light;
+    return harmonicsOf(envFromWorld_ * towards / std::max(distance_m, 1e-3f), irradiance);
 }
 
 std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model) {

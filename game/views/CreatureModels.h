@@ -3,7 +3,9 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/depth/Caustics.h"
 #include "engine/depth/LightDifference.h"
+#include "engine/light/FindLights.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/ObjectPass.h"
@@ -36,15 +38,22 @@ struct DiverLamp {
     glm::vec3 attenuation_perM{0}; // of the water between the lamp and what it lights
 };
 
+// Light that waves focus on the film's ground; null pointers: the film tells nothing of it.
+struct FocusedLight {
+    const depth::Caustics* caustics = nullptr;
+    const depth::DepthMap* map = nullptr;     // of the same frame
+    const light::ShadowLight* from = nullptr; // the light that the waves focus
+};
+
 // Difference between the light at each animal and the light at the camera: that of rock near the animal,
-// smoothed over time, and the lamp's. Only on the rendering thread.
+// smoothed over time, that of waves, and the lamp's. Only on the rendering thread.
 class AnimalLight {
   public:
     // Updates the light of all animals, once for each picture. Each call looks up the light of a few animals
     // in turn; the light of all eases towards their last look-up with a time constant of 0.25 s. light: null
     // for a film without distances. Allocates nothing once it has grown.
     void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
-                const glm::mat3& envFromWorld, const DiverLamp& lamp = {});
+                const glm::mat3& envFromWorld, const DiverLamp& lamp = {}, const FocusedLight& focused = {});
 
     // Returns the light by index in Snapshot::creatures.
     const depth::LightHarmonics& of(size_t creature) const { return animals_[creature].lit; }
@@ -57,7 +66,7 @@ class AnimalLight {
     struct Animal {
         glm::vec3 position{0};
         depth::LightHarmonics found{}, now{}; // of the film, less that at the camera
-        depth::LightHarmonics lit{};          // now, and the lamp's
+        depth::LightHarmonics lit{};          // now, the waves' and the lamp's
     };
     std::vector<Animal> animals_;
     DiverLamp lamp_;

@@ -47,9 +47,13 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     if (passes_.floorShadows) passes_.floorShadows->begin();
     if (!passes_.compositor.drawsObjects()) return;
     const bool bounces = setup_.skip != render::SkippedPass::Bounce;
-    animalLight_.follow(
-        snapshot, bounces && environment.depth() ? &environment.player().frame().lightDifference : nullptr,
-        environment.envFromWorld(), {look.lamp, environment.player().water().attenuation_perM});
+    const environment::Player& film = environment.player();
+    const bool knowsPlaces = bounces && environment.depth();
+    animalLight_.follow(snapshot, knowsPlaces ? &film.frame().lightDifference : nullptr,
+                        environment.envFromWorld(), {look.lamp, film.water().attenuation_perM},
+                        knowsPlaces
+                            ? FocusedLight{&film.frame().caustics, environment.depth(), &film.shadowLight()}
+                            : FocusedLight{});
     const Head viewer{snapshot.headWorld, snapshot.worldFromView};
     creatureModels_->show(snapshot, look.player.value_or(viewer), animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());

@@ -40,6 +40,7 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
     beside NAME WIDTH X Y Z FRAME...   NAME_NNNN.hdr: the same from so many millimetres beside the camera
     probes PLACES FILE.tsv       the light at places beside the camera: for each line of PLACES, frame and millimetres
                                  right, up, back, what it stands at and the radiance there on spherical harmonics
+    sunlight PLACES FILE.tsv     the sun's light there in each frame of the last second, of what a level sea lets through
     depth FILE.mkv FILM...       the track of distances that belongs to these versions of the film
     depths NAME WIDTH FRAME...   NAME_NNNN.depth.mkv: distances of single frames, as many as the film has pixels
     look WIDTH FRAME...          PNGs of some frames in FOLDER, to be looked at
@@ -215,6 +216,37 @@ Status probes(const Studio& studio, const Path& from, const Path& to) {
     return writeFileWhole(to, table);
 }
 
+// The mean over five points of a body 20 cm long; places keep their distance from the camera.
+Status sunlight(const Studio& studio, const Path& from, const Path& to) {
+    const auto places = readText(from, 1 << 20);
+    if (!places) return places.error();
+    std::string table;
+    std::istringstream lines(*places);
+    Sea sea(studio.scene);
+    std::vector<Caustics> second(static_cast<size_t>(studio.scene.film.fps), Caustics(studio.scene));
+    const int frames = static_cast<int>(second.size());
+    int frame = 0, last = -1;
+    for (vec3 mm(0); lines >> frame >> mm.x >> mm.y >> mm.z;) {
+        for (int i = 0; i < frames && frame != last; ++i) {
+            sea.advance(studio.turn(frame - frames + 1 + i));
+            second[static_cast<size_t>(i)].advance(sea);
+        }
+        last = frame;
+        table += fmt::format("{}\t{}\t{}\t{}", frame, mm.x, mm.y, mm.z);
+        for (int i = 0; i < frames; ++i) {
+            const vec3 middle = studio.route.at(studio.turn(frame - frames + 1 + i)) + 0.001f * mm;
+            float sum = 0;
+            for (int k = -2; k <= 2; ++k) {
+                const vec3 p = middle + 0.05f * static_cast<float>(k) * vec3(0.8f, 0, 0.6f);
+                sum += second[static_cast<size_t>(i)].at(p) * studio.world.sunlit(p);
+            }
+            table += fmt::format("\t{:.4f}", sum / 5);
+        }
+        table += '\n';
+    }
+    return writeFileWhole(to, table);
+}
+
 Status depth(const Studio& studio, const Path& to, const std::vector<std::string>& films) {
     std::vector<std::string> identities;
     for (const std::string& film : films) {
@@ -298,6 +330,7 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
     if (task == "depth") return depth(studio, words[1], {words.begin() + 2, words.end()});
     if (task == "depths" && named.size() > 1)
         return depths(studio, words[1], named[0], {named.begin() + 1, named.end()});
+    if (task == "sunlight" && words.size() == 3) return sunlight(studio, words[1], words[2]);
     studio.world.lightOnce(studio.folder / "lit.bin");
     if (task == "beside" && named.size() > 4) {
         const vec3 metres = 0.001f * vec3(named[1], named[2], named[3]);

@@ -1,8 +1,12 @@
 // bench_bounce places FOLDER: writes FOLDER/NAME.places and FOLDER/NAME.frames, where animals are in each
 // dive, for make_video_frames to trace. bench_bounce measure FOLDER FILM...: compares the light there
 // (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
-// film's distances. Writes FOLDER/bounce.tsv, and FOLDER/time.tsv: error over time.
+// film's distances; writes FOLDER/bounce.tsv. bench_bounce caustics FOLDER FILM...: compares the sun's light
+// there over a second (FOLDER/NAME.sunlight.tsv) with what the film's ground tells of it; writes
+// FOLDER/caustics.tsv.
+#include "engine/depth/Caustics.h"
 #include "engine/depth/LightDifference.h"
+#include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Quantile.h"
 #include "engine/math/SphericalHarmonics.h"
@@ -143,6 +147,41 @@ double quantile(const std::vector<Error>& errors, float from_m, float to_m, doub
     return math::quantile(values, share);
 }
 
+struct SunlitPlace {
+    glm::vec3 place{0};
+    std::vector<double> sunlight; // by frame of the last second, of what a level sea lets through
+};
+
+Result<std::map<int, std::vector<SunlitPlace>>> readSunlight(const Path& file) {
+    const auto text = readText(file, 16u << 20);
+    if (!text) return text.error();
+    std::map<int, std::vector<SunlitPlace>> frames;
+    std::istringstream lines(*text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        int frame = 0;
+        SunlitPlace one;
+        words >> frame >> one.place.x >> one.place.y >> one.place.z;
+        one.place *= 0.001f;
+        for (double value = 0; words >> value;) one.sunlight.push_back(value);
+        if (one.place != glm::vec3(0)) frames[frame].push_back(std::move(one)); // the first is the camera
+    }
+    return frames;
+}
+
+// Sums over frames and places of the sun's light about its mean of a second.
+struct Flicker {
+    double places = 0, values = 0, without = 0, with = 0, found = 0, spent_s = 0;
+};
+
+double threadTime_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+constexpr float kBody_m = 0.2f; // length of the bodies that make_video_frames takes
+
 class Measuring {
   public:
     explicit Measuring(Path folder) : folder_(std::move(folder)) {}
@@ -182,6 +221,63 @@ class Measuring {
         return Done{};
     }
 
+    // Decodes two seconds of the film before each frame: the first for the mean, the second to compare.
+    Status addSunlight(const char* name) {
+        const auto all = readSunlight(folder_ / (std::string(name) + ".sunlight.tsv"));
+        if (!all) return all.error();
+        const Path film = dataRoot() / "content/video" / (std::string(name) + ".mp4");
+        auto video = media::VideoSource::open(film, media::Layout::Mono);
+        if (!video) return video.error();
+        auto track = media::DepthTrack::open(media::depthTrackOf(film), film);
+        if (!track) return track.error();
+        ImageRgb8 shown(video->info().width, video->info().height);
+        const light::FrameView view{shown.at(0, 0), shown.width, shown.height, ptrdiff_t{3} * shown.width,
+                                    true};
+        light::RadiancePyramid pyramid;
+        light::PyramidMaker maker;
+        light::LightFinder finder;
+        light::FoundLights lights;
+        for (const auto& [frame, places] : *all) {
+            const auto second = static_cast<int>(places[0].sunlight.size());
+            if (frame < 2 * second) continue;
+            if (!video->seek(frame + 1 - 2 * second)) return shoal::Error{film, "cannot be read there"};
+            ImageF mean;
+            light::LightOverTime casting;
+            std::vector<std::vector<double>> found(places.size());
+            for (int at = frame + 1 - 2 * second; at <= frame; ++at) {
+                while (video->position() <= at)
+                    if (!video->grab()) return shoal::Error{film, "ends early"};
+                if (!video->retrieve(shown)) return shoal::Error{film, "cannot be converted"};
+                maker.make(view, 256, pyramid, light::FrameRadiance::Auto);
+                finder.find(pyramid, lights);
+                const auto passed_s = static_cast<float>(1 / video->info().fps);
+                const glm::vec3 towards = casting.follow(lights, passed_s).light.direction;
+                depth::Caustics caustics;
+                caustics.make(pyramid.ofWidth(64), passed_s, mean);
+                if (at <= frame - second) continue;
+                track->read(track->frameAt(at / video->info().fps), depth_);
+                refiner_.refine(depth_, view, map_);
+                const double began_s = threadTime_s(); // decoding goes on beside
+                for (size_t i = 0; i < places.size(); ++i)
+                    found[i].push_back(
+                        static_cast<double>(caustics.changeAt(places[i].place, towards, kBody_m, map_)));
+                flicker_[name].spent_s += threadTime_s() - began_s;
+            }
+            for (size_t i = 0; i < places.size(); ++i) addFlicker(places[i], found[i], flicker_[name]);
+        }
+        return Done{};
+    }
+
+    Status writeCaustics() const {
+        std::string table = "film\tplaces\twithout\twith\tspread_found\tplace_us\n";
+        for (const auto& [name, sum] : flicker_)
+            table +=
+                fmt::format("{}\t{}\t{:.1f}\t{:.1f}\t{:.1f}\t{:.2f}\n", name, sum.places,
+                            100 * std::sqrt(sum.without / sum.values), 100 * std::sqrt(sum.with / sum.values),
+                            100 * std::sqrt(sum.found / sum.values), 1e6 * sum.spent_s / sum.values);
+        return writeFileWhole(folder_ / "caustics.tsv", table);
+    }
+
     Status write() const {
         std::string table =
             "film\tlight\tway\taround\tfar_m\tplaces\tmedian\tp90\twithin_1m\tmedian\tp90\twithin_2m\tmedian"
@@ -204,14 +300,24 @@ class Measuring {
     }
 
   private:
+    // The light's mean over the second is not judged here; a place in the shade has little to change.
+    static void addFlicker(const SunlitPlace& place, const std::vector<double>& found, Flicker& sum) {
+        double mean = 0;
+        for (const double value : place.sunlight) mean += value / static_cast<double>(found.size());
+        for (size_t i = 0; i < found.size(); ++i) {
+            const double truth = place.sunlight[i] - mean, change = found[i] * std::max(mean, 0.0);
+            sum.without += truth * truth;
+            sum.with += (truth - change) * (truth - change);
+            sum.found += change * change;
+        }
+        sum.values += static_cast<double>(found.size());
+        sum.places += 1;
+    }
+
     void addFrame(const std::string& key, const light::RadiancePyramid& pyramid,
                   const std::vector<Probe>& probes) {
-        const auto level = [&](int around) -> const ImageRgbF& {
-            return *std::ranges::find_if(pyramid.levels,
-                                         [&](const ImageRgbF& l) { return l.width == around; });
-        };
         const math::ShRgb& truth = probes[0].radiance; // the first is the camera's
-        const math::ShRgb film = math::shProject(level(64));
+        const math::ShRgb film = math::shProject(pyramid.ofWidth(64));
         // Factor on the film's light that brings the camera's light nearest to the truth.
         const double factor = product(film, truth) / product(film, film);
         math::ShRgb camera = film;
@@ -232,7 +338,7 @@ class Measuring {
             note("bound: best gain\t0\t0", probe, brighter);
         }
         depth::LightDifference beside;
-        beside.make(level(64), map_);
+        beside.make(pyramid.ofWidth(64), map_);
         const std::string rays = fmt::format("rays\t64\t{:.0f}", depth::LightDifference::kFar_m);
         std::vector<depth::LightHarmonics> found(fish.size());
         const std::clock_t began = std::clock();
@@ -248,16 +354,20 @@ class Measuring {
     depth::DepthMap map_;
     std::map<std::string, std::vector<Error>> errors_;
     std::map<std::string, double> spent_s_;
+    std::map<std::string, Flicker> flicker_;
 };
 
 Status run(int argc, char** argv) {
     const std::string task = argc >= 3 ? argv[1] : "";
     if (task == "places") return writePlaces(argv[2]);
-    if (task != "measure") return shoal::Error{"", "bench_bounce places FOLDER | measure FOLDER FILM..."};
+    if (task != "measure" && task != "caustics")
+        return shoal::Error{"",
+                            "bench_bounce places FOLDER | measure FOLDER FILM... | caustics FOLDER FILM..."};
     Measuring measuring(argv[2]);
     for (int i = 3; i < argc; ++i)
-        if (Status s = measuring.add(argv[i]); !s) return s;
-    return measuring.write();
+        if (Status s = task == "measure" ? measuring.add(argv[i]) : measuring.addSunlight(argv[i]); !s)
+            return s;
+    return task == "measure" ? measuring.write() : measuring.writeCaustics();
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "game/views/Environment.h"
 #include "tests/Test.h"
 #include "tests/playthrough/Rooms.h"
+#include "tests/unit/depth/MadeMap.h"
 
 namespace shoal::app {
 namespace {
@@ -89,6 +90,34 @@ TEST(AnimalLight, TheLampLightsWhatFacesItByTheSquareOfTheDistance) {
     light.follow(shown, nullptr, envFromWorld, {.radiance = kLamp, .attenuation_perM = glm::vec3(0.4f)});
     EXPECT_NEAR(reflected(light.of(2), envFromWorld * -away),
                 kLamp * 1.09f / 9.09f * 17 / 16 * std::exp(-1.2f), 1e-4f);
+}
+
+// Ground 1 m below the camera that is now 1.2 times as bright as in its mean.
+TEST(AnimalLight, WavesLightBacksByWhatTheGroundGains) {
+    const auto map = depth::mapOf([](const glm::vec3& dir) { return std::max(-dir.y, 0.0f); });
+    ImageRgbF before(64, 32), now(64, 32);
+    std::ranges::fill(before.pixels, 1.0f);
+    std::ranges::fill(now.pixels, 1.22f);
+    ImageF mean;
+    depth::Caustics caustics;
+    caustics.make(before, 0, mean);
+    caustics.make(now, 0.048f, mean); // the mean follows by a share of 1 - exp(-0.096)
+    const float gain = caustics.changeAt(kAhead, {0, 1, 0}, 0.2f, map);
+    EXPECT_NEAR(gain, 1.22f / (1 + 0.22f * 0.0915f) - 1, 1e-3f);
+    light::ShadowLight from;
+    from.groundIrradiance = glm::vec3(glm::pi<float>());
+    AnimalLight light;
+    game::Snapshot shown;
+    shown.creatures.resize(1);
+    shown.creatures[0].position = kAhead;
+    const auto on = [&](const glm::dvec3& normal) {
+        light.follow(shown, nullptr, glm::mat3(1), {}, {&caustics, &map, &from});
+        return reflected(light.of(0), normal);
+    };
+    EXPECT_EQ(on({0, 1, 0}), 0); // no light casts shadows: nothing to focus
+    from.presence = 1;
+    EXPECT_NEAR(on({0, 1, 0}), gain * 17 / 16, 1e-4f); // see the lamp above
+    EXPECT_NEAR(on({0, -1, 0}), 0, gain / 16 + 1e-4f);
 }
 
 TEST(AnimalLight, NewAnimalsHaveTheLightOfTheirPlaceAtOnce) {

@@ -1,0 +1,89 @@
+// The flicker of waves' light on animals is what the film's ground shows where the light's ray meets it.
+#include "engine/depth/Caustics.h"
+#include "tests/Test.h"
+#include "tests/unit/depth/MadeMap.h"
+
+#include <glm/geometric.hpp>
+
+namespace shoal::depth {
+namespace {
+
+constexpr float kPicture_s = 1 / 30.0f;
+const glm::vec3 kTowards = glm::normalize(glm::vec3(0.3f, 1, 0));
+
+// Level ground 1.5 m below the camera.
+DepthMap levelGround() {
+    return mapOf([](const glm::vec3& dir) { return std::max(-dir.y, 0.0f) / 1.5f; });
+}
+
+// A frame in which the ground to the right, x > 0, has this radiance, and all else has 1.
+ImageRgbF frameWith(float right) {
+    ImageRgbF frame(64, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x)
+            std::fill_n(frame.at(x, y), 3, texelDirection<float>(x, y, 64, 32).x > 0 ? right : 1.0f);
+    return frame;
+}
+
+struct Film {
+    DepthMap map = levelGround();
+    ImageF mean;
+    Caustics caustics;
+    void show(float right, float passed_s = kPicture_s) { caustics.make(frameWith(right), passed_s, mean); }
+    float at(const glm::vec3& place, float length_m = 0.1f) const {
+        return caustics.changeAt(place, kTowards, length_m, map);
+    }
+};
+
+TEST(Caustics, NothingChangesUntilTheGroundDoes) {
+    Film film;
+    EXPECT_EQ(film.at({1, -0.5f, 0}), 0); // before the first frame
+    for (int picture = 0; picture < 30; ++picture) film.show(2);
+    EXPECT_NEAR(film.at({1, -0.5f, 0}), 0, 1e-6f);
+}
+
+// A picture's share of a mean of half a second is 1 - exp(-2 / 30) = 0.0645: the mean goes from 1 to 1.0645.
+TEST(Caustics, FollowTheGroundWhereTheRayMeetsIt) {
+    Film film;
+    film.show(1);
+    film.show(2);
+    constexpr float kChange = 2 / 1.0645f - 1;
+    EXPECT_NEAR(film.at({1, -0.5f, 0}), kChange, 1e-3f);
+    EXPECT_NEAR(film.at({-1, -0.5f, 0}), 0, 1e-6f);
+    // The ray goes 0.3 m to the left for each metre down: it meets the ground at x = -0.1.
+    EXPECT_NEAR(film.at({0.2f, -0.5f, -1}), 0, 1e-6f);
+    EXPECT_NEAR(film.at({0.6f, -0.5f, -1}), kChange, 1e-3f);
+    // Of the five points of a body 3 m long two lie at the same x as the middle, and one to either side.
+    EXPECT_NEAR(film.at({0.6f, -0.5f, -1}, 3), 0.8f * kChange, 1e-3f);
+}
+
+TEST(Caustics, AreNoneWithoutGroundNear) {
+    Film film;
+    film.show(1);
+    film.show(2);
+    EXPECT_EQ(film.at({1, 2.5f, 0}), 0);  // 4 m above the ground
+    EXPECT_EQ(film.at({1, -1.8f, 0}), 0); // below it
+    film.map = mapOf([](const glm::vec3&) { return 0.0f; });
+    EXPECT_EQ(film.at({1, -0.5f, 0}), 0);
+}
+
+TEST(Caustics, BeginAnewAfterACut) {
+    Film film;
+    film.show(1);
+    film.show(2, 1.0f);
+    EXPECT_EQ(film.at({1, -0.5f, 0}), 0);
+    film.show(1, -10.0f); // the film begins again
+    EXPECT_EQ(film.at({1, -0.5f, 0}), 0);
+}
+
+TEST(Caustics, AreLimitedWhereTheEdgeOfARockPasses) {
+    Film film;
+    film.show(0.01f);
+    film.show(10);
+    EXPECT_LE(film.at({1, -0.5f, 0}), 1.5f);
+    film.show(0);
+    EXPECT_GE(film.at({1, -0.5f, 0}), -1.0f);
+}
+
+} // namespace
+} // namespace shoal::depth
