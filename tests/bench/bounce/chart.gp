@@ -19,7 +19,8 @@ plot level("camera") with lines linecolor rgb 0x000000 linewidth 2 title "the ca
     level("bound: best gain") with lines linecolor rgb 0x000000 dashtype 2 title "bound: the best gain of that", \
     level("bound: true, 9 harmonics") with lines linecolor rgb 0x000000 dashtype 3 title "bound: true, 9 harmonics", \
     rows("rays", 4) using 18:7 with linespoints linecolor rgb 0xD55E00 pointtype 7 pointsize 1.2 title "Shoal: rays in 144 directions, 4 m"
-set title "The sun's light on animals, focused by waves, over a second" font ",14"
+set title "Waves' light on animals, over a second"
+set key bottom right font ",14"
 set ylabel "error, % of what a level sea lets through"
 set xrange [0.1:100]
 set yrange [0:70]
