@@ -20,10 +20,11 @@ POINT = np.array([0.6, -0.8])  # x, y of where the tip of the elbow points, at r
 # Metres behind the wrist, half widths across and up. It starts inside the skin of the wrist, runs forward to the hem and back.
 CUFF = np.array([(0.0215, 0.0250, 0.0175), (0.0150, 0.0286, 0.0205), (0.0106, 0.0301, 0.0222), (0.0112, 0.0309, 0.0231),
                  (0.0135, 0.0315, 0.0238), (0.0180, 0.0318, 0.0241), (0.0230, 0.0314, 0.0238), (0.0290, 0.0309, 0.0234)])
-ACROSS = Curve([(0.029, 0.0309), (0.06, 0.0318), (0.10, 0.0346), (0.16, 0.0395), (0.21, 0.0412), (0.255, 0.0395), (0.29, 0.0390),
-                (0.36, 0.0415), (0.46, 0.0465), (0.54, 0.0520), (0.60, 0.0530)])
-UP = Curve([(0.029, 0.0234), (0.06, 0.0258), (0.10, 0.0300), (0.16, 0.0355), (0.21, 0.0385), (0.255, 0.0385), (0.29, 0.0395),
-            (0.36, 0.0440), (0.46, 0.0490), (0.54, 0.0540), (0.60, 0.0550)])
+# A slender arm: it covers less of the picture.
+ACROSS = Curve([(0.029, 0.0309), (0.06, 0.0313), (0.10, 0.0325), (0.16, 0.0348), (0.21, 0.0353), (0.255, 0.0340), (0.29, 0.0335),
+                (0.36, 0.0350), (0.46, 0.0385), (0.54, 0.0430), (0.60, 0.0440)])
+UP = Curve([(0.029, 0.0234), (0.06, 0.0252), (0.10, 0.0280), (0.16, 0.0314), (0.21, 0.0332), (0.255, 0.0330), (0.29, 0.0336),
+            (0.36, 0.0366), (0.46, 0.0402), (0.54, 0.0443), (0.60, 0.0452)])
 AROUND = 20
 WIDTH, HEIGHT = 1024, 512  # texels along and around
 
@@ -33,7 +34,7 @@ def rings():
     z = np.concatenate([np.linspace(0.038, 0.19, 9), np.linspace(0.200, 0.340, 18), np.linspace(0.375, 0.585, 5)])
     tube = np.stack([z, ACROSS(z), UP(z)], -1)
     turn = np.linspace(0, np.pi / 2, 5)[1:]  # the rounded end
-    end = np.stack([0.585 + 0.05 * np.sin(turn), 0.0525 * np.maximum(np.cos(turn), 0.001), 0.0545 * np.maximum(np.cos(turn), 0.001)], -1)
+    end = np.stack([0.585 + 0.05 * np.sin(turn), 0.0437 * np.maximum(np.cos(turn), 0.001), 0.0450 * np.maximum(np.cos(turn), 0.001)], -1)
     return np.concatenate([CUFF, tube, end])
 
 
