@@ -214,13 +214,13 @@ float FilmMoment::keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy
     return share;
 }
 
-float FilmMoment::overshoot_m(const physics::Capsule& body) const {
+float FilmMoment::overshoot_m(const physics::Capsule& body, float enough_m) const {
     if (!known()) return 0;
     constexpr float kBetween_m = 0.35f; // greatest distance between places tested along the body
     const glm::vec3 core = body.b - body.a;
     const int pieces = 2 + static_cast<int>(glm::length(core) / kBetween_m);
     float most = 0;
-    for (int i = 0; i <= pieces; ++i)
+    for (int i = 0; i <= pieces && most <= enough_m; ++i)
         most = std::max(
             most, body.radius - gap_m(body.a + core * (static_cast<float>(i) / static_cast<float>(pieces))));
     return most;

@@ -96,8 +96,9 @@ class FilmMoment {
     // inwards, more for a smaller gap. soon: predicted place of the body; gap_m: its gap there; shy_m: the
     // gap that it wants. Returns the missing share of shy_m, 0 to 2.
     float keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy_m, float push) const;
-    // Returns how far the body reaches out of its room; 0: not at all.
-    float overshoot_m(const physics::Capsule& body) const;
+    // Returns how far the body reaches out of its room; 0: not at all. Stops at the first place of the body
+    // that reaches out farther than enough_m.
+    float overshoot_m(const physics::Capsule& body, float enough_m = 1e9f) const;
     // Returns the place moved towards the camera by as far as the body, whose middle it is, reaches out of
     // its room, but by no more than most_m.
     glm::vec3 pulledIn(glm::vec3 place, const physics::Capsule& body, float most_m) const;

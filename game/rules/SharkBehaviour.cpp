@@ -21,7 +21,7 @@ float openRadius(glm::vec3 place, const DiveContext& in, float ahead_s) {
     for (int halving = 0; halving < 6; ++halving) { // accurate to 6 cm for a radius of 4.2 m
         const float radius = 0.5f * (fits + tooFar);
         const glm::vec3 at = outward * radius + kUp * plan.height_m;
-        (film.overshoot_m({at - along, at + along, kind.bodyRadius_m}) > 0 ? tooFar : fits) = radius;
+        (film.overshoot_m({at - along, at + along, kind.bodyRadius_m}, 0) > 0 ? tooFar : fits) = radius;
     }
     return std::min(fits, plan.radius_m);
 }
