@@ -50,7 +50,7 @@ struct Sound {
     glm::vec3 position{0};
     float gain = 1, pitch = 1; // 0 to 1; 0.25 to 4
     bool everywhere = false;   // ambient, without a position. Stereo clips are always ambient
-    bool inStep = false;   // an emitter that starts where its loop does, in step with others of one update
+    bool inStep = false;   // an emitter that starts at its loop's start, in step with others of the update
     glm::vec3 velocity{0}; // m/s; a sound that plays once keeps moving with it
 };
 

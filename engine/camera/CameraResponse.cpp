@@ -219,7 +219,7 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
 // --- Glare
 
 constexpr int kSamples = 4;        // samples of a cell in each direction
-constexpr int kDarkSamples = 4;    // of a cell, whose mean is that of a small dark thing in it
+constexpr int kDarkSamples = 4;    // a cell's darkest samples: their mean stands for a small dark thing
 constexpr int kPasses = 4;         // of means over 3 cells; variance 8/3 + 1/12 cells^2, (4.7 degrees)^2
 constexpr float kBright = 0.05f;   // least light around a cell: a few percent of it exceed noise and black
 constexpr double kDarkest = 0.002; // quantile; texels below it are undershoots of sharpening

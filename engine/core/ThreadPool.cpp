@@ -11,7 +11,7 @@ namespace shoal {
 ThreadPool::ThreadPool(int helpers) {
     try {
         for (int k = 0; k < helpers; ++k) helpers_.emplace_back([this] { wait(); });
-    } catch (...) { // the system gives no more threads; those that there are would wait for ever
+    } catch (...) { // a thread could not be started; without stop() the others would wait for ever
         stop();
         throw;
     }

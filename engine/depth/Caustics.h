@@ -1,6 +1,6 @@
-// Light that waves focus, as the film's ground shows it: a ground point's brightness now, over its mean of
-// the last second. The sun's rays that meet an animal meet the ground a little further on, where the film
-// shows how bright they are.
+// Light that waves focus, as the film's ground shows it: a ground point's present brightness divided by its
+// recent mean. The sun's rays that meet an animal meet the ground a little further on, where the film shows
+// how bright they are.
 //
 // The pattern changes with depth: in our reef the light at two points of one ray correlates by 0.86 if they
 // are 1 m apart, and by 0.52 if they are 3 m apart. tests/bench/figures/bounce.md has what remains of it.

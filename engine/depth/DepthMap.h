@@ -1,5 +1,5 @@
-// The distance of what one frame of a film shows, in every direction, aligned to the film's own edges:
-// objects, shadows and moving eyes are drawn with it. env frame, from the film's camera.
+// The distances of the surfaces that one frame of a film shows, in every direction, aligned to the film's own
+// edges. Objects, shadows and moving eyes' views are drawn with them. env frame, from the film's camera.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -16,7 +16,7 @@
 
 namespace shoal::depth {
 
-// The least distance that the film may have: it never hides a hand that is nearer.
+// The least distance in the map. So the film never hides a hand that is nearer.
 constexpr auto kNearest_m = static_cast<float>(FILM_NEAREST_M);
 
 constexpr int kMapWidth = 1024; // chosen by tests/bench/figures/depth.md

@@ -34,8 +34,8 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
                                                   const media::PhotoMetadata& metadata,
                                                   const PhotoOptions& options);
 
-// Returns the left eye's picture, turned as its file asks (each texel takes the nearest one): `picture` if it
-// is that already, else `made`, which takes the size.
+// Returns the left eye's picture, turned as its file asks (each texel takes the nearest one). Returns
+// `picture` if it needs no change; otherwise resizes and fills `made`, and returns it.
 template <class Picture>
 const Picture& leftEyeOf(const Picture& picture, media::Layout layout, Picture& made,
                          const glm::quat& envFromFilm = glm::quat(1, 0, 0, 0));

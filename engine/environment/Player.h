@@ -40,8 +40,8 @@ struct Source {
 };
 
 // Sets the one member of the source that fits the file's content (media::mediaKind()): env for an HDR
-// picture, photo for another picture, else video, whose opening says why it cannot be shown. An empty name
-// leaves all three empty.
+// picture, photo for another picture, else video; if that cannot be shown, opening it gives the reason. An
+// empty name leaves all three empty.
 void setFile(Source& source, const std::string& file);
 
 // Returns an error if a layer is named for a film or a photo, which have none.

@@ -18,7 +18,7 @@ namespace shoal {
 // the outer one.
 class PartTimes {
   public:
-    // Its life is the part. times: may be null. part: a string literal.
+    // The part lasts as long as this object. times: may be null. part: a string literal.
     class Scope {
       public:
         Scope(PartTimes* times, const char* part)
@@ -42,7 +42,7 @@ class PartTimes {
         for (Time& time : times_) time.ms = 0;
         since_ = Clock::now();
     }
-    // Returns the frame's times so far. The first is of all that has no part.
+    // Returns the frame's times so far. The first is the time spent outside of all parts.
     std::span<const Time> times() const { return times_; }
 
   private:
@@ -54,7 +54,7 @@ class PartTimes {
         times_.push_back({part.data(), 0});
         return times_.size() - 1;
     }
-    // Returns the part that was left.
+    // Ends the present part, begins this one, and returns the index of the one that ended.
     size_t enter(size_t part) {
         const Clock::time_point now = Clock::now();
         times_[inner_].ms += std::chrono::duration<float, std::milli>(now - since_).count();

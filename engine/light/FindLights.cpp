@@ -57,7 +57,7 @@ float withoutTexels(float radius, int texelsAround) {
     return std::sqrt(std::max(radius * radius - side * side / 3, side * side / 4));
 }
 
-// For LightOverTime.
+// Constants of LightOverTime.
 constexpr float kFollow_s = 0.15f, kFade_s = 0.25f;      // time constants
 constexpr float kFastest_radps = 0.38f;                  // 0.9 degrees for each frame of a film
 constexpr float kSame = 0.26f;                           // radians: greatest step of the same light

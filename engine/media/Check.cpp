@@ -17,8 +17,8 @@ extern "C" {
 
 namespace shoal::media {
 
-// Returns FFmpeg's format of a file that begins so; null: none is certain. ID3: tags, before sound alone,
-// that may be longer than these bytes.
+// Returns FFmpeg's format of a file that begins with these bytes; null: no format is certain. ID3 tags, which
+// may be longer than these bytes, stand only before sound.
 static const AVInputFormat* probe(std::vector<uint8_t> begin) {
     const auto size = static_cast<int>(begin.size());
     begin.resize(begin.size() + AVPROBE_PADDING_SIZE);

@@ -12,9 +12,9 @@ namespace shoal::media {
 // Photo: coded; Hdr: a high dynamic range picture.
 enum class MediaKind { Photo, Hdr, Video, DepthTrack };
 
-// Reads some kilobytes, and of a video its container's headers; the name does not matter. The error says what
-// else the file is ("is a HEIC picture; convert it to JPEG", "is only sound"), as far as its content tells. A
-// file whose kind is known may still be damaged. layer: if it is not empty, only OpenEXR is right.
+// Returns a file's kind by its content, not its name. Reads some kilobytes and a video's headers. The error
+// says, if possible, what else the file is ("is a HEIC picture; convert it to JPEG", "is only sound"). A file
+// whose kind is known may still be damaged. layer: if it is not empty, only OpenEXR is accepted.
 Result<MediaKind> mediaKind(const Path& file, const std::string& layer = {});
 
 // Returns a description ("2048x1024 h264 video, ..."), also of the depth track beside the file if there is
@@ -22,13 +22,13 @@ Result<MediaKind> mediaKind(const Path& file, const std::string& layer = {});
 // so damage in the middle may go unnoticed.
 Result<std::string> checkVideo(const Path& file);
 
-// As checkVideo(), for a depth track (DepthTrack.h); decodes all frames.
+// Does the same as checkVideo() for a depth track (DepthTrack.h); decodes all frames.
 Result<std::string> checkDepthTrack(const Path& file);
 
-// As checkVideo(), for photos and high dynamic range pictures; decodes them whole. layer: see readHdr().
+// Does the same for photos and high dynamic range pictures; decodes them whole. layer: see readHdr().
 Result<std::string> checkPicture(const Path& file, const std::string& layer = {});
 
-// As that of these three which fits the file's content.
+// Calls the one of these three functions that fits the file's content.
 Result<std::string> checkMedia(const Path& file, const std::string& layer = {});
 
 } // namespace shoal::media

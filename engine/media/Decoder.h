@@ -29,7 +29,7 @@ void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>
 // them.
 class CardPictures {
   public:
-    // Replaces a picture on the card by a copy in planes, as decoders in software give it. False: it cannot.
+    // Replaces a picture on the card by a copy in planes, as software decoders give it. False: that failed.
     bool bringBack(AVFrame& picture);
     // Makes `picture` a copy in planes of NV12 or P010, which have both colour differences in one plane.
     bool copyInPlanes(const AVFrame& codes, AVFrame& picture);
@@ -47,7 +47,7 @@ enum class FrameThreading { None, ByThreads };
 class Decoder {
   public:
     // Fails if no such codec is installed or it does not start. threads: at least 1. maxPixels: larger
-    // pictures are skipped like damaged ones. onCard: by a graphics card, if there is one that can.
+    // pictures are skipped like damaged ones. onCard: decodes on a graphics card, if one can do it.
     Status open(const AVStream& stream, FrameThreading threading, int threads,
                 int64_t maxPixels = kMaxVideoPixels, bool onCard = false);
     // Returns whether a graphics card failed: no more frames come.
@@ -63,7 +63,7 @@ class Decoder {
     AVFrame& frame() { return *frame_; }
     void exchange(Frame& other) { frame_.swap(other); } // receives into `other` from now on
     glm::ivec2 chromaTexels() const; // texels of a picture that share a colour, across and down
-    FrameColour colour(const AVFrame& received) const; // as it states, else its stream
+    FrameColour colour(const AVFrame& received) const; // as the frame states it, else as the stream does
 
     // Converts the picture received last, blue first, by the colours and range that it states, or else its
     // stream; bgr takes its size. radianceLin: null, or takes the light of PQ or HLG; empty for other

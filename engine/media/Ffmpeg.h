@@ -51,7 +51,7 @@ template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType ty
     return size >= count * sizeof(T) ? reinterpret_cast<const T*>(bytes) : nullptr;
 }
 
-// Returns the number of the stream of film; negative if there is none, but at most a cover of music.
+// Returns the index of the video stream; negative if the file has none, or only the cover of its music.
 int filmStreamOf(AVFormatContext& input);
 
 // Returns a picture's duration in units of its stream; 0: unknown. FFmpeg 6 gave it another name.

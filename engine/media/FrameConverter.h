@@ -34,8 +34,8 @@ struct FrameColour {
 };
 
 // Returns how frames of this size are decoded. PQ and HLG are of BT.2020 unless other colours are stated.
-// Primaries of SDR: BT.2020 and P3 if stated; all others are taken for BT.709, which they are near. Range: as
-// FFmpeg takes it, full for its formats of JPEG, and for grey without a statement.
+// Primaries of SDR: BT.2020 and P3 if stated; all others are close to BT.709 and are taken for it. Range: as
+// FFmpeg takes it; full for its formats of JPEG, and for grey without a stated range.
 FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int height);
 
 // Returns BT.601 for Motion JPEG of any size (JFIF), else the matrix that is stated. Without a known code

@@ -29,7 +29,7 @@ struct Layer {
     std::string name;   // as readHdr() takes it; may be empty
     std::string prefix; // of its channels' names, with the dot; may be empty
     bool rgb = false;
-    bool chroma = false; // neither: luminance alone
+    bool chroma = false; // neither rgb nor chroma: luminance alone
     bool firstView = true;
 };
 
@@ -61,8 +61,8 @@ void addLayers(const Imf::Header& header, int part, std::vector<Layer>& layers) 
     }
 }
 
-// Returns the layer of this name; without a name, the channels that have no prefix, else the only one, of the
-// first part and view with colour.
+// Returns the layer of this name. Without a name, returns the channels without a prefix, or else the only
+// layer, of the first part and view with colour.
 Result<Layer> chooseLayer(std::vector<Layer> layers, const std::string& wanted) {
     std::vector<std::string> names;
     for (const Layer& layer : layers)
@@ -88,7 +88,7 @@ PictureSize sizeOf(const Imath::Box2i& window) {
     return {int64_t{window.max.x} - window.min.x + 1, int64_t{window.max.y} - window.min.y + 1};
 }
 
-// The window is within limits.
+// Returns a black image of the window's size, which must be within limits.
 ImageRgbF imageOf(const Imath::Box2i& window) {
     return {static_cast<int>(sizeOf(window).width), static_cast<int>(sizeOf(window).height)};
 }
@@ -159,7 +159,7 @@ ImageRgbF placed(ImageRgbF pixels, const Imath::Box2i& data, const Imath::Box2i&
     return image;
 }
 
-// Returns a clause for each thing that a viewer of the whole file would not expect.
+// Returns a clause for each way in which the picture of this layer differs from the whole file.
 std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Layer& layer) {
     const Imf::Header& header = file.header(layer.part);
     std::vector<std::string> notes;

@@ -28,15 +28,15 @@ struct PhotoMetadata {
                (placement->width < placement->fullWidth || placement->height < placement->fullHeight);
     }
     // Returns the rotation that makes the panorama's horizon level; both have the axes of env. Pitch lifts
-    // the middle of the picture; positive roll has turned the horizon counterclockwise in it. The heading
-    // tells where north is, which nothing here asks for: the middle of the picture stays ahead.
+    // the middle of the picture; positive roll has turned the horizon counterclockwise in it. The heading,
+    // which tells where north is, is ignored: the middle of the picture stays ahead.
     glm::quat envFromPhoto() const;
     // Returns what is done for the orientation and the pose, a clause each after "; "; empty: nothing.
     std::string note() const;
 };
 
-// Reads the metadata of a JPEG, PNG, WebP or TIFF, of an AVIF its orientation and profile alone; those of
-// other kinds are as if there were none. bytes: the whole file.
+// Reads the metadata of a JPEG, PNG, WebP or TIFF; of an AVIF only its orientation and colour profile; of
+// other kinds nothing. bytes: the whole file.
 PhotoMetadata photoMetadata(std::span<const uint8_t> bytes, PictureKind kind);
 
 // Converts a picture in place to sRGB: relative colorimetric, with the black point of sRGB. profile: ICC,

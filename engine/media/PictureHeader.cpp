@@ -91,7 +91,7 @@ Size pnmSize(ByteSpan b) {
     return size;
 }
 
-// Obeys a line "NAME=value" of a Radiance header. False: its value is damaged.
+// Applies a line "NAME=value" of a Radiance header. False: its value is damaged.
 bool readRadianceLine(const std::string& line, RadianceHeader& header) {
     const size_t equals = std::min(line.find('='), line.size());
     const std::string name = line.substr(0, equals);

@@ -68,7 +68,7 @@ PfmHeader readPfmHeader(ByteSpan bytes);
 
 struct PictureHeader {
     PictureKind kind = PictureKind::Png;
-    PictureSize size; // as stored, before any rotation; both above 0; of OpenEXR, which decodeExr() bounds, 1
+    PictureSize size; // as stored, before any rotation; above 0; 1 for OpenEXR, whose size decodeExr() checks
 };
 
 // Reads the kind alone, from the first bytes. The error has no path.

@@ -156,7 +156,7 @@ Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
         }
     }
     if (header.orientation != 1) {
-        const ImageRgbF stored = std::exchange(picture.radianceLin, {}); // as empty as its size says
+        const ImageRgbF stored = std::exchange(picture.radianceLin, {}); // a move would leave the old size
         makeUpright(stored, header.orientation, picture.radianceLin);
     }
     if (!isUniform || exposure[0] != 1) picture.notes.push_back("divided by its exposure " + stated);
@@ -279,7 +279,7 @@ Result<ImageRgb8> decoded(const Path& file, PictureKind kind, const std::vector<
             cv::cvtColor(bgr, viewOf(image), cv::COLOR_BGR2RGB);
             return image;
         }
-    } catch (const std::exception&) { // as if it returned nothing
+    } catch (const std::exception&) { // the same as an empty picture
     }
     return Error{file.string(),
                  fmt::format("cannot be decoded as {}: cut short, damaged, or a rare variant", nameOf(kind))};

@@ -79,7 +79,7 @@ static ByteSpan boxOfSecondVersion(ByteSpan header) {
     return {};
 }
 
-// Returns what the box of V2 says, which libavformat drops if its own header box is missing, and meshes.
+// Reads V2's box, which libavformat drops if its header box is missing. Sets m.projection; empty: no bounds.
 static std::optional<AVSphericalMapping> unreadMapping(ByteSpan box, SphericalMetadata& m) {
     const std::string_view text = asText(box);
     const auto has = [&](std::string_view name) { return text.find(name) != text.npos; };

@@ -46,9 +46,9 @@ struct SphericalMetadata {
 // too, radians. It has the same bits on every machine.
 glm::quat filmFromWorld(const glm::quat& envFromFilm, float yaw);
 
-// Reads a video's metadata from libavformat, and from the file what libavformat drops.
+// Reads a video's metadata from libavformat, and from the file those that libavformat drops.
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file);
-// Reads those of a file's first video; as if there were none, if it cannot be read.
+// Reads the metadata of a file's first video; returns the defaults if the file cannot be read.
 SphericalMetadata sphericalMetadata(const Path& file);
 
 // Size of the full equirectangular picture, and the part that the file holds; pixels from the top left.

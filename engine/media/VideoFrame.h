@@ -30,8 +30,8 @@ enum class ColourMatrix { Bt709 = 1, Bt601 = 5, Bt2020 = 9 };
 
 const char* nameOf(ColourMatrix matrix);
 
-// How light is coded: as for a display of usual range (taken for sRGB), or of high dynamic range: SMPTE ST
-// 2084, and ARIB STD-B67 (both in BT.2100).
+// Coding of light. Sdr: standard dynamic range, which is taken for sRGB. Pq (SMPTE ST 2084) and Hlg (ARIB
+// STD-B67): high dynamic range, both in BT.2100.
 enum class Transfer { Sdr, Pq, Hlg };
 
 // Properties of a video file, read without playing it.
@@ -59,7 +59,7 @@ struct Planes {
     glm::ivec2 size{0}, chromaShift{0}; // chromaShift: log2 of the texels that share a colour
     glm::mat4x3 rgbFromCodes{1}, toRec709{1};
     const float* lightByCode = nullptr; // kLightCodes from 0 to 1; null: colours are shown as they are coded
-    bool isHlg = false;                 // that light is the scene's
+    bool isHlg = false;                 // lightByCode holds light of the scene, not of the display
 };
 constexpr int kLightCodes = 1 << 14; // steps are at most 0.2 % of the light
 
@@ -79,8 +79,8 @@ struct VideoFrame {
     std::shared_ptr<AVFrame> planesOwner;
 };
 
-// How films are decoded: by no more threads than a film needs, because the processor draws as well; by as
-// many as there are cores; by a graphics card, or, where none can or once it fails, as before.
+// Sparing: no more threads than the film needs decode it, because the processor draws as well. AllThreads: a
+// thread for each core. Card: a graphics card decodes it; AllThreads if no card can, or once the card fails.
 enum class Decoding { Sparing, AllThreads, Card };
 
 constexpr size_t kFrameSlots = 3; // one is shown, the others are ready or being filled

@@ -24,7 +24,7 @@ constexpr int kMaxBadPackets = 4096;      // in a row, without a picture
 constexpr double kLongestPicture_s = 600; // beyond the stated length, a longer step of the stamps is an error
 
 constexpr double kLate = 0.25; // share of a frame by which a picture may come late
-// Near the stated end a seek could land after the real end, and what is left out could be the last picture.
+// Within this many frames of the stated end, nothing is sought or left out: the real end may come earlier.
 constexpr int64_t kShortOfEnd = 16;
 constexpr double kKeyFrames_s = 5; // distance of key frames that are not known
 
@@ -252,15 +252,15 @@ double VideoSource::stampOf(double number) const {
 int64_t VideoSource::keyFrameBefore(int64_t number) const {
     if (!seekable_ || !begun_ || begins_ == AV_NOPTS_VALUE) return 0;
     AVStream* stream = in_.input->streams[in_.stream];
-    // The index may have times of decoding, so many frames before those of showing, and a seek asks for a
-    // time as much earlier.
+    // The index may hold times of decoding, `delay` frames before those of showing, so an earlier time is
+    // looked up. The key frame found is certain if the index has a later entry too.
     const int64_t delay = 2 * stream->codecpar->video_delay;
     const double stamp = stampOf(static_cast<double>(number - delay) + kLate);
     const auto at = static_cast<int64_t>(std::clamp(stamp, -kMaxStamp, kMaxStamp));
     const AVIndexEntry* key = avformat_index_get_entry_from_timestamp(stream, at, AVSEEK_FLAG_BACKWARD);
     const double frames =
         (key ? static_cast<double>(key->timestamp - begins_) : 0) * av_q2d(stream->time_base) * info_.fps;
-    const bool isCertain = avformat_index_get_entry_from_timestamp(stream, at, AVSEEK_FLAG_ANY); // it goes on
+    const bool isCertain = avformat_index_get_entry_from_timestamp(stream, at, AVSEEK_FLAG_ANY);
     const int64_t usual = isCertain ? 0 : number - static_cast<int64_t>(kKeyFrames_s * info_.fps);
     return std::clamp(std::max(std::lround(frames) + delay, usual), int64_t{0}, number);
 }
@@ -290,7 +290,7 @@ bool VideoSource::jump(int64_t number) {
 
 bool VideoSource::seek(int64_t number) {
     if (number == position_) return true;
-    // It stops short of the end, and the caller grabs on.
+    // Near the end it seeks to an earlier frame; the caller grabs the frames from there on.
     const int64_t safe = std::clamp(number, int64_t{0}, std::max(int64_t{0}, info_.frameCount - kShortOfEnd));
     if (number >= position_ && safe <= position_) return true;
     // All other time stamps count from the first frame's.

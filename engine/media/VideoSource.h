@@ -53,7 +53,7 @@ class VideoSource {
     // where the index is not complete, one a few seconds before the frame.
     int64_t keyFrameBefore(int64_t number) const;
 
-    // Gives the same frames as before, without a graphics card: what follows its failure.
+    // Continues at the present frame without a graphics card, after the card has failed.
     void leaveCard();
 
   private:
@@ -79,7 +79,7 @@ class VideoSource {
     ImageRgb8 stored_, upright_; // scratch
     ImageRgbF storedLin_, uprightLin_;
     int64_t position_ = 0;
-    double length_s_ = 0;            // as stated; 0: not
+    double length_s_ = 0;            // as the file states it; 0: not stated
     Frame ahead_ = makeFrame();      // the picture after the one shown
     double ahead_s_ = 0;             // its time
     double shown_s_ = 0, end_s_ = 0; // times at which the picture shown begins and ends
@@ -110,19 +110,19 @@ struct NextFrame {
     bool hurries = false; // pictures that no others refer to are left out meanwhile
 };
 
-// Returns the frame to make after frame `made`, while frame `due` is due: the next one; or one further on, so
-// that it is ready while it is due although all pictures before it are decoded too. If decoding these takes
-// more than `longest`, the film falls behind by small steps, until a key frame can be made in time:
-// keyFrameBefore(index) is the last one at or before a frame.
+// Returns the frame to make after frame `made`, while frame `due` is due: the next one, or a later one that
+// is ready before its time is over, although all pictures before it are decoded too. If decoding these takes
+// more than `longest`, the film falls behind by small steps, until a key frame can be made in time.
+// keyFrameBefore(index): the last key frame at or before a frame.
 template <class KeyFrameBefore>
 NextFrame nextFrame(int64_t made, int64_t due, const DecodingCost& cost, double longest,
                     KeyFrameBefore&& keyFrameBefore) {
-    // A frame is due for a time of 1. n frames on, n cost.decode + cost.show pass: due + that = made + n + 1.
+    // Frame made + n is ready at the time due + n cost.decode + cost.show, and is due until made + n + 1.
     const double late = static_cast<double>(due - made - 1) + cost.show;
     if (late <= 0) return {made + 1};
     const double step = std::ceil(late / (1 - cost.decode));
     if (cost.decode < 1 && step * cost.decode <= longest) return {made + static_cast<int64_t>(step)};
-    // Such a step leaves four fifths of the time to decoding, or some picture to leave out.
+    // With this step decoding gets four fifths of the time, or at least one picture can be left out.
     const double most = std::max(longest / cost.decode, 1.0);
     const auto small = static_cast<int64_t>(std::min(std::max(4 * cost.show / cost.decode, 2.0), most));
     const auto ready = due + static_cast<int64_t>(cost.decode + cost.show);

@@ -146,8 +146,8 @@ std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, 
 
 // Widens either side of the light to half the ring, or sixfold if that is less, and gives the other side the
 // rest. The ring should reach kBand_deg up and down. The parts above and below light and horizon are
-// stretched fourfold at most, so a photo with small such parts reaches less far; full: to the poles, however
-// far that is. light: in pixels of the patch.
+// stretched fourfold at most, so a photo in which these parts are small reaches less far; full: they are
+// stretched to the poles by any factor. light: in pixels of the patch.
 RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& light, bool full,
                     const Progress& progress) {
     RingMap ring;

@@ -60,7 +60,7 @@ constexpr float kFirm_N            = 0.3f;    // Hold::margin_N at which a grip 
 constexpr float kFirmer            = 0.01f;   // growth of the grip (0 to 1) that shows a closing hand
 constexpr float kDrawRate_Hz       = 20;      // speed, by distance, at which closing fingers draw a body...
 constexpr float kDrawMax_mps      = 1.5f;    // ...into the palm, and its maximum
-constexpr float kEase              = 0.2f;    // share of its way to its goal that a drawn finger goes a tick
+constexpr float kEase              = 0.2f;    // share of the way to its goal that a finger moves in a tick
 constexpr float kSettle_s          = 0.15f;   // time in which a body comes to lie across the palm
 
 // -- Struggling and slipping ------------------------------------------------------------------------------
@@ -72,7 +72,7 @@ constexpr float kTiredOut          = 0.25f;   // ...and the share that remains
 constexpr float kWater_kgpm3       = 1025;    // sea water
 constexpr float kDragShape         = 0.25f;   // drag coefficient of a fish enclosed by a hand
 constexpr float kSlideMax_mps     = 1.5f;    // greatest speed of a fish that slides out of a hand
-constexpr float kSlideGrip         = 0.7f;    // share of a slide that is left a tick after the grip is firm
+constexpr float kSlideGrip         = 0.7f;    // share of a slide's speed that each tick of a firm grip leaves
 constexpr float kSlideOut_m        = 0.05f;   // distance of sliding after which it is free
 constexpr int   kUnopposed         = 8;       // ticks without force closure after which it is free
 constexpr float kLoose_s           = 0.4f;    // time in which fingers do not push a body that they let go

@@ -33,7 +33,7 @@ enum Group { kBones = 1, kBodies = 2, kLoose = 4, kGround = 8 };
 
 btVector3 bt(glm::vec3 v) { return {v.x, v.y, v.z}; }
 glm::vec3 vec(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-// Returns whether a place or a velocity may enter the world; false for what is no number.
+// Returns whether a place or a velocity may enter the world: not if it is NaN or beyond kFar_m.
 bool mayEnter(glm::vec3 v) { return glm::dot(v, v) < kFar_m * kFar_m; }
 bool mayEnter(const Capsule& c) {
     return mayEnter(c.a) && mayEnter(c.b) && c.radius > 0 && c.radius < kFar_m;
@@ -51,7 +51,7 @@ float volume_m3(const LooseBody& b) {
 // that.
 float inertia_kg(const LooseBody& b) { return (b.density_kgpm3 + 0.5f * kWater_kgpm3) * volume_m3(b); }
 
-// A box around capsules, to leave out what is far from all of them.
+// A box around capsules: a body outside it touches none of them.
 struct Box {
     glm::vec3 low{kFar_m}, high{-kFar_m};
 
@@ -304,7 +304,7 @@ struct World::Impl {
         ground.setRestitution(1);
         world.addRigidBody(&ground, kGround, kLoose);
         world.setGravity({0, 0, 0});
-        world.getDispatchInfo().m_useContinuous = false; // boxes hold the present alone
+        world.getDispatchInfo().m_useContinuous = false; // bounding boxes hold present positions only
         btContactSolverInfo& info = world.getSolverInfo();
         info.m_solverMode = 0; // scalar rows, no warm starting, no random order
         info.m_splitImpulsePenetrationThreshold = 0;
@@ -317,7 +317,7 @@ struct World::Impl {
         world.removeRigidBody(&ground);
     }
 
-    // Returns the object at that place of the list, which it makes if there is none.
+    // Returns the object at that place of the list; makes it if there is none.
     Object& at(std::vector<std::unique_ptr<Object>>& list, size_t place, Group group) {
         if (place >= list.size()) list.resize(place + 1);
         if (!list[place]) {
@@ -352,8 +352,8 @@ struct World::Impl {
     void findPairs() {
         for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
             dispatcher.getManifoldByIndexInternal(i)->clearManifold();
-        // The tree finds pairs as boxes move. What it would do besides, to sort out boxes that rest,
-        // allocates; so only pairs that are none any more are removed here.
+        // The tree adds pairs as boxes move. Bullet's own clean-up of its tree allocates, so it is not
+        // called; pairs whose boxes no longer overlap are removed here.
         btOverlappingPairCache& pairs = *broadphase.getOverlappingPairCache();
         for (int i = pairs.getNumOverlappingPairs() - 1; i >= 0; --i) {
             const btBroadphasePair& pair = pairs.getOverlappingPairArray()[i];

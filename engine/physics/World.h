@@ -1,10 +1,10 @@
-// The physics world: holds all that can touch during a tick, on Bullet 3. It finds the contacts of hands with
-// bodies, and moves loose bodies, which water carries and everything else stops.
+// The physics world, built on Bullet 3, holds everything that can touch during a tick. It finds the contacts
+// of hands with bodies, and moves loose bodies, which drift in water and knock against everything else.
 //
-// The world is memory, not state: each call copies bodies in and results out, and no manifold, impulse or
-// order of a call outlives it. Equal arguments give equal results on every machine: the solver's scalar rows,
-// no warm starting, no random order, manifolds sorted by id, and none of the functions of Bullet that call
-// the C library's trigonometry. The world's memory grows at first; then no call allocates.
+// The world keeps memory, but no state: each call copies bodies in and results out, and no manifold, impulse
+// or order survives the call. Equal arguments give equal results on every machine, by scalar solver rows, no
+// warm starting, no random order, manifolds sorted by id, and none of the functions of Bullet that call the C
+// library's trigonometry. The world's memory grows at first; then no call allocates.
 #pragma once
 
 #include "engine/core/Hidden.h"
@@ -66,8 +66,8 @@ class World {
     void touch(std::span<const Body>, std::span<const Mover>, float dt_s, std::span<const Contact> last,
                std::vector<Contact>& out);
 
-    // Moves loose bodies by a tick, among one another, bodies that go their own way, and the ground. Writes
-    // to out how they knock, sorted by ids, the hardest knock of each pair.
+    // Moves loose bodies by a tick. They meet one another, the ground, and bodies whose motion is given.
+    // Writes to out the hardest knock of each pair, sorted by ids.
     void move(std::span<LooseBody>, std::span<const Body>, const Ground&, float dt_s,
               std::vector<Knock>& out);
 

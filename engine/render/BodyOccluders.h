@@ -47,8 +47,8 @@ struct PackedOccluder {
 };
 static_assert(sizeof(PackedOccluder) == 64);
 
-// Finds the bodies that stand so near another that they take light from it. Each frame calls clear(), add()
-// for each body, then near() for each. Allocates nothing once the vectors have grown.
+// Finds the bodies that are near enough to another body to take light from it. Each frame calls clear(),
+// add() for each body, then near() for each. Allocates nothing once the vectors have grown.
 class NearBodies {
   public:
     void clear();

@@ -140,8 +140,8 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
     return std::min(hidden, 1.0f);
 }
 
-// Behind a depth edge of the film nothing is known, and the ray goes on. A ray that begins inside the
-// surface, as from a hand that touches it, meets it at once.
+// The ray goes on behind a depth edge of the film, where nothing is known. A ray that begins inside the
+// surface, for example at a hand that touches it, meets the surface at once.
 float fallOf(const FilmSurface& film, const glm::vec3& placeWorld, const CastingLight& light) {
     constexpr float kHit_m = 0.004f; // gap that counts as a hit: less than the map's steps from 0.8 m on
     constexpr float kMinStep_m = 0.1f, kMaxStep_m = 0.5f;

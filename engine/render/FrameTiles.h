@@ -33,8 +33,8 @@ class FrameTiles {
         chosen_.assign(kAll, false);
     }
     void choose(const glm::ivec2& tile) { chosen_[indexOf(tile.x, tile.y)] = true; }
-    // Calls visit(tile) for each tile of the cap that a sphere covers, seen from the frame's camera, and of a
-    // margin about it.
+    // Calls visit(tile) for each tile in which a sphere, or a margin around it, may appear, seen from the
+    // frame's camera.
     template <class Visit> void eachOfSphere(const glm::vec3& centreEnv, float radius, Visit&& visit) const {
         constexpr float kPi = std::numbers::pi_v<float>;
         const float distance = glm::length(centreEnv);
@@ -49,7 +49,7 @@ class FrameTiles {
                 visit(glm::ivec2((x + 2 * kCount.x) % kCount.x, y));
     }
 
-    // Chooses the tiles of the caps that these spheres cover, and of a margin about them.
+    // Chooses the tiles in which these spheres, or a margin around them, may appear to the eye.
     void choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
                 std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld) {
         clear(frameSize);
@@ -74,8 +74,8 @@ class FrameTiles {
                 if (marked[indexOf(x, y)]) visit(glm::ivec2(x, y));
     }
 
-    // Calls touch(index) for each tile between these coordinates of the map, or at most a texel outside.
-    // Columns repeat across the seam.
+    // Calls touch(index) for each tile that reaches into the rectangle between these coordinates of the map,
+    // widened by a texel. Columns repeat across the seam.
     template <class Touch>
     void eachBetween(const glm::vec2& low, const glm::vec2& high, Touch&& touch) const {
         const glm::vec2 texel = 1.0f / glm::vec2(frameSize_);

@@ -25,7 +25,7 @@ struct View {
     // Centre of the image plane at distance 1, for frusta off axis (headsets); right and up positive.
     glm::vec2 shift{0};
 
-    int heightPixels = 0; // height of the picture, by which fine details are left out; 0: all are drawn
+    int heightPixels = 0; // height of the picture: details too fine for it are left out; 0: none are left out
 
     bool operator==(const View&) const = default;
     glm::vec2 halfExtent() const {
@@ -41,7 +41,7 @@ struct View {
     }
 };
 
-// Returns whether the sphere reaches into the view's pyramid; may say yes beside the pyramid's edges.
+// Returns whether the sphere reaches into the view's pyramid; may return true just outside of its edges.
 inline bool sees(const View& view, const Sphere& sphere) {
     const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (sphere.centre - view.eyeWorld);
     if (-inEye.z < view.near_m - sphere.radius || -inEye.z > view.far_m + sphere.radius) return false;

@@ -4,5 +4,5 @@
 
 #define TINYGLTF_NO_INCLUDE_JSON
 #define TINYGLTF_IMPLEMENTATION
-#pragma GCC diagnostic ignored "-Wunused-function" // what the left-out file access would use
+#pragma GCC diagnostic ignored "-Wunused-function" // functions that only the left-out file access uses
 #include "engine/scene/Gltf.h"

@@ -1,4 +1,4 @@
-// Private to this folder: OpenXR's calls, handles and types, and what Headset is made of. A call that fails
+// Private to this folder: OpenXR's calls, handles and types, and the parts of Headset. A call that fails
 // throws a Failure, which the functions of Headset turn into an Error.
 #pragma once
 
@@ -55,8 +55,8 @@ template <class Work> auto resultOf(Work&& work, bool* lost = nullptr) {
     }
 }
 
-// Returns what an OpenXR function writes to its last argument. blank: its type, where it has one. of: the
-// arguments before.
+// Returns the value that an OpenXR function writes to its last argument. blank: its initial value, with the
+// structure's type. of: the arguments before.
 template <class Value, class Function, class... Of>
 Value written(Value blank, const char* name, Function function, Of... of) {
     check(function(of..., &blank), name);

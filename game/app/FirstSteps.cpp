@@ -81,7 +81,7 @@ static void drawGhost(const Pen& pen, const render::View& view, const hands::Han
     constexpr uint32_t kOutline = IM_COL32(4, 22, 34, 255), kSign = IM_COL32(235, 248, 255, 255);
     palm(0.12f * pen.line, kOutline);
     for (int number = 0; number < hands::kFingerCount; ++number) {
-        finger(number, 0.12f * pen.line, kOutline); // so that fingers stand apart, of a fist too
+        finger(number, 0.12f * pen.line, kOutline); // so that fingers stand apart, even in a fist
         finger(number, 0, kSign);
     }
     palm(0, kSign);

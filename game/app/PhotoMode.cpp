@@ -42,7 +42,7 @@ static Path newPictureFile(std::string_view what) {
            fmt::format("shoal-{:%Y-%m-%d-%H%M%S}{}.png", fmt::localtime(std::time(nullptr)), what);
 }
 
-// Returns the names of the actions' keys; letters where bound, for they are short.
+// Returns the names of the actions' keys: of each its second key if that is a single letter, else its first.
 static std::string keysOf(std::initializer_list<Action> actions, const Bindings& bindings) {
     std::string names;
     for (const Action action : actions) {

@@ -1,6 +1,6 @@
-// In photo mode the dive stands still, the camera is free and no text covers the picture, nor do the player's
-// hands, unless the player wants them. A press saves the picture and a lat-long of all directions as PNG
-// files in the player's folder for pictures.
+// In photo mode the dive stands still and the camera is free. The picture shows no text, and it shows the
+// player's hands only if the player wants them. A press saves the picture and a lat-long of all directions as
+// PNG files in the player's folder for pictures.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -25,12 +25,12 @@ class PhotoMode {
     void save(const ImageRgb8& picture, SceneRenderer& renderer);
 
     game::Snapshot shown; // the dive's, with the free camera as the viewer
-    Head player;          // whose arms are drawn
+    Head player;          // head of the player, from which the arms are drawn
     float fovBefore_deg;
     std::optional<game::Notice> notice; // to show now
 
   private:
-    std::array<bool, 2> hands_; // that the player chooses to see: those of the dive
+    std::array<bool, 2> hands_; // which hands the dive shows; the player can switch them on
     LookAngles look_;
 };
 

@@ -14,7 +14,7 @@
 
 namespace shoal::app {
 
-// Makes these signals set stopSignal from now on; a second one of a kind ends the program at once.
+// Makes these signals set stopSignal from now on; a second signal of the same kind ends the program at once.
 static void noteStopSignals() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { stopSignal = signal; };
@@ -22,7 +22,7 @@ static void noteStopSignals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup has them ignored
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup ignores SIGHUP
     }
 }
 

@@ -473,7 +473,7 @@ void Screens::turnTo(int steps) {
 std::vector<std::string> Screens::goalLines(std::span<const game::GoalView> goals) const {
     std::vector<std::string> lines;
     for (const game::GoalView& view : goals) {
-        if (static_cast<size_t>(view.goal) >= facts.dive->goals.size()) continue; // of a dive before
+        if (static_cast<size_t>(view.goal) >= facts.dive->goals.size()) continue; // of an earlier dive
         const game::Goal& goal = facts.dive->goals[view.goal];
         lines.push_back((view.reached ? "\u2605 " : "\u2606 ") + goalText(goal, *facts.species, language()));
         if (!view.reached && view.progress > 0)

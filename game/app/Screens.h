@@ -110,7 +110,7 @@ class Screens {
     const Menu& menu() const { return menu_; }
 
     // Returns whether a fish of that length is longer than all of its species that the player had caught when
-    // the dive began; not if that was none.
+    // the dive began; false if the player had caught none.
     bool isRecord(const game::Species& kind, float length_m) const;
     // Returns a line for each of the dive's goals, with its progress.
     std::vector<std::string> goalLines(std::span<const game::GoalView> goals) const;
@@ -128,10 +128,10 @@ class Screens {
     MenuPage page();
 
     std::vector<MenuPicture> catches() const;
-    // Returns the stars for which an animal comes, and the title of its dive; 0: it comes to all players.
+    // Returns how many stars a player needs to meet an animal, and the title of its dive; 0: it needs none.
     std::pair<int, std::string> rarity(const game::Species& animal) const;
     bool hasPage(size_t species) const; // in the field guide
-    // Each fills items_ and returns the page without its items.
+    // Each of these functions fills items_ and returns the page without its items.
     MenuPage titlePage();
     MenuPage divesPage(); // for free swims too
     MenuPage filmsPage();

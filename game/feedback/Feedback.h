@@ -13,7 +13,7 @@
 
 namespace shoal::game {
 
-constexpr float kCaptionStay_s = 2.2f, kCaptionEach_s = 1; // between one new line and the next
+constexpr float kCaptionStay_s = 2.2f, kCaptionEach_s = 1; // Each: time from one new line to the next
 
 struct Caption {
     Text text;

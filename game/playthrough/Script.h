@@ -65,7 +65,7 @@ struct ScriptStep {
 struct EndValue {
     const char* key;
     int Snapshot::*value;
-    bool isLeast; // the expected number is the least that will do
+    bool isLeast; // the value must be at least the expected number; false: equal to it
 };
 constexpr std::array kEndValues = {
     EndValue{"caught", &Snapshot::caught, false}, EndValue{"score_at_least", &Snapshot::score, true},

@@ -29,7 +29,7 @@ static void bringToSeated(DiveFile& dive) {
     }
 }
 
-// Distance at which its sound is placed, in the giant's true direction: a whale's voice carries far.
+// A giant's sound comes from its true direction but from this distance, since a whale's voice carries far.
 constexpr float kHeardFrom_m = 1.5f;
 
 // The encounter of a dive: a giant (a whale), too large to catch, swims past once. It reacts to nothing, and
@@ -269,12 +269,12 @@ void Dive::snapshot(Snapshot& out) const {
 }
 
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out) {
-    constexpr float kJump_m = 0.6f; // movement in one tick beyond anything that swims or is carried
+    constexpr float kJump_m = 0.6f; // farther than anything swims or is carried in one tick
     out = after;                    // keeps out's memory: no allocation once it has grown
     if (before.creatures.size() != after.creatures.size() || after.tick != before.tick + 1 ||
         after.time_s < before.time_s)
         return;
-    // Both set `to`, the value after, to the one between it and `from`.
+    // Both replace `to`, the value after, by the interpolation between `from` and `to`.
     const auto mix = [&](const auto& from, auto& to) { to = from + (to - from) * alpha; };
     const auto turn = [&](const glm::quat& from, glm::quat& to) { to = blended(from, to, alpha); };
     out.time_s = before.time_s + (after.time_s - before.time_s) * static_cast<double>(alpha);

@@ -68,11 +68,11 @@ sim::RecordingHeader recordingHeader(const Dive&);
 // this version does not know.
 Result<DiveRules> rulesOf(const sim::RecordingHeader&);
 
-// Returns the video of a recording, a file below content/; own, the dive's video, if it names none.
+// Returns the video that a recording names, a file below content/; if it names none, own: the dive's video.
 std::string filmOf(const sim::RecordingHeader&, const std::string& own);
 
-// A recording made with a FilmSpace replays only with an equal one, and one made without it only without. An
-// error says what differs.
+// A recording that was made with a FilmSpace can be replayed only with an equal one, and a recording that was
+// made without one only without. The error says what differs.
 bool needsFilmSpace(const sim::RecordingHeader&);
 Status checkFilmSpace(const sim::RecordingHeader&, const FilmSpace*); // null: the film has no distances
 

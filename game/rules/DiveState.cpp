@@ -47,7 +47,7 @@ static Fish spawnOne(const School& school, int schoolIndex, const Species& kind,
     return fish;
 }
 
-// Returns, of twelve random fish or things, the one farthest from all others.
+// Makes twelve random fish or things, and returns the one that is farthest from all others.
 static Fish spawnWithRoom(const DiveFiles& files, int schoolIndex, float mainDirection, const Fish* leader,
                           const std::vector<Fish>& others, Random& random) {
     const School& school = files.dive.schools[schoolIndex];

@@ -106,7 +106,7 @@ struct Fish : Swimmer {
     FishHold hold;
     Visit visit;
     Looseness loose;
-    float catchable = 0;  // as CreatureView's
+    float catchable = 0;  // see CreatureView::catchable
     int catchableBy = -1; // the hand that takes it then: 0 left, 1 right, -1 none
 
     bool swims() const { return state == State::Cruise || state == State::Dart; }
@@ -290,7 +290,7 @@ struct TickInput {
 // last good ones stay.
 void trackHands(const TickInput&, Viewpoint&, Hands&);
 
-// Counts, beyond points and catches, of what goals ask for.
+// Counts that goals need besides points and catches.
 struct Deeds {
     std::array<uint32_t, kMaxQuick> caughtAt{}; // ticks of the latest catches, the newest first
     std::array<int, 2> byHand{};                // catches of the left and the right hand

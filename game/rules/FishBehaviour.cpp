@@ -163,8 +163,8 @@ static void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random
     visit.rest_s = random.between(6, 14);
 }
 
-// Returns the fish with the least distance over curiosity, ahead of the player where nothing but curiosity
-// draws it; -1: none may come.
+// Returns the fish with the least distance divided by curiosity; -1: none may come. To a hand without food,
+// fish come only from ahead of the player.
 static int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     return leastCost(fish, kNever, [&](const Fish& f) {
         const float curiosity = in.kindOf(f).curiosity;

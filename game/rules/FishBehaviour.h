@@ -41,9 +41,9 @@ float hasteOf(const Hand&, std::span<const Fish>, const DiveContext&);
 void frightenByHands(std::span<Fish>, const DiveContext&, Random&, Events&);
 
 // Fish come to look at a hand that rests, open and in the player's view, one or two at a time: they swim to
-// about a hand's width before the palm, linger and leave. So fish that are out of reach come within it, and
-// waiting works. A fast or closing hand ends a visit. A cracked mussel in a hand (Hand::bait_s) draws more of
-// them, from all around, and takes their fear. Begins and ends visits; called every tick.
+// about a hand's width before the palm, linger and leave. So fish that are out of reach come within reach of
+// a player who waits. A fast or closing hand ends a visit. A cracked mussel in a hand (Hand::bait_s) draws
+// more of them, from all around, and they do not fear it. Begins and ends visits; called every tick.
 void chooseVisitors(Hands&, std::span<Fish>, const DiveContext&, Random&);
 
 // Returns whether the fish comes to feed on a mussel.

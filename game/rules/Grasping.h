@@ -1,7 +1,7 @@
 // Finds what the player's hands touch, and its effect on a fish that no hand holds; decides which fish a
 // closing hand takes hold of, whether the hand keeps it, and when it counts as a catch; moves the fish in a
 // hand, and the fingers that lie on it.
-// How fingers lie on a fish and what force they bear: engine/physics/ContactModel.h, steps 4 and 5.
+// Steps 4 and 5 of engine/physics/ContactModel.h say how fingers lie on a fish and what force they bear.
 #pragma once
 
 #include "engine/physics/Grip.h"
@@ -14,7 +14,7 @@
 
 namespace shoal::game {
 
-constexpr int kCloseWindow = 12;      // ticks after it has stopped closing in which a hand still takes hold
+constexpr int kCloseWindow = 12;      // ticks for which a hand that has stopped closing can still take hold
 constexpr int kHelpedWindow = 22;     // the same for a hand that is helped to a fish
 constexpr float kShowCatch_s = 0.75f; // time for which a caught fish turns to the player
 constexpr float kUncatchable_s = 2;   // time before a fish can be caught again, after a catch or the shark
@@ -70,7 +70,7 @@ void countCatches(Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
 // Turns caught fish to the player; then they swim off.
 void showCatches(std::span<Fish>, const DiveContext&, Events&);
 
-// Moves what hands hold with them.
+// Moves held fish and things along with the hands.
 void followHands(const Hands&, std::span<Fish>, const DiveContext&);
 
 // Bends the body and beats the tail of a fish in the hand: it curls away from the palm, and bouts of

@@ -59,7 +59,7 @@ float reachOf(const Fish& f, const Hand& hand, const DiveContext& in) {
                          across * across / (help.across_m * help.across_m));
     };
     const float now = gapAt(hand.graspCentre), soon = gapAt(hand.graspCentre - apart * kLook_s);
-    // Only a hand that reaches right for a thing means it; otherwise it means a fish beside it.
+    // A thing is the target only of a hand that reaches straight for it; otherwise a fish beside it is.
     const float thing = in.thingOf(f) != Thing::None ? kThing : 0;
     // The minimum of both: a fish in the hand stays the target although it is about to leave.
     return thing + std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
@@ -160,7 +160,7 @@ static PointedAt pointedAt(const Hand& hand, std::span<const Fish> fish, const D
         if (along(f) < 0.2f || along(f) > kFarthestMeant_m) return kNever;
         const float room = kBeside_m + 0.5f * lengthOf(f, in.kindOf(f)) + kCone * along(f);
         const float beside = glm::length(across(f));
-        if (beside > room || in.hides(f.position)) return kNever; // a look at the film takes longest
+        if (beside > room || in.hides(f.position)) return kNever; // hides() takes longest, so it comes last
         // Depth counts a little: of two fish beside the line the nearer one was meant.
         return beside / room + 0.15f * std::fabs(beyond(f));
     });

@@ -1,5 +1,5 @@
-// Finds the fish that a hand reaches for, helps a hand that closes beside it, and tells why one takes
-// nothing.
+// Finds the fish that a hand reaches for, helps a hand that closes beside the fish, and tells why a hand that
+// closed took nothing.
 //
 // The fish that a hand means to take is inferred from their distance, now and when the fingers will have
 // closed, from their relative speed, and from the side on which the palm is. Whether the hand closes is

@@ -49,8 +49,8 @@ void bite(Shark&, Hands&, std::span<Fish>, Score&, const DiveContext&, Events&);
 // Returns the place of the shark's mouth.
 glm::vec3 mouthOf(const Shark&, const DiveContext&);
 
-// Sends the shark off, if it prowls or threatens, or else if it strikes and was struck; it lets go of
-// nothing.
+// Sends the shark off if it prowls or threatens, or if it strikes and a stone struck it. A fish in its mouth
+// stays there.
 void turnAway(Shark&, bool struck, const DiveContext&, Events&);
 
 // Bumps the hands that its body meets; they drop what they hold.

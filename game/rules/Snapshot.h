@@ -25,7 +25,7 @@ constexpr float kDt = sim::kTick_s;
 enum class Phase { Diving, Results };
 
 // The animation clips of a species' model; kMotionNames are their names in the file.
-// Loose things drift on seaweed at first, are loose, or (mussels) open.
+// The last three are a loose thing's: hanging on seaweed, loose, and a mussel that opens.
 enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite, Drift, Loose, Open };
 constexpr std::array<const char*, 9> kMotionNames = {"swim", "dart",  "struggle", "cruise", "lunge",
                                                      "bite", "drift", "loose",    "open"};
@@ -155,7 +155,7 @@ enum class EventKind {
     Knock,        // a loose thing knocks on rock, on another or on an animal
     Crack,        // a mussel cracks in a hand
     Feed,         // the first fish comes to feed on it
-    NoGuest,      // none did; told once a dive
+    NoGuest,      // no fish came to feed on it; reported at most once a dive
     SharkTurns,   // a stone turns the shark away
     Collect,      // a bottle is taken out of the sea
     Goal,         // a goal of the dive is reached

@@ -84,7 +84,7 @@ inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
     return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
 }
 
-constexpr float kNever = std::numeric_limits<float>::max(); // cost of what is no candidate
+constexpr float kNever = std::numeric_limits<float>::max(); // cost of an item that is no candidate
 
 // Returns the index of the item with the least cost below the limit, the first of equal ones; -1: none.
 template <class Items, class CostOf> int leastCost(const Items& items, float limit, CostOf costOf) {

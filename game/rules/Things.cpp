@@ -69,8 +69,8 @@ const Swimmer* targetOf(glm::vec3 from, glm::vec3 way, const DiveContext& in) {
     return best;
 }
 
-// Returns the velocity of a throw that comes nearest to the target, which swims on: shoots, looks by how much
-// it misses where it comes nearest, and aims there.
+// Returns the velocity of a throw that comes nearest to the target, which swims on. It simulates a throw,
+// measures by how much this misses at its nearest point, corrects the aim by that, and repeats.
 glm::vec3 aimedAt(const Swimmer& target, physics::LooseBody thing, const Species* shark) {
     const glm::vec3 at =
         shark ? target.position + target.forward * (0.4f * shark->length_m) : target.position;

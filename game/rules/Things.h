@@ -22,7 +22,7 @@ namespace shoal::game {
 // others on seaweed.
 void startDrifting(Fish&, const Species&);
 
-// Returns how long a hand holds it until it is cracked, caught or collected; 0: that changes nothing.
+// Returns how long a hand must hold it to crack, catch or collect it; 0: holding it changes nothing.
 float holdTime_s(const Species&);
 
 // Lets a thing go that a hand held: thrown if the hand moves, with the mean velocity of its palm in the last

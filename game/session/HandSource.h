@@ -42,8 +42,8 @@ class MouseSource {
         out.hands = poses_;
         out.worldFromView = look_.worldFromView();
     }
-    // Shows the hand that the mouse does not move only while it holds something; else it sinks out of the
-    // picture, of which hand and arm would hide a part. The rules' hands stay.
+    // Shows the hand that the mouse does not move only while it holds something. Otherwise the hand sinks out
+    // of the picture, so that it and its arm hide nothing. The rules' hands stay.
     void show(game::Snapshot& shown) const;
     void recentre() { look_ = {}; }
     // Speed at which the player turns the view, radians a second, smoothed: for the comfort setting vignette.

@@ -61,7 +61,7 @@ class FilmList {
         std::vector<Path> files; // at most 60
         bool complete = false;   // all files have been looked at
     };
-    void look(); // looks anew; until that list is the longer one, or complete, the last one stays
+    void look(); // searches again; the last list stays until the new one is longer, or complete
     Found found() const;
     const std::vector<Path>& folders() const { return folders_; } // that look() looks in
 

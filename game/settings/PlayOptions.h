@@ -1,7 +1,7 @@
-// Options of `shoal play` with their table, what a player can set, and what tests and measurements need;
-// before them enumerated settings, each with the one table of its names on the command line and in the
-// settings file, and options that several commands share, each struct with its rows of the table of settings.
-// Adding a setting: one member and one row, here or in a tool's own struct.
+// Options of `shoal play` with their table: those of players, and those that tests and measurements need.
+// Before them come enumerations, each with the one table of its names on the command line and in the settings
+// file, and options that several commands share, each struct with its rows of the table of settings.
+// To add a setting, add one member and one row, here or in a tool's own struct.
 #pragma once
 
 #include "engine/environment/Player.h"

@@ -78,7 +78,7 @@ struct Setting : SettingTraits {
     std::string help; // with the unit, if there is one
     Category category = Category::General;
     bool kept = false; // kept in the settings file
-    // On a menu page; numbers are sliders there, so they need a range.
+    // The menu page that shows the setting. A number is a slider there, so it needs a range.
     SettingsPage page = SettingsPage::None;
     std::optional<game::Text> label{};
 

@@ -5,7 +5,7 @@
 #include <epoxy/gl.h>
 #include <fmt/core.h>
 #include <imgui/imgui.h>
-// After imgui.h, which they need.
+// This header needs imgui.h before it.
 #include <imgui/backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace shoal::app {
 
 using namespace colour;
 
-// Returns false while a menu is over the dive, which nothing may lie under.
+// Returns false while a menu covers the dive: then nothing may be drawn under the menu.
 static bool isPlayed(const game::Snapshot& shown) {
     return !shown.paused && shown.phase == game::Phase::Diving;
 }

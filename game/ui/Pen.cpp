@@ -4,7 +4,7 @@
 
 #include <imgui/imgui.h>
 #include <stb_image.h>
-// After imgui.h, which they need.
+// This header needs imgui.h before it.
 #include <imgui/backends/imgui_impl_opengl3.h>
 
 #include <algorithm>

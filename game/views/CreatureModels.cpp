@@ -17,8 +17,8 @@ constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints
 constexpr std::array kHandModels = {"models/hand_left.glb", "models/hand_right.glb"};
 constexpr std::array kArmModels = {"models/arm_left.glb", "models/arm_right.glb"};
 constexpr float kHoldingOpacity = 0.4f;
-// From the eyes to a hand's nearest joint: it fades from kFades_m on, and is gone before the near plane or
-// its own size would show it as torn polygons that fill the view.
+// Distances from the eyes to a hand's nearest joint: below kFades_m the hand fades, and at kGone_m it is
+// gone, before the near plane cuts it into torn polygons that fill the view.
 constexpr float kFades_m = 0.16f, kGone_m = 0.06f;
 constexpr float kArmMargin = 1.3f; // factor on an arm's bounding spheres: a bend moves its flesh
 constexpr float kMinSwing =
@@ -54,7 +54,7 @@ static std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, c
              static_cast<uint16_t>(model.order[0])}};
 }
 
-// Returns nothing if the file is missing or is another model's.
+// Reads and applies the model's baked occlusion; empty if the file is missing or is another model's.
 static std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& model) {
     const auto baked = render::readBakedOcclusion(file);
     return baked && render::applyBakedOcclusion(*baked, model) ? std::optional(*baked) : std::nullopt;

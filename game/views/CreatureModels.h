@@ -31,14 +31,14 @@ namespace shoal::app {
 // and none can be made, logs why and returns nothing. Making takes seconds. Any thread.
 std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model);
 
-// A small lamp above the diver's eyes. All that the eyes see is lit by it, so it casts no shadow that they
-// see. It lights animals, things and hands, and not the film.
+// A small lamp above the diver's eyes, so close to them that they see none of its shadows. It lights animals,
+// things and hands, but not the film.
 struct DiverLamp {
     float radiance = 0;            // game::DiveFile::lamp
     glm::vec3 attenuation_perM{0}; // of the water between the lamp and what it lights
 };
 
-// Light that waves focus on the film's ground; null pointers: the film tells nothing of it.
+// Light that waves focus on the film's ground; null pointers: the film does not show it.
 struct FocusedLight {
     const depth::Caustics* caustics = nullptr;
     const depth::DepthMap* map = nullptr;     // of the same frame
@@ -58,8 +58,8 @@ class AnimalLight {
     // Returns the light by index in Snapshot::creatures.
     const depth::LightHarmonics& of(size_t creature) const { return animals_[creature].lit; }
 
-    // Returns the lamp's light alone at a place, world frame. What nine harmonics say a matte surface sends
-    // back errs by at most 3/32 of what it sends back when it faces the lamp.
+    // Returns the lamp's light alone at a place, world frame. Computed from nine harmonics, the light that a
+    // matte surface reflects is wrong by at most 3/32 of the light that it reflects when it faces the lamp.
     depth::LightHarmonics ofLamp(const glm::vec3& place) const;
 
   private:

@@ -38,7 +38,7 @@ class Environment {
     static Result<std::unique_ptr<Environment>> open(const EnvironmentSetup& setup,
                                                      const environment::Wait& wait = {});
 
-    // As environment::Player::update().
+    // See environment::Player::update().
     bool update(double time_s, bool exact) {
         if (!player_->update(time_s, exact)) return false;
         upload();
@@ -60,7 +60,7 @@ class Environment {
     render::Exposure exposure(Tone chosen, float exposure_ev) const;
     float upload_ms() const { return upload_ms_; } // of the newest frame
     game::Text lightName() const;
-    // The message when the video broke or has stopped; null: it plays.
+    // Returns the message for the player if the video is broken or has stopped; null: it plays.
     const game::Notice* notice() const;
 
   private:

@@ -30,7 +30,7 @@ constexpr std::array<Range, kJointCount> kRanges = {{
     {},       {80, -13}, {95}, {60}, {}, // little
 }};
 
-// Throws nlohmann's exceptions where it is no vector.
+// Throws nlohmann's exceptions if the JSON is not a list of three numbers.
 glm::vec3 vectorFrom(const nlohmann::json& json) {
     const auto v = json.get<std::array<float, 3>>();
     return {v[0], v[1], v[2]};

@@ -34,7 +34,7 @@ struct HandFrame {
 
 // State of a tracker, as shown to the player.
 struct DeviceState {
-    bool present = false;     // frames come, or would if there were hands
+    bool present = false;     // frames come, or would come if hands were seen
     std::string description;  // "protocol 6, peripheral attached", "not there", ...
     bool lacksModels = false; // the webcam's models are missing; handModelScript() fetches them
 };
@@ -46,8 +46,8 @@ class HandStream {
     explicit HandStream(size_t capacity = 1024, bool waits = false) : capacity_(capacity), waits_(waits) {}
 
     void push(HandFrame frame); // a frame without seenAt counts as seen now
-    // Takes the oldest frame; false: none. patience: longest wait, in programs that do not run in real time;
-    // if it is not 0, a clip, which waits for its reader, is waited for until its next frame or its end.
+    // Takes the oldest frame; false: there is none. patience: longest wait, in programs that do not run in
+    // real time. If it is not 0, a stream whose push() waits (a clip) is awaited until its next frame or end.
     bool take(HandFrame& out, std::chrono::milliseconds patience = {});
     void close() { // calls no longer wait
         const std::lock_guard lock(mutex_);

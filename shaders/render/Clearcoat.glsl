@@ -1,5 +1,5 @@
 // KHR_materials_clearcoat: a layer of varnish with an index of refraction of 1.5 over the whole surface, emitted light included.
-// It is smooth over the normal map. Needs dfgTable and light/Environment.glsl.
+// The varnish ignores the normal map. Needs dfgTable and light/Environment.glsl.
 uniform float clearcoat, clearcoatRoughness;
 
 // Returns the share of light that a full clearcoat reflects and withholds from the layers below. nv: n.v, above 0.

@@ -185,7 +185,7 @@ vec3 litByPixel(vec3 base) {
     // Physically Based Rendering", listing 26.
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
-    // SHOW_...: one quantity instead, see render::ShownQuantity.
+    // SHOW_...: returns one quantity instead of the light, see render::ShownQuantity.
 #if defined(SHOW_NORMALS)
     return 0.5 + 0.5 * n;
 #elif defined(SHOW_ROUGHNESS)

@@ -39,7 +39,7 @@ uniform vec3 emissiveLin;
 uniform float twoSided;  // 1: the normal turns towards the eye
 uniform float highlight; // 0 to 1
 
-// Each is written if a feature needs it.
+// Each output is written only if a feature needs it.
 out vec3 worldPosition, worldNormal, waterLeft, waterVeiled, fromEyeEnv;
 out vec4 worldTangent, envSelfOcclusion, vertexColourLin;
 out vec3 diffuseLin;

@@ -1,6 +1,6 @@
-// Computes the light that a vertex sends to the eye, for small objects on software renderers: Object.frag's
-// sums without relief, linear in the base colour, by which the pixel multiplies. A metal's further bounces
-// have the base colour once. A clearcoat does not dim emitted light. Needs render/LightDifference.glsl and roughness.
+// Computes the light that a vertex sends to the eye, for small objects on software renderers: the sums of Object.frag without
+// the normal map, as a linear function of the base colour, which the pixel supplies. So a metal's multiple bounces contain the
+// base colour only once, and a clearcoat does not dim emitted light. Needs render/LightDifference.glsl and roughness.
 uniform sampler2D dfgTable;
 uniform float metallic;
 #ifdef DIELECTRIC

@@ -1,5 +1,5 @@
 // Dense optical flow between two equirectangular frames. It runs on the faces of a cube, which have neither
-// seam nor poles, each a little larger than a sixth of the sphere so that what moves stays in it.
+// seam nor poles. Faces overlap, so that a point that crosses a cube's edge is still found in its first face.
 #pragma once
 
 #include "content/make/depth/RelativePose.h"
@@ -24,7 +24,7 @@ struct CubeFaces {
 struct FlowPoint {
     glm::vec3 second{0}; // direction, unit length
     float error_rad =
-        1; // distance between the point and where flow there and back leads; 1: no flow, or no contrast
+        1; // angle by which flow to the second frame and back misses the point; 1: no flow, or no contrast
 };
 
 class CubeFlow {

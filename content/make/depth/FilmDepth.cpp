@@ -156,11 +156,11 @@ class Maker {
         return Done{};
     }
 
-    // Reads what frames agree on, continues the ground where they do not, and doubts outlines. Call it for
-    // one frame after the other.
+    // Reads the distances on which frames agree, fills in the ground elsewhere, and lowers the confidence at
+    // outlines. Call it for each frame of the track in order.
     Status readComplete(int number, DepthEstimate& depth) {
-        // The frames before and after a frame tell of its ground together; at the film's ends the window is
-        // cut.
+        // The ground is found from the frames around this one; at the film's ends more of them lie on one
+        // side.
         const int window = std::min(kGroundFrames, count_);
         const int first = std::clamp(number - window / 2, 0, count_ - window);
         agreed_.resize(static_cast<size_t>(window));

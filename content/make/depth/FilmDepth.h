@@ -12,8 +12,8 @@ namespace shoal::depth {
 struct FilmDepthOptions {
     media::Layout layout = media::Layout::Auto;
     double baseline_m = 0.064; // distance between the eyes of a stereo film
-    // A mono film does not show its scale. It is chosen once for the whole film so that the camera's median
-    // height over what lies below it is height_m or, if speed_mPerS is above 0, its median speed is that.
+    // A mono film does not show its scale. One scale for the whole film makes the camera's median height over
+    // the surfaces below it height_m or, if speed_mPerS is above 0, the camera's median speed speed_mPerS.
     double height_m = 1.6;
     double speed_mPerS = 0;
     Path preview; // receives a picture of the film's middle beside its depth; empty: none

@@ -7,7 +7,7 @@
 
 namespace shoal::depth {
 
-// out: width x width / 2 pixels, with `padding` more columns at each side that go on beyond the seam.
+// out: width x width / 2 pixels, with `padding` more columns at each side, copied from beyond the seam.
 inline void greyOf(const light::FrameView& film, int width, int padding, cv::Mat1b& out) {
     const cv::Mat3b source(film.height, film.width,
                            reinterpret_cast<cv::Vec3b*>(const_cast<uint8_t*>(film.pixels)),

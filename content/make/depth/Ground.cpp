@@ -18,12 +18,12 @@ namespace {
 
 constexpr float kKnown = 0.5f;    // minimum confidence of an estimate that is used
 constexpr float kLowest = -0.26f; // sine of the highest elevation that is looked at: 15 degrees down
-// Rock stands on the ground and is nearer than it, so where the search begins fewer are further than nearer.
+// The fit begins at this quantile of inverse heights, below the median, because rock is nearer than ground.
 constexpr double kFirstQuantile = 0.4;
 constexpr int kRounds = 8;
 constexpr float kTolerance = 0.25f; // relative error of distance from which on a texel has no weight
 constexpr float kOnGround = 0.12f;  // relative error up to which a texel is part of the ground
-constexpr int kMinTimes = 2;        // frames that have to know a texel's distance
+constexpr int kMinTimes = 2;        // least number of frames in which a texel's distance is known
 // Share of the solid angle looked at that is known to be ground: the plane has no trust at the first, full
 // trust at the second. Films that have ground show 0.23 to 0.98; other shapes were taken for ground over 0.02
 // to 0.19 (tests/bench/depth_estimate).
@@ -63,9 +63,9 @@ glm::vec3 fittedTo(const std::vector<Seen>& seen) {
     return plane;
 }
 
-// Collects the known texels below the camera, each with its median over the frames, since under caustics each
-// frame believes another distance. The camera's height changes little within them. allArea: solid angle of
-// all texels looked at.
+// Collects the known texels below the camera, each with its median over the frames, because under caustics
+// each frame gives another distance. The camera's height changes little over these frames. allArea: solid
+// angle of all texels looked at.
 std::vector<Seen> seenTogether(std::span<const DepthEstimate> frames, float& allArea) {
     std::vector<Seen> seen;
     std::vector<float> known;

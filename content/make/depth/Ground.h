@@ -1,5 +1,5 @@
-// Plane of the ground below the camera. Caustics and shadows move over the ground by themselves, so frames do
-// not agree about it there; the ground seen around them, and in other frames, tells how far away it is.
+// Plane of the ground below the camera. Where caustics and shadows move over the ground, frames give wrong
+// distances; there the distance follows from the ground around these places, and from other frames.
 #pragma once
 
 #include "content/make/depth/StereoDepth.h"
@@ -15,16 +15,16 @@ struct Ground {
     float trust = 0;      // 0 to 1
 };
 
-// Number of track frames around a frame that its ground is found from together: two seconds of most films.
+// Number of neighbouring track frames from which a frame's ground is found: two seconds of most films.
 constexpr int kGroundFrames = 25;
 
-// Fits the plane to the points below the horizon. Its trust rises with the share of the solid angle there
-// that is known, in some of the frames, and falls with the points' distance from the plane. The maps have the
-// size of FrameRecord.h.
+// Fits the plane to known texels well below the horizon. Its trust rises with the share of the solid angle
+// there whose texels lie near the plane, and falls with these texels' distances from the plane. The maps have
+// the size of FrameRecord.h.
 Ground findGround(std::span<const DepthEstimate> frames);
 
-// Writes the ground's distance into texels clearly below the horizon that are less sure than the ground. A
-// thing that stands there and that no frame knows is lost in the ground.
+// Writes the ground's distance into texels clearly below the horizon whose confidence is lower than the
+// ground's. An object whose distance no frame knows is replaced by the ground behind it.
 void continueGround(const Ground& ground, DepthEstimate& depth);
 
 } // namespace shoal::depth

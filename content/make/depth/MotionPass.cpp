@@ -10,13 +10,13 @@ namespace shoal::depth {
 
 namespace {
 
-constexpr int kMaxGap = 32;            // film frames between the two of a pair
+constexpr int kMaxGap = 32;            // greatest distance between the frames of a pair, film frames
 constexpr int kPlaces = 8;             // places of the film at which pairs are tried
 constexpr double kGoodParallax = 0.03; // radians; more makes flow fail at edges
-// Minimum cosine between the directions that pairs of one gap and of twice the gap find. Caustics move over a
-// floor as the floor would if the camera went another way, and pairs close in time believe them; pairs twice
-// as far apart then find a direction that differs by 18 degrees and more on the reef. The camera's own turns
-// in between are up to 11 degrees (tests/bench/depth_estimate).
+// Minimum cosine between the directions of movement found with one gap and with twice the gap. Caustics move
+// over a floor, and frames close in time mistake this for a movement of the camera. With twice the gap the
+// direction found then differs by 18 degrees or more on the reef. The camera itself turns by up to 11 degrees
+// in that time (tests/bench/depth_estimate).
 constexpr double kSameWay = 0.978; // cosine of 12 degrees
 
 // Result of trying pairs of frames with one gap.

@@ -18,7 +18,7 @@ class MotionPass {
     // Distance between the frames of a pair, in frames of the track.
     int step() const { return gap_ / kFilmStep; }
 
-    // Call it for one frame of the track after the other, from any frame on.
+    // Makes the record of a frame. Call it for each frame of the track in order, beginning at any frame.
     FrameRecord frame(int number);
 
   private:

@@ -39,7 +39,7 @@ double heightBelow(const DepthEstimate& depth) {
 } // namespace
 
 PairDepth estimatePair(CubeFlow& flow, const CubeFaces& first, const CubeFaces& second) {
-    constexpr size_t kEvery = 23; // texels; one of so many is used to find the pose
+    constexpr size_t kEvery = 23; // at the equator, one texel of this many is used to find the pose
     PairDepth result;
     std::vector<FlowPoint> there, back;
     flow.match(first, second, kEstimateWidth, there, back);
@@ -86,7 +86,7 @@ FrameRecord joined(const PairDepth* begins, const PairDepth* ends) {
         const float u = hasFirst ? begins->first.inverse[i] : 0;
         const float v = hasLast ? ends->second.inverse[i] * static_cast<float>(ratio) : 0;
         depth.inverse[i] = (a * u + b * v) / (a + b);
-        if (hasFirst && hasLast) { // both have to agree where both know something
+        if (hasFirst && hasLast) { // where both know a distance, the two have to agree
             const float off = std::abs(u - v) / std::max(depth.inverse[i], 1e-4f);
             const float agree = std::clamp(1.5f - 5 * off, 0.0f, 1.0f);
             depth.confidence[i] = a > 0.2f && b > 0.2f ? std::max(a, b) * agree : 0.7f * std::max(a, b);

@@ -12,9 +12,9 @@ struct PairDepth {
     DepthEstimate first, second; // in units of the pair's baseline
 };
 
-// Returns true if distances can be found from the pose, in a film whose camera is known to move. This asks
-// for less than isTranslation(): where light glitters, many points agree with the movement without standing
-// still, so that fewer of them lie in front of the camera.
+// Returns true if distances can be found from the pose, in a film whose camera is known to move. It requires
+// less agreement than isTranslation(): where light glitters, points move by themselves, and more of them seem
+// to lie behind the camera.
 inline bool isUsable(const RelativePose& pose) {
     return pose.parallax_rad >= kMinParallax_rad && pose.agreement >= 0.25;
 }

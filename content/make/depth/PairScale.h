@@ -13,9 +13,9 @@ namespace shoal::depth {
 void repairMotion(std::vector<PairMotion>& motions);
 
 // Returns the baseline of each pair, on one scale; their geometric mean is 1, since the film's true scale is
-// not known. Pair t goes on where pair t - step ends, and the ratio of both baselines is known; neighbours
-// overlap nearly wholly, so that their baselines differ little. Solved by least squares of logarithms, in
-// which ratios that are far off count little.
+// not known. Pair t begins where pair t - step ends, and the ratio of both baselines is known; pairs t and
+// t + 1 nearly coincide, so their baselines differ little. The equations are solved by least squares of
+// logarithms, in which outlying ratios count little.
 std::vector<double> linkBaselines(const std::vector<PairMotion>& motions, int step);
 
 // Pose of another frame seen from a reference frame.

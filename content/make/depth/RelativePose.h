@@ -17,7 +17,7 @@ struct RelativePose {
     glm::dmat3 secondFromFirst{1}; // rotation of directions
     glm::dvec3 towards{0, 0, -1};  // direction to the second camera, unit length, in the first frame's axes
     double parallax_rad = 0;       // median angle by which points moved beyond the rotation
-    double agreement = 0;          // 1: all points lie in front of the camera; 0: as many behind
+    double agreement = 0;          // 1: all points lie in front of the camera; 0: half lie behind it
 };
 
 // Below this parallax there is only noise of the flow, and nothing can be triangulated.

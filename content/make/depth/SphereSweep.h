@@ -38,8 +38,8 @@ struct SweepView {
 class SphereSweep {
   public:
     SphereSweep();
-    // Inverse distances are from 0 to maxInverse, in one over the unit of the views' places. The map is half
-    // of kSweepWidth wide.
+    // Inverse distances are from 0 to maxInverse, in one over the unit of SweepView::at. The map is
+    // kSweepWidth / 2 texels wide.
     void estimate(const SweepImage& reference, std::span<const SweepView> views, float maxInverse,
                   DepthEstimate& out);
 

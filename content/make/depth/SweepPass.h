@@ -23,7 +23,7 @@ class SweepPass {
     SweepPass(FilmFrames& film, const CameraPath& path, float maxInverse_perM)
         : film_(film), path_(path), maxInverse_perM_(maxInverse_perM) {}
 
-    // Call it for one frame of the track after the other, from any frame on. Inverse distances are in 1/m.
+    // Call it for each frame of the track in order, beginning at any frame. Inverse distances are in 1/m.
     void frame(int number, DepthEstimate& out);
 
   private:

@@ -85,7 +85,7 @@ class Animal:
     def eyes(self):
         s, h, r = self.eye
         centre, outward = self.body.on_side(s, h)
-        outward = unit(outward + [0.25, 0.0, 0.12])  # eyes look a little more sideways and ahead than the skin
+        outward = unit(outward + [0.25, 0.0, 0.12])  # eyes look a little more sideways and ahead than the skin's normal
         left = eye_part(centre - outward * 0.18 * r * self.body.length, outward, r * self.body.length)
         return join([left, mirrored(left)])
 

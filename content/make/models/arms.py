@@ -16,7 +16,7 @@ ELBOW, SHOULDER = 0.27, 0.57  # metres behind the wrist; game/views/ArmPose.cpp 
 # the forearm; forearm and upper_arm_end along their bones, and elbow half way between them.
 JOINTS = (('wrist', 0.0), ('forearm_end', 0.0), ('forearm_middle', ELBOW / 2), ('forearm', ELBOW), ('elbow', ELBOW),
           ('upper_arm_end', ELBOW), ('upper_arm', SHOULDER))
-POINT = np.array([0.6, -0.8])  # x, y of where the tip of the elbow points, at rest
+POINT = np.array([0.6, -0.8])  # x, y of the direction in which the tip of the elbow points, at rest
 # Metres behind the wrist, half widths across and up. It starts inside the skin of the wrist, runs forward to the hem and back.
 CUFF = np.array([(0.0215, 0.0250, 0.0175), (0.0150, 0.0286, 0.0205), (0.0106, 0.0301, 0.0222), (0.0112, 0.0309, 0.0231),
                  (0.0135, 0.0315, 0.0238), (0.0180, 0.0318, 0.0241), (0.0230, 0.0314, 0.0238), (0.0290, 0.0309, 0.0234)])
@@ -39,7 +39,7 @@ def rings():
 
 
 def folds(z, x, y):
-    """Metres out of the smooth sleeve: cloth that is pushed together inside of the elbow and behind the cuff. x, y: on a circle."""
+    """Height of folds above the smooth sleeve, metres: cloth gathers inside the elbow and behind the cuff. x, y: on a circle."""
     inside = step(-0.5, 0.7, -(x * POINT[0] + y * POINT[1]))
     wave = np.sin(2 * np.pi * (z / 0.0215 + 0.22 * paint.noise(401, x * 1.3, y * 1.3, z * 25)) + 0.9 * x - 0.7 * y)
     near = np.exp(-((z - ELBOW) / 0.042) ** 2)
@@ -63,7 +63,7 @@ def texture_u():
 
 
 def weights(z):
-    """Along the arm, linear between joints, so that what stretches does so alike; two short bends at wrist and elbow."""
+    """Weights along the arm are linear between joints, so that cloth stretches evenly; wrist and elbow bend over a short part."""
     z = np.asarray(z, float)
     w = np.zeros((len(z), len(JOINTS)))
     hand = step(0.072, 0.024, z)
@@ -163,7 +163,7 @@ def pictures():
     c = c * (1 + 0.05 * fine + 0.10 * creased * tight * on_arm)[..., None]
     c = c * (1 - 0.8 * inside)[..., None]
     rough = np.clip(0.60 + 0.05 * fine - 0.10 * patch - 0.06 * stripe + 0.04 * wear, 0.35, 0.8)
-    # metres that a texel spans along: the slope of z over u, and of the hem, which runs across
+    # metres that a texel spans along u: the length of the rings' profile, of which the hem runs across, per u
     along = np.interp(u[0], 0.5 * (rows_u[1:] + rows_u[:-1]), np.hypot(np.diff(rows[:, 0]), np.diff(rows[:, 1])) / np.diff(rows_u)) / WIDTH
     normal = paint.normal_map(height * (1 - inside), along[None, :], around / HEIGHT)
     return np.clip(c, 0, 1), normal, np.stack([np.ones_like(u), rough, 0 * u], -1)
@@ -180,7 +180,7 @@ def write(folder, names):
             part.joints, part.weights = right.joints, right.weights
         glb = Glb()
         glb.material('wetsuit', *(glb.texture(each) for each in encoded), metal=0.0)
-        # all hang from the first: what poses them says where each is in the world
+        # all are children of the first joint: the program that poses them sets the place of each in the world
         nodes, binds = [], np.tile(np.eye(4), (len(JOINTS), 1, 1))
         for k, (joint, z) in enumerate(JOINTS):
             nodes.append(glb.node(joint, nodes[0] if nodes else None, [0, 0, z]))

@@ -138,7 +138,7 @@ class Canvas:
         relief, edge, which = np.zeros_like(a), np.zeros_like(a), np.zeros_like(a)
         done = np.zeros(a.shape, bool)
         column = np.floor(a).astype(int)
-        for back in (-2, -1, 0, 1, 2):  # hindmost first would be under; the foremost that covers wins
+        for back in (-2, -1, 0, 1, 2):  # from front to back: the foremost scale that covers a texel is on top
             c = column + back
             shift = (c % 2) * 0.5
             row = np.round(b - shift).astype(int)

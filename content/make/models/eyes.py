@@ -1,4 +1,4 @@
-"""Eyes: domes that stand out of the skin a little, and what they look like from the front."""
+"""Eyes: domes that stand out of the skin a little, and the pictures on them, as seen from the front."""
 
 import numpy as np
 
@@ -28,14 +28,14 @@ def disc(size):
 
 
 def catch_light(colour, x, y):
-    """What a wet cornea mirrors of the bright water above, too small a spot for filtered light to show."""
+    """Adds the mirror image of the bright water above in a wet cornea: filtered light cannot show so small a spot."""
     sky = paint.step(0.35, -0.75, y) * paint.step(0.95, 0.7, np.hypot(x, y)) * paint.step(-0.95, -0.3, y)
     spot = paint.step(0.17, 0.07, np.hypot(x - 0.20, (y + 0.36) * 1.2))
     return paint.mix(paint.mix(colour, paint.rgb('#86a9bd'), 0.16 * sky), paint.rgb('#f4fbff'), 0.85 * spot)
 
 
 def fish_eye(iris, ring, pupil=0.50, seed=5, size=128):
-    """A pupil drawn out forward, a bright ring, an iris with fine spokes that darkens upwards and at its rim."""
+    """A pupil that is longer towards the front, a bright ring, an iris with fine spokes, darker above and at its rim."""
     x, y, r, g = disc(size)
     tear = np.hypot(x - 0.06 * np.maximum(x, 0), y * 1.06)
     spokes = paint.fbm(seed, np.cos(g) * 7, np.sin(g) * 7, r * 2.5, octaves=3)
@@ -48,7 +48,7 @@ def fish_eye(iris, ring, pupil=0.50, seed=5, size=128):
 
 
 def slit_eye(iris, depth, seed=131, size=128, lid=None):
-    """A shark's or a ray's: an upright slit in an iris that darkens outwards. lid: colour of the third eyelid's edge below."""
+    """The eye of a shark or a ray: an upright slit in an iris that darkens outwards. lid: colour of the third eyelid's edge."""
     x, y, r, g = disc(size)
     spokes = paint.fbm(seed, np.cos(g) * 6, np.sin(g) * 6, r * 3, octaves=3)
     c = paint.mix(paint.rgb(iris), paint.rgb(depth), paint.step(0.30, 0.80, r)) * (1 + 0.2 * spokes)[..., None]

@@ -131,7 +131,7 @@ def paired_fin(body, name, s, heights, lengths, first, last, tile, sink=0.006, s
 # ---------------------------------------------------------------- their pictures
 
 def ray_picture(a, b, rays, width=0.16, spiny=0.0, seed=3):
-    """Where fin rays run: 0..1. Soft rays split in two beyond b = 0.4; spines (a < spiny) do not."""
+    """1 on a fin ray, 0 between rays. Soft rays split in two beyond b = 0.4; spines (a < spiny) do not."""
     r = a * rays
     wobble = 0.05 * paint.noise(seed, r * 0.7, b * 3)
     f = (r + wobble) % 1.0 - 0.5

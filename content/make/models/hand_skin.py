@@ -160,7 +160,7 @@ class HandSkin:
         return red * (0.75 + 0.5 * paint.fbm(103, *(p.T * 140), octaves=3))
 
     def colours(self, p, n_up):
-        """Of every tone, by name."""
+        """Returns the skin's colours at p, by the names of the tones."""
         x, y, z = p.T
         palm, back = step(0.25, -0.45, n_up), step(0.0, 0.5, n_up)
         large = paint.fbm(101, x * 60, y * 60, z * 60, octaves=3)

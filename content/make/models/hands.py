@@ -46,7 +46,7 @@ def weights(hand, p):
     distance = np.stack(distance, -1)
     near = distance - distance.min(1, keepdims=True)
     share = np.exp(-near / 0.0027) * paint.step(0.012, 0.004, near)
-    # beyond the webs a finger is alone
+    # beyond the webs, skin follows one finger only
     for f, finger in enumerate(FINGERS[1:], 1):
         chain = hand.chain(finger)
         q = hand.local(hand.names[chain[1]], p)
@@ -56,7 +56,7 @@ def weights(hand, p):
     share[:, 1:] *= 1 - alone[:, None]
     share /= share.sum(1, keepdims=True)
     w = sum(share[:, f:f + 1] * rows for f, rows in enumerate(chains))
-    # the thumb's base stays with the palm for a while; the wrist takes what lies behind
+    # skin behind the wrist follows the wrist
     wrist = paint.step(-0.022, 0.004, p[:, 2])
     w *= 1 - wrist[:, None]
     w[:, hand.index('wrist')] += wrist
@@ -66,7 +66,7 @@ def weights(hand, p):
 def right_part(skeleton):
     """The mesh, and where in space its texels lie."""
     field = hand_field(skeleton)
-    # the grid starts where its points fall into the narrow gaps between the fingers, and near the tips
+    # the grid's origin is chosen so that its points fall into the narrow gaps between the fingers, and near the tips
     points, quads = surface.surface_nets(field, (-0.0967, -0.045, -0.209), (0.066, 0.036, WRIST_END + 0.008), CELL)
     points = surface.project(field, points, 2)
     points = surface.relax(field, points, quads)

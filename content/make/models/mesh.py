@@ -8,7 +8,7 @@ import numpy as np
 
 @dataclass
 class Part:
-    """What becomes one glTF primitive. n vertices, m triangles, counter-clockwise seen from outside."""
+    """The geometry of one glTF primitive: n vertices, m triangles, counter-clockwise seen from outside."""
     positions: np.ndarray                    # n x 3, metres
     normals: np.ndarray                      # n x 3
     tangents: np.ndarray                     # n x 4

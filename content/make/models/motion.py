@@ -14,7 +14,7 @@ def wave(amplitude, wave_length=0.95, cycles=1):
 
 
 def thrash(strength=1.0):
-    """A held fish: its whole body whips into a C, to one side and the other, unevenly."""
+    """The struggle of a held fish: its whole body bends into a C, to one side and to the other, unevenly."""
     def lateral(s, phase):
         c = 0.75 * np.sin(2 * np.pi * 2 * phase) + 0.4 * np.sin(2 * np.pi * 3 * phase + 0.9)
         tail = np.sin(2 * np.pi * (s * 0.9 - 3 * phase))

@@ -1,4 +1,4 @@
-"""What the skins of all fish share: countershading, scales, gill cover, mouth, lateral line."""
+"""Parts of the skins of all fish: countershading, scales, gill cover, mouth, lateral line."""
 
 import numpy as np
 

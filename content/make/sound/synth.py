@@ -1,4 +1,4 @@
-"""What the sounds of the sea are made of: noise, bands, swishes, bubbles, struck bars, the answer of the water.
+"""Building blocks of the sounds of the sea: noise, bands, swishes, bubbles, struck bars, the reverberation of the water.
 
 Times in seconds, frequencies in hertz, radii in metres; 48 kHz. Every source of chance is seeded by its caller.
 """

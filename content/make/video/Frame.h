@@ -13,7 +13,7 @@ class Filming {
   public:
     Filming(const Scene& scene, const Route& route, World& world);
     // Draws a lat-long frame without snow; its env frame is the world frame moved to the camera. turn: time
-    // in films. edges: more rays where neighbours differ. beside: metres from the camera's place then.
+    // in films. edges: more rays where neighbours differ. beside: offset from the camera's path, metres.
     Drawn draw(float turn, int width, bool edges, const vec3& beside = vec3(0));
     // Returns the frame at a time between two drawn ones, `share` of the way from a to b: reprojects both by
     // their distances and blends them.

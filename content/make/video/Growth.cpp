@@ -32,8 +32,8 @@ bool thrives(const Growth& growth, const Vertex& ground, const Route& route, flo
     return sun >= growth.light.x && sun <= growth.light.y;
 }
 
-// Keeps vertices below the sea's surface, and makes some colonies glow that are not right at the camera's
-// path, their pale parts most.
+// Keeps vertices below the sea's surface, and makes some colonies glow, most at their pale parts, but none
+// close to the camera's path.
 void finish(const Growth& growth, const Route& route, uint32_t number, Mesh& mesh, size_t first) {
     const bool glows = growth.glow != vec3(0) && unitFrom(hash(number, 3, 71)) < 0.45f &&
                        route.distanceTo(mesh.vertices[first].p) > 1.4f;

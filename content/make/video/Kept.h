@@ -19,7 +19,7 @@ float radianceOfCode(uint16_t code);
 uint16_t codeOfDistance(float metres);
 float distanceOfCode(uint16_t code);
 
-// Written beside its place and renamed: a run that is killed leaves no half of a frame.
+// Writes the frame under another name and renames it, so that a run that is killed leaves no half of a frame.
 Status keep(const Drawn& drawn, const Path& file);
 // Reads a frame that keep() wrote; the camera's place is not in the file and stays 0.
 Result<Drawn> recall(const Path& file, int width);

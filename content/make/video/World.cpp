@@ -20,7 +20,7 @@ namespace {
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 constexpr float kShadowTexel = 0.02f;
 constexpr int kShadowSide = 1800;
-constexpr float kSwayingSeen = 16; // metres; the water hides so little motion beyond
+constexpr float kSwayingSeen = 16; // metres; beyond, the water hides such small movements
 
 bool traceRay(RTCScene scene, const vec3& origin, const vec3& dir, float furthest, RTCRayHit& ray) {
     ray.ray = {origin.x, origin.y, origin.z, 1e-4f, dir.x, dir.y, dir.z, 0, furthest, ~0u, 0, 0};

@@ -131,8 +131,8 @@ void World::lightVertices(int rays) {
 #pragma omp parallel for schedule(dynamic, 4096)
         for (size_t i = 0; i < mesh.vertices.size(); ++i) {
             const Vertex& v = mesh.vertices[i];
-            // Ground is broad and shows what few rays leave; leaves are small, and far things are behind much
-            // water.
+            // Ground is broad and shows the noise of few rays. Leaves are too small for that, and much water
+            // hides far things.
             const bool far = glm::dot(v.p, v.p) > 13 * 13;
             const bool ground = v.kind == Kind::Sand || v.kind == Kind::Rock;
             Random random(i, part);

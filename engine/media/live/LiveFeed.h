@@ -48,7 +48,7 @@ class LiveFeed {
     // The image takes the picture's size, at most kMaxVideoSide a side. Sets the frame's light, chroma
     // texels, time of decoding, and arrival: that of the last coded byte, by liveNow_s(). Returns how many
     // pictures were skipped since the last one because a newer one had arrived. The error says why no more
-    // come; then open() again.
+    // pictures come; only open() can then bring new ones.
     virtual Result<int64_t> read(ImageRgb8& bgr, VideoFrame& frame) = 0;
 
     // Makes open() and read() return soon, now and later. Any thread.

@@ -1,5 +1,5 @@
-// Anti-aliasing of a picture of objects with one sample a pixel: morphological (Reshetov 2009, "Morphological
-// Antialiasing"), by alpha, of outlines only, so that nothing within an outline is blurred.
+// Morphological anti-aliasing (Reshetov 2009, "Morphological Antialiasing") of a picture of objects with one
+// sample a pixel. It finds outlines by alpha and smooths nothing else, so the objects' insides stay sharp.
 #pragma once
 
 #include <glm/vec2.hpp>

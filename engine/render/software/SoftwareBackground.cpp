@@ -47,7 +47,7 @@ bool isChosenIn(const FrameTiles* tiles, const BackgroundCell& cell) {
     return tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh());
 }
 
-// Tells which cells of a picture a layer holds objects for.
+// Tells for which cells of a picture a layer holds objects.
 class ObjectsInCells {
   public:
     ObjectsInCells(const EyePicture& picture, const TexelLayer& layer) : layer_(layer) {

@@ -1,6 +1,6 @@
 // Samples the background, and paints objects into the frame's texels, on the processor: 1 ns a pixel where
-// llvmpipe takes 6. OpenGL draws the cells that this leaves (at the poles and the frame's edges), and whole
-// pictures that it cannot sample: HDR frames, other exposures or tone curves, multisampled canvases.
+// llvmpipe takes 6. OpenGL draws the cells at the poles and the frame's edges, and all of a picture with an
+// HDR frame, another exposure or tone curve, or a multisampled canvas.
 #pragma once
 
 #include "engine/core/ThreadPool.h"
@@ -40,12 +40,12 @@ class SoftwareBackground final : public BackgroundPass {
     struct State { // of a cell
         SampledCell sampled;
         bool here = false; // whether it is sampled here; otherwise OpenGL draws it
-        // The shadows on the film as the picture shows it, null for none; no value with objects before it.
+        // The shadows that the cell's pixels show, null for none; empty if the pixels show objects too.
         std::optional<FilmShadows::Version> shows{};
         bool painted = false; // whether shadows or objects are in its texels
         bool due = false;     // whether it is sampled next
     };
-    static constexpr int kParts = 32; // of the cells, for threads
+    static constexpr int kParts = 32; // number of parts into which the cells are divided for threads
     struct Eye {
         Sampled film;
         BackgroundCells grid;

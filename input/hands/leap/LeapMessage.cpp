@@ -16,14 +16,14 @@ constexpr size_t kMaxHands = 8, kMaxPointables = 64;
 constexpr double kMetresFromMillimetres = 1e-3;
 constexpr double kFarthest_m = 5; // far beyond the device's range, which is below a metre
 
-// Returns null where there is none, or `object` is another value.
+// Returns JSON's null if there is no such member, or if `object` is not an object.
 static const json& member(const json& object, const char* key) {
     static const json none;
     const auto found = object.find(key);
     return found == object.end() ? none : *found;
 }
 
-// Returns an array's first entries; none of another value.
+// Returns the first entries of an array; none if the member is not an array.
 static std::span<const json> entries(const json& object, const char* key, size_t most) {
     const auto* array = member(object, key).get_ptr<const json::array_t*>();
     return array ? std::span(*array).first(std::min(array->size(), most)) : std::span<const json>();

@@ -112,12 +112,12 @@ OcclusionScene ClosingHand::at(float curl) const {
     ModelInstance hand = instances_->hand;
     hands::HandShape shape;
     shape.curl.fill(0.45f);
-    // Where it lies when a hand has closed on it.
+    // The fish lies where a hand that has closed on it holds it.
     const glm::vec3 fishAt = hands::graspCentre(instances_->rig.pose(hands::Side::Right, shape, {}).joints);
     shape.curl.fill(curl);
     const hands::HandPose pose = instances_->rig.pose(hands::Side::Right, shape, {});
     placeJoints(pose, hand);
-    // Across the palm, where fingers close around it.
+    // The fish lies across the palm, where fingers close around it.
     const glm::mat4 held =
         glm::rotate(glm::translate(glm::mat4(1), fishAt), glm::radians(80.0f), glm::vec3(0, 1, 0));
     return {"hand on fish", {place(instances_->fish, held), place(hand, glm::mat4(1))}, {0, 1}};

@@ -15,8 +15,8 @@ constexpr int kCuts = 40;
 constexpr int kFlips = 120;
 constexpr PictureLimits kLimits{2048, 2048}; // keeps lying headers from costing gigabytes, as in play
 
-// Calls visit with damaged copies of a file: cut at kCuts places, then kFlips copies with 1 to 8 bytes of
-// chance, half of them within the first 256 bytes, where the headers are.
+// Calls visit with damaged copies of a file: cut at kCuts places, then kFlips copies with 1 to 8 random
+// bytes, in half of the copies within the first 256 bytes, where the headers are.
 void damage(const std::string& good, const Path& file,
             const std::function<void(const std::string& how)>& visit) {
     for (int i = 0; i < kCuts; ++i) {

@@ -72,8 +72,8 @@ class TrackedHands : public tests::Program {
                 fs::create_symlink(entry.path(), folder_ / "content" / entry.path().filename());
     }
 
-    // A dive with clownfish in a narrow ring through the place where the fist closes, and no shark; and the
-    // seed, of a hundred, with which one of them is nearest to that place at that time.
+    // Writes a dive with clownfish in a narrow ring through the place where the fist closes, and no shark.
+    // Returns the seed, of a hundred, with which a clownfish is nearest to that place when the fist closes.
     uint64_t putFishAt(const Fist& fist) const {
         const glm::vec3 at = fist.grasp;
         const float radius = std::hypot(at.x, at.z);
@@ -235,7 +235,7 @@ TEST_F(TrackedHands, DevicesListsThem) {
     EXPECT_NE(out().find("leap: ready, protocol 6"), std::string::npos) << out();
 }
 
-// Whatever answers on the tracker's port does not take over without a word.
+// A service that answers on the tracker's port is announced when it takes over.
 TEST(HandsNotice, NamesTheDeviceThatAutoHasFoundAndSaysWhenItGoes) {
     std::optional<Server> server(std::in_place);
     app::HandOptions options;

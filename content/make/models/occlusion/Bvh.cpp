@@ -12,7 +12,7 @@ namespace shoal::occlusion {
 namespace {
 
 constexpr size_t kLeaf = 4;
-constexpr size_t kDepth = 64; // halving by count: enough for any index
+constexpr size_t kDepth = 64; // more than any tree needs: each level halves the number of triangles
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// Bounding volume hierarchy over triangles, for rays. Hand-written because the rays of a whole model take a
-// second or two, and this is built and installed with the game, which Embree is not; tests/bench/occlusion
+// Bounding volume hierarchy over triangles, for rays. It is hand-written because it is installed with the
+// game, which does without Embree; the rays of a whole model take only a second or two. tests/bench/occlusion
 // uses Embree.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace shoal::occlusion {
 
 class Bvh {
   public:
-    // indices: three a triangle. Triangles without area are never met.
+    // indices: three a triangle. No ray hits a triangle without area.
     Bvh(std::span<const glm::vec3> positions, std::span<const uint32_t> indices);
 
     struct Touch {
@@ -22,7 +22,7 @@ class Bvh {
         uint32_t triangle = 0; // index of the triangle in `indices`
         float u = 0, v = 0;    // weights of its second and third corner
     };
-    // Returns the first triangle hit between the two distances, from either side; any: the one found first.
+    // Returns the nearest triangle hit between the two distances, from either side; any: the first one found.
     // Many threads may call it at once.
     std::optional<Touch> first(const glm::vec3& origin, const glm::vec3& direction, float nearest,
                                float furthest, bool any = false) const;

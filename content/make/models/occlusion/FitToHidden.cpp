@@ -32,7 +32,7 @@ Ellipsoid moved(const Ellipsoid& rest, const glm::mat4& rigid) {
             rest.semiAxes};
 }
 
-// Moves a shape along one of its axes, scales it along that, or turns it around that: nine ways.
+// Moves a shape along one of its three axes, scales it along the axis, or turns it around the axis.
 Ellipsoid stepped(Ellipsoid shape, int way, float step) {
     const int axis = way % 3;
     if (way < 3)

@@ -23,7 +23,7 @@ constexpr size_t kMaxRays = 3'000'000; // of a whole creature: a few seconds
 constexpr size_t kParts = 20, kCreatureParts = 4, kHunterParts = 12,
                  kArmParts = 5; // maximum number of ellipsoids
 constexpr int kPlaces = 4000;   // around each pose
-// Half closed, where a hand's own parts count most; and nearly a fist.
+// A half closed hand, for which its own parts count most, and one that is nearly a fist.
 const hands::HandShape kHalf{{0.45f, 0.45f, 0.45f, 0.45f, 0.45f}, 0},
     kClosed{{0.65f, 0.75f, 0.75f, 0.75f, 0.75f}, 0};
 
@@ -129,8 +129,8 @@ std::vector<occlusion::BodyPart> fitHand(const Hand& hand) {
             posedFromRest.push_back(pose.modelFromNode[node] * glm::inverse(hand.rest.modelFromNode[node]));
         return lookAround(scene::posedSurface(hand.model, pose), std::move(posedFromRest), {}, kPlaces, seed);
     };
-    // Seeds of the places are as good as any; of those tried, the fit by these changes smoothest as the hand
-    // closes on a fish (tests/accuracy/occlusion/NoPopTest.cpp).
+    // Any seeds would do. Of those tried, these give the fit that changes most smoothly while the hand closes
+    // on a fish (tests/accuracy/occlusion/NoPopTest.cpp).
     fitToHidden(parts,
                 {around(hand.rest, 10), around(hand.closed(kHalf), 11), around(hand.closed(kClosed), 12)});
     return parts;

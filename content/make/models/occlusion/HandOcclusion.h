@@ -1,4 +1,4 @@
-// Making of models' occlusion, for creatures and hands (engine/render/BakedOcclusion.h).
+// Makes the baked occlusion of creatures and hands (engine/render/BakedOcclusion.h).
 #pragma once
 
 #include "engine/render/BakedOcclusion.h"

@@ -16,11 +16,11 @@ struct Occluder {
     glm::vec3 albedo{0}; // albedo of its surface, in the space in which surfaces scale light
 };
 
-// An ellipsoid as seen from a point: the directions that it hides. m: the point from its centre; Q: the
-// symmetric matrix with x.Qx = 1 on the surface. A ray along d hits it if -Qm.d > sqrt(m.Qm - 1) |d|_Q. That
-// difference grows across the silhouette by one over the distance of the tangent plane there from the centre,
-// which is taken to be the same all around: exact at the skin and for spheres, and far away that of a disc as
-// large as its shadow.
+// The directions that an ellipsoid hides from a point. m: the point, relative to its centre; Q: the
+// symmetric matrix with x.Qx = 1 on the surface. A ray along d hits it if -Qm.d > sqrt(m.Qm - 1) |d|_Q. The
+// difference of the two sides grows across the silhouette by one over the distance of the tangent plane there
+// from the centre. This slope is taken to be the same all around, which is exact at the skin and for spheres;
+// far away it is that of a disc as large as the shadow.
 class EllipsoidSilhouette {
   public:
     EllipsoidSilhouette(const Ellipsoid& shape, const glm::vec3& p);

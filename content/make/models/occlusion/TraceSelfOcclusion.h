@@ -19,8 +19,8 @@ inline float selfOcclusionAlong(const glm::vec4& selfOcclusion, const glm::vec3&
     return selfOcclusion.w + glm::dot(glm::vec3(selfOcclusion), direction);
 }
 
-// A body's surface, in one frame; views only. indices: three a triangle. Positions in none of them have no
-// self-occlusion.
+// A body's surface, in one frame; views only. indices: three a triangle. Positions that no triangle uses get
+// no self-occlusion.
 struct SelfOccludingMesh {
     std::span<const glm::vec3> positions, normals; // normals: unit, one a position
     std::span<const uint32_t> indices;             // triangles that let no light through
@@ -31,9 +31,9 @@ struct SelfOccludingMesh {
 std::vector<glm::vec3> cosineDirections(int count);
 
 // Casts rays from each corner and from three points in each triangle, and gives the vertices the values whose
-// interpolation comes nearest to the result. Corners alone would not do: at the roots of fins they lie inside
-// the body, and would darken all around. Kavan et al. 2011, "Least Squares Vertex Baking". rays: number from
-// each of these points. Returns one value for each position, in the mesh's frame.
+// interpolation comes nearest to the result. Rays from corners alone are not enough: at the roots of fins the
+// corners lie inside the body, and would darken their surroundings. Kavan et al. 2011, "Least Squares Vertex
+// Baking". rays: number from each point. Returns one value for each position, in the mesh's frame.
 std::vector<glm::vec4> traceSelfOcclusion(const SelfOccludingMesh& body, int rays);
 
 // Hidden share of each axis' end that lies above a surface, 0 to 1.

@@ -143,7 +143,7 @@ def pictures():
 
 
 class Jellyfish:
-    """As an Animal is, to make_models."""
+    """Has the method that make_models calls of an Animal."""
 
     def write(self, path):
         # far skins first: they are blended in this order

@@ -26,7 +26,7 @@ def displace(s, h, v):
 
 
 def mouth_s(v):
-    """Where the mouth lies, s of V; beyond the corner it runs on as a plain ring."""
+    """Returns s of the mouth at V; above the mouth's corner the line goes on as a plain ring."""
     t = np.clip((1 - v) / (1 - CORNER_V), 0, 1)
     return MOUTH_FRONT + (MOUTH_CORNER - MOUTH_FRONT) * t ** 1.7
 

@@ -27,7 +27,7 @@ COLUMNS = 0.5 + 0.25 * (np.linspace(-1, 1, 9) + np.sin(np.pi / 2 * np.linspace(-
 
 
 def flat(u, v):
-    """Where v of the way from the beak to the rim lies; u: 0 along the belly, 1 along the back. And the depth of a shell there."""
+    """Returns the place at the share v of the way from beak to rim (u: 0 along the belly, 1 the back), and the shell's depth."""
     u, v = np.clip(u, 0, 1), np.clip(v, 0, 1)
     angle = VENTRAL + (DORSAL - VENTRAL) * u
     long = RIM(angle) * LENGTH * v / 0.982  # the hind end lies 11 degrees above +Z

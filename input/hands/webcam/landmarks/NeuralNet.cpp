@@ -144,8 +144,8 @@ class Builder {
         return xnn_status_success;
     }
 
-    // Calls one of XNNPACK's functions for convolutions. outChannels: the channels of its output, for those
-    // that want them.
+    // Calls one of XNNPACK's functions for convolutions. outChannels: the number of channels of the
+    // output, for the function that takes it.
     template <class Define, class Options, class... Counts>
     xnn_status addConvolution(Define xnnDefine, const Operator& op, const Options& options,
                               Counts... outChannels) {
