@@ -29,7 +29,7 @@ void damage(const std::string& good, const Path& file,
         Random random(seed);
         std::string bad = good;
         const size_t range = seed % 2 ? good.size() : std::min<size_t>(256, good.size());
-        for (uint32_t i = 0; i <= random.below(8); ++i)
+        for (uint32_t left = 1 + random.below(8); left > 0; --left)
             bad[random.below(static_cast<uint32_t>(range))] = static_cast<char>(random.below(256));
         writeBytes(file, bad);
         visit("seed " + std::to_string(seed));

@@ -59,8 +59,9 @@ std::optional<Bvh::Touch> Bvh::first(const glm::vec3& origin, const glm::vec3& d
     const auto entry = [&](const Node& node) {
         const glm::vec3 a = (node.low - origin) * inverse, b = (node.high - origin) * inverse;
         const glm::vec3 in = glm::min(a, b), out = glm::max(a, b);
-        const float from = std::max({in.x, in.y, in.z, nearest}),
-                    to = std::min({out.x, out.y, out.z, furthest});
+        // A ray within a box's plane gives NaN there, which max() and min() pass over unless it comes first.
+        const float from = std::max({nearest, in.x, in.y, in.z}),
+                    to = std::min({furthest, out.x, out.y, out.z});
         return from <= to ? from : INFINITY;
     };
     std::array<uint32_t, kDepth> stack;
