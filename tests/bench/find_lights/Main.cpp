@@ -1,8 +1,9 @@
-// Prints tables of the lights that are found in frames: errors and cost.
+// Prints tables of what is found in pictures: lights, the surroundings of a photo; errors and cost.
 #include "engine/core/Image.h"
 #include "engine/math/Quantile.h"
 #include "engine/panorama/Steps.h"
 #include "tests/bench/Bench.h"
+#include "tests/bench/find_lights/Tables.h"
 #include "tests/bench/light/Environments.h"
 #include "tests/unit/light/LightWatcher.h"
 
@@ -106,7 +107,9 @@ floats.
 };
 
 void findLights(bool quick) {
-    std::printf(R"(# Light sources that are found in frames
+    std::printf(R"(# Lights and surroundings that are found in pictures
+
+## Light sources
 
 Lights in frames of 8 bits: the strongest true one, and the one found nearest to it. Pictures of high dynamic range are clipped with
 their mean at 10 and at 20 %% of white. True lights of these and of the film are those that ours finds before they are clipped.
@@ -163,5 +166,7 @@ their mean at 10 and at 20 %% of white. True lights of these and of the film are
 } // namespace
 
 int main(int argc, char**) {
-    findLights(argc > 1); // --quick
+    const bool quick = argc > 1; // --quick
+    findLights(quick);
+    bench::growPhotos(quick);
 }

@@ -28,6 +28,15 @@ inline EnvironmentError errorOf(const std::vector<glm::dvec3>& got, const std::v
     return error;
 }
 
+// Returns the error after the best single factor: how bright a frame was exposed nothing can know.
+inline EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<glm::dvec3>& want) {
+    double both = 0, own = 0;
+    for (size_t i = 0; i < got.size(); ++i)
+        both += glm::dot(got[i], want[i]), own += glm::dot(got[i], got[i]);
+    for (glm::dvec3& each : got) each *= both / own;
+    return errorOf(got, want);
+}
+
 // Errors over several environments or lobes, each with the same weight however bright it is.
 class Pool {
   public:

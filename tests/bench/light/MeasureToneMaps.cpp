@@ -113,15 +113,6 @@ ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit, double e
     return out;
 }
 
-// Returns the error after the best single factor, because an operator cannot know the frame's exposure.
-EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<glm::dvec3>& want) {
-    double both = 0, own = 0;
-    for (size_t i = 0; i < got.size(); ++i)
-        both += glm::dot(got[i], want[i]), own += glm::dot(got[i], got[i]);
-    for (glm::dvec3& each : got) each *= both / own;
-    return errorOf(got, want);
-}
-
 } // namespace
 
 void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs) {

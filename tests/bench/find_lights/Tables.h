@@ -1,0 +1,8 @@
+// Tables that bench_lights prints after those of found lights.
+#pragma once
+
+namespace shoal::bench {
+
+void growPhotos(bool quick);
+
+} // namespace shoal::bench
