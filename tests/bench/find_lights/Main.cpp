@@ -1,4 +1,4 @@
-// Prints tables of what is found in pictures: lights, the surroundings of a photo; errors and cost.
+// Prints tables of what is found in pictures: lights, the surroundings of a photo, water; errors and cost.
 #include "engine/core/Image.h"
 #include "engine/math/Quantile.h"
 #include "engine/panorama/Steps.h"
@@ -107,7 +107,9 @@ floats.
 };
 
 void findLights(bool quick) {
-    std::printf(R"(# Lights and surroundings that are found in pictures
+    std::printf(R"(# Lights, surroundings and water that are found in pictures
+
+![Error over cost](lights.svg)
 
 ## Light sources
 
@@ -169,4 +171,5 @@ int main(int argc, char**) {
     const bool quick = argc > 1; // --quick
     findLights(quick);
     bench::growPhotos(quick);
+    bench::findWater(quick);
 }

@@ -4,5 +4,6 @@
 namespace shoal::bench {
 
 void growPhotos(bool quick);
+void findWater(bool quick);
 
 } // namespace shoal::bench
