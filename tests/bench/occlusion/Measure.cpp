@@ -51,7 +51,7 @@ std::vector<LitEnvironment> litEnvironments(bool quick) {
     return all;
 }
 
-std::vector<OcclusionMethod> occlusionMethods() {
+std::vector<OcclusionMethod> occlusionMethods(bool quick) {
     std::vector<OcclusionMethod> all;
     all.push_back(ignored()); // first
     all.push_back(bakedOcclusion(true));
@@ -63,10 +63,14 @@ std::vector<OcclusionMethod> occlusionMethods() {
     all.push_back(coherentShadowMaps(512, 128));
     all.push_back(layeredDepth(64, 128));
     all.push_back(layeredDepth(256, 128));
-    for (const int directions : {64, 256}) {
-        all.push_back(thesisLayers(directions));
-        all.push_back(curedLayers(directions));
-    }
+    all.push_back(thesisLayers(64));
+    all.push_back(curedLayers(64));
+    for (const int pixels : {kUsualPixels / 2, kUsualPixels})
+        for (const int cells : {3, kUsualCells, 9})
+            if (!quick || cells < 9 || pixels < kUsualPixels) {
+                all.push_back(thesisLayers(256, cells, pixels));
+                all.push_back(curedLayers(256, 6 * cells * cells, pixels));
+            }
     for (const Casting casting : {Casting::Others, Casting::OthersAndFolds, Casting::All})
         all.push_back(ellipsoids(casting));
     for (const int directions : {16, 64, 256}) all.push_back(exactRays(directions));
@@ -86,7 +90,7 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick) {
         fine.push_back(each.fine);
     }
     const Cells cells = cellsOf(fine);
-    auto methods = occlusionMethods();
+    auto methods = occlusionMethods(quick);
     for (const OcclusionMethod& each : methods)
         chart.methods.push_back({.label = each.label, .moves = each.moves});
     for (const Scene& scene : scenes) {

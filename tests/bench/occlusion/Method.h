@@ -56,7 +56,9 @@ enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);
 // Returns, for each body, the ellipsoids of all other bodies.
 std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene);
-OcclusionMethod thesisLayers(int directions);
-OcclusionMethod curedLayers(int directions);
+// Layered fragment buffers, asked in some directions: 6 cells^2 views of the thesis', or views of the cured.
+constexpr int kUsualCells = 5, kUsualViews = 6 * kUsualCells * kUsualCells, kUsualPixels = 64;
+OcclusionMethod thesisLayers(int directions, int cells = kUsualCells, int resolution = kUsualPixels);
+OcclusionMethod curedLayers(int directions, int views = kUsualViews, int resolution = kUsualPixels);
 
 } // namespace shoal::bench

@@ -197,6 +197,17 @@ Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {
             }
             out += "END\n";
         }
+        // Error over memory of layered fragment buffers, by number of views.
+        for (const char* kind : {"thesis", "cured"})
+            for (const int pixels : {kUsualPixels / 2, kUsualPixels}) {
+                out += fmt::format("$views{}_{}_{} << END\n", panel, kind, pixels);
+                for (const OcclusionMeasured& each : chart.methods)
+                    if (each.label.family == fmt::format("layered fragments, {}", kind) &&
+                        each.label.name.ends_with(fmt::format("of {}, 256 directions", pixels)))
+                        out += fmt::format("{:.6g} {:.6g}\n", static_cast<double>(each.bytes[k]) * 1e-6,
+                                           100 * pooledError(chart, each, k, Under::NoSuns));
+                out += "END\n";
+            }
         errors.push_back(kLine);
         const Axis x = axisAround(costs, 800, 2), y = axisAround(errors, 410, 1.5); // occlusion.gp
         out += fmt::format("left{0} = {1:g}; right{0} = {2:g}; low{0} = {3:g}; high{0} = {4:g}\n", panel,
@@ -204,8 +215,9 @@ Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {
         std::vector<Name> names;
         for (size_t i = 0; i < methods.size(); ++i) {
             const double kB = static_cast<double>(methods[i]->bytes[k]) * 1e-3;
+            const std::string& brief = methods[i]->label.brief;
             names.push_back(
-                {methods[i]->label.brief + (kB > 0 ? fmt::format(", {:.{}f} kB", kB, kB < 10 ? 1 : 0) : ""),
+                {brief + (kB > 0 && !brief.empty() ? fmt::format(", {:.{}f} kB", kB, kB < 10 ? 1 : 0) : ""),
                  {x.toPixel(costs[i]), y.toPixel(errors[i])}});
         }
         placeNames(names, {{{400, y.toPixel(kLine)}, {400, 1}}}, {800, 410}, 6.6);
