@@ -88,6 +88,13 @@ const OcclusionLabel kLabels[] = {
 
 } // namespace
 
+std::vector<occlusion::Ellipsoid> ellipsoidsOf(const Body& body) {
+    std::vector<occlusion::Ellipsoid> all;
+    for (const occlusion::BodyPart& part : partsOf(body))
+        all.push_back(moved(part.atRest, body.worldFromRest[part.joint]));
+    return all;
+}
+
 std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene) {
     std::vector<std::vector<occlusion::Occluder>> casting(scene.bodies.size());
     for (size_t b = 0; b < scene.bodies.size(); ++b)

@@ -133,6 +133,7 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick) {
         std::fprintf(stderr, "occlusion: %s: glossy\n", scene.name.c_str());
         measureGlossy(chart.glossy, scene, rays, std::span(receivers).first(quick ? 50 : receivers.size()),
                       environments);
+        if (scene.name == "shark above a shoal") measureGround(chart, scene, environments, cells, quick);
     }
     return chart;
 }

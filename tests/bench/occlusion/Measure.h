@@ -47,6 +47,12 @@ struct OcclusionMeasured {
     std::vector<size_t> bytes;                   // [scene]
 };
 
+// Darkening of the ground below bodies; sums over environments.
+struct GroundMeasured {
+    std::string name;
+    double squares = 0, point_ns = 0; // squares: of relative root mean square errors
+};
+
 struct OcclusionChart {
     std::vector<std::string> scenes, environments;
     std::vector<bool> pointSun;             // [environment]
@@ -54,7 +60,12 @@ struct OcclusionChart {
     std::vector<double> open;               // [scene]: mean free share of the hemisphere
     std::vector<OcclusionMeasured> methods; // the first ignores occlusion
     GlossyChart glossy;
+    std::vector<GroundMeasured> ground; // below the shark
+    int groundEnvironments = 0;         // those with a light that casts shadows
 };
+
+void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const LitEnvironment> environments,
+                   const Cells& cells, bool quick);
 
 OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick);
 

@@ -54,6 +54,8 @@ OcclusionMethod exactRays(int directions);
 // ellipsoids if it bends sharply.
 enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);
+// Returns a body's ellipsoids, in the world.
+std::vector<occlusion::Ellipsoid> ellipsoidsOf(const Body& body);
 // Returns, for each body, the ellipsoids of all other bodies.
 std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene);
 // Layered fragment buffers, asked in some directions: 6 cells^2 views of the thesis', or views of the cured.

@@ -78,6 +78,16 @@ OcclusionMethod layers(OcclusionLabel label, int directions, const typename Buff
         });
 }
 
+// The chart names the points of the usual size alone; the others have a picture of their own.
+OcclusionLabel layersLabel(const std::string& kind, int directions, int views, int resolution,
+                           const char* source, Part part) {
+    const bool usual = views == kUsualViews && resolution == kUsualPixels;
+    return {"layered fragment buffers " + std::string(kind == "thesis" ? "of the thesis" : kind) + ", " +
+                std::to_string(views) + " views of " + std::to_string(resolution) + ", " +
+                std::to_string(directions) + " directions",
+            usual ? kind + " " + std::to_string(directions) : "", "layered fragments, " + kind, source, part};
+}
+
 } // namespace
 
 OcclusionMethod exactRays(int directions) {
@@ -123,19 +133,16 @@ OcclusionMethod layeredDepth(int directions, int size) {
         });
 }
 
-OcclusionMethod thesisLayers(int directions) {
-    return layers<occlusion::OllfbThesis>({"layered fragment buffers of the thesis, 150 views of 64, " +
-                                               std::to_string(directions) + " directions",
-                                           "thesis " + std::to_string(directions),
-                                           "layered fragments, thesis", "thesis, chapter 6", Part::Thesis},
-                                          directions, {.cells = 5, .resolution = 64});
+OcclusionMethod thesisLayers(int directions, int cells, int resolution) {
+    return layers<occlusion::OllfbThesis>(
+        layersLabel("thesis", directions, 6 * cells * cells, resolution, "thesis, chapter 6", Part::Thesis),
+        directions, {.cells = cells, .resolution = resolution});
 }
 
-OcclusionMethod curedLayers(int directions) {
+OcclusionMethod curedLayers(int directions, int views, int resolution) {
     return layers<occlusion::TracedOllfb>(
-        {"layered fragment buffers cured, 150 views of 64, " + std::to_string(directions) + " directions",
-         "cured " + std::to_string(directions), "layered fragments, cured", "engine/occlusion"},
-        directions, {.views = 150, .resolution = 64});
+        layersLabel("cured", directions, views, resolution, "engine/occlusion", Part::Baseline), directions,
+        {.views = views, .resolution = resolution});
 }
 
 } // namespace shoal::bench

@@ -54,5 +54,17 @@ do for [panel = 1:2] {
         views("cured", 32) . " pointtype 10 linecolor rgb '#CC79A7' title 'cured, 32 pixels', " . \
         views("cured", 64) . " pointtype 11 linecolor rgb '#CC79A7' title 'cured, 64 pixels'"
 }
+# Shadows on the ground.
+ground(name) = sprintf("< awk -F' *[|] *' '$2 ~ /^%s/ { print $4, $3 }' '%s/occlusion.md'", name, folder)
+set label 1 "shadows on the ground" at screen 760 / 900.0,390 / 1580.0 center font ",13"
+set key at screen 748 / 900.0,348 / 1580.0 center center vertical maxrows 4 samplen 2 width 0 font ",10"
+set lmargin at screen 660 / 900.0; set rmargin at screen 880 / 900.0
+set title "below the shark" font ",12" offset 0,-0.6
+set xlabel "ns a shaded texel"
+set xrange [10:100000]; set yrange [1:100]
+set xtics ("10" 10, "100" 100, "1000" 1000, "10 000" 1e4)
+set ytics ("1 %%" 1, "2 %%" 2, "5 %%" 5, "10 %%" 10, "20 %%" 20, "50 %%" 50, "100 %%" 100)
+plot ground("differential rendering, [0-9]+ lights") using 1:2 with linespoints pointtype 4 linecolor rgb '#0072B2' title 'differential rendering', \
+    ground("[*][*]film shadows") using 1:2 with points pointtype 15 pointsize 1.3 linecolor rgb '#E69F00' title 'film shadows (the game)'
 unset multiplot
 unset output
