@@ -14,17 +14,17 @@ constexpr float kMean_s = 0.5f;     // time constant of the mean
 constexpr float kDeepest_m = 3;     // furthest ground along a ray
 constexpr float kMostChange = 1.5f; // limits what the edge of a rock that passes can do
 
-void Caustics::make(const ImageRgbF& radianceLin, float passed_s, ImageF& mean) {
-    const bool anew = mean.width != radianceLin.width || passed_s < 0 || passed_s > kMean_s;
-    mean.fit(radianceLin.width, radianceLin.height);
+void Caustics::follow(const ImageRgbF& radianceLin, float passed_s) {
+    const bool anew = mean_.width != radianceLin.width || passed_s < 0 || passed_s > kMean_s;
+    mean_.fit(radianceLin.width, radianceLin.height);
     change_.fit(radianceLin.width, radianceLin.height);
     const float share = anew ? 1 : math::followShare(passed_s, kMean_s);
-    for (size_t i = 0; i < mean.pixels.size(); ++i) {
+    for (size_t i = 0; i < mean_.pixels.size(); ++i) {
         const float* rgb = radianceLin.pixels.data() + 3 * i;
         const float luminance = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
-        mean.pixels[i] += share * (luminance - mean.pixels[i]);
+        mean_.pixels[i] += share * (luminance - mean_.pixels[i]);
         change_.pixels[i] =
-            std::clamp(luminance / std::max(mean.pixels[i], 1e-4f) - 1, -kMostChange, kMostChange);
+            std::clamp(luminance / std::max(mean_.pixels[i], 1e-4f) - 1, -kMostChange, kMostChange);
     }
 }
 

@@ -15,11 +15,11 @@ namespace shoal::depth {
 
 class Caustics {
   public:
-    // radianceLin: lat-long, about 64 texels around; finer maps err more, because distances are too rough for
-    // them. mean: luminance, which follows from frame to frame with a time constant of half a second; another
-    // size, or more than that time between two frames, begins anew. passed_s: since the frame before.
-    // Allocates only on the first call.
-    void make(const ImageRgbF& radianceLin, float passed_s, ImageF& mean);
+    // Takes the next frame that is shown. radianceLin: lat-long, about 64 texels around; finer maps err more,
+    // because distances are too rough for them. passed_s: since the frame before. The mean follows with a
+    // time constant of half a second, and begins anew with another size, or after a longer time or a step
+    // back. Allocates only on the first call.
+    void follow(const ImageRgbF& radianceLin, float passed_s);
 
     // Returns the change of the ground's light, as a share of its mean, where the light's ray through a place
     // meets the ground; averaged over a body of this length. 0 if no ground is known within 3 m. map: of the
@@ -28,7 +28,7 @@ class Caustics {
                    const DepthMap& map) const;
 
   private:
-    ImageF change_;
+    ImageF mean_, change_; // of the frames' luminance
 };
 
 } // namespace shoal::depth

@@ -157,8 +157,6 @@ void Player::prepareDepth(const media::VideoFrame& frame, const light::FrameView
     depth::widenNear(made.depth, made.widened);
     made.depthRange.make(made.depth);
     made.lightDifference.make(made.found.radianceLin, made.depth);
-    made.caustics.make(made.found.radianceLin, static_cast<float>(frame.time_s - groundTime_s_), groundMean_);
-    groundTime_s_ = frame.time_s;
 }
 
 void Player::prepare(const media::VideoFrame& frame) {
@@ -240,6 +238,10 @@ bool Player::show(const media::VideoFrame& frame, double time_s) {
     follow(time_s);
     if (frame.index == shownIndex_) return false;
     shownIndex_ = frame.index;
+    // Only frames that are shown count, so that equal times give equal pictures.
+    if (!shown_->depth.inverse.empty())
+        caustics_.follow(shown_->found.radianceLin, static_cast<float>(time_s - causticsAt_s_));
+    causticsAt_s_ = time_s;
     layout_ = frame.layout;
     light_ms_ = static_cast<float>(frame.prepare_ms);
     decode_ms_ = static_cast<float>(frame.decode_ms);

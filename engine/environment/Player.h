@@ -94,7 +94,6 @@ struct Frame {
     depth::DepthMap depth, widened; // empty: unknown; of a stereo film's left picture; see widenNear()
     depth::DepthRange depthRange;
     depth::LightDifference lightDifference;
-    depth::Caustics caustics;
 };
 
 // One thread uses it; a video's frames are analysed on the decode thread.
@@ -117,6 +116,8 @@ class Player {
     // Returns the light that casts shadows, env frame. There is none unless the setup asks for lights and
     // there are distances or a room's floor to cast shadows on.
     const light::ShadowLight& shadowLight() const { return casting_; }
+    // Returns how waves change the light; of a film with distances.
+    const depth::Caustics& caustics() const { return caustics_; }
     // Response of the camera; neutral unless the setup asks for it, and for an HDR picture.
     const camera::CameraResponse& cameraResponse() const { return cameraResponse_.response(); }
     bool hasDepthTrack() const { return depthTrack_.has_value(); }
@@ -179,14 +180,14 @@ class Player {
     media::DepthFrame trackFrame_; // the last one decoded
     int trackFrameNumber_ = -1;
     depth::DepthRefiner depthRefiner_;
-    ImageF groundMean_; // of depth::Caustics
-    double groundTime_s_ = 0;
     std::optional<media::VideoPlayer> player_;
     std::optional<media::LivePlayer> live_; // instead of player_
     int64_t shownIndex_ = -1;
     water::WaterOverTime water_;
     light::LightOverTime lights_;
     light::ShadowLight casting_;
+    depth::Caustics caustics_;
+    double causticsAt_s_ = 0; // time of their last frame
     camera::CameraResponseOverTime cameraResponse_;
     double lastUpdate_s_ = 0, videoPosition_s_ = 0;
     float light_ms_ = 0, decode_ms_ = 0;

@@ -51,9 +51,8 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     const bool knowsPlaces = bounces && environment.depth();
     animalLight_.follow(snapshot, knowsPlaces ? &film.frame().lightDifference : nullptr,
                         environment.envFromWorld(), {look.lamp, film.water().attenuation_perM},
-                        knowsPlaces
-                            ? FocusedLight{&film.frame().caustics, environment.depth(), &film.shadowLight()}
-                            : FocusedLight{});
+                        knowsPlaces ? FocusedLight{&film.caustics(), environment.depth(), &film.shadowLight()}
+                                    : FocusedLight{});
     const Head viewer{snapshot.headWorld, snapshot.worldFromView};
     creatureModels_->show(snapshot, look.player.value_or(viewer), animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());

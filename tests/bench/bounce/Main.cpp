@@ -241,7 +241,7 @@ class Measuring {
             const auto second = static_cast<int>(places[0].sunlight.size());
             if (frame < 2 * second) continue;
             if (!video->seek(frame + 1 - 2 * second)) return shoal::Error{film, "cannot be read there"};
-            ImageF mean;
+            depth::Caustics caustics;
             light::LightOverTime casting;
             std::vector<std::vector<double>> found(places.size());
             for (int at = frame + 1 - 2 * second; at <= frame; ++at) {
@@ -252,8 +252,7 @@ class Measuring {
                 finder.find(pyramid, lights);
                 const auto passed_s = static_cast<float>(1 / video->info().fps);
                 const glm::vec3 towards = casting.follow(lights, passed_s).light.direction;
-                depth::Caustics caustics;
-                caustics.make(pyramid.ofWidth(64), passed_s, mean);
+                caustics.follow(pyramid.ofWidth(64), passed_s);
                 if (at <= frame - second) continue;
                 track->read(track->frameAt(at / video->info().fps), depth_);
                 refiner_.refine(depth_, view, map_);

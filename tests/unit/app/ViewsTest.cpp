@@ -98,10 +98,9 @@ TEST(AnimalLight, WavesLightBacksByWhatTheGroundGains) {
     ImageRgbF before(64, 32), now(64, 32);
     std::ranges::fill(before.pixels, 1.0f);
     std::ranges::fill(now.pixels, 1.22f);
-    ImageF mean;
     depth::Caustics caustics;
-    caustics.make(before, 0, mean);
-    caustics.make(now, 0.048f, mean); // the mean follows by a share of 1 - exp(-0.096)
+    caustics.follow(before, 0);
+    caustics.follow(now, 0.048f); // the mean follows by a share of 1 - exp(-0.096)
     const float gain = caustics.changeAt(kAhead, {0, 1, 0}, 0.2f, map);
     EXPECT_NEAR(gain, 1.22f / (1 + 0.22f * 0.0915f) - 1, 1e-3f);
     light::ShadowLight from;

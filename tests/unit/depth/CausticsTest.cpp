@@ -27,9 +27,8 @@ ImageRgbF frameWith(float right) {
 
 struct Film {
     DepthMap map = levelGround();
-    ImageF mean;
     Caustics caustics;
-    void show(float right, float passed_s = kPicture_s) { caustics.make(frameWith(right), passed_s, mean); }
+    void show(float right, float passed_s = kPicture_s) { caustics.follow(frameWith(right), passed_s); }
     float at(const glm::vec3& place, float length_m = 0.1f) const {
         return caustics.changeAt(place, kTowards, length_m, map);
     }
