@@ -99,9 +99,9 @@ def median_fin(body, name, which, s0, s1, lengths, leans, tile, sink=0.012, thic
                thickness=thickness * body.length, **more)
 
 
-def tail_fin(body, lengths, spread, tile, overlap=0.035, turn=0.0, thickness=None, foil='lens', **more):
-    """The tail: rays fan from +spread (a = 0, upper) to -spread; lengths over a. Its lens starts `overlap` before
-    the body's end, just outside of the body, so that one flows into the other."""
+def tail_fin(body, lengths, spread, tile, overlap=0.035, turn=0.0, thickness=None, foil='lens', reach=1.0, **more):
+    """The tail: rays fan from +spread (a = 0, upper) to -spread; lengths over a; the longest ends at s = reach before it is bent.
+    Its lens starts `overlap` before the body's end, just outside of the body, so that one flows into the other."""
     a = np.linspace(0, 1, 65)
     s = body.end - overlap
     top, bottom = body.profile('upper', s), body.profile('lower', s)
@@ -109,7 +109,7 @@ def tail_fin(body, lengths, spread, tile, overlap=0.035, turn=0.0, thickness=Non
     angle = (spread * (1 - 2 * a) * (0.75 + 0.25 * np.abs(1 - 2 * a))) + turn
     direction = np.stack([0 * a, np.sin(angle), -np.cos(angle)], -1)
     long = Curve(lengths)(a) + overlap
-    long = long * (1 - s) / np.max(long * np.cos(angle))  # the longest ray ends at s = 1
+    long = long * (reach - s) / np.max(long * np.cos(angle))
     if thickness is None:
         thickness = float(body.profile('width', s)) * 1.10
     return Fin('tail', root, direction, long * body.length, tile, thickness=thickness * body.length, foil=foil,

@@ -80,7 +80,7 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
 
 // Root mean square error of the hidden share over the ground. With bodies as straight rows of slices (bend
 // 0.9 radians, light of 4 degrees) it was: clownfish 21 %, angelfish 28, sardine 21, ray 27, shark 66; they
-// took 15, 17, 14, 3 and 18 % too much light in all.
+// took 15, 17, 14, 3 and 18 % too much light in all. One ellipsoid now has both lobes of the shark's tail.
 TEST(ShadowAccuracy, BendingAnimals) {
     struct Row {
         Animal animal;
@@ -90,7 +90,7 @@ TEST(ShadowAccuracy, BendingAnimals) {
                                                {{"angelfish", 0.18f}, 0.12, 0.17},
                                                {{"sardine", 0.14f}, 0.27, 0.25},
                                                {{"ray", 1.15f}, 0.38, 0.05},
-                                               {{"shark", 2.2f}, 0.4, 0.12}})
+                                               {{"shark", 2.2f}, 0.4, 0.15}})
         for (const float bend : {0.0f, 0.9f})
             for (const float radius_deg : {4.0f, 16.0f}) {
                 const Compared d = compare(animal, bend, radius_deg);
