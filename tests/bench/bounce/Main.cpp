@@ -182,6 +182,56 @@ double threadTime_s() {
 
 constexpr float kBody_m = 0.2f; // length of the bodies that make_video_frames takes
 
+// The frames of a film of the game, with their distances.
+class Footage {
+  public:
+    static Result<Footage> open(const char* name) {
+        Footage footage;
+        footage.file_ = dataRoot() / "content/video" / (std::string(name) + ".mp4");
+        if (Status s = media::VideoSource::open(footage.file_, media::Layout::Mono).moveTo(footage.video_);
+            !s)
+            return s.error();
+        if (Status s = media::DepthTrack::open(media::depthTrackOf(footage.file_), footage.file_)
+                           .moveTo(footage.track_);
+            !s)
+            return s.error();
+        footage.shown_ = ImageRgb8(footage.video_->info().width, footage.video_->info().height);
+        return footage;
+    }
+
+    double fps() const { return video_->info().fps; }
+    light::FrameView view() const {
+        return {shown_.at(0, 0), shown_.width, shown_.height, ptrdiff_t{3} * shown_.width, true};
+    }
+    const depth::DepthMap& map() const { return map_; }
+
+    Status seek(int frame) {
+        return video_->seek(frame) ? Status(Done{}) : shoal::Error{file_, "cannot be read there"};
+    }
+    // Decodes up to this frame, which view() shows then.
+    Status show(int frame) {
+        while (video_->position() <= frame)
+            if (!video_->grab()) return shoal::Error{file_, "ends early"};
+        return video_->retrieve(shown_) ? Status(Done{}) : shoal::Error{file_, "cannot be converted"};
+    }
+    // Makes the map of the frame that is shown.
+    Status measure(int frame) {
+        if (!track_->read(track_->frameAt(frame / fps()), depth_))
+            return shoal::Error{file_, "has no distances there"};
+        refiner_.refine(depth_, view(), map_);
+        return Done{};
+    }
+
+  private:
+    Path file_;
+    std::optional<media::VideoSource> video_;
+    std::optional<media::DepthTrack> track_;
+    ImageRgb8 shown_;
+    media::DepthFrame depth_;
+    depth::DepthRefiner refiner_;
+    depth::DepthMap map_;
+};
+
 class Measuring {
   public:
     explicit Measuring(Path folder) : folder_(std::move(folder)) {}
@@ -189,81 +239,37 @@ class Measuring {
     Status add(const char* name) {
         const auto probes = readProbes(folder_ / (std::string(name) + ".tsv"));
         if (!probes) return probes.error();
-        const Path film = dataRoot() / "content/video" / (std::string(name) + ".mp4");
-        auto video = media::VideoSource::open(film, media::Layout::Mono);
-        if (!video) return video.error();
-        auto track = media::DepthTrack::open(media::depthTrackOf(film), film);
-        if (!track) return track.error();
-        ImageRgb8 shown(video->info().width, video->info().height);
+        auto footage = Footage::open(name);
+        if (!footage) return footage.error();
         for (const auto& [frame, places] : *probes) {
             const auto traced = media::readHdr(folder_ / fmt::format("{}_{:04d}.hdr", name, frame));
             if (!traced) return traced.error();
-            if (!track->read(track->frameAt(frame / video->info().fps), depth_) || !video->seek(frame))
-                return shoal::Error{film, "cannot be read there"};
-            while (video->position() <= frame)
-                if (!video->grab()) return shoal::Error{film, "ends early"};
-            if (!video->retrieve(shown)) return shoal::Error{film, "cannot be converted"};
-            const light::FrameView view{shown.at(0, 0), shown.width, shown.height, ptrdiff_t{3} * shown.width,
-                                        true};
-            refiner_.refine(depth_, view, map_);
+            if (Status s = footage->seek(frame); !s) return s;
+            if (Status s = footage->show(frame); !s) return s;
+            if (Status s = footage->measure(frame); !s) return s;
             light::RadiancePyramid pyramid;
             light::PyramidMaker maker;
             maker.make(traced->radianceLin, 256, pyramid);
-            const double at_s = frame / video->info().fps;
+            const double at_s = frame / footage->fps();
             const bool tunnel = at_s >= kTunnel_s[0] && at_s < kTunnel_s[1];
             const std::string scene = std::string(name) != "reef" ? name
                                       : tunnel                    ? "reef, tunnel"
                                                                   : "reef, outside";
-            addFrame(fmt::format("{}\ttrue light", scene), pyramid, places);
-            maker.make(view, 256, pyramid, light::FrameRadiance::Auto);
-            addFrame(fmt::format("{}\tlight of the film", scene), pyramid, places);
+            addFrame(fmt::format("{}\ttrue light", scene), pyramid, footage->map(), places);
+            maker.make(footage->view(), 256, pyramid, light::FrameRadiance::Auto);
+            addFrame(fmt::format("{}\tlight of the film", scene), pyramid, footage->map(), places);
         }
         return Done{};
     }
 
-    // Decodes two seconds of the film before each frame: the first for the mean, the second to compare.
     Status addSunlight(const char* name) {
         const auto all = readSunlight(folder_ / (std::string(name) + ".sunlight.tsv"));
         if (!all) return all.error();
-        const Path film = dataRoot() / "content/video" / (std::string(name) + ".mp4");
-        auto video = media::VideoSource::open(film, media::Layout::Mono);
-        if (!video) return video.error();
-        auto track = media::DepthTrack::open(media::depthTrackOf(film), film);
-        if (!track) return track.error();
-        ImageRgb8 shown(video->info().width, video->info().height);
-        const light::FrameView view{shown.at(0, 0), shown.width, shown.height, ptrdiff_t{3} * shown.width,
-                                    true};
-        light::RadiancePyramid pyramid;
-        light::PyramidMaker maker;
-        light::LightFinder finder;
-        light::FoundLights lights;
-        for (const auto& [frame, places] : *all) {
-            const auto second = static_cast<int>(places[0].sunlight.size());
-            if (frame < 2 * second) continue;
-            if (!video->seek(frame + 1 - 2 * second)) return shoal::Error{film, "cannot be read there"};
-            depth::Caustics caustics;
-            light::LightOverTime casting;
-            std::vector<std::vector<double>> found(places.size());
-            for (int at = frame + 1 - 2 * second; at <= frame; ++at) {
-                while (video->position() <= at)
-                    if (!video->grab()) return shoal::Error{film, "ends early"};
-                if (!video->retrieve(shown)) return shoal::Error{film, "cannot be converted"};
-                maker.make(view, 256, pyramid, light::FrameRadiance::Auto);
-                finder.find(pyramid, lights);
-                const auto passed_s = static_cast<float>(1 / video->info().fps);
-                const glm::vec3 towards = casting.follow(lights, passed_s).light.direction;
-                caustics.follow(pyramid.ofWidth(64), passed_s);
-                if (at <= frame - second) continue;
-                track->read(track->frameAt(at / video->info().fps), depth_);
-                refiner_.refine(depth_, view, map_);
-                const double began_s = threadTime_s(); // decoding goes on beside
-                for (size_t i = 0; i < places.size(); ++i)
-                    found[i].push_back(
-                        static_cast<double>(caustics.changeAt(places[i].place, towards, kBody_m, map_)));
-                flicker_[name].spent_s += threadTime_s() - began_s;
-            }
-            for (size_t i = 0; i < places.size(); ++i) addFlicker(places[i], found[i], flicker_[name]);
-        }
+        auto footage = Footage::open(name);
+        if (!footage) return footage.error();
+        for (const auto& [frame, places] : *all)
+            if (frame >= 2 * static_cast<int>(places[0].sunlight.size()))
+                if (Status s = addSecond(*footage, frame, places, flicker_[name]); !s) return s;
         return Done{};
     }
 
@@ -299,6 +305,37 @@ class Measuring {
     }
 
   private:
+    // Decodes two seconds of the film before the frame: the first for the mean, the second to compare.
+    static Status addSecond(Footage& footage, int frame, const std::vector<SunlitPlace>& places,
+                            Flicker& sum) {
+        const auto second = static_cast<int>(places[0].sunlight.size());
+        const auto passed_s = static_cast<float>(1 / footage.fps());
+        light::RadiancePyramid pyramid;
+        light::PyramidMaker maker;
+        light::LightFinder finder;
+        light::FoundLights lights;
+        light::LightOverTime casting;
+        depth::Caustics caustics;
+        std::vector<std::vector<double>> found(places.size());
+        if (Status s = footage.seek(frame + 1 - 2 * second); !s) return s;
+        for (int at = frame + 1 - 2 * second; at <= frame; ++at) {
+            if (Status s = footage.show(at); !s) return s;
+            maker.make(footage.view(), 256, pyramid, light::FrameRadiance::Auto);
+            finder.find(pyramid, lights);
+            const glm::vec3 towards = casting.follow(lights, passed_s).light.direction;
+            caustics.follow(pyramid.ofWidth(64), passed_s);
+            if (at <= frame - second) continue;
+            if (Status s = footage.measure(at); !s) return s;
+            const double began_s = threadTime_s(); // decoding goes on beside
+            for (size_t i = 0; i < places.size(); ++i)
+                found[i].push_back(
+                    static_cast<double>(caustics.changeAt(places[i].place, towards, kBody_m, footage.map())));
+            sum.spent_s += threadTime_s() - began_s;
+        }
+        for (size_t i = 0; i < places.size(); ++i) addFlicker(places[i], found[i], sum);
+        return Done{};
+    }
+
     // The light's mean over the second is not judged here; a place in the shade has little to change.
     static void addFlicker(const SunlitPlace& place, const std::vector<double>& found, Flicker& sum) {
         double mean = 0;
@@ -313,7 +350,7 @@ class Measuring {
         sum.places += 1;
     }
 
-    void addFrame(const std::string& key, const light::RadiancePyramid& pyramid,
+    void addFrame(const std::string& key, const light::RadiancePyramid& pyramid, const depth::DepthMap& map,
                   const std::vector<Probe>& probes) {
         const math::ShRgb& truth = probes[0].radiance; // the first is the camera's
         const math::ShRgb film = math::shProject(pyramid.ofWidth(64));
@@ -337,7 +374,7 @@ class Measuring {
             note("bound: best gain\t0\t0", probe, brighter);
         }
         depth::LightDifference beside;
-        beside.make(pyramid.ofWidth(64), map_);
+        beside.make(pyramid.ofWidth(64), map);
         const std::string rays = fmt::format("rays\t64\t{:.0f}", depth::LightDifference::kFar_m);
         std::vector<depth::LightHarmonics> found(fish.size());
         const std::clock_t began = std::clock();
@@ -348,9 +385,6 @@ class Measuring {
     }
 
     Path folder_;
-    media::DepthFrame depth_;
-    depth::DepthRefiner refiner_;
-    depth::DepthMap map_;
     std::map<std::string, std::vector<Error>> errors_;
     std::map<std::string, double> spent_s_;
     std::map<std::string, Flicker> flicker_;
