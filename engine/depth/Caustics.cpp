@@ -1,9 +1,11 @@
 #include "engine/depth/Caustics.h"
 
+#include "engine/light/InverseToneMap.h"
 #include "engine/math/Trigonometry.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +22,7 @@ void Caustics::follow(const ImageRgbF& radianceLin, float passed_s) {
     change_.fit(radianceLin.width, radianceLin.height);
     const float share = anew ? 1 : math::followShare(passed_s, kMean_s);
     for (size_t i = 0; i < mean_.pixels.size(); ++i) {
-        const float* rgb = radianceLin.pixels.data() + 3 * i;
-        const float luminance = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+        const float luminance = light::linearLuminance(glm::make_vec3(radianceLin.pixels.data() + 3 * i));
         mean_.pixels[i] += share * (luminance - mean_.pixels[i]);
         change_.pixels[i] =
             std::clamp(luminance / std::max(mean_.pixels[i], 1e-4f) - 1, -kMostChange, kMostChange);
@@ -31,24 +32,24 @@ void Caustics::follow(const ImageRgbF& radianceLin, float passed_s) {
 float Caustics::changeAt(const glm::vec3& placeEnv, const glm::vec3& towardsEnv, float length_m,
                          const DepthMap& map) const {
     if (change_.empty()) return 0;
-    float low = 0, high = 0.1f;
     const auto isBelow = [&](float along) {
         const glm::vec3 there = placeEnv - towardsEnv * along;
         const float distance = glm::length(there);
         return distance > 0 && distance * map.inverse_perM(there / distance) >= 1;
     };
+    if (isBelow(0)) return 0;
+    float low = 0, high = 0.1f;
     for (; high < kDeepest_m && !isBelow(high); low = high) high = 1.15f * high + 0.05f;
-    if (high >= kDeepest_m || isBelow(0)) return 0;
+    if (high >= kDeepest_m) return 0;
     const glm::vec3 ground = placeEnv - towardsEnv * (0.5f * (low + high));
     const float aside = 0.3f * length_m;
     constexpr std::array<glm::vec3, 5> kAround = {{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}};
     float sum = 0;
     for (const glm::vec3& around : kAround) {
         const glm::vec2 uv = latLongFromDirection(glm::normalize(ground + aside * around));
-        const int x = std::min(static_cast<int>(uv.x * static_cast<float>(change_.width)), change_.width - 1);
-        const int y =
-            std::min(static_cast<int>(uv.y * static_cast<float>(change_.height)), change_.height - 1);
-        sum += *change_.at(std::max(x, 0), std::max(y, 0));
+        const glm::ivec2 size(change_.width, change_.height);
+        const glm::ivec2 texel = glm::clamp(glm::ivec2(uv * glm::vec2(size)), glm::ivec2(0), size - 1);
+        sum += *change_.at(texel.x, texel.y);
     }
     return sum / static_cast<float>(kAround.size());
 }

@@ -52,7 +52,7 @@ TEST(Caustics, FollowTheGroundWhereTheRayMeetsIt) {
     // The ray goes 0.3 m to the left for each metre down: it meets the ground at x = -0.1.
     EXPECT_NEAR(film.at({0.2f, -0.5f, -1}), 0, 1e-6f);
     EXPECT_NEAR(film.at({0.6f, -0.5f, -1}), kChange, 1e-3f);
-    // Of the five points of a body 3 m long two lie at the same x as the middle, and one to either side.
+    // A body 3 m long has five points: three lie at the middle's x, and one lies on either side of it.
     EXPECT_NEAR(film.at({0.6f, -0.5f, -1}, 3), 0.8f * kChange, 1e-3f);
 }
 
