@@ -31,13 +31,12 @@ void Caustics::follow(const ImageRgbF& radianceLin, float passed_s) {
 
 float Caustics::changeAt(const glm::vec3& placeEnv, const glm::vec3& towardsEnv, float length_m,
                          const DepthMap& map) const {
-    if (change_.empty()) return 0;
     const auto isBelow = [&](float along) {
         const glm::vec3 there = placeEnv - towardsEnv * along;
         const float distance = glm::length(there);
         return distance > 0 && distance * map.inverse_perM(there / distance) >= 1;
     };
-    if (isBelow(0)) return 0;
+    if (change_.empty() || isBelow(0)) return 0;
     float low = 0, high = 0.1f;
     for (; high < kDeepest_m && !isBelow(high); low = high) high = 1.15f * high + 0.05f;
     if (high >= kDeepest_m) return 0;
