@@ -10,7 +10,9 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kSlices = 8;       // number of slices along a body
+constexpr int kSlices = 8;       // number of slices along a body...
+constexpr int kWideSlices = 2;   // ...before a light that is so wide that its shadows show no form
+constexpr float kWide = 0.8f;    // tangent of the angular radius from which a light is
 constexpr size_t kMaxParts = 32; // greatest number of a body's ellipsoids that cast shadows
 
 // A part of a line that lies within one or more silhouettes; depth: that of its middle, towards the light.
@@ -84,6 +86,19 @@ glm::vec3 CastingLight::shareAt(float cosine) const {
     return given / glm::max(given + 1.0f - share, 1e-6f);
 }
 
+CastingLight castingLight(const light::ShadowLight& found, const glm::mat3& worldFromEnv) {
+    constexpr float kWidest = 0.75f; // radians; limit of the light's angular radius
+    CastingLight light{worldFromEnv * found.light.direction, std::tan(std::min(found.light.radius, kWidest))};
+    const glm::vec3 all = glm::max(found.groundIrradiance, 1e-6f);
+    light.share = glm::clamp(found.light.irradiance * std::max(light.towards.y, 0.0f) / all, 0.0f, 1.0f);
+    light.presence = found.presence * light.raised();
+    return light;
+}
+
+CastingLight restBeside(const CastingLight& light) {
+    return {.towards = {0, 1, 0}, .tangent = 1, .share = 1.0f - light.presence * light.share};
+}
+
 void flatten(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
              std::vector<FlatPiece>& out) {
     out.clear();
@@ -100,10 +115,11 @@ void flatten(std::span<const occlusion::Ellipsoid> body, const CastingLight& lig
         low = std::min(low, seen[i].centre.x - std::sqrt(seen[i].xx));
         high = std::max(high, seen[i].centre.x + std::sqrt(seen[i].xx));
     }
-    const float slice = (high - low) / kSlices;
+    const int slices = light.tangent > kWide ? kWideSlices : kSlices;
+    const float slice = (high - low) / static_cast<float>(slices);
     if (!(slice > 1e-6f)) return;
     std::array<Chord, kMaxParts> chords;
-    for (int k = 0; k < kSlices; ++k) {
+    for (int k = 0; k < slices; ++k) {
         const float x = low + (static_cast<float>(k) + 0.5f) * slice;
         size_t met = 0;
         for (size_t i = 0; i < count; ++i)

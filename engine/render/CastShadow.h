@@ -13,6 +13,7 @@
 #pragma once
 
 #include "engine/depth/DepthMap.h"
+#include "engine/light/FindLights.h"
 #include "engine/occlusion/Ellipsoid.h"
 #include "engine/render/View.h"
 
@@ -39,6 +40,13 @@ struct CastingLight {
     // direction to the light. All other light is taken to be the same as on level ground.
     glm::vec3 shareAt(float cosine) const;
 };
+
+// Returns the light found in a film as one that casts shadows, of presence 0 if none stands out.
+CastingLight castingLight(const light::ShadowLight& found, const glm::mat3& worldFromEnv);
+
+// Returns all other light as one that casts shadows: a cap of 45 degrees around the zenith. A small body
+// right above level ground hides of it what it hides of an even sky's irradiance, its solid angle over pi.
+CastingLight restBeside(const CastingLight& light);
 
 // The surfaces that a frame of a film shows, known by its distances.
 struct FilmSurface {

@@ -94,7 +94,8 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
 
 void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
                       std::span<const View> eyes) {
-    if (light.share == glm::vec3(0) || !mayBeSeen(sphereAround(body), light, eyes)) return;
+    if (light.presence == 0 || light.share == glm::vec3(0) || !mayBeSeen(sphereAround(body), light, eyes))
+        return;
     flatten(body, light, pieces_);
     const glm::vec3 most = light.presence * light.share;
     const float taken = findOccluders(light) * std::max({most.x, most.y, most.z});

@@ -58,29 +58,18 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     passes_.objects.upload(environment.envFromWorld());
 }
 
-// Returns the light that casts shadows; none if no light stands out.
-std::optional<render::CastingLight> SceneRenderer::castingLight() const {
-    if (!passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows)
-        return std::nullopt;
-    constexpr float kWidest = 0.75f; // radians; limit of the light's angular radius
-    const light::ShadowLight& found = environment_->player().shadowLight();
-    render::CastingLight light;
-    light.towards = glm::transpose(environment_->envFromWorld()) * found.light.direction;
-    light.tangent = std::tan(std::min(found.light.radius, kWidest));
-    const glm::vec3 all = glm::max(found.groundIrradiance, 1e-6f);
-    light.share = glm::clamp(found.light.irradiance * std::max(light.towards.y, 0.0f) / all, 0.0f, 1.0f);
-    light.presence = found.presence * light.raised();
-    if (light.presence == 0) return std::nullopt;
-    return light;
+// Returns the strongest light, of presence 0 if none stands out.
+render::CastingLight SceneRenderer::castingLight() const {
+    return render::castingLight(environment_->player().shadowLight(),
+                                glm::transpose(environment_->envFromWorld()));
 }
 
 // Begins to cast shadows on the film, on their own thread, but not on a film without distances, where they
 // would hang in the water.
 void SceneRenderer::castShadows() {
     const depth::DepthMap* map = environment_->depth();
-    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room) return;
-    const auto light = castingLight();
-    if (!light) return;
+    const bool wanted = setup_.shadows && castsShadows();
+    if (!wanted || !map || pictures_[0].surroundings == render::Surroundings::Room) return;
     const gl::PassTimers::Scope scope(&timers_, "shadows");
     filmed_.clear();
     for (const render::EyePicture& picture : pictures_) filmed_.push_back(filmedFrom(picture));
@@ -99,7 +88,8 @@ void SceneRenderer::castShadows() {
     to.film = {map, environment_->envFromWorld(), glm::vec3(0)};
     to.coding = look_.exposure.frames;
     to.water = environment_->player().water();
-    to.light = *light;
+    to.lights[0] = castingLight();
+    to.lights[1] = render::restBeside(to.lights[0]);
     to.bodies = &passes_.objects.bodies();
     to.isRunning = true;
     to.thread.start(to.films, to);
@@ -110,7 +100,8 @@ void SceneRenderer::Shadows::operator()(int number) {
     const std::span<const render::View> all(from), own = all.subspan(static_cast<size_t>(number), 1);
     on.begin({film.map, film.envFromWorld, films == 1 ? glm::vec3(0) : own[0].eyeWorld}, coding, water);
     for (size_t body = 0; body < bodies->count(); ++body)
-        on.add(bodies->ellipsoids(body), light, films == 1 ? all : own);
+        for (const render::CastingLight& light : lights)
+            on.add(bodies->ellipsoids(body), light, films == 1 ? all : own);
 }
 
 void SceneRenderer::finishShadows() {
@@ -129,12 +120,12 @@ void SceneRenderer::setShadows() {
 // Casts the creatures' shadows on the room's floor; the player's hands cast their own.
 void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
     if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m) return;
-    const auto light = castingLight();
-    if (!light) return;
+    const render::CastingLight light = castingLight();
+    if (!castsShadows() || light.presence == 0) return;
     const render::NearBodies& bodies = passes_.objects.bodies();
     for (size_t body = 0; body < bodies.count(); ++body)
         if (!passes_.objects.isInRoom(body))
-            passes_.floorShadows->add(bodies.ellipsoids(body), *light, *floor_m, look_.exposure.frames);
+            passes_.floorShadows->add(bodies.ellipsoids(body), light, *floor_m, look_.exposure.frames);
 }
 
 // Returns the eye's position relative to the film's camera, env frame; 0 without distances or with a picture

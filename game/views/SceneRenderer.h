@@ -103,7 +103,10 @@ class SceneRenderer final : private render::CompositorScene {
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels& creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(&creatureModels), setup_(setup), passes_(std::move(passes)) {}
-    std::optional<render::CastingLight> castingLight() const;
+    bool castsShadows() const {
+        return passes_.compositor.drawsObjects() && setup_.skip != render::SkippedPass::Shadows;
+    }
+    render::CastingLight castingLight() const;
     void castShadows();
     void setShadows();
     void finishShadows() override;
@@ -140,7 +143,7 @@ class SceneRenderer final : private render::CompositorScene {
         std::vector<render::View> from; // widened
         render::FrameCoding coding = render::FrameCoding::Srgb;
         water::Water water;
-        render::CastingLight light;
+        std::array<render::CastingLight, 2> lights; // the strongest, and all other light
         const render::NearBodies* bodies = nullptr;
         ThreadPool thread{1}; // last: it uses all of the above
     };

@@ -15,18 +15,12 @@ namespace {
 
 constexpr float kReach_m = 2; // of the ground that is compared, from below the bodies
 
-// Returns the light that casts shadows, as game/views/SceneRenderer.cpp finds it in a film's first frame.
+// Returns the light that casts shadows in a film's first frame.
 render::CastingLight castingLight(const light::RadiancePyramid& radiance) {
     light::FoundLights found;
     light::LightFinder().find(radiance, found);
     light::LightOverTime steady;
-    const light::ShadowLight& shadow = steady.follow(found, 0);
-    render::CastingLight light{shadow.light.direction, std::tan(std::min(shadow.light.radius, 0.75f))};
-    light.share = glm::clamp(shadow.light.irradiance * std::max(light.towards.y, 0.0f) /
-                                 glm::max(shadow.groundIrradiance, 1e-6f),
-                             0.0f, 1.0f);
-    light.presence = shadow.presence * light.raised();
-    return light;
+    return render::castingLight(steady.follow(found, 0), glm::mat3(1));
 }
 
 // A distant light: a direction, and what it brings to level ground, in one unit for all.
@@ -81,13 +75,13 @@ void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Li
     const Rays rays(scene.meshes());
     const OccludedLight truth = occludedLight(scene, rays, ground, cells);
 
-    chart.ground = {{"no shadows"}, {"**film shadows** (the game)"}};
+    chart.ground = {
+        {"no shadows"}, {"film shadows of the strongest light alone"}, {"**film shadows** (the game)"}};
     constexpr int kLights[] = {16, 64, 256, 1024};
     for (const int count : kLights)
         chart.ground.push_back({"differential rendering, " + std::to_string(count) + " lights"});
     std::vector<glm::vec3> left(ground.size()); // of the ground's light
     render::FilmShadows shadows;
-    double spent_ns = 0, shaded = 0; // by it; texels
     for (size_t s = 0; s < environments.size(); ++s) {
         const Lit& lit = environments[s].lit;
         const render::CastingLight light = castingLight(lit.light.radiance);
@@ -102,23 +96,31 @@ void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Li
                 off += glm::dot(miss, miss), taken += glm::dot(1.0 - want, 1.0 - want);
             }
             with.squares += off / taken;
+            if (chart.environments[s] == kReef) with.reef = std::sqrt(off / taken);
         };
         std::ranges::fill(left, glm::vec3(1));
         compare(chart.ground[0]);
-        const double shadows_us = shortest_us(quick ? 1 : 20, [&] {
-            shadows.begin(film, render::FrameCoding::Srgb, {});
-            for (const auto& body : bodies) shadows.add(body, light, eyes);
-        });
-        spent_ns += 1e3 * shadows_us;
-        for (size_t i = 0; i < shadows.left().pixels.size(); i += 4)
-            shaded += shadows.left().pixels[i] + shadows.left().pixels[i + 1] + shadows.left().pixels[i + 2] <
-                      3 * 255;
-        for (size_t i = 0; i < ground.size(); ++i) {
-            const uint8_t* coded = shadows.left().at(texels[i].x, texels[i].y);
-            left[i] = glm::vec3(coded[2], coded[1], coded[0]) / 255.0f; // roots of the light
-            left[i] *= left[i];
+        const std::array all = {light, render::restBeside(light)};
+        for (size_t count = 1; count <= all.size(); ++count) {
+            GroundMeasured& with = chart.ground[count];
+            const double shadows_us = shortest_us(quick ? 1 : 20, [&] {
+                shadows.begin(film, render::FrameCoding::Srgb, {});
+                for (const auto& body : bodies)
+                    for (const render::CastingLight& each : std::span(all).first(count))
+                        shadows.add(body, each, eyes);
+            });
+            double shaded = 0; // texels
+            const std::vector<uint8_t>& coded = shadows.left().pixels;
+            for (size_t i = 0; i < coded.size(); i += 4)
+                shaded += coded[i] + coded[i + 1] + coded[i + 2] < 3 * 255;
+            with.point_ns += 1e3 * shadows_us / std::max(shaded, 1.0);
+            for (size_t i = 0; i < ground.size(); ++i) {
+                const uint8_t* root = shadows.left().at(texels[i].x, texels[i].y); // of the light, blue first
+                left[i] = glm::vec3(root[2], root[1], root[0]) / 255.0f;
+                left[i] *= left[i];
+            }
+            compare(with);
         }
-        compare(chart.ground[1]);
         for (size_t m = 0; m < std::size(kLights); ++m) {
             const auto lights = lightsOf(cells, s, kLights[m]);
             const double render_us = shortest_us(1, [&] {
@@ -132,11 +134,10 @@ void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Li
                     left[i] = with / glm::max(without, 1e-12f);
                 }
             });
-            chart.ground[m + 2].point_ns += 1e3 / static_cast<double>(ground.size()) * render_us;
-            compare(chart.ground[m + 2]);
+            chart.ground[m + 3].point_ns += 1e3 / static_cast<double>(ground.size()) * render_us;
+            compare(chart.ground[m + 3]);
         }
     }
-    chart.ground[1].point_ns = chart.groundEnvironments * spent_ns / std::max(shaded, 1.0);
 }
 
 } // namespace shoal::bench

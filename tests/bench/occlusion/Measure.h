@@ -51,7 +51,10 @@ struct OcclusionMeasured {
 struct GroundMeasured {
     std::string name;
     double squares = 0, point_ns = 0; // squares: of relative root mean square errors
+    double reef = 0;                  // relative root mean square error in the light of the reef's film
 };
+
+constexpr std::string_view kReef = "video: reef"; // in OcclusionChart::environments
 
 struct OcclusionChart {
     std::vector<std::string> scenes, environments;

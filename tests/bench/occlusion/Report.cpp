@@ -15,7 +15,7 @@ double pooledError(const OcclusionChart& chart, const OcclusionMeasured& method,
     double squares = 0;
     int count = 0;
     for (size_t s = 0; s < chart.environments.size(); ++s) {
-        const bool fits = which == Under::Reef   ? chart.environments[s] == "video: reef"
+        const bool fits = which == Under::Reef   ? chart.environments[s] == kReef
                           : which == Under::Suns ? chart.pointSun[s]
                                                  : !chart.pointSun[s];
         const double error = method.errors[scene][s].*part;
@@ -119,13 +119,13 @@ rays through every cell tell. Differential rendering (Debevec 1998): the ground 
 against triangles to each of the lights, as bright as each other, that the environment is cut into. Time: a shaded texel; of
 differential rendering without the second picture.
 
-| method | error, % | ns a texel |
-|---|--:|--:|
+| method | error, % | in the reef's film, % | ns a texel |
+|---|--:|--:|--:|
 )",
                                   chart.groundEnvironments);
     for (const GroundMeasured& each : chart.ground)
-        out += fmt::format("| {} | {} | {:.0f} |\n", each.name,
-                           percent(std::sqrt(each.squares / chart.groundEnvironments)),
+        out += fmt::format("| {} | {} | {} | {:.0f} |\n", each.name,
+                           percent(std::sqrt(each.squares / chart.groundEnvironments)), percent(each.reef),
                            each.point_ns / chart.groundEnvironments);
     return out;
 }

@@ -436,6 +436,24 @@ TEST(CastShadow, ASphereAndASharkUnderACapShadeAsRaysFindIt) {
             }
 }
 
+// A sphere of radius r at height h above level ground hides (r / h)^2 of an even sky's irradiance from the
+// place below it. There the closed form finds up to a half more: the product of two strips' shares is a third
+// denser in the middle than the disc, and two slices of a sphere are a tenth larger.
+TEST(CastShadow, AllOtherLightIsThatOfAnEvenSky) {
+    CastingLight found = lightAt(66, 12);
+    found.presence = 0.5f;
+    const CastingLight rest = restBeside(found);
+    EXPECT_EQ(rest.share, 1.0f - 0.5f * found.share);
+    for (const float radius : {0.05f, 0.1f, 0.2f}) {
+        const float height = 1, share = radius * radius / (height * height);
+        const std::vector<FlatPiece> seen = flat({.half = glm::vec3(radius)}, rest);
+        const float below = covered(seen, rest, {0, -height, 0});
+        EXPECT_GT(below, share);
+        EXPECT_LT(below, 1.5f * share);
+        EXPECT_EQ(covered(seen, rest, {0, 0.1f, 0}), 0) << "above it";
+    }
+}
+
 // A part behind another part of the same body hides nothing more, and parts that touch leave no gap.
 TEST(CastShadow, PartsShadeAsTheirUnion) {
     const CastingLight light = lightAt(90, 10);
