@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -469,8 +470,20 @@ void Application::simulate() {
     play_->tutorial.follow(session.shown, session.events, dt_s);
 }
 
+const game::Snapshot& Application::shown() {
+    if (photo_) return photo_->shown;
+    const game::Snapshot& dive = play_->session.shown;
+    const auto animal = screens_.animalBeside();
+    if (!animal || !content_.loadSpecies(config_, *animal)) return dive;
+    const glm::vec2 size = display_->menuSurface().size;
+    const float tanY = std::tan(glm::radians(options_.fov_deg) / 2);
+    return guideAnimal_.show(dive, static_cast<int>(*animal), config_.species[*animal],
+                             {tanY * size.x / std::max(size.y, 1.0f), tanY},
+                             static_cast<float>(play_->elapsed_s), !options_.reducedMotion);
+}
+
 Result<bool> Application::draw(float finer) {
-    const game::Snapshot& shown = photo_ ? photo_->shown : play_->session.shown;
+    const game::Snapshot& shown = this->shown();
     const bool wantsQuality = options_.quality == QualityControl::Auto && window_ && !options_.timedemo;
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
     const Quality quality = quality_ ? quality_->quality() : Quality();

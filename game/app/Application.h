@@ -6,6 +6,7 @@
 #include "engine/platform/Window.h"
 #include "game/app/ContentLoader.h"
 #include "game/app/Display.h"
+#include "game/app/GuideAnimal.h"
 #include "game/app/PhotoMode.h"
 #include "game/app/Screens.h"
 #include "game/app/SoundAndHaptics.h"
@@ -99,6 +100,7 @@ class Application {
         if (photo_) look.player = photo_->player;
         return look;
     }
+    const game::Snapshot& shown();      // the dive, or what is shown in its place
     Result<bool> draw(float finer = 1); // factor on the number of rows and columns
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
     void measure();
@@ -123,6 +125,7 @@ class Application {
     static constexpr float kAskEvery_s = 2;
     std::future<bool> headsetAnswer_; // whether the headset is there, once the runtime has said so
     std::optional<PhotoMode> photo_;  // set while the camera is free
+    GuideAnimal guideAnimal_;
     Pictures::Picture cameraPicture_; // image of a hand tracker's camera
     ImageRgba8 cameraImage_;          // scratch memory for that image
     Statistics statistics_;           // of the present session

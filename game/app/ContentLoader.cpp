@@ -134,6 +134,15 @@ Status findFilmSpace(const Path& film, const EnvironmentOptions& options, Sessio
     return config.replay ? game::checkFilmSpace(config.replay->header(), config.dive.space.get()) : Done{};
 }
 
+bool ContentLoader::loadSpecies(const SessionConfig& config, size_t species) {
+    if (unloadable_ == species) return false;
+    const Status added = models_.add(config.species, species, loaded_->reflectance, detail());
+    if (added) return true;
+    log::warn("{}", added.error().message());
+    unloadable_ = species;
+    return false;
+}
+
 // Loads the models first, because the light is made for the least roughness of their surfaces.
 Status ContentLoader::open(const PlayOptions& options, SessionConfig& config, bool seesRoom, bool filmFirst) {
     EnvironmentSetup wanted = environmentSetup(options, config.dive, seesRoom);

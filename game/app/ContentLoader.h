@@ -24,6 +24,10 @@ class ContentLoader {
     // player's room. filmFirst: shows the film while models load. After an error nothing may be drawn.
     Status open(const PlayOptions& options, SessionConfig& config, bool seesRoom, bool filmFirst);
 
+    // Loads the model of a species that the dive lacks, in some tenths of a second. Returns whether there is
+    // one; logs why not.
+    bool loadSpecies(const SessionConfig& config, size_t species);
+
     // Returns whether there is a picture to draw, while the rest is loaded too.
     bool hasPicture() const { return environment_ && renderer_; }
     Environment& environment() { return *environment_; }
@@ -41,6 +45,7 @@ class ContentLoader {
     std::function<bool(float)> progress_;
     std::optional<Models> loaded_; // the models that there are
     CreatureModels models_;
+    std::optional<size_t> unloadable_; // the species whose model could not be loaded last
     std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> renderer_;
     std::shared_ptr<const game::FilmSpace> space_;

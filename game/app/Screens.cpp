@@ -435,6 +435,12 @@ bool Screens::hasPage(size_t species) const {
     return findMet(facts.met, animal.name) || rarity(animal).first > 0;
 }
 
+std::optional<size_t> Screens::animalBeside() const {
+    if (top() != Screen::Animal || options_.xr) return std::nullopt; // a headset's page has nothing beside it
+    const size_t species = stack_.back().index;
+    return findMet(facts.met, (*facts.species)[species].name) ? std::optional(species) : std::nullopt;
+}
+
 MenuPage Screens::animalPage() {
     const game::Species& animal = (*facts.species)[stack_.back().index];
     button("Next animal", [this] { turnTo(1); });
@@ -443,7 +449,9 @@ MenuPage Screens::animalPage() {
     MenuPage page{.title = animalName(animal, 1, language()),
                   .picture = "guide/" + animal.name + ".png",
                   .text = {textIn(animal.fact, language())},
+                  .layout = PageLayout::Side,
                   .turns = true};
+    if (animalBeside()) page.picture.clear();
     const MetAnimal* met = findMet(facts.met, animal.name);
     if (!met) { // a rare one: its silhouette
         const auto [stars, dive] = rarity(animal);

@@ -91,6 +91,8 @@ class Screens {
     bool isOpen() const { return !stack_.empty(); }
     std::optional<Screen> top() const;
     bool showsCamera() const; // the page shows the webcam's image
+    // Returns the species of the animal that the page leaves room for beside it.
+    std::optional<size_t> animalBeside() const;
     // Returns whether a binding waits for the next key or button, which only capture() must then read.
     bool capturesKey() const { return captured_.has_value(); }
     void capture(const platform::WindowInput& input);

@@ -220,6 +220,22 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
     return models;
 }
 
+Status CreatureModels::add(const game::SpeciesTable& species, size_t which, render::Reflectance reflectance,
+                           render::Detail detail) {
+    ModelInstance& into = species_[which];
+    if (!into.model.nodes.empty()) return Done{};
+    auto instance = readInstance(
+        {dataRoot() / "content" / species[which].model, &into, {}, {}, false, species[which].colour},
+        reflectance);
+    if (!instance) return instance.error();
+    const float minRoughness = minRoughness_;
+    upload(*instance, reflectance, detail);
+    minRoughness_ = minRoughness;
+    lastImages_ = {};
+    into = std::move(*instance);
+    return Done{};
+}
+
 // Poses a creature. The clip moves fins and jaws at its own time. The spine follows the clip at the time of
 // the tail's beat, with its wave scaled to the snapshot's amplitude; then the bend is added.
 void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& instance) {

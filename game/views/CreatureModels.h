@@ -86,6 +86,11 @@ class CreatureModels {
                                        render::Detail detail,
                                        const std::function<bool(float)>& progress = {});
 
+    // Loads the model of one more species, if it is not there yet. The least roughness stays what it is, so
+    // that the light need not be made anew.
+    Status add(const game::SpeciesTable& species, size_t which, render::Reflectance reflectance,
+               render::Detail detail);
+
     float minRoughness() const { return minRoughness_; } // least roughness of all surfaces
 
     // Poses every creature and visible hand of the snapshot, with the player's arms, and adds them to the

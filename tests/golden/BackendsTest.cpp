@@ -2,6 +2,7 @@
 #include "engine/core/WriteFile.h"
 #include "engine/platform/Window.h"
 #include "engine/render/software/FrameSampler.h"
+#include "game/app/GuideAnimal.h"
 #include "game/session/GameSession.h"
 #include "game/views/SceneRenderer.h"
 #include "tests/Test.h"
@@ -260,6 +261,28 @@ TEST_F(ShaderReload, KeepsTheLastThatWorked) {
     ASSERT_TRUE(writeFileWhole(file, moved));
     EXPECT_TRUE(renderer_->reloadShaders());
     EXPECT_NE(picture(session.shown), before);
+}
+
+TEST_F(Backends, TheGuideShowsASpeciesThatTheDiveLacks) {
+    const game::SpeciesTable& all = config_->species;
+    const std::vector<bool> there = game::speciesShown(all, config_->dive);
+    const auto lacking = static_cast<size_t>(std::ranges::find(there, false) - there.begin());
+    ASSERT_LT(lacking, all.size());
+    const float before = creatures_.minRoughness();
+    ASSERT_TRUE(tests::succeeded(creatures_.add(all, lacking, reflectanceIn({}), render::Detail::Lean)));
+    EXPECT_EQ(creatures_.minRoughness(), before) << "the light would be made anew";
+    const game::Snapshot nothing;
+    const ImageRgba8 sea = draw(nothing, 1)[0];
+    const glm::vec2 tanHalf = std::tan(glm::radians(65.0f) / 2) * glm::vec2(kSize.x / 360.0f, 1);
+    GuideAnimal guide;
+    const ImageRgba8 with =
+        draw(guide.show(nothing, static_cast<int>(lacking), all[lacking], tanHalf, 0, false), 1)[0];
+    std::array<int, 2> changed{}; // pixels left and right of the middle
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x)
+            changed[2 * x >= kSize.x] += !std::equal(sea.at(x, y), sea.at(x, y) + 3, with.at(x, y));
+    EXPECT_GT(changed[1], kSize.x * kSize.y / 50);
+    EXPECT_LT(changed[0], changed[1] / 10) << "the page is there";
 }
 
 } // namespace

@@ -344,10 +344,16 @@ TEST_F(MenuTest, ARareAnimalIsASilhouetteUntilItIsMet) {
     choose("?   \u2605 20");
     EXPECT_EQ(page().title, "?");
     EXPECT_EQ(page().picture, "guide/golden_ray.dark.png");
+    EXPECT_FALSE(screens_.animalBeside());
     EXPECT_EQ(page().text.at(0), "20 stars bring it to you. Dive: The reef by night");
     screens_.facts.met = {{.species = "golden_ray"}};
     screens_.refresh();
+    EXPECT_EQ(page().picture, "") << "the model turns beside the page";
+    EXPECT_EQ(screens_.animalBeside(), size_t{1});
+    options_.xr = true;
+    screens_.refresh();
     EXPECT_EQ(page().picture, "guide/golden_ray.png");
+    EXPECT_FALSE(screens_.animalBeside());
 }
 
 TEST_F(MenuTest, EachKindOfGoalHasItsWords) {

@@ -3,6 +3,7 @@
 #include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 #include "game/app/ContentLoader.h"
+#include "game/app/GuideAnimal.h"
 #include "game/views/ArmPose.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/DynamicQuality.h"
@@ -442,6 +443,27 @@ TEST(Rooms, AreWhatTheProgramMakesOfTheFilms) {
         const auto kept = tests::valueOf(game::roomOf(files.dive.video));
         EXPECT_EQ((kept)->hash(), made->hash()) << file << ": SHOAL_UPDATE=1 writes it anew";
     }
+}
+
+TEST(GuideAnimal, TurnsOnItsOwnToTheRightOfTheMiddle) {
+    GuideAnimal guide;
+    game::Snapshot viewer;
+    viewer.headWorld = {1, 2, 3};
+    viewer.worldFromView = glm::angleAxis(0.7f, glm::vec3(0, 1, 0));
+    viewer.creatures.resize(5);
+    const auto ahead = [&](const glm::vec2& tanHalf, float dt_s, bool turns) {
+        const game::Snapshot& shown = guide.show(viewer, 3, {}, tanHalf, dt_s, turns);
+        EXPECT_EQ(shown.creatures.size(), 1u);
+        const game::CreatureView& animal = shown.creatures[0];
+        const glm::vec3 eye = glm::conjugate(viewer.worldFromView) * (animal.position - viewer.headWorld);
+        const float half = -eye.z * tanHalf.x; // of the picture there
+        EXPECT_LT(eye.x + animal.length / 2, half) << "wholly in the picture";
+        EXPECT_GT(eye.x - animal.length / 2, -0.25f * half) << "beside the page";
+        return animal.worldFromBody * glm::vec3(0, 0, 1);
+    };
+    const glm::vec3 first = ahead({1, 0.56f}, 0, true);
+    EXPECT_EQ(ahead({0.5f, 1}, 1, false), first);
+    EXPECT_LT(glm::dot(ahead({1, 0.56f}, 2, true), first), 0);
 }
 
 } // namespace
