@@ -474,10 +474,11 @@ const game::Snapshot& Application::shown() {
     if (photo_) return photo_->shown;
     const game::Snapshot& dive = play_->session.shown;
     const auto animal = screens_.animalBeside();
-    if (!animal || !content_.loadSpecies(config_, *animal)) return dive;
+    const auto extent = animal ? content_.loadSpecies(config_, *animal) : std::nullopt;
+    if (!extent) return dive;
     const glm::vec2 size = display_->menuSurface().size;
     const float tanY = std::tan(glm::radians(options_.fov_deg) / 2);
-    return guideAnimal_.show(dive, static_cast<int>(*animal), config_.species[*animal],
+    return guideAnimal_.show(dive, static_cast<int>(*animal), config_.species[*animal], *extent,
                              {tanY * size.x / std::max(size.y, 1.0f), tanY},
                              static_cast<float>(play_->elapsed_s), !options_.reducedMotion);
 }

@@ -134,13 +134,13 @@ Status findFilmSpace(const Path& film, const EnvironmentOptions& options, Sessio
     return config.replay ? game::checkFilmSpace(config.replay->header(), config.dive.space.get()) : Done{};
 }
 
-bool ContentLoader::loadSpecies(const SessionConfig& config, size_t species) {
-    if (unloadable_ == species) return false;
-    const Status added = models_.add(config.species, species, loaded_->reflectance, detail());
-    if (added) return true;
+std::optional<float> ContentLoader::loadSpecies(const SessionConfig& config, size_t species) {
+    if (unloadable_ == species) return std::nullopt;
+    const Result<float> added = models_.add(config.species, species, loaded_->reflectance, detail());
+    if (added) return *added;
     log::warn("{}", added.error().message());
     unloadable_ = species;
-    return false;
+    return std::nullopt;
 }
 
 // Loads the models first, because the light is made for the least roughness of their surfaces.

@@ -24,9 +24,9 @@ class ContentLoader {
     // player's room. filmFirst: shows the film while models load. After an error nothing may be drawn.
     Status open(const PlayOptions& options, SessionConfig& config, bool seesRoom, bool filmFirst);
 
-    // Loads the model of a species that the dive lacks, in some tenths of a second. Returns whether there is
-    // one; logs why not.
-    bool loadSpecies(const SessionConfig& config, size_t species);
+    // Loads the model of a species that the dive lacks, in some tenths of a second. Returns the model's
+    // greatest extent over its length. If there is none, logs why.
+    std::optional<float> loadSpecies(const SessionConfig& config, size_t species);
 
     // Returns whether there is a picture to draw, while the rest is loaded too.
     bool hasPicture() const { return environment_ && renderer_; }

@@ -12,10 +12,11 @@ namespace shoal::app {
 class GuideAnimal {
   public:
     // Returns what the viewer of a snapshot sees instead: one animal, right of the middle. All animals look
-    // equally long. species: index of `kind`; tanHalf: tangents of half the picture's angles; dt_s: time
-    // since the last call; turns: false: it keeps its side to the viewer.
+    // equally large. species: index of `kind`; extent: of its model, the greatest along any axis over its
+    // length; tanHalf: tangents of half the picture's angles; dt_s: time since the last call; turns: false:
+    // it keeps its side to the viewer.
     const game::Snapshot& show(const game::Snapshot& viewer, int species, const game::Species& kind,
-                               glm::vec2 tanHalf, float dt_s, bool turns);
+                               float extent, glm::vec2 tanHalf, float dt_s, bool turns);
 
   private:
     game::Snapshot shown_;

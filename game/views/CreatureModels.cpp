@@ -157,6 +157,8 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     if (reflectance == render::Reflectance::Coded)
         instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
     instance.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
+    const glm::vec3 size = bounds.high - bounds.low;
+    instance.extent = std::max({size.x, size.y, size.z}) / instance.length_m;
     instance.boundingSpheres = scene::boundingSpheresOf(instance.model, instance.pose);
     instance.spine = scene::findSpine(instance.model, instance.length_m, bounds.low.z);
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion) {
@@ -220,10 +222,10 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
     return models;
 }
 
-Status CreatureModels::add(const game::SpeciesTable& species, size_t which, render::Reflectance reflectance,
-                           render::Detail detail) {
+Result<float> CreatureModels::add(const game::SpeciesTable& species, size_t which,
+                                  render::Reflectance reflectance, render::Detail detail) {
     ModelInstance& into = species_[which];
-    if (!into.model.nodes.empty()) return Done{};
+    if (!into.model.nodes.empty()) return into.extent;
     auto instance = readInstance(
         {dataRoot() / "content" / species[which].model, &into, {}, {}, false, species[which].colour},
         reflectance);
@@ -233,7 +235,7 @@ Status CreatureModels::add(const game::SpeciesTable& species, size_t which, rend
     minRoughness_ = minRoughness;
     lastImages_ = {};
     into = std::move(*instance);
-    return Done{};
+    return into.extent;
 }
 
 // Poses a creature. The clip moves fins and jaws at its own time. The spine follows the clip at the time of

@@ -87,9 +87,9 @@ class CreatureModels {
                                        const std::function<bool(float)>& progress = {});
 
     // Loads the model of one more species, if it is not there yet. The least roughness stays what it is, so
-    // that the light need not be made anew.
-    Status add(const game::SpeciesTable& species, size_t which, render::Reflectance reflectance,
-               render::Detail detail);
+    // that the light need not be made anew. Returns the model's greatest extent over its length.
+    Result<float> add(const game::SpeciesTable& species, size_t which, render::Reflectance reflectance,
+                      render::Detail detail);
 
     float minRoughness() const { return minRoughness_; } // least roughness of all surfaces
 
@@ -108,6 +108,7 @@ class CreatureModels {
         std::array<int, 2> pectorals{-1, -1};                           // nodes: left, right fin
         render::BodyOccluders body;
         float length_m = 1;                                      // length of the rest pose along z
+        float extent = 1;                                        // greatest along any axis over that length
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::vector<int> jointNodes;                             // nodes of the request's joints
         std::vector<scene::NodeSphere> boundingSpheres;

@@ -269,14 +269,15 @@ TEST_F(Backends, TheGuideShowsASpeciesThatTheDiveLacks) {
     const auto lacking = static_cast<size_t>(std::ranges::find(there, false) - there.begin());
     ASSERT_LT(lacking, all.size());
     const float before = creatures_.minRoughness();
-    ASSERT_TRUE(tests::succeeded(creatures_.add(all, lacking, reflectanceIn({}), render::Detail::Lean)));
+    const float extent =
+        tests::valueOf(creatures_.add(all, lacking, reflectanceIn({}), render::Detail::Lean));
     EXPECT_EQ(creatures_.minRoughness(), before) << "the light would be made anew";
     const game::Snapshot nothing;
     const ImageRgba8 sea = draw(nothing, 1)[0];
     const glm::vec2 tanHalf = std::tan(glm::radians(65.0f) / 2) * glm::vec2(kSize.x / 360.0f, 1);
     GuideAnimal guide;
     const ImageRgba8 with =
-        draw(guide.show(nothing, static_cast<int>(lacking), all[lacking], tanHalf, 0, false), 1)[0];
+        draw(guide.show(nothing, static_cast<int>(lacking), all[lacking], extent, tanHalf, 0, false), 1)[0];
     std::array<int, 2> changed{}; // pixels left and right of the middle
     for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x)

@@ -452,13 +452,13 @@ TEST(GuideAnimal, TurnsOnItsOwnToTheRightOfTheMiddle) {
     viewer.worldFromView = glm::angleAxis(0.7f, glm::vec3(0, 1, 0));
     viewer.creatures.resize(5);
     const auto ahead = [&](const glm::vec2& tanHalf, float dt_s, bool turns) {
-        const game::Snapshot& shown = guide.show(viewer, 3, {}, tanHalf, dt_s, turns);
+        const game::Snapshot& shown = guide.show(viewer, 3, {}, 2, tanHalf, dt_s, turns);
         EXPECT_EQ(shown.creatures.size(), 1u);
         const game::CreatureView& animal = shown.creatures[0];
         const glm::vec3 eye = glm::conjugate(viewer.worldFromView) * (animal.position - viewer.headWorld);
         const float half = -eye.z * tanHalf.x; // of the picture there
-        EXPECT_LT(eye.x + animal.length / 2, half) << "wholly in the picture";
-        EXPECT_GT(eye.x - animal.length / 2, -0.25f * half) << "beside the page";
+        EXPECT_LT(eye.x + animal.length, half) << "wholly in the picture";
+        EXPECT_GT(eye.x - animal.length, -0.25f * half) << "beside the page";
         return animal.worldFromBody * glm::vec3(0, 0, 1);
     };
     const glm::vec3 first = ahead({1, 0.56f}, 0, true);
