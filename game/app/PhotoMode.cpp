@@ -131,13 +131,15 @@ PhotoMode::Command PhotoMode::step(const Controls& c, float sensitivity, float d
 void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
     constexpr int kAroundWidth = 4096;
     const Path file = newPictureFile(""), around = newPictureFile("-360");
-    Status saved = media::writePng(file, picture);
-    if (saved) {
+    const Status flat = media::writePng(file, picture);
+    Status saved = flat;
+    if (flat) {
         const auto drawn = drawAround(renderer, shown.headWorld, kAroundWidth);
         saved = drawn ? media::writePng(around, *drawn) : Status(drawn.error());
     }
-    notice = saved ? game::Notice{"Saved, together with a 360-degree picture: {}", file.string()}
-                   : game::Notice{"Not saved: {}", saved.error().message()};
+    notice = saved  ? game::Notice{"Saved, together with a 360-degree picture: {}", file.string()}
+             : flat ? game::Notice{"Saved without its 360-degree picture: {}", saved.error().message()}
+                    : game::Notice{"Not saved: {}", saved.error().message()};
     log::info("{}", notice->in(game::Language::English));
 }
 

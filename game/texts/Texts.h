@@ -155,6 +155,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "La vidéo en direct est coupée : la dernière image reste jusqu’à son retour"},
     {"Saved, together with a 360-degree picture: {}", "Gespeichert, dazu ein 360-Grad-Bild: {}",
      "Enregistré, avec une image à 360 degrés : {}"},
+    {"Saved without its 360-degree picture: {}", "Ohne das 360-Grad-Bild gespeichert: {}",
+     "Enregistré sans son image à 360 degrés : {}"},
     {"Not saved: {}", "Nicht gespeichert: {}", "Pas enregistré : {}"},
     {"This headset cannot show your own room", "Dieses Headset kann dein Zimmer nicht zeigen",
      "Ce casque ne peut pas montrer ta pièce"},
