@@ -59,7 +59,7 @@ Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) 
 // Returns the texture of the shadows, uploaded anew if they have changed.
 GLuint BackgroundPass::textureOf(const FilmShadows& shadows) {
     if (std::exchange(uploadedShadows_, shadows.version()) != shadows.version())
-        uploadTexels(shadowTexture_, frameOf(shadows.left()), shadowSize_);
+        uploadTexels(shadowTexture_, frameOf(shadows.remaining()), shadowSize_);
     return shadowTexture_.name();
 }
 

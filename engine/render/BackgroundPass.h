@@ -61,7 +61,7 @@ class BackgroundPass {
     BackgroundCells cells_;
     std::vector<Corner> corners_; // scratch
     EquirectComposite composite_;
-    gl::Texture shadowTexture_; // of FilmShadows::left()
+    gl::Texture shadowTexture_; // of FilmShadows::remaining()
     glm::ivec2 shadowSize_{0};
     FilmShadows::Version uploadedShadows_;
 };

@@ -60,7 +60,7 @@ class EquirectComposite {
 
     // Writes the wanted tiles (indices as FrameTiles counts them). layer: a texture of display values,
     // premultiplied, seen by layerView; only the chosen tiles have objects in it. Leaves another framebuffer
-    // bound. Display-coded frames only. shadows: a texture of FilmShadows::left(); 0: none. filmed: null
+    // bound. Display-coded frames only. shadows: a texture of FilmShadows::remaining(); 0: none. filmed: null
     // paints the layer unchanged.
     void paint(const EnvironmentGpu& environment, const FrameTiles& tiles, const std::vector<bool>& wanted,
                GLuint layer, const View& layerView, const glm::mat3& envFromWorld,

@@ -60,7 +60,7 @@ bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const Vi
 
 } // namespace
 
-glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives) {
+glm::vec3 remainingOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives) {
     const glm::vec3 left = 1.0f - taken;
     return glm::sqrt(1.0f - (1.0f - (frames == FrameCoding::Srgb ? left : left * left)) * arrives);
 }
@@ -70,9 +70,9 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
     frames_ = frames;
     ++number_;
     const glm::ivec2 size(film.map->inverse.width, film.map->inverse.height);
-    if (size != glm::ivec2(left_.width, left_.height)) {
-        left_ = Image<uint8_t, 4>(size.x, size.y);
-        std::ranges::fill(left_.pixels, uint8_t{255});
+    if (size != glm::ivec2(remaining_.width, remaining_.height)) {
+        remaining_ = Image<uint8_t, 4>(size.x, size.y);
+        std::ranges::fill(remaining_.pixels, uint8_t{255});
         columns_.clear();
         rows_.clear();
         for (int x = 0; x < size.x; ++x) columns_.push_back(texelDirection(x, 0, size.x, 1));
@@ -81,7 +81,8 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
         FrameTiles::eachOf(tiles_.chosen(), [&](const glm::ivec2& tile) {
             const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
             for (int y = low.y; y < high.y; ++y)
-                std::fill(left_.at(low.x, y), left_.at(low.x, y) + 4 * (high.x - low.x), uint8_t{255});
+                std::fill(remaining_.at(low.x, y), remaining_.at(low.x, y) + 4 * (high.x - low.x),
+                          uint8_t{255});
         });
     }
     empty_ = true;
@@ -261,8 +262,8 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
             any = true;
             const glm::vec3 taken =
                 strength * std::min(hidden_[i], 1.0f) * light.shareAt(cosineAt(x, y, towardsEnv));
-            const glm::vec3 left = leftOf(taken, frames_, arrives_[*film_.map->inverse.at(x, y)]);
-            uint8_t* out = left_.at(x, y);
+            const glm::vec3 left = remainingOf(taken, frames_, arrives_[*film_.map->inverse.at(x, y)]);
+            uint8_t* out = remaining_.at(x, y);
             for (int c = 0; c < 3; ++c)
                 out[c] = static_cast<uint8_t>(static_cast<float>(out[c]) * left[2 - c] + 0.5f);
         }

@@ -27,7 +27,7 @@ namespace shoal::render {
 // Display values are square roots of light (water/Water.h), except in frames coded as in the thesis, whose
 // radiance is proportional to them (light/InverseToneMap.h). arrives: the share of light that the water lets
 // through. The rest is the water's own light, as bright as the surface by assumption; shadows do not dim it.
-glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
+glm::vec3 remainingOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
 
 class FilmShadows {
   public:
@@ -42,7 +42,7 @@ class FilmShadows {
     // The tiles in which something may be shaded.
     const FrameTiles& tiles() const { return tiles_; }
     // Returns the factors for the film's texels, 255 for 1: lat-long, as fine as the distances, blue first.
-    const Image<uint8_t, 4>& left() const { return left_; }
+    const Image<uint8_t, 4>& remaining() const { return remaining_; }
     // Identifies the shadows of one begin(); the owner of a copy compares it to see whether the copy is new.
     using Version = std::pair<const FilmShadows*, uint64_t>; // the number counts begin(), from 1
     Version version() const { return {this, number_}; }
@@ -82,7 +82,7 @@ class FilmShadows {
     bool empty_ = true;
     uint64_t number_ = 0;
     FrameTiles tiles_;
-    Image<uint8_t, 4> left_;
+    Image<uint8_t, 4> remaining_;
     std::vector<glm::vec3> columns_, rows_; // directions: of each column at the horizon, of each row ahead
     std::array<float, 256> distance_m_{};   // indexed by the map's code
     std::array<glm::vec3, 256> arrives_{};  // by code: share of light that the water lets through

@@ -59,7 +59,7 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
             const glm::vec3 place(at.x, floor_m, at.y);
             const float hidden = light.presence * covered(body_, light, place);
             // Radiance of frames coded as in the thesis is proportional to the square root of light:
-            // leftOf().
+            // remainingOf().
             glm::vec3 left = 1.0f - hidden * light.share;
             if (frames == FrameCoding::Thesis) left *= left;
             nodes_.push_back({place, hidden > 0 ? 1 - glm::dot(kLuminance, left) : 0});

@@ -34,27 +34,27 @@ constexpr float kHeardFrom_m = 1.5f;
 
 // The encounter of a dive: a giant (a whale), too large to catch, swims past once. It reacts to nothing, and
 // nothing collides with it. The field guide counts it as met when it sets out. id: its creature id.
-static void passBy(Passer& passer, int id, Score& score, const DiveContext& in, Events& events) {
+static void passBy(Giant& giant, int id, Score& score, const DiveContext& in, Events& events) {
     const EncounterPlan& plan = in.dive.encounter;
-    if (plan.species < 0 || in.state.time_s() < plan.at_s || passer.state == Passer::State::Gone) return;
+    if (plan.species < 0 || in.state.time_s() < plan.at_s || giant.state == Giant::State::Gone) return;
     const Species& kind = in.species[plan.species];
-    if (passer.state == Passer::State::ToCome) {
-        passer.state = Passer::State::Passing;
-        passer.position = plan.from;
-        passer.forward = normalizedOr(plan.to - plan.from, {0, 0, 1});
-        passer.speed = kind.cruise_mps;
-        passer.worldFromBody = bodyTurn(passer.forward, 0);
-        passer.shape.amplitude = tailAmplitude(1);
+    if (giant.state == Giant::State::ToCome) {
+        giant.state = Giant::State::Passing;
+        giant.position = plan.from;
+        giant.forward = normalizedOr(plan.to - plan.from, {0, 0, 1});
+        giant.speed = kind.cruise_mps;
+        giant.worldFromBody = bodyTurn(giant.forward, 0);
+        giant.shape.amplitude = tailAmplitude(1);
         score.species[plan.species].touched = true;
         events.push_back({.kind = EventKind::Encounter,
                           .creature = id,
                           .position = kHeardFrom_m * normalizedOr(plan.from, kUp)});
     }
-    passer.velocity = passer.forward * passer.speed;
-    passer.position += passer.velocity * kDt;
-    beatTail(passer, kind);
-    passer.gait.advance(1);
-    if (glm::dot(plan.to - passer.position, passer.forward) <= 0) passer.state = Passer::State::Gone;
+    giant.velocity = giant.forward * giant.speed;
+    giant.position += giant.velocity * kDt;
+    beatTail(giant, kind);
+    giant.gait.advance(1);
+    if (glm::dot(plan.to - giant.position, giant.forward) <= 0) giant.state = Giant::State::Gone;
 }
 
 Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed, DiveRules rules)
@@ -83,13 +83,13 @@ void Dive::begin(uint64_t seed) {
         hand.fed = false;
         hand.intent = {};
         hand.lastMiss = Miss::None;
-        hand.stung_s = hand.rested_s = hand.nextVisit_s = hand.bait_s = 0;
+        hand.stung_s = hand.rested_s = hand.nextVisit_s = hand.baitLeft_s = 0;
     }
     state_.contacts.clear();
     spawnFish(files_, state_.random, Random(seed, 2), state_.fish);
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
-    state_.passer = {};
+    state_.giant = {};
     startInRoom(state_.fish, context());
     startInRoom(state_.shark, context());
 }
@@ -126,14 +126,14 @@ void Dive::step(const TickInput& input, Events& events) {
         bite(s.shark, s.hands, s.fish, s.score, in, events);
     }
     thingMover_.move(world_, s.fish, s.shark, in, s.random, events);
-    passBy(s.passer, passerId(), s.score, in, events);
+    passBy(s.giant, giantId(), s.score, in, events);
     showCatches(s.fish, in, events);
     countCatches(s.hands, s.fish, s.score, in, events);
     for (Hand& hand : s.hands)
         if (hand.visible) easeFingers(hand);
     if (!diving) return;
     endWhenOver(events);
-    countDeeds(std::span(events).subspan(before), in, s.score.deeds);
+    countForGoals(std::span(events).subspan(before), in, s.score.goalCounts);
     reachGoals(events);
 }
 
@@ -158,7 +158,7 @@ void Dive::endWhenOver(Events& events) {
     if (rules_.freeSwim || s.tick < static_cast<uint32_t>(files_.dive.duration_s * sim::kTickRate_Hz)) return;
     s.phase = Phase::Results;
     for (int h = 0; h < 2; ++h) {
-        s.hands[h].bait_s = 0;
+        s.hands[h].baitLeft_s = 0;
         if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, s.fish, context(), events);
     }
     events.push_back({EventKind::DiveOver});
@@ -240,8 +240,8 @@ void Dive::snapshot(Snapshot& out) const {
     out.headWorld = s.view.headWorld;
     const DiveContext in = context();
     for (int h = 0; h < 2; ++h) showHand(h, in, out.hands[h]);
-    const bool passing = s.passer.state == Passer::State::Passing;
-    out.creatures.resize(static_cast<size_t>(passerId()) + (passing ? 1 : 0));
+    const bool isThere = s.giant.state == Giant::State::Passing;
+    out.creatures.resize(static_cast<size_t>(giantId()) + (isThere ? 1 : 0));
     const auto show = [&](size_t id, const Swimmer& from, int species) -> CreatureView& {
         CreatureView& view = out.creatures[id];
         view = {.id = static_cast<uint32_t>(id),
@@ -265,7 +265,7 @@ void Dive::snapshot(Snapshot& out) const {
         view.hidden = gone || in.hides(fish.position);
     }
     if (s.shark.present) show(s.fish.size(), s.shark, s.shark.species);
-    if (passing) show(static_cast<size_t>(passerId()), s.passer, dive.encounter.species);
+    if (isThere) show(static_cast<size_t>(giantId()), s.giant, dive.encounter.species);
 }
 
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out) {

@@ -43,7 +43,7 @@ class Dive {
   private:
     void begin(uint64_t seed);
     void touch(Events&);
-    int passerId() const { return static_cast<int>(state_.fish.size()) + (state_.shark.present ? 1 : 0); }
+    int giantId() const { return static_cast<int>(state_.fish.size()) + (state_.shark.present ? 1 : 0); }
     void endWhenOver(Events&);
     void reachGoals(Events&);
 

@@ -221,27 +221,27 @@ std::vector<int> drawGoals(const std::vector<Goal>& all, uint64_t seed) {
     return drawn;
 }
 
-void countDeeds(std::span<const Event> events, const DiveContext& in, Deeds& deeds) {
+void countForGoals(std::span<const Event> events, const DiveContext& in, GoalCounts& goalCounts) {
     for (const Event& event : events) {
         if (event.kind == EventKind::Catch) {
-            std::shift_right(deeds.caughtAt.begin(), deeds.caughtAt.end(), 1);
-            deeds.caughtAt[0] = in.state.tick;
-            ++deeds.byHand[event.hand];
-            ++deeds.calm;
-            if (deeds.first < 0) deeds.first = event.species;
+            std::shift_right(goalCounts.caughtAt.begin(), goalCounts.caughtAt.end(), 1);
+            goalCounts.caughtAt[0] = in.state.tick;
+            ++goalCounts.byHand[event.hand];
+            ++goalCounts.calm;
+            if (goalCounts.first < 0) goalCounts.first = event.species;
         } else if (event.kind == EventKind::Touch) {
             const Fish& fish = in.state.fish[event.creature];
-            if (in.thingOf(fish) == Thing::None) deeds.touched |= uint64_t{1} << fish.species;
+            if (in.thingOf(fish) == Thing::None) goalCounts.touched |= uint64_t{1} << fish.species;
         } else if (event.kind == EventKind::Startle)
-            deeds.calm = 0;
-        deeds.guests += event.kind == EventKind::Feed;
-        deeds.turned += event.kind == EventKind::SharkTurns;
+            goalCounts.calm = 0;
+        goalCounts.guests += event.kind == EventKind::Feed;
+        goalCounts.turned += event.kind == EventKind::SharkTurns;
     }
 }
 
 // Returns the number of catches within that time until the latest.
 static int quickest(const Score& score, float within_s) {
-    const auto& at = score.deeds.caughtAt;
+    const auto& at = score.goalCounts.caughtAt;
     return static_cast<int>(
         std::count_if(at.begin(), at.begin() + std::min(score.caught, kMaxQuick), [&](auto tick) {
             return static_cast<float>(at[0] - tick) <= within_s * sim::kTickRate_Hz;
@@ -251,7 +251,7 @@ static int quickest(const Score& score, float within_s) {
 int progressOf(const Goal& goal, const Score& score) {
     const auto different = static_cast<int>(std::ranges::count_if(score.species, &SpeciesTally::caught)) -
                            std::popcount(score.things);
-    const Deeds& deeds = score.deeds;
+    const GoalCounts& goalCounts = score.goalCounts;
     const std::array<int, kGoalNames.size()> progress = {
         goal.species < 0 ? score.caught : score.species[goal.species].caught,
         different,
@@ -259,12 +259,12 @@ int progressOf(const Goal& goal, const Score& score) {
         score.lost == 0 ? score.caught : 0,
         score.bestCombo,
         quickest(score, goal.within_s),
-        deeds.first >= 0 && deeds.first == goal.species ? 1 : 0,
-        std::ranges::min(deeds.byHand),
-        deeds.guests,
-        deeds.turned,
-        std::popcount(deeds.touched),
-        deeds.calm}; // by GoalKind
+        goalCounts.first >= 0 && goalCounts.first == goal.species ? 1 : 0,
+        std::ranges::min(goalCounts.byHand),
+        goalCounts.guests,
+        goalCounts.turned,
+        std::popcount(goalCounts.touched),
+        goalCounts.calm}; // by GoalKind
     return std::min(progress[static_cast<size_t>(goal.kind)], goal.count);
 }
 

@@ -75,7 +75,7 @@ struct Visit {
 };
 
 // The state of a loose thing beyond that of all that can be taken; see game/rules/Things.h.
-struct Looseness {
+struct LooseState {
     glm::vec3 home{0};   // where it drifts on seaweed, or comes up
     float time_s = 0;    // since it was let go; of a bottle out of sight: until it comes up
     bool thrown = false; // by a hand, and has struck nothing yet
@@ -105,7 +105,7 @@ struct Fish : Swimmer {
     int heldBy = -1;         // 0 left, 1 right, -1 none
     FishHold hold;
     Visit visit;
-    Looseness loose;
+    LooseState loose;
     float catchable = 0;  // see CreatureView::catchable
     int catchableBy = -1; // the hand that takes it then: 0 left, 1 right, -1 none
 
@@ -155,7 +155,7 @@ struct Shark : Swimmer {
 };
 
 // The giant of the dive's encounter (a whale), which swims past once.
-struct Passer : Swimmer {
+struct Giant : Swimmer {
     enum class State { ToCome, Passing, Gone };
 
     State state = State::ToCome;
@@ -234,7 +234,7 @@ struct Hand {
     float stung_s = 0;     // seconds left in which a stung hand cannot hold
     float rested_s = 0;    // seconds for which it has rested, open and in view
     float nextVisit_s = 0; // seconds before the next fish may come to look at it
-    float bait_s = 0;      // seconds for which a cracked mussel draws fish to it
+    float baitLeft_s = 0;  // seconds for which a cracked mussel draws fish to it
     bool fed = false;      // one of these has come
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
@@ -291,7 +291,7 @@ struct TickInput {
 void trackHands(const TickInput&, Viewpoint&, Hands&);
 
 // Counts that goals need besides points and catches.
-struct Deeds {
+struct GoalCounts {
     std::array<uint32_t, kMaxQuick> caughtAt{}; // ticks of the latest catches, the newest first
     std::array<int, 2> byHand{};                // catches of the left and the right hand
     int first = -1;                             // species of the first catch
@@ -310,7 +310,7 @@ struct Score {
     int bestCombo = 0;
     uint64_t things = 0;               // kinds of loose things among the species caught, a bit each
     std::vector<SpeciesTally> species; // by index into the species table
-    Deeds deeds;
+    GoalCounts goalCounts;
     std::vector<int> goals;    // of this dive: indices into DiveFile::goals
     std::vector<bool> reached; // by index into `goals`
 
@@ -364,7 +364,7 @@ struct DiveState {
     Hands hands;
     std::vector<Fish> fish;
     Shark shark;                            // its creature id is fish.size()
-    Passer passer;                          // its creature id comes after the shark's
+    Giant giant;                            // its creature id comes after the shark's
     std::vector<physics::Contact> contacts; // of this tick; the next tick continues those that last
 
     float time_s() const { return static_cast<float>(tick) * kDt; } // since the dive began
@@ -388,6 +388,6 @@ struct DiveContext {
 };
 
 // Counts a tick's events.
-void countDeeds(std::span<const Event>, const DiveContext&, Deeds&);
+void countForGoals(std::span<const Event>, const DiveContext&, GoalCounts&);
 
 } // namespace shoal::game

@@ -157,7 +157,7 @@ static void advanceVisit(Visit& visit, const Fish& f, const Hands& hands, Random
     const Hand& hand = hands[visit.hand];
     const bool there = glm::distance(f.position, visitedPlace(hand)) < kThere_m;
     visit.left_s -= there ? kDt : kDt * (visit.linger_s / kComes_s);
-    const bool stays = hand.bait_s > 0 || (hand.rested_s > 0 && visit.left_s > 0);
+    const bool stays = hand.baitLeft_s > 0 || (hand.rested_s > 0 && visit.left_s > 0);
     if (f.state == Fish::State::Cruise && stays) return;
     visit.hand = -1;
     visit.rest_s = random.between(6, 14);
@@ -170,8 +170,8 @@ static int nextVisitor(const Hand& hand, std::span<const Fish> fish, const DiveC
         const float curiosity = in.kindOf(f).curiosity;
         if (f.state != Fish::State::Cruise || f.visit.hand >= 0 || curiosity <= 0) return kNever;
         const float distance = glm::distance(f.position, hand.graspCentre);
-        if (distance > (hand.bait_s > 0 ? kSmell_m : kFarthest_m)) return kNever;
-        if (hand.bait_s > 0) return in.hides(f.position) ? kNever : distance / curiosity;
+        if (distance > (hand.baitLeft_s > 0 ? kSmell_m : kFarthest_m)) return kNever;
+        if (hand.baitLeft_s > 0) return in.hides(f.position) ? kNever : distance / curiosity;
         if (f.visit.rest_s > 0 || f.uncatchable_s > 0 || f.flight.rest_s > 0) return kNever;
         if (distance < kNearest_m) return kNever;
         if (glm::dot(f.position - in.head(), in.state.view.ahead()) < 0.3f) return kNever;
@@ -190,7 +190,7 @@ void chooseVisitors(Hands& hands, std::span<Fish> fish, const DiveContext& in, R
     }
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
-        const bool baited = hand.bait_s > 0;
+        const bool baited = hand.baitLeft_s > 0;
         if (!baited && hand.rested_s < kRest_s) continue;
         if (hand.nextVisit_s > 0 || visitors[h] >= (baited ? kGuests : kVisitors)) continue;
         hand.nextVisit_s = baited ? kNextGuest_s : kNext_s;
@@ -274,7 +274,7 @@ Desire visit(const Fish& f, const Hand& hand) {
     const float distance = glm::length(apart);
     const float share = std::min(1.0f, distance / kVisitSlow_m);
     const glm::vec3 looks = normalizedOr(hand.graspCentre - f.position, f.forward);
-    desire.speed = (hand.bait_s > 0 ? kHungry : 1.3f) * f.route.cruise_mps * share;
+    desire.speed = (hand.baitLeft_s > 0 ? kHungry : 1.3f) * f.route.cruise_mps * share;
     desire.way =
         normalizedOr(apart, looks) * (f.route.cruise_mps * share) + looks * (0.2f * f.route.cruise_mps);
     return desire;

@@ -42,13 +42,13 @@ void frightenByHands(std::span<Fish>, const DiveContext&, Random&, Events&);
 
 // Fish come to look at a hand that rests, open and in the player's view, one or two at a time: they swim to
 // about a hand's width before the palm, linger and leave. So fish that are out of reach come within reach of
-// a player who waits. A fast or closing hand ends a visit. A cracked mussel in a hand (Hand::bait_s) draws
-// more of them, from all around, and they do not fear it. Begins and ends visits; called every tick.
+// a player who waits. A fast or closing hand ends a visit. A cracked mussel in a hand (Hand::baitLeft_s)
+// draws more of them, from all around, and they do not fear it. Begins and ends visits; called every tick.
 void chooseVisitors(Hands&, std::span<Fish>, const DiveContext&, Random&);
 
 // Returns whether the fish comes to feed on a mussel.
 inline bool feeds(const Fish& f, const Hands& hands) {
-    return f.visit.hand >= 0 && hands[f.visit.hand].bait_s > 0;
+    return f.visit.hand >= 0 && hands[f.visit.hand].baitLeft_s > 0;
 }
 
 // Returns the place in front of the palm that a visiting fish swims to.

@@ -79,7 +79,8 @@ void HandContacts::collide(physics::World& world, std::span<Fish> fish, const Di
     for (int h = 0; h < 2; ++h) {
         const Hand& hand = hands[h];
         if (!hand.solid) continue;
-        const float give = hand.grasp.closed ? 1.0f : physics::kGive; // fingers of an open hand give way
+        const float give =
+            hand.grasp.closed ? 1.0f : physics::kOpenHandPush; // fingers of an open hand give way
         for (int j = hands::kWristJoint + 1; j < hands::kJointCount; ++j)
             movers_.push_back({bone(hand.before, j), bone(hand.joints, j),
                                give * hand.velocities[hands::kJointParent[j]], give * hand.velocities[j], h,

@@ -254,7 +254,7 @@ namespace {
 constexpr float kNarrow_m = 1.5f;          // circle radius below which it passes the player too near
 constexpr float kSharkRockShy_m = 0.8f;    // gap to the film's surfaces below which it turns away
 constexpr float kHandShy_m = 0.8f;         // distance from its mouth to a hand below which it turns away
-constexpr float kRoomy_m = 2.8f;           // the shark turns back if it has less room ahead...
+constexpr float kRoomAhead_m = 2.8f;       // the shark turns back if it has less room ahead...
 constexpr float kWider_m = 0.5f;           // ...and this much more room the other way
 constexpr float kSharkGiveRoom_mps = 3.0f; // greatest speed at which an approaching wall moves it
 
@@ -364,7 +364,7 @@ float roomTowards(const Shark& shark, const DiveContext& in, float direction) {
 void turnBack(Shark& shark, const DiveContext& in) {
     if (!in.film.known() || shark.aims()) return;
     const float ahead = roomTowards(shark, in, shark.direction);
-    if (ahead < kRoomy_m && roomTowards(shark, in, -shark.direction) > ahead + kWider_m)
+    if (ahead < kRoomAhead_m && roomTowards(shark, in, -shark.direction) > ahead + kWider_m)
         shark.direction = -shark.direction;
 }
 

@@ -248,7 +248,7 @@ bool holdThing(Fish& f, int id, Hand& hand, int h, Score& score, const DiveConte
     if (kind.thing == Thing::Mussel && due && !f.loose.spent) {
         f.loose.spent = true;
         f.gait.set(Motion::Open);
-        hand.bait_s = kBait_s;
+        hand.baitLeft_s = kBait_s;
         hand.fed = false;
         hand.nextVisit_s = 0;
         events.push_back({EventKind::Crack, id, h, f.position});
@@ -271,15 +271,15 @@ bool holdThing(Fish& f, int id, Hand& hand, int h, Score& score, const DiveConte
 void offerBait(Hands& hands, std::span<const Fish> fish, bool& told, Events& events) {
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
-        if (hand.bait_s <= 0) continue;
-        if (hand.untrackedTicks > kHandDropTicks) hand.bait_s = 0;
-        hand.bait_s = std::max(0.0f, hand.bait_s - kDt);
+        if (hand.baitLeft_s <= 0) continue;
+        if (hand.untrackedTicks > kHandDropTicks) hand.baitLeft_s = 0;
+        hand.baitLeft_s = std::max(0.0f, hand.baitLeft_s - kDt);
         const auto eats = [&](const Fish& f) {
             return f.visit.hand == h && glm::distance(f.position, visitedPlace(hand)) < kThere_m;
         };
         const bool came = !hand.fed && std::ranges::any_of(fish, eats);
         hand.fed = hand.fed || came;
-        const bool inVain = hand.bait_s == 0 && !hand.fed && !told;
+        const bool inVain = hand.baitLeft_s == 0 && !hand.fed && !told;
         told = told || inVain;
         if (came || inVain)
             events.push_back({came ? EventKind::Feed : EventKind::NoGuest, -1, h, hand.graspCentre});

@@ -175,7 +175,7 @@ std::optional<float> TrackedHands::openHand_m() const {
     for (int side = 0; side < 2; ++side) {
         if (hands_.notSeen_s(side) > hands::kHandLost_s) continue;
         if (found || hands_.hand(side).gesture() != hands::Gesture::Open) return std::nullopt;
-        found = hands_.asRig_m(side);
+        found = hands_.rigDistance_m(side);
     }
     return found;
 }

@@ -63,8 +63,8 @@ static std::optional<render::BakedOcclusion> stored(const Path& file, scene::Mod
 constexpr size_t kEachTime = 4;    // animals whose light is looked up for each picture: 35 take nine pictures
 constexpr float kFollow_s = 0.25f; // time constant of that light
 constexpr float kLampAbove_m = 0.15f, kLampRadius_m = 0.3f; // a wide lamp dazzles less from near
-constexpr float kLowest = 0.5f; // height at which light counts as grazing: the sun under water is higher
-constexpr float kJump_m = 0.5f; // movement between two pictures from which it counts as another animal
+constexpr float kGrazing = 0.5f; // height at which light counts as grazing: the sun under water is higher
+constexpr float kJump_m = 0.5f;  // movement between two pictures from which it counts as another animal
 
 // Returns the harmonics of light from one direction; irradiance: on a plane that faces it.
 static depth::LightHarmonics harmonicsOf(const glm::vec3& towardsEnv, const glm::vec3& irradiance) {
@@ -80,7 +80,7 @@ static depth::LightHarmonics ofWaves(const FocusedLight& focused, const glm::vec
     const glm::vec3 towards = focused.from->light.direction;
     const float change = focused.caustics->changeAt(placeEnv, towards, length_m, *focused.map);
     return harmonicsOf(towards, focused.from->groundIrradiance *
-                                    (change * focused.from->presence / std::max(towards.y, kLowest)));
+                                    (change * focused.from->presence / std::max(towards.y, kGrazing)));
 }
 
 void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDifference* light,

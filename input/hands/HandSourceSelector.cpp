@@ -43,7 +43,7 @@ void DeviceHands::advance(HandStream& stream, double elapsed_s, Clock::time_poin
             notSeen_s_[side] = 0;
             lateness_s_[side] = std::max(late.count(), 0.0f);
             towardsElbow_[side] = frame.towardsElbow[side];
-            asRig_m_[side] = frame.asRig_m[side];
+            rigDistance_m_[side] = frame.rigDistance_m[side];
         }
     }
 }

@@ -26,7 +26,7 @@ class DeviceHands {
     float age_s(int side) const { return notSeen_s(side) + lateness_s_[side]; }
     // HandFrame's values, when the hand was seen last.
     glm::vec3 towardsElbow(int side) const { return towardsElbow_[side]; }
-    float asRig_m(int side) const { return asRig_m_[side]; }
+    float rigDistance_m(int side) const { return rigDistance_m_[side]; }
     bool seesHands(float within_s) const { return notSeen_s_[0] <= within_s || notSeen_s_[1] <= within_s; }
 
   private:
@@ -37,7 +37,7 @@ class DeviceHands {
     std::array<float, 2> notSeen_s_{1e6f, 1e6f};
     std::array<float, 2> lateness_s_{};
     std::array<glm::vec3, 2> towardsElbow_{};
-    std::array<float, 2> asRig_m_{};
+    std::array<float, 2> rigDistance_m_{};
     // Used for DeviceTime::Stamps.
     int64_t game_us_ = 0;
     int64_t gameFromDevice_us_ = 0;

@@ -68,29 +68,29 @@ void resize(HandPose& hand, float size) {
     }
 }
 
-void HandSizing::begin(State state, float asRig_m) {
+void HandSizing::begin(State state, float rigDistance_m) {
     state_ = state;
     held_s_ = 0;
     seen_ = 0;
     sum_m_ = 0;
-    least_m_ = most_m_ = asRig_m;
+    least_m_ = most_m_ = rigDistance_m;
 }
 
-void HandSizing::see(std::optional<float> asRig_m, float dt_s) {
+void HandSizing::see(std::optional<float> rigDistance_m, float dt_s) {
     if (state_ == State::Done) return;
-    if (!asRig_m) {
+    if (!rigDistance_m) {
         missing_s_ += dt_s;
         if (missing_s_ >= kMissing_s) begin(State::Waiting);
         return;
     }
     missing_s_ = 0;
-    const auto size = static_cast<double>(kAt_m / std::max(*asRig_m, 1e-3f));
+    const auto size = static_cast<double>(kAt_m / std::max(*rigDistance_m, 1e-3f));
     if (size < kHandSizeMin || size > kHandSizeMax) return begin(State::Elsewhere);
-    if (state_ != State::Holding) begin(State::Holding, *asRig_m);
-    least_m_ = std::min(least_m_, *asRig_m);
-    most_m_ = std::max(most_m_, *asRig_m);
-    if (most_m_ - least_m_ > kSpread * least_m_) begin(State::Holding, *asRig_m); // it moves
-    sum_m_ += *asRig_m;
+    if (state_ != State::Holding) begin(State::Holding, *rigDistance_m);
+    least_m_ = std::min(least_m_, *rigDistance_m);
+    most_m_ = std::max(most_m_, *rigDistance_m);
+    if (most_m_ - least_m_ > kSpread * least_m_) begin(State::Holding, *rigDistance_m); // it moves
+    sum_m_ += *rigDistance_m;
     ++seen_;
     held_s_ += dt_s;
     if (held_s_ >= kHold_s) state_ = State::Done;

@@ -29,7 +29,7 @@ struct HandFrame {
     std::array<glm::vec3, 2> towardsElbow{};
     // Distance from the camera to the palm if the hand had the rig's size (HandSizing), metres; 0 if the
     // device measures distances.
-    std::array<float, 2> asRig_m{};
+    std::array<float, 2> rigDistance_m{};
 };
 
 // State of a tracker, as shown to the player.
@@ -238,15 +238,16 @@ class HandSizing {
 
     enum class State { Waiting, Elsewhere, Holding, Done }; // Elsewhere: the hand is not at kAt_m
 
-    // Takes a frame. asRig_m: HandFrame::asRig_m, if just one hand is seen and it is open; else empty.
-    void see(std::optional<float> asRig_m, float dt_s);
+    // Takes a frame. rigDistance_m: HandFrame::rigDistance_m, if just one hand is seen and it is open; else
+    // empty.
+    void see(std::optional<float> rigDistance_m, float dt_s);
 
     State state() const { return state_; }
     float progress() const { return state_ == State::Done ? 1.0f : held_s_ / kHold_s; }
     std::optional<float> size() const; // once it is done
 
   private:
-    void begin(State state, float asRig_m = 0);
+    void begin(State state, float rigDistance_m = 0);
 
     State state_ = State::Waiting;
     float held_s_ = 0, missing_s_ = 0;

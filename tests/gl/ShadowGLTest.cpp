@@ -86,7 +86,7 @@ TEST_P(ShadowGL, IsTheClosedFormAtEveryPixel) {
                                       1 - 2 * (static_cast<float>(y) + 0.5f) / kShadowSize);
                 const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
                 const glm::vec3 ground = ray * (kGround_m / ray.y);
-                const glm::vec3 left = render::leftOf(
+                const glm::vec3 left = render::remainingOf(
                     render::covered(flat, sunlight(), ground) * sunlight().share, render::FrameCoding::Srgb,
                     glm::exp(-sea_.attenuation_perM * glm::length(ground)));
                 for (int c = 0; c < 3; ++c) {

@@ -18,8 +18,8 @@ bool canSample(const EyePicture& picture) {
     return canSampleFrames() && picture.showsFrameAsCoded() && picture.canvas.samples() == 1;
 }
 
-// Writes the factors of FilmShadows::left(), enlarged linearly, for texels low to high - 1 of a frame. Places
-// up to half a texel beyond the map's edge take its outermost texels.
+// Writes the factors of FilmShadows::remaining(), enlarged linearly, for texels low to high - 1 of a frame.
+// Places up to half a texel beyond the map's edge take its outermost texels.
 void enlarge(const Image<uint8_t, 4>& left, const glm::ivec2& low, const glm::ivec2& high,
              const glm::ivec2& frameSize, std::vector<uint32_t>& out) {
     constexpr float kInside = 1 / 32.0f;
@@ -211,7 +211,7 @@ void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer*
         if (low.x >= high.x || low.y >= high.y) return;
         const auto width = static_cast<size_t>(high.x - low.x);
         const bool shaded = shadows && shadows->tiles().chosen()[number];
-        if (shaded) enlarge(shadows->left(), low, high, size, factors);
+        if (shaded) enlarge(shadows->remaining(), low, high, size, factors);
         for (int y = low.y; y < high.y; ++y) {
             const uint8_t* from = frame.pixels + 4 * (ptrdiff_t{y} * frame.rowPixels + low.x);
             auto* to = reinterpret_cast<uint8_t*>(texels_.get() + ptrdiff_t{y} * size.x + low.x);

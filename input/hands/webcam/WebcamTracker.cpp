@@ -57,7 +57,7 @@ class WebcamTracker final : public HandTracker {
             std::clamp(handSize_.load(), static_cast<float>(kHandSizeMin), static_cast<float>(kHandSizeMax));
         for (size_t side = 0; side < 2; ++side) {
             if (!frame.hands[side].tracked) continue;
-            frame.asRig_m[side] = glm::length(frame.hands[side].joints[kPalmJoint].position);
+            frame.rigDistance_m[side] = glm::length(frame.hands[side].joints[kPalmJoint].position);
             resize(frame.hands[side], size);
         }
         placement_.apply(frame.hands, frame.time_us);

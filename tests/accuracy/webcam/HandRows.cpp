@@ -220,10 +220,10 @@ float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinde
                                                               shownHand(rig, Side::Right, asRig(held, size))};
         const HandFrame frame =
             finder.detect(clip.picture(clip.hands(drawn), Behind::Room), number * kPicture_s);
-        std::optional<float> asRig_m;
+        std::optional<float> rigDistance_m;
         for (const HandPose& hand : frame.hands)
-            if (hand.tracked) asRig_m = glm::length(hand.joints[kPalmJoint].position);
-        sizing.see(asRig_m, static_cast<float>(kPicture_s));
+            if (hand.tracked) rigDistance_m = glm::length(hand.joints[kPalmJoint].position);
+        sizing.see(rigDistance_m, static_cast<float>(kPicture_s));
     }
     return sizing.size().value_or(0);
 }

@@ -122,15 +122,15 @@ TEST_F(WebcamClip, ASmallerHandIsNearerByAsMuch) {
     };
     const HandFrame rigs = first(1), small = first(0.8f);
     ASSERT_TRUE(rigs.hands[1].tracked && small.hands[1].tracked);
-    EXPECT_FLOAT_EQ(small.asRig_m[1], rigs.asRig_m[1]);
+    EXPECT_FLOAT_EQ(small.rigDistance_m[1], rigs.rigDistance_m[1]);
     EXPECT_NEAR(spanOf(small.hands[1]), 0.8f * spanOf(rigs.hands[1]), 1e-5f);
     const auto distance_m = [](const HandFrame& frame) { // from the camera, which kCameraMount puts there
         const auto& [viewerFromCamera, cameraCentre, viewerCentre, reach] = kCameraMount;
         const glm::vec3 palm = frame.hands[1].joints[kPalmJoint].position;
         return glm::length(cameraCentre + glm::conjugate(viewerFromCamera) * (palm - viewerCentre) / reach);
     };
-    EXPECT_NEAR(distance_m(rigs), rigs.asRig_m[1], 1e-5f);
-    EXPECT_NEAR(distance_m(small), 0.8f * rigs.asRig_m[1], 1e-5f);
+    EXPECT_NEAR(distance_m(rigs), rigs.rigDistance_m[1], 1e-5f);
+    EXPECT_NEAR(distance_m(small), 0.8f * rigs.rigDistance_m[1], 1e-5f);
 }
 
 // The program with this clip of hands, its data below `folder`. Returns the log; empty: it failed.

@@ -110,12 +110,13 @@ void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Li
                         shadows.add(body, each, eyes);
             });
             double shaded = 0; // texels
-            const std::vector<uint8_t>& coded = shadows.left().pixels;
+            const std::vector<uint8_t>& coded = shadows.remaining().pixels;
             for (size_t i = 0; i < coded.size(); i += 4)
                 shaded += coded[i] + coded[i + 1] + coded[i + 2] < 3 * 255;
             with.point_ns += 1e3 * shadows_us / std::max(shaded, 1.0);
             for (size_t i = 0; i < ground.size(); ++i) {
-                const uint8_t* root = shadows.left().at(texels[i].x, texels[i].y); // of the light, blue first
+                const uint8_t* root =
+                    shadows.remaining().at(texels[i].x, texels[i].y); // of the light, blue first
                 left[i] = glm::vec3(root[2], root[1], root[0]) / 255.0f;
                 left[i] *= left[i];
             }

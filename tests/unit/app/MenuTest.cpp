@@ -160,9 +160,9 @@ TEST_F(MenuTest, NoWordOfThePagesIsOutsideTheTable) {
             add();
         }
         screens_.open(Screen::HandSize);
-        for (const float asRig_m : {0.0f, 1.0f, 0.3f}) {
+        for (const float rigDistance_m : {0.0f, 1.0f, 0.3f}) {
             screens_.facts.handSizing = {};
-            if (asRig_m > 0) screens_.facts.handSizing.see(asRig_m, 0.01f);
+            if (rigDistance_m > 0) screens_.facts.handSizing.see(rigDistance_m, 0.01f);
             add();
         }
         return words;
@@ -203,8 +203,8 @@ TEST_F(MenuTest, TheHandIsMeasuredOnAPageOfTheHandsSettings) {
     ASSERT_EQ(screens_.top(), Screen::HandSize);
     EXPECT_TRUE(page().camera);
     EXPECT_EQ(page().progress, 0.0f);
-    const auto hold = [&](float asRig_m) {
-        for (int i = 0; i < 200; ++i) screens_.facts.handSizing.see(asRig_m, 1.0f / 60);
+    const auto hold = [&](float rigDistance_m) {
+        for (int i = 0; i < 200; ++i) screens_.facts.handSizing.see(rigDistance_m, 1.0f / 60);
         screens_.refresh();
         return page().note;
     };

@@ -80,7 +80,7 @@ struct Deedful {
     void happen(Event event, float at_s = 0) {
         world.state().tick = static_cast<uint32_t>(at_s * 120);
         if (event.kind == EventKind::Catch) score.countCatch(event.species, 10);
-        countDeeds(std::span(&event, 1), world.context(), score.deeds);
+        countForGoals(std::span(&event, 1), world.context(), score.goalCounts);
     }
     void caught(int species, float at_s, int hand = 1) {
         happen({.kind = EventKind::Catch, .creature = 0, .hand = hand, .species = species}, at_s);

@@ -405,8 +405,8 @@ using State = HandSizing::State;
 
 constexpr float kDt_s = 1.0f / 60;
 
-void hold(HandSizing& sizing, std::optional<float> asRig_m, float time_s) {
-    for (float t = 0; t < time_s; t += kDt_s) sizing.see(asRig_m, kDt_s);
+void hold(HandSizing& sizing, std::optional<float> rigDistance_m, float time_s) {
+    for (float t = 0; t < time_s; t += kDt_s) sizing.see(rigDistance_m, kDt_s);
 }
 
 TEST(HandSize, AHandOfAnotherSizeLooksTheSame) {

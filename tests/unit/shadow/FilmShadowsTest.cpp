@@ -44,14 +44,14 @@ FilmShadows shadowsOf(const occlusion::Ellipsoid& body, const Scene& scene,
 }
 
 glm::vec3 directionOf(const FilmShadows& shadows, int x, int y) {
-    return texelDirection(x, y, shadows.left().width, shadows.left().height);
+    return texelDirection(x, y, shadows.remaining().width, shadows.remaining().height);
 }
 
 // Calls visit(direction in the film's frame, remaining light) for each texel.
 template <class Visit> void eachTexel(const FilmShadows& shadows, Visit&& visit) {
-    for (int y = 0; y < shadows.left().height; ++y)
-        for (int x = 0; x < shadows.left().width; ++x) {
-            const uint8_t* left = shadows.left().at(x, y);
+    for (int y = 0; y < shadows.remaining().height; ++y)
+        for (int x = 0; x < shadows.remaining().width; ++x) {
+            const uint8_t* left = shadows.remaining().at(x, y);
             visit(directionOf(shadows, x, y), glm::vec3(left[2], left[1], left[0]) / 255.0f);
         }
 }
@@ -79,7 +79,7 @@ TEST(FilmShadows, OnPlanesAreTheClosedForm) {
         eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
             const float distance = toPlane(dir, normal, -kGround_m);
             const float hidden = distance < 20 ? covered(pieces, scene.light, distance * dir) : 0;
-            const glm::vec3 expected = leftOf(hidden * share, FrameCoding::Srgb, through(sea, distance));
+            const glm::vec3 expected = remainingOf(hidden * share, FrameCoding::Srgb, through(sea, distance));
             for (int c = 0; c < 3; ++c) {
                 const double off = static_cast<double>(std::abs(left[c] - expected[c]));
                 worst = std::max(worst, off);
@@ -107,12 +107,12 @@ TEST(FilmShadows, FollowTheFilmsFrameAndItsCamera) {
                            glm::mat4_cast(glm::angleAxis(-glm::half_pi<float>(), glm::vec3(0, 1, 0))))};
     const FilmShadows aside = shadowsOf(kShark, turned);
     int off = 0;
-    const int width = straight.left().width;
-    for (int y = 0; y < straight.left().height; ++y)
+    const int width = straight.remaining().width;
+    for (int y = 0; y < straight.remaining().height; ++y)
         for (int x = 0; x < width; ++x)
             for (int c = 0; c < 3; ++c)
-                off = std::max(off, std::abs(straight.left().at(x, y)[c] -
-                                             aside.left().at((x + width / 4) % width, y)[c]));
+                off = std::max(off, std::abs(straight.remaining().at(x, y)[c] -
+                                             aside.remaining().at((x + width / 4) % width, y)[c]));
     EXPECT_LE(off, 1);
     // Camera and body moved alike: nothing changes.
     const glm::vec3 shift(0.03f, 0, -0.02f);
@@ -120,8 +120,8 @@ TEST(FilmShadows, FollowTheFilmsFrameAndItsCamera) {
     moved.centre += shift;
     const FilmShadows beside = shadowsOf(moved, {.map = ground, .cameraWorld = shift});
     off = 0;
-    for (size_t i = 0; i < straight.left().pixels.size(); ++i)
-        off = std::max(off, std::abs(straight.left().pixels[i] - beside.left().pixels[i]));
+    for (size_t i = 0; i < straight.remaining().pixels.size(); ++i)
+        off = std::max(off, std::abs(straight.remaining().pixels[i] - beside.remaining().pixels[i]));
     EXPECT_LE(off, 1);
 }
 
@@ -130,7 +130,7 @@ TEST(FilmShadows, NothingIsShadedBesideTheTiles) {
     const auto ground = levelGround();
     for (const float radius_deg : {5.0f, 20.0f, 30.0f}) {
         const FilmShadows shadows = shadowsOf(kShark, {.map = ground, .light = lightAt(60, radius_deg)});
-        const Image<uint8_t, 4>& left = shadows.left();
+        const Image<uint8_t, 4>& left = shadows.remaining();
         int shaded = 0;
         for (int y = 0; y < left.height; ++y)
             for (int x = 0; x < left.width; ++x) {
@@ -232,8 +232,9 @@ TEST(FilmShadows, BodiesMultiplyAndFramesBeginAnew) {
     both.begin({&ground}, FrameCoding::Srgb, {});
     both.add({&kShark, 1}, light, eyes);
     both.add({&other, 1}, light, eyes);
-    for (size_t i = 0; i < both.left().pixels.size(); ++i)
-        ASSERT_NEAR(both.left().pixels[i], one.left().pixels[i] * two.left().pixels[i] / 255.0f, 1);
+    for (size_t i = 0; i < both.remaining().pixels.size(); ++i)
+        ASSERT_NEAR(both.remaining().pixels[i],
+                    one.remaining().pixels[i] * two.remaining().pixels[i] / 255.0f, 1);
     const uint64_t before = both.version().second;
     both.begin({&ground}, FrameCoding::Srgb, {});
     EXPECT_GT(both.version().second, before);
@@ -266,8 +267,9 @@ Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float 
         const glm::vec2 uv = latLongFromDirection(glm::normalize(under));
         const float now =
             1 - static_cast<float>(
-                    *(shadows.left().at(static_cast<int>(uv.x * static_cast<float>(shadows.left().width)),
-                                        static_cast<int>(uv.y * static_cast<float>(shadows.left().height))) +
+                    *(shadows.remaining().at(
+                          static_cast<int>(uv.x * static_cast<float>(shadows.remaining().width)),
+                          static_cast<int>(uv.y * static_cast<float>(shadows.remaining().height))) +
                       2)) /
                     255;
         steps.ever = std::max(steps.ever, std::abs(now - before));
@@ -312,14 +314,14 @@ TEST(FilmShadows, AreWorkedOutWhereAnEyeMaySeeThem) {
                 const FilmShadows mine = shadowsOf(body, scene, {eye});
                 int missing = 0, wanted = 0;
                 const glm::mat4 clipFromWorld = eye.clipFromWorld();
-                for (int y = all.left().height / 2; y < all.left().height; ++y)
-                    for (int x = 0; x < all.left().width; ++x) {
-                        if (all.left().at(x, y)[2] == 255) continue;
+                for (int y = all.remaining().height / 2; y < all.remaining().height; ++y)
+                    for (int x = 0; x < all.remaining().width; ++x) {
+                        if (all.remaining().at(x, y)[2] == 255) continue;
                         const glm::vec3 dir = directionOf(all, x, y);
                         const glm::vec4 clip = clipFromWorld * glm::vec4(dir * (kGround_m / dir.y), 1);
                         if (!(clip.w > 0 && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w)) continue;
                         ++wanted;
-                        missing += mine.left().at(x, y)[2] > all.left().at(x, y)[2] + 1;
+                        missing += mine.remaining().at(x, y)[2] > all.remaining().at(x, y)[2] + 1;
                     }
                 EXPECT_EQ(missing, 0) << k << ", " << yaw << ", " << pitch;
                 seen += wanted > 0, unseen += wanted == 0, leftOut += mine.empty();
@@ -335,16 +337,17 @@ TEST(FilmShadows, LeaveNoMoreThanThereIs) {
     for (const FrameCoding frames : {FrameCoding::Srgb, FrameCoding::Thesis})
         for (const float hidden : {0.0f, 0.3f, 1.0f})
             for (const float distance_m : {0.5f, 3.0f, 30.0f}) {
-                const glm::vec3 left = leftOf(hidden * light.share, frames, through(sea, distance_m));
+                const glm::vec3 left = remainingOf(hidden * light.share, frames, through(sea, distance_m));
                 for (int c = 0; c < 3; ++c) {
                     EXPECT_LE(left[c], 1);
                     EXPECT_GE(left[c], 1 - hidden * light.share[c] - 1e-6f);
                 }
             }
     // Half of 40 % of the light is hidden: 0.8 of it is left, and its square root as display values show it.
-    EXPECT_NEAR(leftOf(0.5f * light.share, FrameCoding::Thesis, glm::vec3(1)).x, 0.8f, 1e-6f);
-    EXPECT_NEAR(leftOf(0.5f * light.share, FrameCoding::Srgb, glm::vec3(1)).x, std::sqrt(0.8f), 1e-6f);
-    EXPECT_NEAR(leftOf(1.0f * light.share, FrameCoding::Srgb, through(sea, 100)).y, 1, 1e-3f); // all veil
+    EXPECT_NEAR(remainingOf(0.5f * light.share, FrameCoding::Thesis, glm::vec3(1)).x, 0.8f, 1e-6f);
+    EXPECT_NEAR(remainingOf(0.5f * light.share, FrameCoding::Srgb, glm::vec3(1)).x, std::sqrt(0.8f), 1e-6f);
+    EXPECT_NEAR(remainingOf(1.0f * light.share, FrameCoding::Srgb, through(sea, 100)).y, 1,
+                1e-3f); // all veil
 }
 
 // The shadow in closed form against rays to every part of the light.
