@@ -82,8 +82,6 @@ static std::optional<PartialHand> readHand(const json& from) {
     if (type == "right") hand.side = Side::Right;
     hand.joints[kWristJoint] = point(from, "wrist");
     hand.elbow = point(from, "elbow");
-    if (const auto width = number(from, "palmWidth"); width && *width > 20 && *width < 200)
-        hand.palmWidth_m = static_cast<float>(*width * kMetresFromMillimetres);
     hand.grip = share(from, "grabStrength");
     hand.pinch = share(from, "pinchStrength");
     hand.confidence = share(from, "confidence");
@@ -100,20 +98,24 @@ static void readPointable(const json& from, std::vector<PartialHand>& hands) {
     const auto mcp = point(from, "mcpPosition"), pip = point(from, "pipPosition"),
                dip = point(from, "dipPosition");
     auto type = whole(from, "type");
-    // Older services number the fingers of a skeleton: the last digit tells the finger.
-    if (!type && mcp)
+    // Older services number the fingers of a hand: the last digit tells the finger.
+    if (!type)
         if (const auto id = whole(from, "id")) type = *id - 10 * hand->identity;
-    if (type && *type >= 0 && *type < kFingerCount) {
-        const FingerJoints& finger = kFingerJoints[*type];
-        JointPositions& joints = hand->joints;
-        if (*type != 0) joints[finger.metacarpal] = point(from, "carpPosition");
-        joints[finger.tip - 3] = mcp;
-        joints[finger.tip - 2] = pip;
-        joints[finger.tip - 1] = dip;
-        joints[finger.tip] = tip;
-    } else if (tip && hand->looseTipCount < kFingerCount) {
-        hand->looseTips[hand->looseTipCount++] = *tip;
-    }
+    if (!type || *type < 0 || *type >= kFingerCount) return;
+    const FingerJoints& finger = kFingerJoints[*type];
+    JointPositions& joints = hand->joints;
+    if (*type != 0) joints[finger.metacarpal] = point(from, "carpPosition");
+    joints[finger.tip - 3] = mcp;
+    joints[finger.tip - 2] = pip;
+    joints[finger.tip - 1] = dip;
+    joints[finger.tip] = tip;
+}
+
+static bool lacksJoint(const PartialHand& hand) {
+    for (const FingerJoints& finger : kFingerJoints)
+        for (int i = finger.tip - 3; i <= finger.tip; ++i)
+            if (!hand.joints[i]) return true;
+    return false;
 }
 
 static LeapFrame readFrame(const json& from) {
@@ -122,6 +124,7 @@ static LeapFrame readFrame(const json& from) {
     for (const json& entry : entries(from, "hands", kMaxHands))
         if (auto hand = readHand(entry)) frame.hands.push_back(*hand);
     for (const json& entry : entries(from, "pointables", kMaxPointables)) readPointable(entry, frame.hands);
+    std::erase_if(frame.hands, lacksJoint);
     return frame;
 }
 
@@ -148,12 +151,11 @@ Result<LeapMessage> readLeapMessage(std::string_view text) {
     return LeapMessage();
 }
 
-// Old services do not tell the side: then the hand's last side, its thumb or its place decides.
+// Old services do not tell the side: then the hand's last side or its place decides.
 Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
     if (hand.side) return *hand.side;
     if (hand.identity == identity_[0]) return Side::Left;
     if (hand.identity == identity_[1]) return Side::Right;
-    if (const auto shown = completer_.sideOfTips(hand)) return *shown;
     for (const PartialHand& other : seen.hands)
         if (other.identity != hand.identity) return hand.palm.x < other.palm.x ? Side::Left : Side::Right;
     const float viewerX = (placement_.mount().viewerFromDevice * hand.palm).x;

@@ -1,5 +1,5 @@
-// Parser of the messages of the Leap / Ultraleap service: JSON, protocol versions 1 to 6; and the hands in
-// its frames as the game wants them.
+// Parser of the messages of the Leap / Ultraleap service: JSON, protocol versions 1 to 6, if the service
+// sends the joints of fingers; and the hands in its frames as the game wants them.
 #pragma once
 
 #include "engine/core/JsonBounds.h"
@@ -22,7 +22,8 @@ struct LeapDevice {
 
 struct LeapFrame {
     std::optional<int64_t> time_us;
-    std::vector<PartialHand> hands; // device's frame, metres; hands with impossible values are left out
+    std::vector<PartialHand>
+        hands; // device's frame, metres; those with impossible values or without all joints are left out
 };
 
 using LeapMessage = std::variant<std::monostate, LeapDevice, LeapFrame>; // monostate: no known message

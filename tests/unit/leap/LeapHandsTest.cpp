@@ -111,7 +111,8 @@ TEST(LeapHands, FollowsNoRedirect) {
     }
 }
 
-TEST(LeapHands, EveryVersionGivesAWholeHandWhereItIs) {
+// Services from before 2014, below 5, send fingertips alone.
+TEST(LeapHands, EveryVersionWithJointsGivesAWholeHandWhereItIs) {
     for (int version = 1; version <= 6; ++version) {
         Server server(0, version);
         const Tracker hands = connectTo(server);
@@ -121,18 +122,16 @@ TEST(LeapHands, EveryVersionGivesAWholeHandWhereItIs) {
         std::vector<std::string> asked; // down to the version that the service speaks
         for (int v = 6; v >= version; --v) asked.push_back("/v" + std::to_string(v) + ".json");
         EXPECT_EQ(server.paths(), asked);
-        ASSERT_TRUE(frame.hands[1].tracked) << version;
+        ASSERT_EQ(frame.hands[1].tracked, version >= 5) << version;
         EXPECT_FALSE(frame.hands[0].tracked) << version;
+        if (version < 5) continue;
         EXPECT_TRUE(plausible(frame.hands[1])) << version;
         HandPose truth = made.pose;
         kDeskMount.apply(truth);
         for (int i = 0; i < kJointCount; ++i)
-            // All joints are sent at 6. Before, wrist and metacarpals come from the rig, and before 5 the
-            // fingers are bent as one parameter allows: half a finger's thickness.
+            // All joints are sent at 6; at 5 wrist and metacarpals come from the rig.
             EXPECT_NEAR(glm::distance(frame.hands[1].joints[i].position, truth.joints[i].position), 0,
-                        version == 6   ? 1e-5f
-                        : version == 5 ? 1e-3f
-                                       : 8e-3f)
+                        version == 6 ? 1e-5f : 1e-3f)
                 << version << " " << kJointNames[i];
     }
 }
@@ -417,11 +416,16 @@ TEST_F(LeapSession, AbsurdHandsAreNotHands) {
         EXPECT_FALSE(frame.hands[0].tracked || frame.hands[1].tracked) << palm;
     }
     // A torn hand has a place, but no hand looks like it: the filter refuses what is not plausible.
-    server.say("{\"timestamp\":1,\"hands\":[{\"id\":1,\"type\":\"right\",\"palmPosition\":[0,200,0],"
-               "\"palmNormal\":[0,-1,0],\"direction\":[0,0,-1]}],\"pointables\":[{\"id\":10,\"handId\":1,"
-               "\"type\":1,\"mcpPosition\":[900,200,0],\"pipPosition\":[0,200,-900],\"dipPosition\":[0,0,0],"
-               "\"tipPosition\":[900,900,900]}]}");
-    EXPECT_FALSE(plausible(next(hands).hands[1]));
+    std::string torn = "{\"timestamp\":1,\"hands\":[{\"id\":1,\"type\":\"right\",\"palmPosition\":[0,200,0],"
+                       "\"palmNormal\":[0,-1,0],\"direction\":[0,0,-1]}],\"pointables\":[";
+    for (int finger = 0; finger < kFingerCount; ++finger)
+        torn += (finger ? ",{\"handId\":1,\"type\":" : "{\"handId\":1,\"type\":") + std::to_string(finger) +
+                ",\"mcpPosition\":[900,200,0],\"pipPosition\":[0,200,-900],\"dipPosition\":[0,0,0],"
+                "\"tipPosition\":[900,900,900]}";
+    server.say(torn + "]}");
+    const HandPose seen = next(hands).hands[1];
+    EXPECT_TRUE(seen.tracked);
+    EXPECT_FALSE(plausible(seen));
 }
 
 class Recorded : public testing::TestWithParam<const char*> {};

@@ -62,7 +62,7 @@ inline json millimetres(const glm::vec3& v) { return {v.x * 1e3f, v.y * 1e3f, v.
 inline json unit(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 // One frame of a hand posed by the rig, in the Leap's desk frame and millimetres, as a service of that
-// protocol version would send it: joints from 5 on, everything at 6, mere fingertips before.
+// protocol version would send it: joints from 5 on, everything at 6, mere fingertips before 5.
 struct MadeHand {
     Side side = Side::Right;
     int64_t id = 1;
