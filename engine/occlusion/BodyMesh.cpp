@@ -4,17 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <string>
 #include <tuple>
 #include <vector>
 
 namespace shoal::occlusion {
 
 namespace {
-
-constexpr size_t kMaxTriangles = 1u << 24;
-
-bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Returns for each position the index of one representative of all equal positions.
 std::vector<uint32_t> weld(std::span<const glm::vec3> positions) {
@@ -28,25 +23,6 @@ std::vector<uint32_t> weld(std::span<const glm::vec3> positions) {
 }
 
 } // namespace
-
-Status checkMesh(const BodyMesh& mesh) {
-    if (mesh.normals.size() != mesh.positions.size())
-        return Error{"", "a body has " + std::to_string(mesh.positions.size()) + " positions but " +
-                             std::to_string(mesh.normals.size()) + " normals"};
-    if (mesh.triangles.size() > kMaxTriangles)
-        return Error{"", "a body of " + std::to_string(mesh.triangles.size()) +
-                             " triangles is too large; at most " + std::to_string(kMaxTriangles)};
-    for (size_t i = 0; i < mesh.positions.size(); ++i) {
-        if (!finite(mesh.positions[i])) return Error{"", "position " + std::to_string(i) + " is not finite"};
-        if (!finite(mesh.normals[i])) return Error{"", "normal " + std::to_string(i) + " is not finite"};
-    }
-    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3& t = mesh.triangles[i];
-        if (std::max({t.x, t.y, t.z}) >= mesh.positions.size())
-            return Error{"", "triangle " + std::to_string(i) + " names a vertex that is not there"};
-    }
-    return Done{};
-}
 
 bool isClosed(const BodyMesh& mesh) {
     const std::vector<uint32_t> place = weld(mesh.positions);

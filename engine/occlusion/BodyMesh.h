@@ -1,7 +1,6 @@
-// A body's triangles, and checks that are made before memory is allocated for it.
+// A body's triangles.
 #pragma once
 
-#include "engine/core/Result.h"
 #include "engine/math/Sphere.h"
 
 #include <glm/glm.hpp>
@@ -10,16 +9,13 @@
 
 namespace shoal::occlusion {
 
-// One frame, metres; normals of unit length, one for each position. Views: the owner keeps them alive.
+// One frame, metres; normals of unit length, one for each position; all finite. Views: the owner keeps them
+// alive.
 struct BodyMesh {
     std::span<const glm::vec3> positions;
     std::span<const glm::vec3> normals;
     std::span<const glm::uvec3> triangles;
 };
-
-// Fails if positions or normals are not finite, their numbers differ, indices are out of range, or there are
-// more than 2^24 triangles.
-Status checkMesh(const BodyMesh& mesh);
 
 // Returns whether every edge is shared by two triangles that run along it in opposite directions, once
 // vertices at the same place are merged. Such a body has an inside: rays hit it only where they enter.

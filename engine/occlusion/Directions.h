@@ -44,11 +44,4 @@ inline uint32_t packDirection(const glm::vec3& direction, int bits) {
     return bits == 8 ? glm::packSnorm2x8(square) : glm::packSnorm2x16(square);
 }
 
-inline glm::vec3 unpackDirection(uint32_t packed, int bits) {
-    const glm::vec2 square =
-        bits == 8 ? glm::unpackSnorm2x8(static_cast<uint16_t>(packed)) : glm::unpackSnorm2x16(packed);
-    const glm::vec3 turned = math::directionFromOctahedral(square);
-    return {turned.x, turned.z, turned.y};
-}
-
 } // namespace shoal::occlusion

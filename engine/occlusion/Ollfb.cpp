@@ -219,7 +219,6 @@ void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes) {
 } // namespace
 
 Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
-    if (Status status = checkMesh(mesh); !status) return status.error();
     assert(options.views >= 1 && options.views <= 4096 && options.resolution >= 1 &&
            options.resolution <= 256);
     Ollfb result;

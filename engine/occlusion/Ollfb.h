@@ -62,8 +62,8 @@ struct Ollfb {
         size_t maxBytes = 64u << 20;
     };
 
-    // Fails for an invalid mesh (BodyMesh.h), more than maxBytes, more than 65535 layers in a row of pixels.
-    // A body without triangles or extent is hit by no ray.
+    // Fails for more than maxBytes or 65535 layers in a row of pixels. A body without triangles or extent is
+    // hit by no ray.
     static Result<Ollfb> make(const BodyMesh& mesh, const Options& options);
 
     size_t bytes() const {

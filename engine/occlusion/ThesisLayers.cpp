@@ -54,7 +54,6 @@ std::vector<glm::vec3> cubeDirections(int cells) {
 }
 
 Result<ThesisLayers> ThesisLayers::make(const BodyMesh& mesh, const Options& options) {
-    if (Status status = checkMesh(mesh); !status) return status.error();
     assert(options.cells >= 1 && options.cells <= 16 && options.resolution >= 1 &&
            options.resolution <= 1024);
     ThesisLayers result;

@@ -57,7 +57,7 @@ struct ThesisLayers {
         size_t maxBytes = 256u << 20;
     };
 
-    // Fails for an invalid mesh (BodyMesh.h) or more than maxBytes.
+    // Fails for more than maxBytes.
     static Result<ThesisLayers> make(const BodyMesh& mesh, const Options& options);
 
     size_t bytes() const { return starts.size() * sizeof(uint32_t) + layers.size() * sizeof(ThesisLayer); }

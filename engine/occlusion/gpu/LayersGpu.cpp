@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace shoal::occlusion {
 
@@ -64,6 +65,8 @@ Result<gl::Buffer> storageBuffer(const void* data, size_t bytes) {
 
 Result<LayersGpu> LayersGpu::make(const BodyMesh& mesh, LayerMethod method, const Ollfb::Options& options) {
     if (Status status = canKeepLayers(); !status) return status.error();
+    for (const glm::vec3& position : mesh.positions) // a file's large scales may multiply
+        if (!std::isfinite(glm::dot(position, position))) return Error{"", "the body is infinitely large"};
     if (method == LayerMethod::Thesis) {
         const auto made = ThesisLayers::make(
             mesh, {.cells = *ThesisViews::cellsFor(options.views), .resolution = options.resolution});

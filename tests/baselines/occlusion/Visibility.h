@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/occlusion/BodyMesh.h"
+#include "engine/occlusion/Directions.h"
 
 #include <concepts>
 #include <optional>
@@ -9,6 +10,14 @@
 #include <glm/glm.hpp>
 
 namespace shoal::occlusion {
+
+// Inverse of packDirection(), twin of unpackDirection() in shaders/occlusion/Octahedral.glsl.
+inline glm::vec3 unpackDirection(uint32_t packed, int bits) {
+    const glm::vec2 square =
+        bits == 8 ? glm::unpackSnorm2x8(static_cast<uint16_t>(packed)) : glm::unpackSnorm2x16(packed);
+    const glm::vec3 turned = math::directionFromOctahedral(square);
+    return {turned.x, turned.z, turned.y};
+}
 
 // First point where a ray meets a body: distance along the unit direction in metres, unit normal towards the
 // ray's origin.
