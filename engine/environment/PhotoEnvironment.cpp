@@ -37,16 +37,6 @@ class ProgressLine {
     int shown_ = -1;
 };
 
-// Returns a clause that says whether the seam between a grown environment's two ends is visible. It is not if
-// its step is at most one level of 8 bits, or no larger than the picture's usual steps.
-std::string seamClause(const panorama::WrapDiscontinuity& seam) {
-    const bool hidden = seam.wrapStep <= std::max(seam.usualStep, 1 / 255.0);
-    return fmt::format(
-        "the seam where its ends meet can{} be seen: its largest step is {:.2f} % of white, and "
-        "a tenth of the picture's own steps are above {:.2f} %",
-        hidden ? "not" : "", seam.wrapStep * 100, seam.usualStep * 100);
-}
-
 template <class Picture>
 Result<PhotoEnvironment<Picture>> placed(const Path& file, const Picture& photo,
                                          const media::PhotoMetadata& metadata) {
@@ -74,9 +64,8 @@ Result<PhotoEnvironment<Picture>> grown(const Path& file, const Picture& photo, 
     return PhotoEnvironment<Picture>{
         .picture = std::move(full->latLong),
         .what = fmt::format(
-            "grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
-            "middle; {}",
-            full->lightInPhoto.x, full->lightInPhoto.y, full->lightLatitude_deg, seamClause(full->seam))};
+            "grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the middle",
+            full->lightInPhoto.x, full->lightInPhoto.y, full->lightLatitude_deg)};
 }
 
 } // namespace

@@ -368,12 +368,11 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
     cv::Mat ring = ringOf(photo, map, lens, patch.size(), width);
     progress(0.85);
     blendWrapAround(ring);
-    const WrapDiscontinuity seam = wrapDiscontinuity(ring);
     progress(0.9);
     const double lightColumn = ringColumn(map.column, inPatch.place.x) / kMapWidth * width;
     const cv::Mat sphere = sphereFrom(ring, map.top, lightColumn, full ? 0 : 1);
     progress(1);
-    return {sphere, {light.place.x, light.place.y}, lightLat / kRadiansPerDegree, seam};
+    return {sphere, {light.place.x, light.place.y}, lightLat / kRadiansPerDegree};
 }
 
 // --- Completing a part
@@ -430,8 +429,7 @@ Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const Panorama
         coded, fov, std::clamp(detailed / 64 * 64, 512, 4096), options.full,
         options.progress ? options.progress : [](double) {});
     return Panorama<Picture>{pictureFromCoded<Picture>(made.latLong),
-                             made.lightInPhoto * (photo.width * 1.0 / coded.cols), made.lightLatitude_deg,
-                             made.seam};
+                             made.lightInPhoto * (photo.width * 1.0 / coded.cols), made.lightLatitude_deg};
 }
 
 template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part) {

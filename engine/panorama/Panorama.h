@@ -31,17 +31,10 @@ inline constexpr double kMinFov_deg = 10, kMaxFov_deg = 150;
 inline constexpr int kMinSide = 16;     // least length of a photo's shorter side, pixels
 inline constexpr double kMaxAspect = 8; // longer over shorter side
 
-// Absolute differences of luminance between horizontal neighbours.
-struct WrapDiscontinuity {
-    double wrapStep = 0;  // maximum between the last column and the first
-    double usualStep = 0; // 90th percentile of all others
-};
-
 template <class Picture> struct Panorama {
     Picture latLong;         // 2:1
     glm::dvec2 lightInPhoto; // pixels; the centre of the first is at 0.5
     double lightLatitude_deg = 0;
-    WrapDiscontinuity seam; // of coded values
 };
 
 // Extrapolates the photo; the panorama is display-coded or linear, as the photo is. Deterministic. Fails if

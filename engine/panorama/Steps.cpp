@@ -1,7 +1,6 @@
 #include "engine/panorama/Steps.h"
 
 #include "engine/light/InverseToneMap.h"
-#include "engine/math/Quantile.h"
 
 #include <glm/common.hpp>
 
@@ -273,18 +272,6 @@ void blendColours(cv::Mat& ring) {
 void blendWrapAround(cv::Mat& ring) {
     alignRows(ring);
     blendColours(ring);
-}
-
-WrapDiscontinuity wrapDiscontinuity(const cv::Mat& ring) {
-    cv::Mat grey;
-    cv::cvtColor(ring, grey, cv::COLOR_RGB2GRAY);
-    cv::Mat steps = cv::abs(grey.colRange(1, grey.cols) - grey.colRange(0, grey.cols - 1));
-    const cv::Mat wrap = cv::abs(grey.col(0) - grey.col(grey.cols - 1));
-    std::vector<float> all(steps.begin<float>(), steps.end<float>());
-    WrapDiscontinuity strength;
-    strength.usualStep = static_cast<double>(math::quantile(all, 0.9));
-    cv::minMaxLoc(wrap, nullptr, &strength.wrapStep);
-    return strength;
 }
 
 // --- Poles

@@ -104,8 +104,6 @@ void smoothMap(std::vector<float>& map, double sigma_px);
 // lower a band of the difference's spatial frequencies, the wider it fades out (multiband blending).
 void blendWrapAround(cv::Mat& ring);
 
-WrapDiscontinuity wrapDiscontinuity(const cv::Mat& ring);
-
 enum class PolarCap { Sky, Ground };
 
 // Fills rows 0 to edge of a lat-long picture from the rows below, and fades into these over some degrees. For
