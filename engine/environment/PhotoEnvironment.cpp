@@ -7,35 +7,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 namespace shoal::environment {
 
 namespace {
-
-// Display of the progress: a line that is overwritten on a terminal, or one log line without a terminal.
-class ProgressLine {
-  public:
-    explicit ProgressLine(const Path& file) : watched_(isatty(STDERR_FILENO) == 1) {
-        if (!watched_) log::info("growing {} to a full environment", file.string());
-    }
-    ~ProgressLine() {
-        if (watched_) std::fputs("\r\033[K", stderr);
-    }
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
-
-    void show(double share) {
-        const int percent = static_cast<int>(share * 100);
-        if (!watched_ || percent == shown_) return;
-        shown_ = percent;
-        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
-        std::fflush(stderr);
-    }
-
-  private:
-    bool watched_;
-    int shown_ = -1;
-};
 
 template <class Picture>
 Result<PhotoEnvironment<Picture>> placed(const Path& file, const Picture& photo,
@@ -54,12 +30,18 @@ Result<PhotoEnvironment<Picture>> placed(const Path& file, const Picture& photo,
 
 template <class Picture>
 Result<PhotoEnvironment<Picture>> grown(const Path& file, const Picture& photo, const PhotoOptions& options) {
-    ProgressLine line(file);
+    const bool watched = isatty(STDERR_FILENO) == 1; // a terminal's line can be overwritten
+    if (!watched) log::info("growing {} to a full environment", file.string());
+    int shown = -1;
     auto full = panorama::panoramaFromPhoto(
         photo, {.fov_deg = options.fov_deg, .full = options.full, .progress = [&](double share) {
-                    line.show(share);
+                    const auto percent = static_cast<int>(share * 100);
+                    if (watched && percent != std::exchange(shown, percent))
+                        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%",
+                                     percent);
                     if (options.progress) options.progress(share);
                 }});
+    if (watched) std::fputs("\r\033[K", stderr);
     if (!full) return Error{file.string(), full.error().reason};
     return PhotoEnvironment<Picture>{
         .picture = std::move(full->latLong),
