@@ -7,7 +7,6 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
-#include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <fmt/ranges.h>
@@ -28,8 +27,7 @@ struct Layer {
     int part = 0;
     std::string name;   // as readHdr() takes it; may be empty
     std::string prefix; // of its channels' names, with the dot; may be empty
-    bool rgb = false;
-    bool chroma = false; // neither rgb nor chroma: luminance alone
+    bool rgb = false;   // else luminance alone
     bool firstView = true;
 };
 
@@ -52,8 +50,9 @@ void addLayers(const Imf::Header& header, int part, std::vector<Layer>& layers) 
         const auto has = [&](const char* channel) {
             return channels.findChannel(prefix + channel) != nullptr;
         };
-        Layer layer{part, name, prefix, has("R") && has("G") && has("B"), has("RY") && has("BY")};
-        if (!layer.rgb && (!has("Y") || has("X"))) continue; // X, Y and Z are a direction or a place
+        Layer layer{part, name, prefix, has("R") && has("G") && has("B")};
+        // X, Y and Z are a direction or a place; RY and BY are chroma.
+        if (!layer.rgb && (!has("Y") || has("X") || has("RY"))) continue;
         if (name.empty() && header.hasName()) layer.name = header.name();
         const std::string last = name.substr(name.find_last_of('.') + 1); // may be a view: "diffuse.left"
         layer.firstView = views.empty() || std::find(views.begin() + 1, views.end(), last) == views.end();
@@ -77,7 +76,7 @@ Result<Layer> chooseLayer(std::vector<Layer> layers, const std::string& wanted) 
     const auto prefer = [&](auto&& better) {
         if (std::ranges::any_of(layers, better)) std::erase_if(layers, std::not_fn(better));
     };
-    prefer([](const Layer& layer) { return layer.rgb || layer.chroma; });
+    prefer([](const Layer& layer) { return layer.rgb; });
     prefer([first = layers.front().part](const Layer& layer) { return layer.part == first; });
     prefer([](const Layer& layer) { return layer.firstView; });
     if (layers.size() == 1 || layers.front().prefix.empty()) return layers.front();
@@ -132,20 +131,6 @@ ImageRgbF readChannels(Imf::MultiPartInputFile& file, const Layer& layer) {
     return image;
 }
 
-// As readChannels(), for a layer of luminance and chroma in the first part. The library converts in 16 bits.
-ImageRgbF readChroma(const Path& file, const Layer& layer) {
-    Imf::RgbaInputFile input(file.c_str(), layer.prefix.substr(0, layer.prefix.find_last_of('.')),
-                             kOnThisThread);
-    const Imath::Box2i window = input.dataWindow();
-    ImageRgbF image = imageOf(window);
-    std::vector<Imf::Rgba> pixels(image.pixels.size() / 3);
-    input.setFrameBuffer(Imf::ComputeBasePointer(pixels.data(), window), 1, static_cast<size_t>(image.width));
-    input.readPixels(window.min.y, window.max.y);
-    for (float* out = image.pixels.data(); const Imf::Rgba& pixel : pixels)
-        for (const half component : {pixel.r, pixel.g, pixel.b}) *out++ = component;
-    return image;
-}
-
 // Returns the display window's picture, black outside of the data window.
 ImageRgbF placed(ImageRgbF pixels, const Imath::Box2i& data, const Imath::Box2i& display) {
     if (data == display) return pixels;
@@ -163,7 +148,7 @@ ImageRgbF placed(ImageRgbF pixels, const Imath::Box2i& data, const Imath::Box2i&
 std::vector<std::string> notesOn(const Imf::MultiPartInputFile& file, const Layer& layer) {
     const Imf::Header& header = file.header(layer.part);
     std::vector<std::string> notes;
-    if (!layer.rgb) notes.emplace_back(layer.chroma ? "from luminance and chroma" : "grey");
+    if (!layer.rgb) notes.emplace_back("grey");
     if (file.parts() > 1) notes.push_back(fmt::format("part {} of {}", layer.part + 1, file.parts()));
     if (!layer.name.empty()) notes.push_back(fmt::format("layer {}", layer.name));
     if (header.hasView()) notes.push_back(fmt::format("view {}", header.view()));
@@ -241,21 +226,18 @@ Result<HdrPicture> decodeExr(const Path& name, ByteSpan bytes, const std::string
             addLayers(header, part, layers);
     }
     if (layers.empty())
-        return Error{"", deep.empty() ? "has no colour: neither channels R, G and B nor Y" : deep};
+        return Error{"", deep.empty() ? "has no colour: neither channels R, G and B nor Y alone" : deep};
     const auto layer = chooseLayer(std::move(layers), wanted);
     if (!layer) return layer.error();
     const Imf::Header& header = file.header(layer->part);
     if (std::string refusal = refusalOf(header, limits); !refusal.empty())
         return Error{"", std::move(refusal)};
     if (!file.partComplete(layer->part)) return Error{"", "is cut short"};
-    const bool converts = !layer->rgb && layer->chroma;
-    if (converts && layer->part > 0)
-        return Error{"", "has luminance and chroma in a part that is not the first; convert it to RGB"};
 
-    HdrPicture picture{.radianceLin = placed(converts ? readChroma(name, *layer) : readChannels(file, *layer),
-                                             header.dataWindow(), header.displayWindow()),
+    HdrPicture picture{.radianceLin =
+                           placed(readChannels(file, *layer), header.dataWindow(), header.displayWindow()),
                        .notes = notesOn(file, *layer)};
-    if (Imf::hasChromaticities(header) && (layer->rgb || layer->chroma)) {
+    if (Imf::hasChromaticities(header) && layer->rgb) {
         const Imf::Chromaticities& c = Imf::chromaticities(header);
         picture.primaries = {c.red.x,  c.red.y,  c.green.x, c.green.y,
                              c.blue.x, c.blue.y, c.white.x, c.white.y};

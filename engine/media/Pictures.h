@@ -48,11 +48,11 @@ constexpr float kMaxRadiance = 1e9f;
 
 constexpr const char* kNoLayers = "has no layers; leave --layer out";
 
-// Reads Radiance RGBE, OpenEXR and PFM (colour, with alpha or grey). Values above the half-float limit 65504
-// are kept, except in OpenEXR's luminance and chroma. layer: one of an OpenEXR file, by its channels' names
-// ("diffuse" of "diffuse.R"), or its part's name; empty: the channels without a layer, else the only layer
-// with colour, of the first part and view. Components that are NaN or negative become 0, infinite ones become
-// the file's largest finite one, and those above kMaxRadiance become kMaxRadiance.
+// Reads Radiance RGBE, OpenEXR (colour or grey) and PFM (colour, with alpha or grey). Values above the half-
+// float limit 65504 are kept. layer: one of an OpenEXR file, by its channels' names ("diffuse" of
+// "diffuse.R"), or its part's name; empty: the channels without a layer, else the only layer with colour, of
+// the first part and view. Components that are NaN or negative become 0, infinite ones become the file's
+// largest finite one, and those above kMaxRadiance become kMaxRadiance.
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {}, const std::string& layer = {});
 
 // Write a lossless file, which appears whole or not at all (engine/core/WriteFile.h).

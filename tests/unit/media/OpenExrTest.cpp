@@ -8,7 +8,6 @@
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
-#include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 #include <fmt/core.h>
 
@@ -90,7 +89,8 @@ TEST_F(OpenExr, LayersPartsAndViewsAreChosen) {
     expect({kRgb}, "", "1 2 3");
     expect({kRgb}, "x", "has no colour in a layer \"x\", but in: channels without a layer");
     expect({{{{"Y", 5}}}}, "", "5 5 5; grey");
-    expect({{{{"Z", 5}}}}, "", "has no colour: neither channels R, G and B nor Y");
+    for (const auto& channels : {std::map<std::string, float>{{"Z", 5}}, {{"Y", 5}, {"RY", 0}, {"BY", 0}}})
+        expect({{channels}}, "", "has no colour: neither channels R, G and B nor Y alone");
     expect({{both(rgb("View.Combined", 4), {{"View.Mist.Z", 0}})}}, "", "4 5 6; layer View.Combined");
     const std::vector<Part> two = {{both(rgb("a", 4), rgb("b\n", 7))}};
     expect(two, "", "has several layers; name one by --layer: a, b?");
@@ -128,20 +128,6 @@ TEST_F(OpenExr, TheDisplayWindowIsThePictureAndTheDataWindowIsBounded) {
     part.header.dataWindow() = {{7, 7}, {8, 8}}; // beside it
     write({part});
     EXPECT_EQ(tests::valueOf(readHdr(file)).radianceLin.pixels, std::vector<float>(24, 0));
-}
-
-// The chroma of a uniform picture is kept but for its rounding to 5 bits.
-TEST_F(OpenExr, LuminanceAndChromaBecomeColours) {
-    {
-        Imf::RgbaOutputFile out(file.c_str(), Imf::Header(8, 8), Imf::WRITE_YC);
-        const std::vector<Imf::Rgba> pixels(64, {1, 0.5f, 0.25f});
-        out.setFrameBuffer(pixels.data(), 1, 8);
-        out.writePixels(8);
-    }
-    const auto picture = tests::valueOf(readHdr(file));
-    EXPECT_EQ(picture.notes, std::vector<std::string>{"from luminance and chroma"});
-    for (size_t i = 0; i < picture.radianceLin.pixels.size(); ++i)
-        EXPECT_NEAR(picture.radianceLin.pixels[i], 1 / static_cast<float>(1 << i % 3), 1 / 32.0f);
 }
 
 // The matrix of ACES2065-1 to Rec. 709 by Bradford's adaptation is that of OpenColorIO 2.
