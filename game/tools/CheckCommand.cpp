@@ -11,7 +11,6 @@
 #include "game/rules/Dive.h"
 
 #include <cstdio>
-#include <sstream>
 
 namespace shoal::app {
 
@@ -81,21 +80,6 @@ static Verdict checkReplay(const Path& file) {
            (recording->complete() ? "" : "; it is cut short, or damaged after these");
 }
 
-// Returns whether this is text whose first line that is neither empty nor a comment begins a table or sets a
-// key. "#?" begins a Radiance picture, whose header has such lines too.
-static bool isToml(const std::string& begin) {
-    if (begin.starts_with("#?") || begin.find('\0') != begin.npos) return false;
-    constexpr const char* kKey = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.\"' \t";
-    std::istringstream lines(begin);
-    for (std::string line; std::getline(lines, line);) {
-        line.erase(0, line.find_first_not_of(" \t\r"));
-        if (line.empty() || line[0] == '#') continue;
-        const size_t keyEnd = line.find_first_not_of(kKey);
-        return line[0] == '[' || (keyEnd != line.npos && keyEnd > 0 && line[keyEnd] == '=');
-    }
-    return false;
-}
-
 static Verdict checkFile(const Path& file, const std::string& layer) {
     const auto live = media::liveAddress(file.string());
     if (!live) return live.error();
@@ -109,7 +93,7 @@ static Verdict checkFile(const Path& file, const std::string& layer) {
     const size_t text = begin.find_first_not_of(" \t\r\n");
     if (begin.starts_with("glTF") || (text != begin.npos && begin[text] == '{')) return checkModel(file);
     const bool isNamedToml = extensionOf(file) == ".toml" && begin.find('\0') == begin.npos;
-    return isNamedToml || isToml(begin) ? checkToml(file) : media::checkMedia(file);
+    return isNamedToml ? checkToml(file) : media::checkMedia(file);
 }
 
 int check(const CheckOptions& options) {

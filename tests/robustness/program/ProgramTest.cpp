@@ -535,14 +535,16 @@ TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
     expectOneMessage(run(view + "a@9@x"), "wants NAME@SECONDS");
 }
 
+// A table is known by its extension, all else by content.
 TEST_F(Program, CheckReadsContentNotNames) {
     const Path content = tests::sourceFolder() / "content";
     const auto named = [&](const char* name, const Path& file) {
         return write(name, *readText(file)).string() + " ";
     };
-    const Outcome good = run(
-        "check " + named("dive", content / "dives/reef.toml") + named("species", content / "species.toml") +
-        named("model", content / "models/shark.glb") + named("photo.mp4", content / "icon.png"));
+    const Outcome good =
+        run("check " + named("dive.toml", content / "dives/reef.toml") +
+            named("species.toml", content / "species.toml") + named("model", content / "models/shark.glb") +
+            named("photo.mp4", content / "icon.png"));
     EXPECT_EQ(good.status, 0) << good.err;
     for (const char* kind : {"a dive of", "a table of", "a model of", "PNG picture"})
         EXPECT_NE(good.out.find(kind), std::string::npos) << kind << good.out;
