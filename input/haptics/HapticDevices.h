@@ -15,7 +15,7 @@
 
 namespace shoal::haptics {
 
-constexpr double kFindDevices_s = 1.0; // time between two searches for new devices
+constexpr double kFindDevices_s = 5; // time between two searches for new devices, which are costly
 
 inline double secondsSince(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <fcntl.h>
 #include <filesystem>
 #include <linux/input.h>
@@ -43,30 +42,6 @@ std::string deviceOf(const char* folder, const std::string& node, const char* li
     std::error_code none;
     return fs::canonical(fs::path(folder) / fs::path(node).filename() / link, none).string();
 }
-
-// The devices with nodes in a folder, searched for only after nodes came or went: a search is costly.
-class DeviceList {
-  public:
-    DeviceList(fs::path folder, std::vector<HidInfo> (*find)()) : folder_(std::move(folder)), find_(find) {}
-
-    // Searches also for a while after a change, because a device is not set up in one moment, and if the
-    // folder cannot be read.
-    const std::vector<HidInfo>& get() {
-        constexpr std::chrono::seconds kSettles{3};
-        std::error_code code;
-        const auto changed = fs::last_write_time(folder_, code);
-        const auto now = fs::file_time_type::clock::now();
-        if (!code && searched_ > changed + kSettles && searched_ <= now) return found_;
-        searched_ = now;
-        return found_ = find_();
-    }
-
-  private:
-    fs::path folder_;
-    std::vector<HidInfo> (*find_)();
-    std::vector<HidInfo> found_;
-    fs::file_time_type searched_ = fs::file_time_type::min();
-};
 
 std::vector<HidInfo> findHidDevices() {
     std::vector<HidInfo> found;
@@ -169,7 +144,7 @@ HidBus hidapiBus() {
         hid_device* device = hid_open_path(path.c_str());
         return device ? std::make_unique<HidapiDevice>(path, device) : nullptr;
     };
-    return {[devices = DeviceList("/dev", findHidDevices)]() mutable { return devices.get(); }, open};
+    return {findHidDevices, open};
 }
 
 // The shell waits for a line from a pipe. The destructor sends one; if the process dies, the pipe closes
@@ -183,9 +158,9 @@ CrashStop::CrashStop(const std::string& file, std::span<const uint8_t> stop) {
 }
 
 HidBus withForceFeedback(HidBus bus) {
-    const auto list = [pads = DeviceList("/dev/input", findRumblingPads), other = bus.list]() mutable {
+    const auto list = [other = bus.list] {
         std::vector<HidInfo> all = other();
-        std::ranges::copy(pads.get(), std::back_inserter(all));
+        std::ranges::copy(findRumblingPads(), std::back_inserter(all));
         return all;
     };
     const auto open = [other = bus.open](const std::string& path) -> std::unique_ptr<HidDevice> {

@@ -36,7 +36,7 @@ class HidDevice {
 };
 
 struct HidBus {
-    // Lists all devices, each path once; takes some milliseconds if something was plugged in or out.
+    // Lists all devices, each path once; takes some milliseconds.
     std::function<std::vector<HidInfo>()> list;
     std::function<std::unique_ptr<HidDevice>(const std::string& path)> open; // null: it may not be opened
 };

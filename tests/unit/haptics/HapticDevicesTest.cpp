@@ -75,7 +75,8 @@ TEST(HapticDevices, TellsWhenToComeBack) {
     EXPECT_EQ(fake.written["a"].size(), 1u);
     EXPECT_NEAR(hapticDevices.step(frameOf(1, 40), 0.03), 0.05, 1e-9); // then refreshed every 50 ms
     EXPECT_EQ(fake.written["a"].size(), 2u);
-    EXPECT_NEAR(hapticDevices.step({}, 0.1), 0.9, 1e-9); // nothing but the next look for devices
+    EXPECT_NEAR(hapticDevices.step({}, 0.1), kFindDevices_s - 0.1,
+                1e-9); // nothing but the next look for devices
 }
 
 TEST(HapticDevices, UnpluggedWhileWritingAndPluggedInElsewhere) {
@@ -90,7 +91,7 @@ TEST(HapticDevices, UnpluggedWhileWritingAndPluggedInElsewhere) {
     fake.plug("b", kSony, kDualSense);
     hapticDevices.step(frameOf(0.5f, 40), 0.5); // not yet looked again
     EXPECT_TRUE(fake.written["b"].empty());
-    hapticDevices.step(frameOf(0.5f, 40), 1.1);
+    hapticDevices.step(frameOf(0.5f, 40), kFindDevices_s + 0.1);
     EXPECT_EQ(fake.written["b"].size(), 1u);
     EXPECT_TRUE(hapticDevices.takeWarnings().empty());
 }
@@ -118,7 +119,7 @@ TEST(HapticDevices, AUserWithoutPermissionIsToldTheRuleOnce) {
     fake.plugged[0].permitted = false;
     HapticDevices hapticDevices(fake.bus());
     hapticDevices.step({}, 0);
-    hapticDevices.step({}, 1.5);
+    hapticDevices.step({}, kFindDevices_s);
     const auto complaints = hapticDevices.takeWarnings();
     ASSERT_EQ(complaints.size(), 1u);
     EXPECT_THAT(complaints[0], HasSubstr("/dev/hidraw7"));
@@ -126,7 +127,7 @@ TEST(HapticDevices, AUserWithoutPermissionIsToldTheRuleOnce) {
     EXPECT_THAT(complaints[0], HasSubstr(R"(KERNEL=="hidraw*", KERNELS=="*:054C:0CE6.*", TAG+="uaccess")"));
     EXPECT_THAT(hapticDevices.list().at(0).problem, HasSubstr("may not be opened"));
     fake.plugged[0].permitted = true; // the rule was put in, and udev ran
-    hapticDevices.step({}, 3);
+    hapticDevices.step({}, 2 * kFindDevices_s);
     EXPECT_EQ(hapticDevices.ready(), 1u);
     EXPECT_EQ(hapticDevices.list().at(0).problem, "");
 }
