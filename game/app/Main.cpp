@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <new>
 #include <sstream>
 #include <unistd.h>
 
@@ -230,22 +229,6 @@ int run(int argc, char** argv) {
     return parseAndRun(app, words, commands);
 }
 
-// Ends the program after an exception that nothing catches, in any thread, mostly for lack of memory: with
-// one sentence, and without touching files.
-[[noreturn]] void endBecauseOfException() {
-    try {
-        if (std::current_exception()) std::rethrow_exception(std::current_exception());
-        std::fputs("shoal: had to stop: the program contradicts itself\n", stderr);
-    } catch (const std::bad_alloc&) {
-        std::fputs("shoal: had to stop: there is not enough memory\n", stderr);
-    } catch (const std::exception& exception) {
-        std::fprintf(stderr, "shoal: had to stop: %s\n", exception.what());
-    } catch (...) {
-        std::fputs("shoal: had to stop: for a reason that is not known\n", stderr);
-    }
-    std::_Exit(1);
-}
-
 } // namespace
 } // namespace shoal::app
 
@@ -253,6 +236,10 @@ int main(int argc, char** argv) {
     // A write fails with an error, not a signal, if its reader is gone or its file may not grow.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    std::set_terminate(shoal::app::endBecauseOfException);
+    std::set_terminate([] { // an exception that nothing catches, in any thread; touches no files
+        std::fputs("shoal: had to stop: there is not enough memory, or the program contradicts itself\n",
+                   stderr);
+        std::_Exit(1);
+    });
     return shoal::app::run(argc, argv);
 }
