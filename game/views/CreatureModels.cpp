@@ -46,14 +46,6 @@ static float opacityNear(const glm::vec3& eyes, std::span<const hands::Joint> jo
     return glm::smoothstep(kGone_m, kFades_m, nearest_m);
 }
 
-// Returns one ellipsoid that fills the bounds, for a model whose ellipsoids could not be made.
-static std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const scene::Bounds& bounds) {
-    if (model.order.empty()) return {};
-    return {{{0.5f * (bounds.low + bounds.high), glm::mat3(1),
-              glm::max(0.5f * (bounds.high - bounds.low), glm::vec3(1e-4f))},
-             static_cast<uint16_t>(model.order[0])}};
-}
-
 // Reads and applies the model's baked occlusion; empty if the file is missing or is another model's.
 static std::optional<render::BakedOcclusion> stored(const Path& file, scene::Model& model) {
     const auto baked = render::readBakedOcclusion(file);
@@ -152,7 +144,7 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
     const auto baked = occlusionOf(request.file, instance.model);
     instance.body = render::makeBodyOccluders(instance.model, instance.pose,
-                                              baked ? baked->parts : ellipsoidOf(instance.model, bounds),
+                                              baked ? baked->parts : std::vector<occlusion::BodyPart>(),
                                               request.onItself);
     if (reflectance == render::Reflectance::Coded)
         instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
