@@ -1,6 +1,7 @@
 #include "engine/light/ClippedLight.h"
 
 #include "engine/core/Vectorise.h"
+#include "engine/light/InverseToneMap.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
@@ -33,10 +34,6 @@ constexpr double kFewClipped = 0.015;
 
 constexpr double kMaxOfMean = 1.75; // times the ground's mean luminance; brighter texels are clamped
 
-inline float luminance(float red, float green, float blue) {
-    return 0.2126f * red + 0.7152f * green + 0.0722f * blue; // Rec. 709
-}
-
 // Returns each channel's sum over interleaved values. 16 partial sums a channel let compilers vectorise.
 template <size_t kChannels> std::array<float, kChannels> sumsOf(const float* values, size_t count) {
     std::array<float, 16 * kChannels> parts{};
@@ -57,7 +54,7 @@ SHOAL_VECTORISE float sumOf(const float* values, int count) {
 
 SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
     const auto [red, green, blue] = sumsOf<3>(row, 3 * static_cast<size_t>(width));
-    return luminance(red, green, blue);
+    return linearLuminance({red, green, blue});
 }
 
 // Sums over a row's texels: visibility of the ground, 0 to 1 for each texel, and its luminance.
@@ -95,7 +92,7 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Ramps& by, fl
             const float part =
                 ramp(std::min((largest - by.first) * by.perRise, (by.white - largest) * by.perFall));
             seen[x] = part;
-            light[x] = part * std::min(luminance(red, green, blue), most);
+            light[x] = part * std::min(linearLuminance({red, green, blue}), most);
         }
         ground.light += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
         ground.seen += sumsOf<1>(seen.data(), static_cast<size_t>(count))[0];
