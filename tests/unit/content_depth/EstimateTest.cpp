@@ -6,7 +6,6 @@
 #include "content/make/depth/TrackFilter.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/DepthTrack.h"
-#include "tests/Test.h"
 #include "tests/unit/media/TestFiles.h"
 
 #include <opencv2/imgproc.hpp>
@@ -293,12 +292,9 @@ class FilmDepths : public testing::Test {
     // noise: standard deviation of each pixel, grey values.
     void film(const glm::vec3& pace_m, double gain = 1, double noise = 0) {
         cv::RNG random(7);
-        cv::VideoWriter writer(film_.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
-                               24, {256, 128});
-        ASSERT_TRUE(writer.isOpened());
-        for (int i = 0; i < kFrames; ++i) {
-            ImageRgb8 picture = TestRoom().seen(pace_m * static_cast<float>(i - kFrames / 2), 1024);
-            const cv::Mat large(picture.height, picture.width, CV_8UC3, picture.pixels.data());
+        const auto picture = [&](int i) {
+            ImageRgb8 seen = TestRoom().seen(pace_m * static_cast<float>(i - kFrames / 2), 1024);
+            const cv::Mat large(seen.height, seen.width, CV_8UC3, seen.pixels.data());
             cv::Mat small;
             cv::resize(large, small, {256, 128}, 0, 0, cv::INTER_AREA);
             cv::Mat sensor(128, 256, CV_32F), filmed;
@@ -306,8 +302,9 @@ class FilmDepths : public testing::Test {
             cv::cvtColor(sensor, sensor, cv::COLOR_GRAY2BGR);
             small.convertTo(filmed, CV_32F, gain);
             cv::Mat(filmed + sensor).convertTo(small, CV_8U);
-            writer.write(small);
-        }
+            return small;
+        };
+        media::writeFilm(film_, "MJPG", kFrames, picture, 24);
     }
 
     Result<FilmDepth> make(const FilmDepthOptions& options = {}) {

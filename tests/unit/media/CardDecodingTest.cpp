@@ -65,14 +65,11 @@ TEST(CardPictures, OfOtherFormsAreRefused) {
 class CardFilms : public testing::Test {
   protected:
     void SetUp() override {
-        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 30,
-                               {64, 32});
-        for (int i = 0; i < kFrames; ++i) {
+        writeFilm(file, "mp4v", kFrames, [](int i) {
             cv::Mat picture(32, 64, CV_8UC3, cv::Scalar::all(30 + 4 * i));
             picture(cv::Rect(i, 4, 12, 12)) = cv::Scalar(200, 60, 20);
-            writer.write(picture);
-        }
-        writer.release();
+            return picture;
+        });
         auto source = tests::valueOf(VideoSource::open(file, Layout::Mono));
         for (ImageRgb8 bgr; source.grab() && source.retrieve(bgr);) expected.push_back(bgr.pixels);
         ASSERT_EQ(expected.size(), size_t{kFrames});

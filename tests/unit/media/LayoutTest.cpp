@@ -129,21 +129,9 @@ TEST(StereoView, MirrorSymmetricRoomsAreMono) {
     }
 }
 
-// Writes a film of 24 frames. frame(i): brightness of frame i.
-void writeFilm(const Path& file, const std::function<ImageRgb8(int)>& frame) {
-    const ImageRgb8 first = frame(0);
-    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 24,
-                           {first.width, first.height});
-    for (int i = 0; i < 24; ++i) {
-        const ImageRgb8 picture = frame(i);
-        writer.write(
-            cv::Mat(picture.height, picture.width, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())));
-    }
-}
-
 Layout layoutOfFilm(const std::function<ImageRgb8(int)>& frame) {
     const TempFolder folder;
-    writeFilm(folder / "film.avi", frame);
+    writeFilm(folder / "film.avi", "MJPG", 24, frame, 24);
     auto player = tests::valueOf(VideoPlayer::open(folder / "film.avi"));
     EXPECT_EQ(player.waitFor(0)->number, 0) << "it begins with its first frame";
     return player.info().layout;
@@ -383,7 +371,8 @@ std::string with(std::string film, std::initializer_list<const char*> boxes, con
 Result<VideoPlayer> filmThatSays(const ImageRgb8& picture, const std::string& stated) {
     const TempFolder folder;
     const Path file = folder / "film.mp4";
-    writeFilm(file, [&](int) { return picture; });
+    writeFilm(
+        file, "MJPG", 24, [&](int) -> const ImageRgb8& { return picture; }, 24);
     writeBytes(file, with(readBytes(file), {"moov", "trak", "mdia", "minf", "stbl", "stsd", "mp4v"}, stated));
     return VideoPlayer::open(file);
 }

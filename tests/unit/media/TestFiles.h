@@ -42,16 +42,34 @@ inline std::string number(uint64_t value, int bytes, bool little) {
     return text;
 }
 
+inline cv::Mat matOf(const cv::Mat& picture) { return picture; }
+inline cv::Mat matOf(const ImageRgb8& bgr) {
+    return cv::Mat(bgr.height, bgr.width, CV_8UC3, const_cast<uint8_t*>(bgr.pixels.data())).clone();
+}
+
+// Writes a film of so many pictures; codec: four letters.
+template <class Picture>
+void writeFilm(const Path& file, const char (&codec)[5], int count, Picture&& picture, double fps = 30) {
+    cv::VideoWriter writer;
+    for (int i = 0; i < count; ++i) {
+        const cv::Mat bgr = matOf(picture(i));
+        if (i == 0)
+            writer.open(file.string(), cv::CAP_FFMPEG,
+                        cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), fps, bgr.size());
+        ASSERT_TRUE(writer.isOpened()) << file;
+        writer.write(bgr);
+    }
+}
+
 // Frame i is uniform grey of level kFirstGrey + kGreyStep * i: numberOf() reads it back. JPEG at its default
 // quality keeps a uniform grey within one level, so up to 50 frames stay distinct.
 constexpr int kFirstGrey = 20, kGreyStep = 4;
 
 inline void writeGreyVideo(const Path& file, int frames, double fps = 30, int width = 64, int height = 32) {
-    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), fps,
-                           {width, height});
-    ASSERT_TRUE(writer.isOpened()) << file;
-    for (int i = 0; i < frames; ++i)
-        writer.write(cv::Mat(height, width, CV_8UC3, cv::Scalar::all(kFirstGrey + kGreyStep * i)));
+    const auto grey = [=](int i) {
+        return cv::Mat(height, width, CV_8UC3, cv::Scalar::all(kFirstGrey + kGreyStep * i));
+    };
+    writeFilm(file, "MJPG", frames, grey, fps);
 }
 
 inline int numberOf(const ImageRgb8& picture) {

@@ -21,13 +21,6 @@ VideoPlayer opened(const Path& file, PlayerOptions options = {}) {
     return tests::valueOf(VideoPlayer::open(file, std::move(options)));
 }
 
-void writeMp4(const Path& file, int frames, const cv::Mat& picture) {
-    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), kFps,
-                           picture.size());
-    ASSERT_TRUE(writer.isOpened());
-    for (int i = 0; i < frames; ++i) writer.write(picture);
-}
-
 class VideoPlayers : public testing::Test {
   protected:
     VideoPlayer greyFilm(int pictures, PlayerOptions options = {}) {
@@ -193,12 +186,12 @@ TEST_F(VideoPlayers, AClipIsTurnedUpright) {
     const Path file = folder / "turned.mp4";
     cv::Mat cornerBright(32, 96, CV_8UC3, cv::Scalar::all(20));
     cornerBright(cv::Rect(0, 0, 48, 16)) = cv::Scalar::all(220);
-    writeMp4(file, 3, cornerBright);
+    writeFilm(file, "mp4v", 3, [&](int) { return cornerBright; });
     // Row by row a b u, c d v, x y w; of 16.16 bits, the last column of 2.30 (ISO/IEC 14496-12, 8.3.2).
     const auto matrix = [](const std::array<int, 4>& m) {
         std::string bytes;
         for (const int value : {m[0] << 16, m[1] << 16, 0, m[2] << 16, m[3] << 16, 0, 0, 0, 1 << 30})
-            for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+            bytes += number(static_cast<uint32_t>(value), 4, false);
         return bytes;
     };
     const std::string upright = readBytes(file);
@@ -305,7 +298,7 @@ TEST_F(VideoPlayers, InterlacedFilmsHaveTheRateThatTheyState) {
 // FFmpeg's own writer gives each track one edit: version, flags, count, then duration, media time and rate.
 TEST_F(VideoPlayers, AnEditListGivesTheLengthShown) {
     const Path file = folder / "edited.mp4";
-    writeMp4(file, 30, cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(99)));
+    writeFilm(file, "mp4v", 30, [](int) { return cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(99)); });
     EXPECT_EQ(opened(file).info().frameCount, 30);
     std::string bytes = readBytes(file);
     const size_t at = bytes.find("elst") + 12;
@@ -351,7 +344,7 @@ int64_t checkKeyFrames(const Path& file, int reordered = 0) {
 
 TEST_F(VideoPlayers, TheIndexTellsKeyFrames) {
     const Path file = folder / "film.mp4";
-    writeMp4(file, 100, cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(99)));
+    writeFilm(file, "mp4v", 100, [](int) { return cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(99)); });
     EXPECT_EQ(checkKeyFrames(file), 7) << "one in 12 of the first 80";
     writeGreyVideo(folder / "grey.avi", 40);
     EXPECT_EQ(checkKeyFrames(folder / "grey.avi"), 20) << "all";

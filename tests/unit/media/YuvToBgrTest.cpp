@@ -93,14 +93,6 @@ std::array<double, 3> recoded(std::array<double, 3> bgr, Luma coded, Luma decode
     return {b2, (y - decoded.red * r2 - decoded.blue * b2) / (1 - decoded.red - decoded.blue), r2};
 }
 
-void write(const Path& file, const char (&codec)[5], const cv::Mat& picture) {
-    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG,
-                           cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), 30,
-                           picture.size());
-    ASSERT_TRUE(writer.isOpened());
-    for (int i = 0; i < 3; ++i) writer.write(picture);
-}
-
 // OpenCV codes a video by BT.601; at this size it is taken for BT.709.
 TEST(ColourMatrix, FramesOfLargeVideosAreTakenForBt709) {
     const TempFolder folder;
@@ -108,7 +100,7 @@ TEST(ColourMatrix, FramesOfLargeVideosAreTakenForBt709) {
     const std::array<double, 3> bgr{220, 60, 60};
     cv::Mat picture(640, 1280, CV_8UC3, cv::Scalar(bgr[0], bgr[1], bgr[2]));
     picture(cv::Rect(0, 0, 640, 640)) = cv::Scalar::all(99);
-    write(file, "I420", picture); // without loss
+    writeFilm(file, "I420", 3, [&](int) { return picture; }); // without loss
     auto player = tests::valueOf(VideoPlayer::open(file));
     EXPECT_EQ(player.info().matrix, ColourMatrix::Bt709);
     const auto wanted = recoded(bgr, k601, k709);
@@ -127,7 +119,7 @@ TEST(ColourMatrix, FramesOfLargeVideosAreTakenForBt709) {
 TEST(ColourMatrix, ColoursThatAreCodedAsSuchStayAsTheyAre) {
     const TempFolder folder;
     const Path file = folder / "colour.mkv";
-    write(file, "FFV1", cv::Mat(640, 1286, CV_8UC3, cv::Scalar(220, 60, 61)));
+    writeFilm(file, "FFV1", 3, [](int) { return cv::Mat(640, 1286, CV_8UC3, cv::Scalar(220, 60, 61)); });
     auto player = tests::valueOf(VideoPlayer::open(file));
     const ImageRgb8& frame = player.waitFor(0)->pixelsBgr;
     for (const auto& [x, y] : {std::array{0, 0}, {1285, 639}, {640, 320}}) {
