@@ -5,6 +5,9 @@
 #include "engine/media/Pictures.h"
 #include "game/rules/Dive.h"
 
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
 #include <cstdio>
 #include <span>
 #include <string>
@@ -146,15 +149,35 @@ void metadata() {
     put("Metadata", "sphere.jpg", "\xff\xd8\xff\xe1" + big32(length).substr(2) + gpano + "\xff\xd9");
 }
 
+cv::Mat halfNoise(int height, int width, Random& random) {
+    cv::Mat picture(height, width, CV_8UC3, cv::Scalar(10, 20, 30));
+    for (int i = 0; i < height * width * 3 / 2; ++i) picture.data[i] = static_cast<uint8_t>(random.next());
+    return picture;
+}
+
+void films() {
+    std::filesystem::create_directories(folder / "Video");
+    Random random(8);
+    for (const std::string kind : {".avi", ".mp4", ".mkv"}) {
+        const int codec = kind == ".mp4" ? cv::VideoWriter::fourcc('m', 'p', '4', 'v')
+                                         : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+        cv::VideoWriter writer(folder / "Video" / ("noise" + kind), cv::CAP_FFMPEG, codec, 30, {64, 32});
+        if (!writer.isOpened()) std::exit(1);
+        for (int i = 0; i < 12; ++i) writer.write(halfNoise(32, 64, random));
+    }
+}
+
 void pictures() {
-    ImageRgbF light(8, 4);
-    for (size_t i = 0; i < light.pixels.size(); ++i) light.pixels[i] = 0.1f * static_cast<float>(i);
+    Random random(7);
+    ImageRgbF light(48, 24); // runs and noise, so that every way of coding is used
+    for (size_t i = 0; i < light.pixels.size(); ++i)
+        light.pixels[i] = i < light.pixels.size() / 2 ? 0.25f : random.between(0, 100);
     for (const char* name : {"seed.hdr", "seed.exr", "seed.pfm"})
         put("Pictures", name, *media::encodeHdr(name, light));
-    ImageRgb8 coded(9, 5);
-    for (size_t i = 0; i < coded.pixels.size(); ++i) coded.pixels[i] = static_cast<uint8_t>(3 * i);
-    for (const char* name : {"seed.png", "seed.jpg"}) {
-        if (!media::writePicture(folder / "Pictures" / name, coded)) std::exit(1);
+    for (const std::string kind : {".png", ".jpg", ".bmp", ".webp", ".tif", ".ppm"}) {
+        std::vector<uint8_t> bytes;
+        cv::imencode(kind, halfNoise(24, 48, random), bytes);
+        put("Pictures", "noise" + kind, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
     put("Pictures", "turned.hdr", "#?RADIANCE\nEXPOSURE=2\n\n+X 1 -Y 2\n" + std::string(8, 'x'));
     put("Pictures", "alpha.pfm", "PF4\n1 1\n-1\n" + std::string(16, '?'));
@@ -225,7 +248,8 @@ void scenes() {
 int main(int count, char** arguments) {
     if (count != 2) return 2;
     folder = arguments[1];
-    for (const auto make : {models, replays, texts, metadata, pictures, depthTracks, devices, ticks, scenes})
+    for (const auto make :
+         {models, replays, texts, metadata, pictures, films, depthTracks, devices, ticks, scenes})
         make();
     return 0;
 }

@@ -19,6 +19,9 @@ inline void expect(bool holds) {
     if (!holds) std::abort();
 }
 
+inline int taken = 0; // inputs that the target did not refuse
+inline Path beside;   // folder whose .bin files lie beside the input too
+
 // Reads the input from the front; zeros once it is used up.
 class Bytes {
   public:
@@ -42,8 +45,9 @@ class FileInput {
   public:
     // name: of the file, whose ending some parsers go by.
     explicit FileInput(const std::string& name) {
-        std::string pattern = "/dev/shm/shoal_fuzz_XXXXXX";
-        if (!::mkdtemp(pattern.data())) throw std::runtime_error("/dev/shm cannot be written to");
+        const bool inMemory = ::access("/dev/shm", W_OK) == 0;
+        std::string pattern = inMemory ? "/dev/shm/shoal_fuzz_XXXXXX" : "/tmp/shoal_fuzz_XXXXXX";
+        if (!::mkdtemp(pattern.data())) throw std::runtime_error(pattern + " cannot be made");
         folder_ = pattern;
         file_ = folder_ / name;
     }
@@ -55,9 +59,14 @@ class FileInput {
     FileInput& operator=(const FileInput&) = delete;
 
     const Path& operator()(std::span<const uint8_t> bytes) const {
+        if (copied_ != beside)
+            for (const auto& entry : std::filesystem::directory_iterator(copied_ = beside))
+                if (entry.path().extension() == ".bin")
+                    copy(entry.path(), folder_ / entry.path().filename(),
+                         std::filesystem::copy_options::overwrite_existing);
         const int out = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
         if (out < 0 || ::write(out, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
-            throw std::runtime_error("/dev/shm is full");
+            throw std::runtime_error("the disk is full");
         ::close(out);
         return file_;
     }
@@ -65,6 +74,7 @@ class FileInput {
 
   private:
     Path folder_, file_;
+    mutable Path copied_; // files of this folder are there
 };
 
 } // namespace shoal::fuzz

@@ -180,5 +180,15 @@ TEST_F(OpenExr, FilesOfPeopleShowTheSamePanorama) {
     }
 }
 
+// Found by tests/fuzz: OpenEXR allocated gigabytes for a size in a field that we had not checked.
+TEST_F(OpenExr, SizesAreCheckedBeforeTheLibraryBelievesThem) {
+    const Path found = tests::sourceFolder() / "tests/fuzz/regressions/Pictures";
+    for (const char* name : {"exr_attribute_size", "exr_list_shorter_than_stated", "exr_list_without_end",
+                             "exr_unknown_attribute_size"})
+        EXPECT_THAT(tests::errorOf(readHdr(found / name, {2048, 2048})).reason,
+                    HasSubstr("header is damaged"))
+            << name;
+}
+
 } // namespace
 } // namespace shoal::media

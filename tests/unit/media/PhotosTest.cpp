@@ -395,5 +395,12 @@ TEST_F(Photos, SharedOnesAreAsTheirMetadataSay) {
     expect("gp.jpg", 3, "pitch 20 and roll 30 degrees");
 }
 
+// Found by tests/fuzz: OpenCV gave a damaged WebP to its decoder of DICOM, which ended the program.
+TEST_F(Photos, ADamagedWebpIsNotTakenForDicom) {
+    const Path file = tests::sourceFolder() / "tests/fuzz/regressions/Pictures/webp_with_dicom_mark";
+    EXPECT_THAT(tests::errorOf(readPhoto(file, {2048, 2048})).reason,
+                testing::HasSubstr("cannot be decoded"));
+}
+
 } // namespace
 } // namespace shoal::media
