@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <sstream>
 
 namespace shoal::test {
 
@@ -15,79 +16,49 @@ int handOf(XrPath path) {
                                                          : -1;
 }
 
-// Inputs of the registry's interaction profiles (xr.xml, 1.1.53) for games, no poses or haptics.
+// Inputs below /input of the registry's interaction profiles (xr.xml, 1.1.53) for games, no poses or haptics;
+// those of the left hand alone behind a bar. A profile without an extension is of OpenXR 1.0.
 struct KnownProfile {
-    const char* extension; // null: OpenXR 1.0
-    const char* name;
-    std::set<std::string> both, left; // below /input
-    bool haptic = true;
+    const char *name, *inputs, *extension = nullptr;
 };
-const std::vector<KnownProfile>& knownProfiles() {
-    static const std::vector<KnownProfile> known = {
-        {nullptr, "khr/simple_controller", {"select/click", "menu/click"}, {}},
-        {nullptr, "oculus/touch_controller", {"squeeze/value", "trigger/value"}, {"menu/click"}},
-        {nullptr,
-         "valve/index_controller",
-         {"squeeze/value", "trigger/value", "trigger/click", "b/click"},
-         {}},
-        {nullptr,
-         "htc/vive_controller",
-         {"squeeze/click", "trigger/value", "trigger/click", "menu/click"},
-         {}},
-        {nullptr, "microsoft/motion_controller", {"squeeze/click", "trigger/value", "menu/click"}, {}},
-        {"XR_EXT_hand_interaction",
-         "ext/hand_interaction_ext",
-         {"grasp_ext/value", "pinch_ext/value"},
-         {},
-         false},
-        {"XR_FB_touch_controller_pro",
-         "facebook/touch_controller_pro",
-         {"squeeze/value", "trigger/value"},
-         {"menu/click"}},
-        {"XR_META_touch_controller_plus",
-         "meta/touch_controller_plus",
-         {"squeeze/value", "trigger/value"},
-         {"menu/click"}},
-        {"XR_BD_controller_interaction",
-         "bytedance/pico_neo3_controller",
-         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click", "menu/click"},
-         {}},
-        {"XR_BD_controller_interaction",
-         "bytedance/pico4_controller",
-         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click"},
-         {"menu/click"}},
-        {"XR_BD_ultra_controller_interaction",
-         "bytedance/pico_ultra_controller_bd",
-         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click"},
-         {"menu/click"}},
-        {"XR_HTC_vive_focus3_controller_interaction",
-         "htc/vive_focus3_controller",
-         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click"},
-         {"menu/click"}},
-        {"XR_EXT_hp_mixed_reality_controller",
-         "hp/mixed_reality_controller",
-         {"squeeze/value", "trigger/value", "menu/click"},
-         {}},
-    };
-    return known;
-}
+constexpr KnownProfile kKnownProfiles[] = {
+    {"khr/simple_controller", "select/click menu/click"},
+    {"oculus/touch_controller", "squeeze/value trigger/value | menu/click"},
+    {"valve/index_controller", "squeeze/value trigger/value trigger/click b/click"},
+    {"htc/vive_controller", "squeeze/click trigger/value trigger/click menu/click"},
+    {"microsoft/motion_controller", "squeeze/click trigger/value menu/click"},
+    {"ext/hand_interaction_ext", "grasp_ext/value pinch_ext/value", "XR_EXT_hand_interaction"},
+    {"facebook/touch_controller_pro", "squeeze/value trigger/value | menu/click",
+     "XR_FB_touch_controller_pro"},
+    {"meta/touch_controller_plus", "squeeze/value trigger/value | menu/click",
+     "XR_META_touch_controller_plus"},
+    {"bytedance/pico_neo3_controller", "squeeze/value squeeze/click trigger/value trigger/click menu/click",
+     "XR_BD_controller_interaction"},
+    {"bytedance/pico4_controller", "squeeze/value squeeze/click trigger/value trigger/click | menu/click",
+     "XR_BD_controller_interaction"},
+    {"bytedance/pico_ultra_controller_bd",
+     "squeeze/value squeeze/click trigger/value trigger/click | menu/click",
+     "XR_BD_ultra_controller_interaction"},
+    {"htc/vive_focus3_controller", "squeeze/value squeeze/click trigger/value trigger/click | menu/click",
+     "XR_HTC_vive_focus3_controller_interaction"},
+    {"hp/mixed_reality_controller", "squeeze/value trigger/value menu/click",
+     "XR_EXT_hp_mixed_reality_controller"},
+};
 const KnownProfile* knownProfile(const std::string& path) {
-    const auto& known = knownProfiles();
-    const auto at = std::ranges::find_if(
-        known, [&](const KnownProfile& p) { return path == std::string("/interaction_profiles/") + p.name; });
-    return at == known.end() ? nullptr : &*at;
+    const auto* at = std::ranges::find_if(kKnownProfiles, [&](const KnownProfile& p) {
+        return path == std::string("/interaction_profiles/") + p.name;
+    });
+    return at == std::end(kKnownProfiles) ? nullptr : at;
 }
 bool has(const KnownProfile& profile, const std::string& path) {
-    for (const char* hand : {"/user/hand/left", "/user/hand/right"}) {
-        if (!path.starts_with(hand)) continue;
-        const std::string below = path.substr(std::strlen(hand));
-        if (below == "/input/grip/pose") return true;
-        if (below == "/output/haptic") return profile.haptic;
-        if (!below.starts_with("/input/")) return false;
-        const std::string component = below.substr(std::strlen("/input/"));
-        return profile.both.contains(component) ||
-               (path.starts_with("/user/hand/left") && profile.left.contains(component));
-    }
+    const bool left = path.starts_with("/user/hand/left/");
+    if (!left && !path.starts_with("/user/hand/right/")) return false;
+    const std::string below = path.substr(std::strlen(left ? "/user/hand/left/" : "/user/hand/right/"));
+    if (below == "input/grip/pose") return true;
+    if (below == "output/haptic") return profile.name != std::string("ext/hand_interaction_ext");
+    std::istringstream inputs(profile.inputs);
+    for (std::string input; inputs >> input && (left || input != "|");)
+        if (below == "input/" + input) return true;
     return false;
 }
 
@@ -95,30 +66,23 @@ struct ActionSet {
     std::vector<std::unique_ptr<FakeAction>> actions;
 };
 
-XrResult xrCreateActionSet(XrInstance, const XrActionSetCreateInfo*, XrActionSet* out) {
-    FAKE_XR(xrCreateActionSet);
+FAKE_XR(xrCreateActionSet, XrInstance, const XrActionSetCreateInfo*, XrActionSet* out) {
     *out = handleOf<XrActionSet>(new ActionSet);
     return XR_SUCCESS;
 }
-XrResult xrDestroyActionSet(XrActionSet set) {
-    FAKE_XR(xrDestroyActionSet);
+FAKE_XR(xrDestroyActionSet, XrActionSet set) {
     delete &objectOf<ActionSet>(set);
     return XR_SUCCESS;
 }
-XrResult xrCreateAction(XrActionSet set, const XrActionCreateInfo* info, XrAction* out) {
-    FAKE_XR(xrCreateAction);
+FAKE_XR(xrCreateAction, XrActionSet set, const XrActionCreateInfo* info, XrAction* out) {
     auto& actions = objectOf<ActionSet>(set).actions;
     actions.push_back(std::make_unique<FakeAction>(FakeAction{info->actionType, info->actionName}));
     *out = handleOf<XrAction>(actions.back().get());
     return XR_SUCCESS;
 }
-XrResult xrDestroyAction(XrAction) {
-    FAKE_XR(xrDestroyAction);
-    return XR_SUCCESS;
-}
-XrResult xrSuggestInteractionProfileBindings(XrInstance,
-                                             const XrInteractionProfileSuggestedBinding* suggested) {
-    FAKE_XR(xrSuggestInteractionProfileBindings);
+FAKE_XR(xrDestroyAction, XrAction) { return XR_SUCCESS; }
+FAKE_XR(xrSuggestInteractionProfileBindings, XrInstance,
+        const XrInteractionProfileSuggestedBinding* suggested) {
     if (session().attached) return XR_ERROR_ACTIONSETS_ALREADY_ATTACHED;
     const std::string profile = pathTexts()[suggested->interactionProfile - 1];
     const KnownProfile* known = knownProfile(profile);
@@ -142,19 +106,16 @@ XrResult xrSuggestInteractionProfileBindings(XrInstance,
     }
     return XR_SUCCESS;
 }
-XrResult xrAttachSessionActionSets(XrSession, const XrSessionActionSetsAttachInfo*) {
-    FAKE_XR(xrAttachSessionActionSets);
+FAKE_XR(xrAttachSessionActionSets, XrSession, const XrSessionActionSetsAttachInfo*) {
     if (session().attached) return XR_ERROR_ACTIONSETS_ALREADY_ATTACHED;
     session().attached = true;
     return XR_SUCCESS;
 }
-XrResult xrSyncActions(XrSession, const XrActionsSyncInfo*) {
-    FAKE_XR(xrSyncActions);
+FAKE_XR(xrSyncActions, XrSession, const XrActionsSyncInfo*) {
     if (!session().attached) return XR_ERROR_ACTIONSET_NOT_ATTACHED;
     return shoalFakeRuntime().state == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
-XrResult xrCreateActionSpace(XrSession, const XrActionSpaceCreateInfo* info, XrSpace* out) {
-    FAKE_XR(xrCreateActionSpace);
+FAKE_XR(xrCreateActionSpace, XrSession, const XrActionSpaceCreateInfo* info, XrSpace* out) {
     const int hand = handOf(info->subactionPath);
     if (hand < 0) return XR_ERROR_PATH_UNSUPPORTED;
     ++shoalFakeRuntime().spaces;
@@ -168,14 +129,12 @@ const FakeController* controllerOf(const XrActionStateGetInfo* info) {
     return hand < 0 ? nullptr : &shoalFakeRuntime().controllers[static_cast<size_t>(hand)];
 }
 
-XrResult xrGetActionStatePose(XrSession, const XrActionStateGetInfo* info, XrActionStatePose* out) {
-    FAKE_XR(xrGetActionStatePose);
+FAKE_XR(xrGetActionStatePose, XrSession, const XrActionStateGetInfo* info, XrActionStatePose* out) {
     const FakeController* controller = controllerOf(info);
     out->isActive = controller && controller->active;
     return XR_SUCCESS;
 }
-XrResult xrGetActionStateFloat(XrSession, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
-    FAKE_XR(xrGetActionStateFloat);
+FAKE_XR(xrGetActionStateFloat, XrSession, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
     const FakeController* controller = controllerOf(info);
     out->isActive = controller && controller->active;
     if (out->isActive)
@@ -183,15 +142,13 @@ XrResult xrGetActionStateFloat(XrSession, const XrActionStateGetInfo* info, XrAc
             objectOf<FakeAction>(info->action).name == "close" ? controller->squeeze : controller->trigger;
     return XR_SUCCESS;
 }
-XrResult xrGetActionStateBoolean(XrSession, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
-    FAKE_XR(xrGetActionStateBoolean);
+FAKE_XR(xrGetActionStateBoolean, XrSession, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
     const FakeController* controller = controllerOf(info);
     out->isActive = controller && controller->active;
     out->currentState = out->isActive && controller->menu;
     return XR_SUCCESS;
 }
-XrResult xrApplyHapticFeedback(XrSession, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {
-    FAKE_XR(xrApplyHapticFeedback);
+FAKE_XR(xrApplyHapticFeedback, XrSession, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {
     if (shoalFakeRuntime().state != XR_SESSION_STATE_FOCUSED) return XR_SESSION_NOT_FOCUSED;
     const auto& vibration = reinterpret_cast<const XrHapticVibration&>(*haptic);
     if (vibration.type != XR_TYPE_HAPTIC_VIBRATION ||
@@ -202,15 +159,13 @@ XrResult xrApplyHapticFeedback(XrSession, const XrHapticActionInfo* info, const 
         {handOf(info->subactionPath), vibration.amplitude, vibration.frequency, vibration.duration});
     return XR_SUCCESS;
 }
-XrResult xrStopHapticFeedback(XrSession, const XrHapticActionInfo* info) {
-    FAKE_XR(xrStopHapticFeedback);
+FAKE_XR(xrStopHapticFeedback, XrSession, const XrHapticActionInfo* info) {
     if (shoalFakeRuntime().state != XR_SESSION_STATE_FOCUSED) return XR_SESSION_NOT_FOCUSED;
     shoalFakeRuntime().pulses.push_back({handOf(info->subactionPath)});
     return XR_SUCCESS;
 }
 
-XrResult xrCreateHandTrackerEXT(XrSession, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* out) {
-    FAKE_XR(xrCreateHandTrackerEXT);
+FAKE_XR(xrCreateHandTrackerEXT, XrSession, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* out) {
     FakeRuntime& fake = shoalFakeRuntime();
     FakeHand& hand = fake.hands[info->hand == XR_HAND_LEFT_EXT ? 0 : 1];
     const auto* source = static_cast<const XrHandTrackingDataSourceInfoEXT*>(info->next);
@@ -224,14 +179,12 @@ XrResult xrCreateHandTrackerEXT(XrSession, const XrHandTrackerCreateInfoEXT* inf
     *out = handleOf<XrHandTrackerEXT>(&hand);
     return XR_SUCCESS;
 }
-XrResult xrDestroyHandTrackerEXT(XrHandTrackerEXT) {
-    FAKE_XR(xrDestroyHandTrackerEXT);
+FAKE_XR(xrDestroyHandTrackerEXT, XrHandTrackerEXT) {
     --shoalFakeRuntime().handTrackers;
     return XR_SUCCESS;
 }
-XrResult xrLocateHandJointsEXT(XrHandTrackerEXT tracker, const XrHandJointsLocateInfoEXT* info,
-                               XrHandJointLocationsEXT* out) {
-    FAKE_XR(xrLocateHandJointsEXT);
+FAKE_XR(xrLocateHandJointsEXT, XrHandTrackerEXT tracker, const XrHandJointsLocateInfoEXT* info,
+        XrHandJointLocationsEXT* out) {
     const FakeHand& hand = objectOf<FakeHand>(tracker);
     if (out->jointCount != XR_HAND_JOINT_COUNT_EXT) return XR_ERROR_VALIDATION_FAILURE;
     out->isActive = hand.active && !(hand.isMadeUp && hand.bareAlone);
@@ -245,25 +198,5 @@ XrResult xrLocateHandJointsEXT(XrHandTrackerEXT tracker, const XrHandJointsLocat
 }
 
 } // namespace
-
-PFN_xrVoidFunction inputFunction(const std::string& name) {
-    GIVE(xrCreateActionSet);
-    GIVE(xrDestroyActionSet);
-    GIVE(xrCreateAction);
-    GIVE(xrDestroyAction);
-    GIVE(xrSuggestInteractionProfileBindings);
-    GIVE(xrAttachSessionActionSets);
-    GIVE(xrSyncActions);
-    GIVE(xrCreateActionSpace);
-    GIVE(xrGetActionStatePose);
-    GIVE(xrGetActionStateFloat);
-    GIVE(xrGetActionStateBoolean);
-    GIVE(xrApplyHapticFeedback);
-    GIVE(xrStopHapticFeedback);
-    GIVE(xrCreateHandTrackerEXT);
-    GIVE(xrDestroyHandTrackerEXT);
-    GIVE(xrLocateHandJointsEXT);
-    return nullptr;
-}
 
 } // namespace shoal::test

@@ -24,6 +24,11 @@ Place inverse(const Place& place) {
     return {back * -place.position, back};
 }
 
+std::map<std::string, PFN_xrVoidFunction>& functions() {
+    static std::map<std::string, PFN_xrVoidFunction> all;
+    return all;
+}
+
 std::vector<std::string>& pathTexts() {
     static std::vector<std::string> texts;
     return texts;
@@ -65,9 +70,8 @@ namespace {
 
 using std::strncpy;
 
-XrResult xrEnumerateInstanceExtensionProperties(const char*, uint32_t capacity, uint32_t* count,
-                                                XrExtensionProperties* items) {
-    FAKE_XR(xrEnumerateInstanceExtensionProperties);
+FAKE_XR(xrEnumerateInstanceExtensionProperties, const char*, uint32_t capacity, uint32_t* count,
+        XrExtensionProperties* items) {
     const auto& names = shoalFakeRuntime().extensions;
     *count = static_cast<uint32_t>(names.size());
     if (capacity == 0) return XR_SUCCESS;
@@ -79,9 +83,7 @@ XrResult xrEnumerateInstanceExtensionProperties(const char*, uint32_t capacity, 
     return XR_SUCCESS;
 }
 
-XrResult xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance) {
-    if (shoalFakeRuntime().onCreate) shoalFakeRuntime().onCreate(shoalFakeRuntime());
-    FAKE_XR(xrCreateInstance);
+FAKE_XR(xrCreateInstance, const XrInstanceCreateInfo* info, XrInstance* instance) {
     for (uint32_t i = 0; i < info->enabledExtensionCount; ++i)
         if (!shoalFakeRuntime().extensions.contains(info->enabledExtensionNames[i]))
             return XR_ERROR_EXTENSION_NOT_PRESENT;
@@ -91,20 +93,17 @@ XrResult xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance
     *instance = handleOf<XrInstance>(&shoalFakeRuntime());
     return XR_SUCCESS;
 }
-XrResult xrDestroyInstance(XrInstance) {
-    FAKE_XR(xrDestroyInstance);
+FAKE_XR(xrDestroyInstance, XrInstance) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (--fake.instances == 0 && fake.onGone) fake.onGone(fake);
     return XR_SUCCESS;
 }
-XrResult xrGetInstanceProperties(XrInstance, XrInstanceProperties* out) {
-    FAKE_XR(xrGetInstanceProperties);
+FAKE_XR(xrGetInstanceProperties, XrInstance, XrInstanceProperties* out) {
     strncpy(out->runtimeName, "Fake runtime", XR_MAX_RUNTIME_NAME_SIZE - 1);
     out->runtimeVersion = XR_MAKE_VERSION(1, 0, 0);
     return XR_SUCCESS;
 }
-XrResult xrPollEvent(XrInstance, XrEventDataBuffer* out) {
-    FAKE_XR(xrPollEvent);
+FAKE_XR(xrPollEvent, XrInstance, XrEventDataBuffer* out) {
     auto& events = shoalFakeRuntime().events;
     if (out->type != XR_TYPE_EVENT_DATA_BUFFER) shoalFakeRuntime().complain("xrPollEvent: no type");
     if (events.empty()) return XR_EVENT_UNAVAILABLE;
@@ -117,13 +116,13 @@ XrResult xrPollEvent(XrInstance, XrEventDataBuffer* out) {
     case name:                                                                                               \
         text = #name;                                                                                        \
         break;
-XrResult xrResultToString(XrInstance, XrResult value, char out[XR_MAX_RESULT_STRING_SIZE]) {
+FAKE_XR(xrResultToString, XrInstance, XrResult value, char out[XR_MAX_RESULT_STRING_SIZE]) {
     const char* text = "XR_UNKNOWN";
     switch (value) { XR_LIST_ENUM_XrResult(CASE) default : break; }
     strncpy(out, text, XR_MAX_RESULT_STRING_SIZE);
     return XR_SUCCESS;
 }
-XrResult xrStructureTypeToString(XrInstance, XrStructureType value, char out[XR_MAX_STRUCTURE_NAME_SIZE]) {
+FAKE_XR(xrStructureTypeToString, XrInstance, XrStructureType value, char out[XR_MAX_STRUCTURE_NAME_SIZE]) {
     const char* text = "XR_UNKNOWN";
     switch (value) { XR_LIST_ENUM_XrStructureType(CASE) default : break; }
     strncpy(out, text, XR_MAX_STRUCTURE_NAME_SIZE);
@@ -131,15 +130,13 @@ XrResult xrStructureTypeToString(XrInstance, XrStructureType value, char out[XR_
 }
 #undef CASE
 
-XrResult xrGetSystem(XrInstance, const XrSystemGetInfo* info, XrSystemId* out) {
-    FAKE_XR(xrGetSystem);
+FAKE_XR(xrGetSystem, XrInstance, const XrSystemGetInfo* info, XrSystemId* out) {
     if (info->formFactor != XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY) return XR_ERROR_FORM_FACTOR_UNSUPPORTED;
     if (!shoalFakeRuntime().present) return XR_ERROR_FORM_FACTOR_UNAVAILABLE;
     *out = 1;
     return XR_SUCCESS;
 }
-XrResult xrGetSystemProperties(XrInstance, XrSystemId, XrSystemProperties* out) {
-    FAKE_XR(xrGetSystemProperties);
+FAKE_XR(xrGetSystemProperties, XrInstance, XrSystemId, XrSystemProperties* out) {
     out->systemId = 1;
     strncpy(out->systemName, "Fake headset", XR_MAX_SYSTEM_NAME_SIZE - 1);
     out->graphicsProperties = {4096, 4096, 16};
@@ -158,9 +155,8 @@ XrResult xrGetSystemProperties(XrInstance, XrSystemId, XrSystemProperties* out) 
     }
     return XR_SUCCESS;
 }
-XrResult xrEnumerateViewConfigurationViews(XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,
-                                           uint32_t* count, XrViewConfigurationView* items) {
-    FAKE_XR(xrEnumerateViewConfigurationViews);
+FAKE_XR(xrEnumerateViewConfigurationViews, XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,
+        uint32_t* count, XrViewConfigurationView* items) {
     XrViewConfigurationView view{XR_TYPE_VIEW_CONFIGURATION_VIEW};
     view.recommendedImageRectWidth = shoalFakeRuntime().eyeWidth;
     view.recommendedImageRectHeight = shoalFakeRuntime().eyeHeight;
@@ -168,27 +164,23 @@ XrResult xrEnumerateViewConfigurationViews(XrInstance, XrSystemId, XrViewConfigu
     view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
     return giveList(std::array{view, view}, capacity, count, items);
 }
-XrResult xrEnumerateEnvironmentBlendModes(XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,
-                                          uint32_t* count, XrEnvironmentBlendMode* items) {
-    FAKE_XR(xrEnumerateEnvironmentBlendModes);
+FAKE_XR(xrEnumerateEnvironmentBlendModes, XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,
+        uint32_t* count, XrEnvironmentBlendMode* items) {
     return giveList(shoalFakeRuntime().blendModes, capacity, count, items);
 }
-XrResult xrGetOpenGLGraphicsRequirementsKHR(XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR* out) {
-    FAKE_XR(xrGetOpenGLGraphicsRequirementsKHR);
+FAKE_XR(xrGetOpenGLGraphicsRequirementsKHR, XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR* out) {
     out->minApiVersionSupported = shoalFakeRuntime().minOpenGl;
     out->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);
     return XR_SUCCESS;
 }
-XrResult xrStringToPath(XrInstance, const char* text, XrPath* out) {
-    FAKE_XR(xrStringToPath);
+FAKE_XR(xrStringToPath, XrInstance, const char* text, XrPath* out) {
     auto& texts = pathTexts();
     const auto at = std::find(texts.begin(), texts.end(), text);
     *out = static_cast<XrPath>(at - texts.begin()) + 1;
     if (at == texts.end()) texts.emplace_back(text);
     return XR_SUCCESS;
 }
-XrResult xrPathToString(XrInstance, XrPath path, uint32_t capacity, uint32_t* count, char* out) {
-    FAKE_XR(xrPathToString);
+FAKE_XR(xrPathToString, XrInstance, XrPath path, uint32_t capacity, uint32_t* count, char* out) {
     if (path < 1 || path > pathTexts().size()) return XR_ERROR_PATH_INVALID;
     const std::string& text = pathTexts()[path - 1];
     *count = static_cast<uint32_t>(text.size()) + 1;
@@ -198,33 +190,13 @@ XrResult xrPathToString(XrInstance, XrPath path, uint32_t capacity, uint32_t* co
     return XR_SUCCESS;
 }
 
-XrResult xrGetInstanceProcAddr(XrInstance, const char* name, PFN_xrVoidFunction* out) {
-    *out = instanceFunction(name);
-    if (!*out) *out = sessionFunction(name);
-    if (!*out) *out = inputFunction(name);
+FAKE_XR(xrGetInstanceProcAddr, XrInstance, const char* name, PFN_xrVoidFunction* out) {
+    const auto found = functions().find(name);
+    *out = found == functions().end() ? nullptr : found->second;
     return *out ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED;
 }
 
 } // namespace
-
-PFN_xrVoidFunction instanceFunction(const std::string& name) {
-    GIVE(xrGetInstanceProcAddr);
-    GIVE(xrEnumerateInstanceExtensionProperties);
-    GIVE(xrCreateInstance);
-    GIVE(xrDestroyInstance);
-    GIVE(xrGetInstanceProperties);
-    GIVE(xrPollEvent);
-    GIVE(xrResultToString);
-    GIVE(xrStructureTypeToString);
-    GIVE(xrGetSystem);
-    GIVE(xrGetSystemProperties);
-    GIVE(xrEnumerateViewConfigurationViews);
-    GIVE(xrEnumerateEnvironmentBlendModes);
-    GIVE(xrGetOpenGLGraphicsRequirementsKHR);
-    GIVE(xrStringToPath);
-    GIVE(xrPathToString);
-    return nullptr;
-}
 
 } // namespace shoal::test
 
@@ -253,7 +225,6 @@ struct RuntimeRequest {
 } // namespace
 
 extern "C" XrResult xrNegotiateLoaderRuntimeInterface(const LoaderInfo* loader, RuntimeRequest* runtime) {
-    FAKE_XR(xrNegotiateLoaderRuntimeInterface);
     constexpr int kLoaderInfo = 1, kRuntimeRequest = 3;
     if (loader->type != kLoaderInfo || loader->size != sizeof(LoaderInfo) ||
         runtime->type != kRuntimeRequest || runtime->size != sizeof(RuntimeRequest) ||
@@ -262,6 +233,6 @@ extern "C" XrResult xrNegotiateLoaderRuntimeInterface(const LoaderInfo* loader, 
     runtime->runtimeInterface = 1;
     runtime->runtimeApi = XR_CURRENT_API_VERSION;
     runtime->getInstanceProcAddr =
-        reinterpret_cast<PFN_xrGetInstanceProcAddr>(shoal::test::instanceFunction("xrGetInstanceProcAddr"));
+        reinterpret_cast<PFN_xrGetInstanceProcAddr>(shoal::test::functions().at("xrGetInstanceProcAddr"));
     return XR_SUCCESS;
 }

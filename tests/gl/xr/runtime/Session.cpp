@@ -20,8 +20,7 @@ Place localFromSpace(XrSpace space) {
 
 namespace {
 
-XrResult xrCreateSession(XrInstance, const XrSessionCreateInfo* info, XrSession* out) {
-    FAKE_XR(xrCreateSession);
+FAKE_XR(xrCreateSession, XrInstance, const XrSessionCreateInfo* info, XrSession* out) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (!fake.called.contains("xrGetOpenGLGraphicsRequirementsKHR"))
         return XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING;
@@ -36,14 +35,12 @@ XrResult xrCreateSession(XrInstance, const XrSessionCreateInfo* info, XrSession*
     fake.say(XR_SESSION_STATE_READY);
     return XR_SUCCESS;
 }
-XrResult xrDestroySession(XrSession) {
-    FAKE_XR(xrDestroySession);
+FAKE_XR(xrDestroySession, XrSession) {
     --shoalFakeRuntime().sessions;
     shoalFakeRuntime().running = false;
     return XR_SUCCESS;
 }
-XrResult xrBeginSession(XrSession, const XrSessionBeginInfo*) {
-    FAKE_XR(xrBeginSession);
+FAKE_XR(xrBeginSession, XrSession, const XrSessionBeginInfo*) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (fake.running) return XR_ERROR_SESSION_RUNNING;
     if (fake.state != XR_SESSION_STATE_READY) return XR_ERROR_SESSION_NOT_READY;
@@ -52,8 +49,7 @@ XrResult xrBeginSession(XrSession, const XrSessionBeginInfo*) {
     if (fake.enabled.contains(XR_EXT_USER_PRESENCE_EXTENSION_NAME) && fake.sensesWearer) fake.sayWorn(true);
     return XR_SUCCESS;
 }
-XrResult xrEndSession(XrSession) {
-    FAKE_XR(xrEndSession);
+FAKE_XR(xrEndSession, XrSession) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (!fake.running) return XR_ERROR_SESSION_NOT_RUNNING;
     if (fake.state != XR_SESSION_STATE_STOPPING) return XR_ERROR_SESSION_NOT_STOPPING;
@@ -62,8 +58,7 @@ XrResult xrEndSession(XrSession) {
     if (fake.exitRequested) fake.say(XR_SESSION_STATE_EXITING);
     return XR_SUCCESS;
 }
-XrResult xrRequestExitSession(XrSession) {
-    FAKE_XR(xrRequestExitSession);
+FAKE_XR(xrRequestExitSession, XrSession) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (!fake.running) return XR_ERROR_SESSION_NOT_RUNNING;
     fake.exitRequested = true;
@@ -84,13 +79,11 @@ std::vector<XrReferenceSpaceType> referenceSpaces() {
     return offered;
 }
 
-XrResult xrEnumerateReferenceSpaces(XrSession, uint32_t capacity, uint32_t* count,
-                                    XrReferenceSpaceType* items) {
-    FAKE_XR(xrEnumerateReferenceSpaces);
+FAKE_XR(xrEnumerateReferenceSpaces, XrSession, uint32_t capacity, uint32_t* count,
+        XrReferenceSpaceType* items) {
     return giveList(referenceSpaces(), capacity, count, items);
 }
-XrResult xrCreateReferenceSpace(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* out) {
-    FAKE_XR(xrCreateReferenceSpace);
+FAKE_XR(xrCreateReferenceSpace, XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* out) {
     const auto offered = referenceSpaces();
     if (std::ranges::find(offered, info->referenceSpaceType) == offered.end())
         return XR_ERROR_REFERENCE_SPACE_UNSUPPORTED;
@@ -101,14 +94,12 @@ XrResult xrCreateReferenceSpace(XrSession, const XrReferenceSpaceCreateInfo* inf
         handleOf<XrSpace>(new FakeSpace{-1, info->referenceSpaceType, placeOf(info->poseInReferenceSpace)});
     return XR_SUCCESS;
 }
-XrResult xrDestroySpace(XrSpace space) {
-    FAKE_XR(xrDestroySpace);
+FAKE_XR(xrDestroySpace, XrSpace space) {
     --shoalFakeRuntime().spaces;
     delete &objectOf<FakeSpace>(space);
     return XR_SUCCESS;
 }
-XrResult xrLocateSpace(XrSpace space, XrSpace base, XrTime, XrSpaceLocation* out) {
-    FAKE_XR(xrLocateSpace);
+FAKE_XR(xrLocateSpace, XrSpace space, XrSpace base, XrTime, XrSpaceLocation* out) {
     out->pose = poseOf(inverse(localFromSpace(base)) * localFromSpace(space));
     const FakeSpace& of = objectOf<FakeSpace>(space);
     const bool local = of.hand < 0 && of.type == XR_REFERENCE_SPACE_TYPE_LOCAL;
@@ -116,12 +107,10 @@ XrResult xrLocateSpace(XrSpace space, XrSpace base, XrTime, XrSpaceLocation* out
     return XR_SUCCESS;
 }
 
-XrResult xrEnumerateSwapchainFormats(XrSession, uint32_t capacity, uint32_t* count, int64_t* items) {
-    FAKE_XR(xrEnumerateSwapchainFormats);
+FAKE_XR(xrEnumerateSwapchainFormats, XrSession, uint32_t capacity, uint32_t* count, int64_t* items) {
     return giveList(shoalFakeRuntime().formats, capacity, count, items);
 }
-XrResult xrCreateSwapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapchain* out) {
-    FAKE_XR(xrCreateSwapchain);
+FAKE_XR(xrCreateSwapchain, XrSession, const XrSwapchainCreateInfo* info, XrSwapchain* out) {
     const auto& formats = shoalFakeRuntime().formats;
     if (std::find(formats.begin(), formats.end(), info->format) == formats.end())
         return XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED;
@@ -153,8 +142,7 @@ bool stillDraws() {
     glDeleteSync(fence);
     return state != GL_SIGNALED;
 }
-XrResult xrDestroySwapchain(XrSwapchain swapchain) {
-    FAKE_XR(xrDestroySwapchain);
+FAKE_XR(xrDestroySwapchain, XrSwapchain swapchain) {
     if (stillDraws()) shoalFakeRuntime().complain("xrDestroySwapchain: OpenGL still draws");
     FakeSwapchain* chain = &objectOf<FakeSwapchain>(swapchain);
     glDeleteTextures(static_cast<GLsizei>(chain->textures.size()), chain->textures.data());
@@ -162,9 +150,8 @@ XrResult xrDestroySwapchain(XrSwapchain swapchain) {
     delete chain;
     return XR_SUCCESS;
 }
-XrResult xrEnumerateSwapchainImages(XrSwapchain swapchain, uint32_t capacity, uint32_t* count,
-                                    XrSwapchainImageBaseHeader* items) {
-    FAKE_XR(xrEnumerateSwapchainImages);
+FAKE_XR(xrEnumerateSwapchainImages, XrSwapchain swapchain, uint32_t capacity, uint32_t* count,
+        XrSwapchainImageBaseHeader* items) {
     const auto& textures = objectOf<FakeSwapchain>(swapchain).textures;
     *count = static_cast<uint32_t>(textures.size());
     auto* images = reinterpret_cast<XrSwapchainImageOpenGLKHR*>(items);
@@ -175,8 +162,7 @@ XrResult xrEnumerateSwapchainImages(XrSwapchain swapchain, uint32_t capacity, ui
     }
     return XR_SUCCESS;
 }
-XrResult xrAcquireSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageAcquireInfo*, uint32_t* index) {
-    FAKE_XR(xrAcquireSwapchainImage);
+FAKE_XR(xrAcquireSwapchainImage, XrSwapchain swapchain, const XrSwapchainImageAcquireInfo*, uint32_t* index) {
     FakeSwapchain& chain = objectOf<FakeSwapchain>(swapchain);
     if (chain.acquired >= 0) shoalFakeRuntime().complain("xrAcquireSwapchainImage: one is out already");
     *index = chain.next;
@@ -185,25 +171,21 @@ XrResult xrAcquireSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageAc
     chain.waited = false;
     return XR_SUCCESS;
 }
-XrResult xrWaitSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageWaitInfo*) {
-    FAKE_XR(xrWaitSwapchainImage);
+FAKE_XR(xrWaitSwapchainImage, XrSwapchain swapchain, const XrSwapchainImageWaitInfo*) {
     FakeSwapchain& chain = objectOf<FakeSwapchain>(swapchain);
     if (chain.acquired < 0) return XR_ERROR_CALL_ORDER_INVALID;
     chain.waited = true;
     return XR_SUCCESS;
 }
-XrResult xrReleaseSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageReleaseInfo*) {
-    FAKE_XR(xrReleaseSwapchainImage);
+FAKE_XR(xrReleaseSwapchainImage, XrSwapchain swapchain, const XrSwapchainImageReleaseInfo*) {
     FakeSwapchain& chain = objectOf<FakeSwapchain>(swapchain);
     if (chain.acquired < 0 || !chain.waited) return XR_ERROR_CALL_ORDER_INVALID;
     chain.lastReleased = std::exchange(chain.acquired, -1);
     return XR_SUCCESS;
 }
 
-XrResult xrWaitFrame(XrSession, const XrFrameWaitInfo*, XrFrameState* out) {
+FAKE_XR(xrWaitFrame, XrSession, const XrFrameWaitInfo*, XrFrameState* out) {
     FakeRuntime& fake = shoalFakeRuntime();
-    if (fake.onWait) fake.onWait(fake);
-    FAKE_XR(xrWaitFrame);
     if (!fake.running) return XR_ERROR_SESSION_NOT_RUNNING;
     if (session().phase != FramePhase::Idle) fake.complain("xrWaitFrame: the frame before has not ended");
     session().phase = FramePhase::Waited;
@@ -215,8 +197,7 @@ XrResult xrWaitFrame(XrSession, const XrFrameWaitInfo*, XrFrameState* out) {
     out->shouldRender = seen && fake.shouldRender;
     return XR_SUCCESS;
 }
-XrResult xrBeginFrame(XrSession, const XrFrameBeginInfo*) {
-    FAKE_XR(xrBeginFrame);
+FAKE_XR(xrBeginFrame, XrSession, const XrFrameBeginInfo*) {
     if (session().phase != FramePhase::Waited) return XR_ERROR_CALL_ORDER_INVALID;
     session().phase = FramePhase::Begun;
     return XR_SUCCESS;
@@ -276,8 +257,7 @@ std::optional<ShownDepth> depthOf(const XrCompositionLayerProjectionView& view) 
     return depth;
 }
 
-XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
-    FAKE_XR(xrEndFrame);
+FAKE_XR(xrEndFrame, XrSession, const XrFrameEndInfo* info) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (session().phase != FramePhase::Begun) return XR_ERROR_CALL_ORDER_INVALID;
     session().phase = FramePhase::Idle;
@@ -318,9 +298,8 @@ XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
     return XR_SUCCESS;
 }
 
-XrResult xrLocateViews(XrSession, const XrViewLocateInfo* info, XrViewState* state, uint32_t capacity,
-                       uint32_t* count, XrView* out) {
-    FAKE_XR(xrLocateViews);
+FAKE_XR(xrLocateViews, XrSession, const XrViewLocateInfo* info, XrViewState* state, uint32_t capacity,
+        uint32_t* count, XrView* out) {
     *count = 2;
     if (capacity < 2) return capacity == 0 ? XR_SUCCESS : XR_ERROR_SIZE_INSUFFICIENT;
     if (info->displayTime != session().now) shoalFakeRuntime().complain("xrLocateViews: another time");
@@ -334,17 +313,14 @@ XrResult xrLocateViews(XrSession, const XrViewLocateInfo* info, XrViewState* sta
     return XR_SUCCESS;
 }
 
-XrResult xrEnumerateDisplayRefreshRatesFB(XrSession, uint32_t capacity, uint32_t* count, float* items) {
-    FAKE_XR(xrEnumerateDisplayRefreshRatesFB);
+FAKE_XR(xrEnumerateDisplayRefreshRatesFB, XrSession, uint32_t capacity, uint32_t* count, float* items) {
     return giveList(shoalFakeRuntime().refreshRates_Hz, capacity, count, items);
 }
-XrResult xrGetDisplayRefreshRateFB(XrSession, float* out) {
-    FAKE_XR(xrGetDisplayRefreshRateFB);
+FAKE_XR(xrGetDisplayRefreshRateFB, XrSession, float* out) {
     *out = shoalFakeRuntime().refreshRate_Hz;
     return XR_SUCCESS;
 }
-XrResult xrRequestDisplayRefreshRateFB(XrSession, float wanted_Hz) {
-    FAKE_XR(xrRequestDisplayRefreshRateFB);
+FAKE_XR(xrRequestDisplayRefreshRateFB, XrSession, float wanted_Hz) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (std::ranges::find(fake.refreshRates_Hz, wanted_Hz) == fake.refreshRates_Hz.end())
         return XR_ERROR_DISPLAY_REFRESH_RATE_UNSUPPORTED_FB;
@@ -355,32 +331,5 @@ XrResult xrRequestDisplayRefreshRateFB(XrSession, float wanted_Hz) {
 }
 
 } // namespace
-
-PFN_xrVoidFunction sessionFunction(const std::string& name) {
-    GIVE(xrCreateSession);
-    GIVE(xrDestroySession);
-    GIVE(xrBeginSession);
-    GIVE(xrEndSession);
-    GIVE(xrRequestExitSession);
-    GIVE(xrEnumerateReferenceSpaces);
-    GIVE(xrCreateReferenceSpace);
-    GIVE(xrDestroySpace);
-    GIVE(xrLocateSpace);
-    GIVE(xrEnumerateSwapchainFormats);
-    GIVE(xrCreateSwapchain);
-    GIVE(xrDestroySwapchain);
-    GIVE(xrEnumerateSwapchainImages);
-    GIVE(xrAcquireSwapchainImage);
-    GIVE(xrWaitSwapchainImage);
-    GIVE(xrReleaseSwapchainImage);
-    GIVE(xrWaitFrame);
-    GIVE(xrBeginFrame);
-    GIVE(xrEndFrame);
-    GIVE(xrLocateViews);
-    GIVE(xrEnumerateDisplayRefreshRatesFB);
-    GIVE(xrGetDisplayRefreshRateFB);
-    GIVE(xrRequestDisplayRefreshRateFB);
-    return nullptr;
-}
 
 } // namespace shoal::test

@@ -61,12 +61,25 @@ template <class Object, class Handle> Object& objectOf(Handle handle) {
     return *reinterpret_cast<Object*>(handle);
 }
 
-// Return the function of that name, or null if the runtime has none.
-PFN_xrVoidFunction instanceFunction(const std::string& name);
-PFN_xrVoidFunction sessionFunction(const std::string& name);
-PFN_xrVoidFunction inputFunction(const std::string& name);
-#define GIVE(function)                                                                                       \
-    if (name == #function) return reinterpret_cast<PFN_xrVoidFunction>(function)
+// The runtime's functions by name.
+std::map<std::string, PFN_xrVoidFunction>& functions();
+
+// A function as the loader calls it: records the call, and returns an error if the test asks for it.
+template <auto kFunction> struct Called;
+template <class... Arguments, XrResult (*kFunction)(Arguments...)> struct Called<kFunction> {
+    static inline const char* name = nullptr;
+    static XrResult call(Arguments... arguments) {
+        FakeRuntime& fake = shoalFakeRuntime();
+        if (name == std::string("xrWaitFrame") && fake.onWait) fake.onWait(fake);
+        if (name == std::string("xrCreateInstance") && fake.onCreate) fake.onCreate(fake);
+        fake.called.insert(name);
+        const auto told = fake.failing.find(name);
+        return told != fake.failing.end() ? told->second : kFunction(arguments...);
+    }
+    static bool give(const char* as) {
+        return functions().emplace(name = as, reinterpret_cast<PFN_xrVoidFunction>(call)).second;
+    }
+};
 
 // Implements OpenXR's two-call idiom for plain items.
 template <class Item, class From>
@@ -81,8 +94,8 @@ XrResult giveList(const From& from, uint32_t capacity, uint32_t* count, Item* it
 
 } // namespace shoal::test
 
-// Starts every function: records the call, and returns an error if the test asks for it.
-#define FAKE_XR(name)                                                                                        \
-    shoalFakeRuntime().called.insert(#name);                                                                 \
-    if (const auto told = shoalFakeRuntime().failing.find(#name); told != shoalFakeRuntime().failing.end())  \
-    return told->second
+// Defines a function of the runtime, and gives it to the loader by its name.
+#define FAKE_XR(function, ...)                                                                               \
+    XrResult function(__VA_ARGS__);                                                                          \
+    [[maybe_unused]] const bool function##Given = Called<&function>::give(#function);                        \
+    XrResult function(__VA_ARGS__)
