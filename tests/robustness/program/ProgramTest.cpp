@@ -1,14 +1,9 @@
 // The program as a person meets it: bad input gets one sentence on standard error and a non-zero exit, never
 // a crash, and nothing half written; scripts and replays end with the status that they promise.
 #include "Program.h"
-#include "tests/Test.h"
+#include "tests/unit/media/TestFiles.h"
 
 #include <fmt/core.h>
-#include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace shoal {
 namespace {
@@ -78,6 +73,7 @@ TEST_F(Program, WrongWordsOnTheCommandLine) {
     expectOneMessage(run("play --xr --stereo sbs"), "--xr", 2);
     expectOneMessage(run("play --headless --hands openxr"), "--xr");
     expectOneMessage(run("play --skin scales"), "--skin", 2);
+    expectOneMessage(run("play --leap-mount knee"), "--leap-mount", 2);
     expectOneMessage(run("play --occlusion ollfb"), "--occlusion", 2); // of one body at rest: view has it
     expectOneMessage(run("view model.glb --diffuse none"), "--diffuse", 2);
     expectOneMessage(run("light photo.jpg -o out --method none"), "--method", 2);
@@ -119,18 +115,12 @@ TEST_F(Program, AFileToBeWrittenMustHaveAPlace) {
     EXPECT_FALSE(fs::exists(folder_ / "none"));
 }
 
-// Writes a film of noise that does not change, as of a camera that stands still.
-void writeStillFilm(const Path& file) {
-    cv::Mat picture(128, 256, CV_8UC3);
-    cv::RNG(3).fill(picture, cv::RNG::UNIFORM, 0, 255);
-    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 24,
-                           picture.size());
-    for (int i = 0; i < 12; ++i) writer.write(picture);
-}
-
 TEST_F(Program, DepthOfAStillCameraCannotBeKnown) {
     const Path film = folder_ / "still.avi", out = folder_ / "still.depth.mkv";
-    writeStillFilm(film);
+    cv::Mat picture(128, 256, CV_8UC3);
+    cv::RNG(3).fill(picture, cv::RNG::UNIFORM, 0, 255);
+    media::writeFilm(
+        film, "MJPG", 12, [&](int) { return picture; }, 24);
     expectOneMessage(run(film.string() + " -o " + out.string(), depthProgram()), "cannot be known", 3);
     EXPECT_FALSE(fs::exists(out));
     EXPECT_FALSE(fs::exists(out.string() + ".part"));
@@ -206,10 +196,12 @@ TEST_F(Program, WaysOfLightingCanBeChosen) {
 TEST_F(Program, LayersNeedANewerOpenGl) {
     const Path model = tests::sourceFolder() / "content/models/angelfish.glb";
     setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
-    const Outcome old = view(model, "--size 32x32 --occlusion ollfb-thesis");
+    const Outcome old = view(model, "--size 32x32 --occlusion ollfb"),
+                  thesis = view(model, "--size 32x32 --occlusion ollfb-thesis");
     unsetenv("MESA_GL_VERSION_OVERRIDE");
-    if (old.status == 0) GTEST_SKIP() << "this driver cannot be made old";
-    expectOneMessage(old, "OpenGL 4.3");
+    if (old.status == 0 && thesis.status == 0) GTEST_SKIP() << "this driver cannot be made old";
+    expectOneMessage(old, "layers need OpenGL 4.3; this is 3.3");
+    expectOneMessage(thesis, "layers need OpenGL 4.3; this is 3.3");
     EXPECT_FALSE(fs::exists(picture_));
 }
 
@@ -508,18 +500,6 @@ TEST_F(Program, AModelThatIsNoneLeavesNoPicture) {
     EXPECT_FALSE(fs::exists(out));
 }
 
-TEST_F(Program, CheckTellsGoodFromBad) {
-    const std::string content = tests::sourceFolder().string() + "/content/";
-    const Outcome good = run("check " + content + "dives/reef.toml " + content + "species.toml " + content +
-                             "models/shark.glb");
-    EXPECT_EQ(good.status, 0) << good.err;
-    EXPECT_EQ(lines(good.out), 3);
-    EXPECT_TRUE(good.out.starts_with("usable: ")) << good.out;
-    const Outcome bad = run("check " + content + "dives/reef.toml " + write("x.png", "PNG").string());
-    expectOneMessage(bad, "x.png");
-    EXPECT_TRUE(bad.err.starts_with("not usable: ")) << bad.err;
-}
-
 // The names of clips are replaced by others of their length.
 TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
     std::string bytes = *readText(tests::sourceFolder() / "content/models/sardine.glb");
@@ -536,7 +516,7 @@ TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
 }
 
 // A table is known by its extension, all else by content.
-TEST_F(Program, CheckReadsContentNotNames) {
+TEST_F(Program, CheckTellsGoodFromBadByContentNotNames) {
     const Path content = tests::sourceFolder() / "content";
     const auto named = [&](const char* name, const Path& file) {
         return write(name, *readText(file)).string() + " ";
@@ -548,42 +528,17 @@ TEST_F(Program, CheckReadsContentNotNames) {
     EXPECT_EQ(good.status, 0) << good.err;
     for (const char* kind : {"a dive of", "a table of", "a model of", "PNG picture"})
         EXPECT_NE(good.out.find(kind), std::string::npos) << kind << good.out;
+    EXPECT_TRUE(good.out.starts_with("usable: ")) << good.out;
+    EXPECT_EQ(lines(good.out), 4);
+    const Outcome both =
+        run("check " + write("x.png", "PNG").string() + " " + (content / "dives/reef.toml").string());
+    expectOneMessage(both, "x.png");
+    EXPECT_TRUE(both.err.starts_with("not usable: ")) << both.err;
+    EXPECT_EQ(lines(both.out), 1) << "goes on";
     expectOneMessage(run("check " + named("readme.toml", tests::sourceFolder() / "README.md")),
                      "readme.toml: line ");
     const Path riff = write("riff", std::string("RIFF=\0\0\0WAVEfmt ", 16)); // no key of TOML
     expectOneMessage(run("check " + riff.string()), "riff: is");
-}
-
-TEST_F(Program, EveryMalformedFileGetsOneLine) {
-    const Path malformed = tests::sharedDataFolder() / "malformed";
-    if (!fs::exists(malformed)) GTEST_SKIP() << "needs the reference data: " << malformed;
-    std::string files;
-    long count = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(malformed)) {
-        const std::string ending = entry.path().extension().string();
-        if (ending != ".gltf" && ending != ".glb") continue;
-        files += " '" + entry.path().string() + "'";
-        ++count;
-    }
-    ASSERT_GT(count, 100);
-    const Outcome outcome = run("check" + files);
-    EXPECT_EQ(outcome.status, 1);
-    // Warnings about the odd but drawable may add lines, but no file goes without.
-    EXPECT_GE(lines(outcome.out) + lines(outcome.err), count);
-}
-
-TEST_F(Program, AScriptsReplayGivesTheSameHashAtAnyRate) {
-    const std::string script = tests::sourceFolder().string() + "/tests/playthrough/first_catch.toml";
-    const Path replay = folder_ / "catch.replay";
-    const std::string play = "play --headless --size 64x36 ";
-    const Outcome recorded = run(play + "--fps 24 --hands script:" + script + " --record " + replay.string() +
-                                 " --stats " + (folder_ / "a.json").string());
-    ASSERT_EQ(recorded.status, 0) << recorded.err;
-    const Outcome replayed = run(play + "--fps 60 --hands replay:" + replay.string() + " --stats " +
-                                 (folder_ / "b.json").string());
-    ASSERT_EQ(replayed.status, 0) << replayed.err;
-    EXPECT_EQ(statisticIn("a.json", "state_hash"), statisticIn("b.json", "state_hash"));
-    EXPECT_EQ(statisticIn("a.json", "state_hash").size(), 18u); // with its quotes
 }
 
 TEST_F(Program, TheSameMomentGivesTheSamePicture) {

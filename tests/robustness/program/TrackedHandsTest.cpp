@@ -4,7 +4,6 @@
 #include "game/session/HandSource.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
-#include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
 #include "tests/robustness/program/Program.h"
@@ -216,15 +215,6 @@ TEST_F(TrackedHands, WithoutAServiceTheMouseHasTheHands) {
         << err();
     EXPECT_NE(err().find("Hands: mouse"), std::string::npos) << err();
     EXPECT_GT(story().handTicks, 100);
-}
-
-TEST_F(TrackedHands, WrongAddressesAndMountsAreSaid) {
-    for (const char* words :
-         {"--leap nowhere", "--leap :1", "--leap a:0", "--leap a:70000", "--leap a:1x", "--leap ::1:6437",
-          "--leap [::1]", "--leap []:1", "--leap [::1:1", "--leap-mount knee"}) {
-        EXPECT_EQ(run(std::string("play --headless ") + words).status, 2) << words;
-        EXPECT_NE(err().find("--leap"), std::string::npos) << err();
-    }
 }
 
 TEST_F(TrackedHands, DevicesListsThem) {

@@ -31,14 +31,15 @@ class KeptFiles : public testing::Test {
     }
 };
 
-TEST_F(KeptFiles, AnAddressMayBeOfIPv6) {
+TEST_F(KeptFiles, AnAddressMayBeOfIPv6AndHasAPort) {
     std::string host;
     uint16_t port = 0;
     const TextSetting address = addressSetting(host, port);
     EXPECT_TRUE(address.set("[::1]:6502"));
     EXPECT_EQ(address.get(), "[::1]:6502");
     EXPECT_EQ(host, "[::1]");
-    for (const char* wrong : {"::1:6502", "[]:1", "[::1]", "[::1:1", "::1]:1", "a]:1", "[:1"})
+    for (const char* wrong : {"::1:6502", "[]:1", "[::1]", "[::1:1", "::1]:1", "a]:1", "[:1", "nowhere", ":1",
+                              "a:0", "a:70000", "a:1x"})
         EXPECT_FALSE(address.set(wrong)) << wrong;
 }
 
