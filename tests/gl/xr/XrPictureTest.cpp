@@ -285,7 +285,6 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
                 ++shaded;
                 strongest = std::max(strongest, alpha - alone);
             }
-        std::printf("eye %zu: %d pixels shaded, alpha up to %d\n", e, shaded, strongest);
         EXPECT_GT(shaded, 300);
         EXPECT_GT(strongest, 12);
     }
@@ -343,8 +342,6 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
                 // A step of the map, and what 24 and 32 bits of depth leave of it.
                 wrong += std::abs(found - expected) > depth::DepthMap::perM(1) + 0.02f * expected;
             }
-        std::printf("%d of %d places have a distance, %d are not as the track has them\n", known, asked,
-                    wrong);
         EXPECT_GT(known, asked / 4);
         EXPECT_LT(wrong, known / 25); // at edges, where a texel decides
     }

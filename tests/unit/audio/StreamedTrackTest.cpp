@@ -97,7 +97,6 @@ TEST(StreamedTrack, StaysInStepForTenMinutes) {
         for (const double heard_s : show.heard_s)
             worst_ms = std::max(worst_ms, std::abs(Show::offBeat_ms(heard_s)));
         EXPECT_LT(worst_ms, 5); // a hundred times closer than alone; the demand is 40
-        std::printf("skew %+.0f ppm: worst drift in 10 minutes %.2f ms\n", skew * 1e6, worst_ms);
     }
 }
 

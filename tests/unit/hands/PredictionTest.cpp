@@ -60,8 +60,6 @@ Delay delayAt(double speed_mps, double rate_Hz) {
 TEST(HandDelay, IsMadeGoodForAWebcamExceptWhereItSlowsDown) {
     for (const double speed_mps : {0.1, 0.3, 1.0}) {
         const Delay delay = delayAt(speed_mps, 30);
-        std::printf("%.1f m/s: picture to simulation %.1f ms, at most %.1f\n", speed_mps, delay.mean_ms,
-                    delay.most_ms);
         EXPECT_LT(delay.mean_ms, 15);
         EXPECT_LT(delay.most_ms, 22);
         EXPECT_GT(delay.mean_ms, 0) << "a hand is not drawn ahead of itself";
@@ -70,7 +68,6 @@ TEST(HandDelay, IsMadeGoodForAWebcamExceptWhereItSlowsDown) {
 
 struct Beyond {
     double most_mm = 0, later_mm = 0; // later: a fifth of a second after the stop
-    double delay_ms = 0;
 };
 
 Beyond beyond(const Motion& motion, double stop_s, TrackerModel tracker) {
@@ -84,7 +81,6 @@ Beyond beyond(const Motion& motion, double stop_s, TrackerModel tracker) {
             if (m.t_s > stop_s + 0.2) out.later_mm = std::max(out.later_mm, 1e3 * std::abs(m.palm.x - end));
         }
         out.most_mm += most / 8;
-        out.delay_ms += 1e3 * test::delayOf(motion, moments) / 8;
     }
     return out;
 }
@@ -114,11 +110,6 @@ TEST(Prediction, AHandThatStopsIsNotSeenFarBeyondAndAStillOneHardlyTremblesMore)
             const Beyond slow = beyond(reach(0.4, 0.5), 1.5, tracker),
                          fast = beyond(reach(0.3, 0.3), 1.3, tracker), sudden = beyond(dash(1), 1.5, tracker);
             const Trembling rest = trembling(tracker);
-            std::printf(
-                "%3.0f Hz, noise %.0f mm: reach 0.4 m in 0.5 s %4.1f ms late, %4.1f mm beyond; 0.3 m in "
-                "0.3 s %4.1f mm; from 1 m/s at once %4.1f mm; at rest %.2f mm (filtered %.2f)\n",
-                rate_Hz, noise_m * 1e3, slow.delay_ms, slow.most_mm, fast.most_mm, sudden.most_mm,
-                rest.shown_mm, rest.filtered_mm);
             EXPECT_LT(rest.shown_mm, 1.2 * rest.filtered_mm + 1e-3);
             if (noise_m > 0) continue;
             EXPECT_LT(slow.most_mm, 3);

@@ -27,7 +27,6 @@ TEST(Load, ReferenceModels) {
         }
     }
     if (count == 0) GTEST_SKIP() << "no models below " << sharedData();
-    std::cout << count << " models\n";
 }
 
 TEST(Load, FlatNormalsWhereThereAreNone) {

@@ -273,7 +273,6 @@ TEST(VideoSound, DriftsLessThanFortyMillisecondsInTenMinutes) {
             ++clicks;
         }
     }
-    std::printf("video sound: %d clicks in 10 minutes, worst drift %.2f ms\n", clicks, worst_s * 1e3);
     EXPECT_LT(worst_s, 0.040);
     EXPECT_NEAR(clicks, kLength_s + 4, 1);
     EXPECT_EQ(seeks, 1);
