@@ -7,7 +7,6 @@
 #include <atomic>
 #include <sys/socket.h>
 #include <thread>
-#include <unistd.h>
 
 namespace shoal::media {
 namespace {
@@ -42,6 +41,26 @@ template <class Serve> std::string refusalOf(HttpServer& server, const std::stri
     const auto player = LivePlayer::open(feedFrom(**address, {20, 20}), options);
     serving.join();
     return player ? "" : player.error().message();
+}
+
+// The word of a server is not taken for where to look.
+TEST(HostileServer, AnAnswerThatIsNoStreamIsRefusedWithASentence) {
+    const std::pair<std::string, const char*> answers[] = {
+        {"HTTP/1.1 404 Not Found\r\n\r\n", "404"},
+        {"HTTP/1.1 302 Found\r\nLocation: file:///etc/passwd\r\n\r\n", "leads elsewhere"},
+        {kOk + "\r\n<html>no video here</html>", "is no video of a known kind"},
+        {kOk + "Content-Type: application/vnd.apple.mpegurl\r\n\r\n#EXTM3U\n#EXT-X-VERSION:3\n#EXTINF:1,\n"
+               "file:///etc/passwd\n",
+         "is no video of a known kind"},
+        {kOk + "\r\n" + std::string("\xff\xd8\xff\xe0\0\x10JFIF\0", 11) + std::string(280, 'x'),
+         ": "}, // a picture that is cut short
+        {"", ": "},
+    };
+    for (const auto& [answer, sentence] : answers) {
+        HttpServer server;
+        EXPECT_THAT(refusalOf(server, "http", [&] { server.send(answer); }), testing::HasSubstr(sentence))
+            << answer;
+    }
 }
 
 TEST(HostileServer, RedirectsLeadNowhere) {
