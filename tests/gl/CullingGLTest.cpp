@@ -14,14 +14,9 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     const scene::Pose pose = restingPose(model);
     auto pass = tests::valueOf(render::ObjectPass::make());
     const gl::Target target(16, 16, 1);
-    target.bind();
-    render::View view; // from the origin towards -Z
-    view.verticalFov = 1;
-    pass.begin();
-    pass.add({.model = model, .gpu = gpu, .pose = pose, .bound = bound, .parts = parts});
-    pass.upload(glm::mat3(1));
-    EXPECT_TRUE(pass.draw({.environment = lit.environment, .view = view, .canvas = target}, {},
-                          render::Glossy::Prefiltered));
+    const render::View view{.verticalFov = 1}; // from the origin towards -Z
+    drawObjects(pass, {{.model = model, .gpu = gpu, .pose = pose, .bound = bound, .parts = parts}},
+                {.environment = lit.environment, .view = view, .canvas = target});
     std::vector<scene::Sphere> visible;
     pass.addVisible(view, visible);
     EXPECT_EQ(visible.empty(), pass.drawCount() == 0);

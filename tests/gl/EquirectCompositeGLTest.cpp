@@ -29,10 +29,7 @@ ImageRgba8 readTexture(GLuint texture, const ImageRgba8& size) {
 }
 
 render::View viewTowards(const glm::vec3& direction) {
-    render::View view{.verticalFov = 1.0f, .aspect = 1};
-    const glm::vec3 up = std::abs(direction.y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-    view.worldFromEye = glm::quatLookAt(direction, up);
-    return view;
+    return {.worldFromEye = looking(direction), .verticalFov = 1, .aspect = 1};
 }
 
 class LatLongGL : public WithContext {

@@ -37,23 +37,19 @@ class FilmDepthGL : public WithContext {
             render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
         const scene::Pose pose = restingPose(model);
         const gl::Target target(kSize, kSize, 1);
-        fill(target);
         const glm::vec3 centre = eyeInFilm + glm::vec3(0, 0, -away);
-        glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), centre), glm::vec3(0.5f));
-        pass.begin();
-        pass.add({.model = model,
-                  .gpu = gpu,
-                  .pose = pose,
-                  .worldFromModel = worldFromModel,
-                  .bound = {centre, 0.5f}});
-        pass.upload(glm::mat3(1));
-        EXPECT_TRUE(pass.draw({.environment = lit.environment,
-                               .view = view(eyeInFilm),
-                               .canvas = target,
-                               .eyeInFilm = eyeInFilm},
-                              {}, render::Glossy::Prefiltered));
-        target.resolve();
-        return {target.read(), pass.drawCount()};
+        const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), centre), glm::vec3(0.5f));
+        const render::ObjectPass::Object ball{.model = model,
+                                              .gpu = gpu,
+                                              .pose = pose,
+                                              .worldFromModel = worldFromModel,
+                                              .bound = {centre, 0.5f}};
+        const ImageRgba8 picture = drawObjects(pass, {ball},
+                                               {.environment = lit.environment,
+                                                .view = view(eyeInFilm),
+                                                .canvas = target,
+                                                .eyeInFilm = eyeInFilm});
+        return {picture, pass.drawCount()};
     }
     // Marine snow before a film that stands this far ahead, as a wall; 0: a film without distances. It has
     // been drawn with depth up to nearest, as the depth buffer holds it.
@@ -101,10 +97,7 @@ TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
         for (const float drawn_m : {100.0f, 50.0f, 2.0f}) {
             render::View seen = view(eye);
             seen.shift = {0.1f, -0.05f};
-            const auto depthOf = [&](float away_m) {
-                return (seen.far_m - seen.near_m * seen.far_m / away_m) / (seen.far_m - seen.near_m);
-            };
-            fill(drawn, glm::vec4(0), depthOf(drawn_m));
+            fill(drawn, glm::vec4(0), depthAt(drawn_m, seen));
             const render::EyePicture picture{
                 .environment = lit.environment, .view = seen, .canvas = drawn, .eyeInFilm = eye};
             pass.draw(drawn, 1, into.framebuffer(), picture, true);

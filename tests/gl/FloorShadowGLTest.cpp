@@ -98,12 +98,8 @@ TEST_F(FloorShadowGL, LiesBehindWhatIsNearer) {
         for (size_t i = 3; i < picture.pixels.size(); i += 4) most = std::max<int>(most, picture.pixels[i]);
         return most;
     };
-    const auto depthOf = [](float away_m) {
-        const render::View v = view();
-        return (v.far_m - v.near_m * v.far_m / away_m) / (v.far_m - v.near_m);
-    };
-    EXPECT_EQ(darkest(drawn({{fish}}, view(), glm::vec4(0), depthOf(0.5f))), 0);
-    EXPECT_GT(darkest(drawn({{fish}}, view(), glm::vec4(0), depthOf(5))), 60);
+    EXPECT_EQ(darkest(drawn({{fish}}, view(), glm::vec4(0), depthAt(0.5f, view()))), 0);
+    EXPECT_GT(darkest(drawn({{fish}}, view(), glm::vec4(0), depthAt(5, view()))), 60);
     const glm::vec4 half(0.2f, 0.1f, 0.3f, 0.5f); // what is half clear leaves half of the shadow
     const ImageRgba8 shadow = drawn({{fish}}, view()), under = drawn({{fish}}, view(), half);
     for (int y = 0; y < kFloorPixels; ++y)

@@ -4,7 +4,6 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
-#include "tests/Test.h"
 
 namespace shoal {
 namespace {

@@ -1,6 +1,5 @@
 // The vertex shader's normals of surfaces that nodes and joints scale unevenly.
 #include "Spheres.h"
-#include "tests/Test.h"
 #include "tests/unit/scene/ScaledSpheres.h"
 
 namespace shoal {

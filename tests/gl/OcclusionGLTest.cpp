@@ -74,24 +74,21 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     const int height = detail == render::Detail::Lean ? 4000 : 0; // fine enough to compare
     const render::View view{.eyeWorld = {0, 0, 6}, .verticalFov = 0.4f, .aspect = 1, .heightPixels = height};
     const gl::Target target(kPictureSize, kPictureSize, 1);
-    fill(target);
-    pass.begin();
     const render::BodyOccluders self = itself();
-    pass.add({.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1}, .body = &self});
+    std::vector<render::ObjectPass::Object> objects = {
+        {.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1}, .body = &self}};
     for (const Other& other : others)
-        pass.add({.model = nothing,
-                  .gpu = gpu,
-                  .pose = pose,
-                  .worldFromModel = other.worldFromModel,
-                  .bound = {glm::vec3(other.worldFromModel[3]), 1},
-                  .body = &other.body});
-    pass.upload(glm::mat3(1));
-    EXPECT_TRUE(pass.draw({.environment = environment,
-                           .view = view,
-                           .exposure = {.curve = render::ToneCurve::Linear},
-                           .canvas = target},
-                          {}, render::Glossy::Prefiltered));
-    return target.read();
+        objects.push_back({.model = nothing,
+                           .gpu = gpu,
+                           .pose = pose,
+                           .worldFromModel = other.worldFromModel,
+                           .bound = {glm::vec3(other.worldFromModel[3]), 1},
+                           .body = &other.body});
+    return drawObjects(pass, objects,
+                       {.environment = environment,
+                        .view = view,
+                        .exposure = {.curve = render::ToneCurve::Linear},
+                        .canvas = target});
 }
 
 std::vector<Other> someOthers() {

@@ -8,7 +8,6 @@
 #include "engine/math/LatLong.h"
 #include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
-#include "tests/Test.h"
 
 namespace shoal {
 namespace {
@@ -29,13 +28,6 @@ ImageRgb8 smoothSurround(int width) {
                 frame.at(x, y)[c] = static_cast<uint8_t>(std::lround(colour[c] * 255));
         }
     return frame;
-}
-
-glm::quat looking(const glm::vec3& dir) {
-    const glm::vec3 back = -glm::normalize(dir);
-    const glm::vec3 side = std::abs(back.y) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::vec3 right = glm::normalize(glm::cross(side, back));
-    return glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
 }
 
 // Tests that draw by OpenGL and, on processors that can, in software.

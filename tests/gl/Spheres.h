@@ -23,9 +23,18 @@ class WithContext : public testing::Test {
     std::optional<platform::Headless> context_;
 };
 
+inline scene::Model modelOf(scene::Primitive primitive, const scene::Material& material) {
+    scene::Model model;
+    primitive.material = 0;
+    model.materials.push_back(material);
+    model.meshes.push_back({{std::move(primitive)}, {}});
+    model.nodes.push_back({.name = "it", .mesh = 0});
+    model.order = {0};
+    return model;
+}
+
 // A sphere of radius 1 at the origin.
 inline scene::Model sphere(float metallic, float roughness) {
-    scene::Model model;
     scene::Primitive primitive;
     constexpr int kAround = 96, kDown = 48;
     for (int y = 0; y <= kDown; ++y)
@@ -41,12 +50,7 @@ inline scene::Model sphere(float metallic, float roughness) {
             const uint32_t b = a + kAround + 1;
             primitive.indices.insert(primitive.indices.end(), {a, a + 1, b, a + 1, b + 1, b});
         }
-    primitive.material = 0;
-    model.materials.push_back({.metallic = metallic, .roughness = roughness, .doubleSided = true});
-    model.meshes.push_back({{primitive}, {}});
-    model.nodes.push_back({.name = "ball", .mesh = 0});
-    model.order = {0};
-    return model;
+    return modelOf(std::move(primitive), {.metallic = metallic, .roughness = roughness, .doubleSided = true});
 }
 
 inline scene::Pose restingPose(const scene::Model& model) {
@@ -101,6 +105,29 @@ struct Lit {
     render::EnvironmentGpu environment;
 };
 
+inline glm::quat looking(const glm::vec3& direction) {
+    const glm::vec3 up =
+        std::abs(direction.y) > 0.9f * glm::length(direction) ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+    return glm::quatLookAt(glm::normalize(direction), up);
+}
+
+// What the depth buffer holds of a place so far ahead.
+inline float depthAt(float away_m, const render::View& view) {
+    return (view.far_m - view.near_m * view.far_m / away_m) / (view.far_m - view.near_m);
+}
+
+// Draws these objects over nothing.
+inline ImageRgba8 drawObjects(render::ObjectPass& pass,
+                              const std::vector<render::ObjectPass::Object>& objects,
+                              const render::EyePicture& picture, const water::Water& water = {}) {
+    fill(picture.canvas);
+    pass.begin();
+    for (const auto& object : objects) pass.add(object);
+    pass.upload(glm::mat3(1));
+    EXPECT_TRUE(pass.draw(picture, water, render::Glossy::Prefiltered));
+    return picture.canvas.read();
+}
+
 struct SphereLook {
     float exposure_ev = 0;
     water::Water water = {};
@@ -124,20 +151,17 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
         model, exposure.isLinear() ? render::Reflectance::Linear : render::Reflectance::Coded, look.detail);
     const scene::Pose pose = restingPose(model);
     const gl::Target target(size, size, 1);
-    fill(target);
     pass.setLayers(look.layers);
-    pass.begin();
-    pass.add({.model = model,
-              .gpu = gpu,
-              .pose = pose,
-              .bound = {{}, look.radius},
-              .body = look.body,
-              .highlight = look.highlight,
-              .lightDifference = look.beside});
-    pass.upload(glm::mat3(1));
-    EXPECT_TRUE(pass.draw({.environment = environment, .view = view, .exposure = exposure, .canvas = target},
-                          look.water, render::Glossy::Prefiltered));
-    return target.read();
+    return drawObjects(pass,
+                       {{.model = model,
+                         .gpu = gpu,
+                         .pose = pose,
+                         .bound = {{}, look.radius},
+                         .body = look.body,
+                         .highlight = look.highlight,
+                         .lightDifference = look.beside}},
+                       {.environment = environment, .view = view, .exposure = exposure, .canvas = target},
+                       look.water);
 }
 
 // Expects that pixels which both pictures cover wholly differ by at most `within`.

@@ -23,19 +23,14 @@ class LayersPicture : public WithContext {
     const occlusion::Body body_ = occlusion::torus(1, 0.4f, 96, 48); // around +Y
 
     scene::Model modelOf(const glm::vec3& base, float metallic, float roughness) const {
-        scene::Model model;
         scene::Primitive primitive;
         primitive.positions = body_.positions;
         primitive.normals = body_.normals;
         for (const glm::uvec3& t : body_.triangles)
             primitive.indices.insert(primitive.indices.end(), {t.x, t.y, t.z});
-        primitive.material = 0;
-        model.materials.push_back(
+        return shoal::modelOf(
+            std::move(primitive),
             {.baseColourLin = glm::vec4(base, 1), .metallic = metallic, .roughness = roughness});
-        model.meshes.push_back({{primitive}, {}});
-        model.nodes.push_back({.name = "torus", .mesh = 0});
-        model.order = {0};
-        return model;
     }
 
     // Mean radiance around the middle of a picture that looks at a place of the body. No method: nothing is
