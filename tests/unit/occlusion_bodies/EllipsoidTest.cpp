@@ -148,24 +148,31 @@ TEST(OpenLobe, IsWholeWhereItLooksOutOfASkin) {
 
 // Self-occlusion of surfaces where it is known in closed form, and how several occluders join.
 
+// Adds columns x rows cells at place(u, v), u and v from 0 to 1.
+template <class Place>
+void addCells(std::vector<glm::vec3>& positions, std::vector<uint32_t>& indices, uint32_t columns,
+              uint32_t rows, const Place& place) {
+    const auto first = static_cast<uint32_t>(positions.size());
+    for (uint32_t y = 0; y <= rows; ++y)
+        for (uint32_t x = 0; x <= columns; ++x)
+            positions.push_back(place(static_cast<float>(x) / static_cast<float>(columns),
+                                      static_cast<float>(y) / static_cast<float>(rows)));
+    for (uint32_t y = 0; y < rows; ++y)
+        for (uint32_t x = 0; x < columns; ++x) {
+            const uint32_t a = first + y * (columns + 1) + x, b = a + columns + 1;
+            indices.insert(indices.end(), {a, a + 1, b, a + 1, b + 1, b});
+        }
+}
+
 struct Sheets {
     std::vector<glm::vec3> positions, normals;
     std::vector<uint32_t> indices;
 
     // A parallelogram of cells by cells, facing cross(right, up).
-    void add(const glm::vec3& corner, const glm::vec3& right, const glm::vec3& up, int cells) {
-        const auto first = static_cast<uint32_t>(positions.size()), row = static_cast<uint32_t>(cells + 1);
-        for (int y = 0; y <= cells; ++y)
-            for (int x = 0; x <= cells; ++x) {
-                positions.push_back(corner + (right * static_cast<float>(x) + up * static_cast<float>(y)) /
-                                                 static_cast<float>(cells));
-                normals.push_back(glm::normalize(glm::cross(right, up)));
-            }
-        for (uint32_t y = 0; y + 1 < row; ++y)
-            for (uint32_t x = 0; x + 1 < row; ++x) {
-                const uint32_t a = first + y * row + x;
-                indices.insert(indices.end(), {a, a + 1, a + row, a + 1, a + row + 1, a + row});
-            }
+    void add(const glm::vec3& corner, const glm::vec3& right, const glm::vec3& up, uint32_t cells) {
+        addCells(positions, indices, cells, cells,
+                 [&](float u, float v) { return corner + u * right + v * up; });
+        normals.resize(positions.size(), glm::normalize(glm::cross(right, up)));
     }
     SelfOccludingMesh body() const { return {positions, normals, indices}; }
 };
@@ -263,18 +270,11 @@ TEST(TraceSelfOcclusion, GiveBackSomeOfTheDominantLightThatOwnEllipsoidsHide) {
 TEST(TraceSelfOcclusion, FewRaysAreSmooth) {
     Sheets bowl;
     constexpr int kRound = 64, kDeep = 32;
-    for (int y = 0; y <= kDeep; ++y)
-        for (int x = 0; x <= kRound; ++x) {
-            const float a = 6.2831853f * static_cast<float>(x % kRound) / kRound,
-                        b = 1.5707963f * (static_cast<float>(y) + 0.5f) / (kDeep + 0.5f);
-            bowl.positions.emplace_back(std::sin(b) * std::cos(a), -std::cos(b), std::sin(b) * std::sin(a));
-            bowl.normals.push_back(-bowl.positions.back());
-        }
-    for (uint32_t y = 0; y < kDeep; ++y)
-        for (uint32_t x = 0; x < kRound; ++x) {
-            const uint32_t i = y * (kRound + 1) + x, below = i + kRound + 1;
-            bowl.indices.insert(bowl.indices.end(), {i, i + 1, below, i + 1, below + 1, below});
-        }
+    addCells(bowl.positions, bowl.indices, kRound, kDeep, [](float u, float v) {
+        const float a = 6.2831853f * std::fmod(u, 1.0f), b = 1.5707963f * (v * kDeep + 0.5f) / (kDeep + 0.5f);
+        return glm::vec3(std::sin(b) * std::cos(a), -std::cos(b), std::sin(b) * std::sin(a));
+    });
+    for (const glm::vec3& p : bowl.positions) bowl.normals.push_back(-p);
     const auto selfOcclusion = traceSelfOcclusion(bowl.body(), 6);
     const auto hiddenAt = [&](size_t i) {
         return static_cast<double>(withSelfOcclusion(selfOcclusion[i], bowl.normals[i]).w);
@@ -306,7 +306,7 @@ TEST(TraceSelfOcclusion, NothingHasNone) {
 // A tile hangs before a board: its shade on the board ends one edge of the tile away. Two triangles cannot
 // represent that and would be dark from corner to corner; small ones are dark behind the tile alone.
 TEST(TraceSelfOcclusion, DetailThatCornersCannotCarryIsLeftOut) {
-    const auto boardOf = [](int cells) {
+    const auto boardOf = [](uint32_t cells) {
         Sheets sheets;
         sheets.add({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, cells);              // the board, facing +z
         sheets.add({0.55f, 0.55f, 0.05f}, {0.3f, 0, 0}, {0, 0.3f, 0}, 1);  // the tile
@@ -363,20 +363,9 @@ struct Skin {
 };
 
 void addEllipsoid(Skin& skin, const glm::vec3& centre, const glm::vec3& semiAxes, uint16_t joint) {
-    constexpr uint32_t kAround = 48, kDown = 24;
-    const auto first = static_cast<uint32_t>(skin.positions.size());
-    for (uint32_t y = 0; y <= kDown; ++y)
-        for (uint32_t x = 0; x <= kAround; ++x) {
-            skin.positions.push_back(
-                centre + semiAxes * directionFromLatLong(glm::vec2(static_cast<float>(x) / kAround,
-                                                                   static_cast<float>(y) / kDown)));
-            skin.joints.push_back(joint);
-        }
-    for (uint32_t y = 0; y < kDown; ++y)
-        for (uint32_t x = 0; x < kAround; ++x) {
-            const uint32_t a = first + y * (kAround + 1) + x, b = a + kAround + 1;
-            skin.indices.insert(skin.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
-        }
+    addCells(skin.positions, skin.indices, 48, 24,
+             [&](float u, float v) { return centre + semiAxes * directionFromLatLong(glm::vec2(1 - u, v)); });
+    skin.joints.resize(skin.positions.size(), joint);
 }
 
 TEST(FitEllipsoids, GivesBackAnEllipsoid) {
