@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,6 +37,7 @@ struct FakeBus {
     std::vector<Node> plugged;
     std::map<std::string, std::vector<std::vector<uint8_t>>> written, guarded; // by path
     size_t opened = 0;
+    std::function<void(std::span<const uint8_t>)> onWrite;
 
     FakeBus() = default;
     FakeBus(uint16_t vendor, uint16_t product, Transport transport = Transport::Usb) {
@@ -58,6 +60,7 @@ struct FakeBus {
         ~Device() override { --bus_.opened; }
         bool write(std::span<const uint8_t> report) override {
             if (!bus_.find(path_)) return false;
+            if (bus_.onWrite) bus_.onWrite(report);
             bus_.written[path_].emplace_back(report.begin(), report.end());
             return true;
         }

@@ -192,29 +192,20 @@ TEST(HapticDevices, APadIsMovedThroughOneOfItsTwoPaths) {
 // Tests of the thread that writes to the devices.
 
 // A DualSense on USB that keeps the values of its strong motor, and that can be slow to write to.
-struct Watched {
+struct Watched : FakeBus {
     std::mutex mutex;
     std::condition_variable changed;
     std::vector<int> strong;
     std::atomic<bool> slow{false}, entered{false};
 
-    struct Device final : HidDevice {
-        explicit Device(Watched& owner) : watched(owner) {}
-        bool write(std::span<const uint8_t> report) override {
-            watched.entered = true;
-            watched.slow.wait(true); // a device that takes its time
-            const std::lock_guard lock(watched.mutex);
-            watched.strong.push_back(report[4]);
-            watched.changed.notify_all();
-            return true;
-        }
-        Watched& watched;
-    };
-    HidBus bus() {
-        return {[] {
-                    return std::vector<HidInfo>{{"x", 0x054c, 0x0ce6, Transport::Usb, ""}};
-                },
-                [this](const std::string&) { return std::make_unique<Device>(*this); }};
+    Watched() : FakeBus(kSony, kDualSense) {
+        onWrite = [this](std::span<const uint8_t> report) {
+            entered = true;
+            slow.wait(true); // a device that takes its time
+            const std::lock_guard lock(mutex);
+            strong.push_back(report[4]);
+            changed.notify_all();
+        };
     }
     std::vector<int> told() {
         const std::lock_guard lock(mutex);
