@@ -103,8 +103,9 @@ class SceneRenderer final : private render::CompositorScene {
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels& creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(&creatureModels), setup_(setup), passes_(std::move(passes)) {}
-    bool castsShadows() const {
-        return passes_.compositor.drawsObjects() && setup_.skip != render::SkippedPass::Shadows;
+    bool castsShadows() const { // not where no lights have been looked for, or where there is no light
+        return passes_.compositor.drawsObjects() && setup_.skip != render::SkippedPass::Shadows &&
+               environment_->player().shadowLight().groundIrradiance != glm::vec3(0);
     }
     render::CastingLight castingLight() const;
     void castShadows();
