@@ -123,8 +123,7 @@ std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model
     }();
     if (status == 0)
         if (auto made = stored(kept, model)) return made;
-    log::warn("{}: casts no shadows, on itself or on others: {} could not make them", file.string(),
-              maker.string());
+    log::warn("{}: is shown without its shadows: {} could not make them", file.string(), maker.string());
     return std::nullopt;
 }
 

@@ -109,11 +109,10 @@ void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Li
                     for (const render::CastingLight& each : std::span(all).first(count))
                         shadows.add(body, each, eyes);
             });
-            double shaded = 0; // texels
             const std::vector<uint8_t>& coded = shadows.remaining().pixels;
             for (size_t i = 0; i < coded.size(); i += 4)
-                shaded += coded[i] + coded[i + 1] + coded[i + 2] < 3 * 255;
-            with.point_ns += 1e3 * shadows_us / std::max(shaded, 1.0);
+                with.texels += coded[i] + coded[i + 1] + coded[i + 2] < 3 * 255;
+            with.spent_ns += 1e3 * shadows_us;
             for (size_t i = 0; i < ground.size(); ++i) {
                 const uint8_t* root =
                     shadows.remaining().at(texels[i].x, texels[i].y); // of the light, blue first
@@ -135,7 +134,8 @@ void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Li
                     left[i] = with / glm::max(without, 1e-12f);
                 }
             });
-            chart.ground[m + 3].point_ns += 1e3 / static_cast<double>(ground.size()) * render_us;
+            chart.ground[m + 3].spent_ns += 1e3 * render_us;
+            chart.ground[m + 3].texels += static_cast<double>(ground.size());
             compare(chart.ground[m + 3]);
         }
     }

@@ -50,8 +50,9 @@ struct OcclusionMeasured {
 // Darkening of the ground below bodies; sums over environments.
 struct GroundMeasured {
     std::string name;
-    double squares = 0, point_ns = 0; // squares: of relative root mean square errors
-    double reef = 0;                  // relative root mean square error in the light of the reef's film
+    double squares = 0;              // of relative root mean square errors
+    double spent_ns = 0, texels = 0; // time for how many shaded texels
+    double reef = 0;                 // relative root mean square error in the light of the reef's film
 };
 
 constexpr std::string_view kReef = "video: reef"; // in OcclusionChart::environments

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace shoal::bench {
 
 namespace {
@@ -126,7 +128,7 @@ differential rendering without the second picture.
     for (const GroundMeasured& each : chart.ground)
         out += fmt::format("| {} | {} | {} | {:.0f} |\n", each.name,
                            percent(std::sqrt(each.squares / chart.groundEnvironments)), percent(each.reef),
-                           each.point_ns / chart.groundEnvironments);
+                           each.spent_ns / std::max(each.texels, 1.0));
     return out;
 }
 
