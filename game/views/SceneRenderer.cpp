@@ -90,7 +90,7 @@ void SceneRenderer::castShadows() {
     to.water = environment_->player().water();
     to.lights[0] = castingLight();
     to.lights[1] = render::restBeside(to.lights[0]);
-    to.bodies = &passes_.objects.bodies();
+    to.objects = &passes_.objects;
     to.isRunning = true;
     to.thread.start(to.films, to);
 }
@@ -99,9 +99,11 @@ void SceneRenderer::Shadows::operator()(int number) {
     render::FilmShadows& on = cast[number];
     const std::span<const render::View> all(from), own = all.subspan(static_cast<size_t>(number), 1);
     on.begin({film.map, film.envFromWorld, films == 1 ? glm::vec3(0) : own[0].eyeWorld}, coding, water);
-    for (size_t body = 0; body < bodies->count(); ++body)
-        for (const render::CastingLight& light : lights)
-            on.add(bodies->ellipsoids(body), light, films == 1 ? all : own);
+    const render::NearBodies& bodies = objects->bodies();
+    for (size_t body = 0; body < bodies.count(); ++body)
+        for (const render::CastingLight& light : lights) // of the player's arms the strongest light alone
+            if (&light == &lights[0] || !objects->isInRoom(body))
+                on.add(bodies.ellipsoids(body), light, films == 1 ? all : own);
 }
 
 void SceneRenderer::finishShadows() {

@@ -145,7 +145,7 @@ class SceneRenderer final : private render::CompositorScene {
         render::FrameCoding coding = render::FrameCoding::Srgb;
         water::Water water;
         std::array<render::CastingLight, 2> lights; // the strongest, and all other light
-        const render::NearBodies* bodies = nullptr;
+        const render::ObjectPass* objects = nullptr;
         ThreadPool thread{1}; // last: it uses all of the above
     };
     std::unique_ptr<Shadows> shadows_ = std::make_unique<Shadows>(); // at an address that stays
