@@ -44,7 +44,7 @@ constexpr float kNormalTurn_rad    = 0.2f;    // greatest turn of a lasting cont
 // -- Pushing ----------------------------------------------------------------------------------------------
 constexpr int   kSweeps            = 10;      // iterations of Gauss-Seidel over a body's contacts
 constexpr float kSoftness          = 0.05f;   // regularisation: a lone bone gives 1 / 1.05 of its speed
-constexpr float kOpenHandPush              = 0.6f;    // share of its speed with which an open hand pushes
+constexpr float kOpenHandPush      = 0.6f;    // share of its speed with which an open hand pushes
 constexpr float kPartRate_Hz       = 12;      // speed that parts an overlap, by its depth...
 constexpr float kPartMax_mps      = 0.45f;   // ...and its maximum
 constexpr float kPartSlop_m        = 0.001f;  // overlap that is not separated

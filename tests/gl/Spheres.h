@@ -111,7 +111,7 @@ inline glm::quat looking(const glm::vec3& direction) {
     return glm::quatLookAt(glm::normalize(direction), up);
 }
 
-// What the depth buffer holds of a place so far ahead.
+// Returns the depth buffer's value for a place so far ahead.
 inline float depthAt(float away_m, const render::View& view) {
     return (view.far_m - view.near_m * view.far_m / away_m) / (view.far_m - view.near_m);
 }
