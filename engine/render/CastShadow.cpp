@@ -10,9 +10,6 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kSlices = 8;       // number of slices along a body...
-constexpr int kWideSlices = 2;   // ...before a light that is so wide that its shadows show no form
-constexpr float kWide = 0.8f;    // tangent of the angular radius from which a light is
 constexpr size_t kMaxParts = 32; // greatest number of a body's ellipsoids that cast shadows
 
 // A part of a line that lies within one or more silhouettes; depth: that of its middle, towards the light.
@@ -115,7 +112,7 @@ void flatten(std::span<const occlusion::Ellipsoid> body, const CastingLight& lig
         low = std::min(low, seen[i].centre.x - std::sqrt(seen[i].xx));
         high = std::max(high, seen[i].centre.x + std::sqrt(seen[i].xx));
     }
-    const int slices = light.tangent > kWide ? kWideSlices : kSlices;
+    const int slices = light.isWide() ? 2 : 8;
     const float slice = (high - low) / static_cast<float>(slices);
     if (!(slice > 1e-6f)) return;
     std::array<Chord, kMaxParts> chords;

@@ -36,6 +36,8 @@ struct CastingLight {
     float raised() const;
     // Returns the tangent, but at least about twice the sun's.
     float discTangent() const { return std::max(tangent, 0.01f); }
+    // Returns whether it is so wide that its shadows show no form.
+    bool isWide() const { return tangent > 0.8f; }
     // Returns the light's share of the irradiance of a surface; cosine: between the surface's normal and the
     // direction to the light. All other light is taken to be the same as on level ground.
     glm::vec3 shareAt(float cosine) const;

@@ -12,9 +12,11 @@ namespace shoal::render {
 
 namespace {
 
-constexpr float kUnseen = 0.002f; // share of the light that is not worth shading
-constexpr float kFar_m = 1e4f;    // stands for unknown distances; no shadow falls so far
-constexpr int kSame = 2;          // neighbours' codes are clamped to this difference, then averaged
+constexpr float kUnseen = 0.0039f; // share of the light whose loss rounds to none of 255 display values
+constexpr float kFar_m = 1e4f;     // stands for unknown distances; no shadow falls so far
+// The greatest share of the light, a disc of radius 1, that the product of two strips hides per area.
+constexpr float kDensest = 1.27f * std::numbers::inv_pi_v<float>;
+constexpr int kSame = 2; // neighbours' codes are clamped to this difference, then averaged
 
 // Adds the share of the light that the piece hides from each place. disc: CastingLight::discTangent().
 SHOAL_VECTORISE void hide(const FilmShadows::Occluder& piece, float disc, const float* along,
@@ -124,18 +126,19 @@ void FilmShadows::findTiles(std::span<const View> eyes) {
     reached_.erase(std::unique(reached_.begin(), reached_.end()), reached_.end());
 }
 
-// Computes the texels' places in the light's frame. Codes are averaged with neighbours', clamped to nearly
-// equal ones: on a surface that slopes little, whole numbers leave steps.
-void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
+// Computes the places, in the light's frame, of each `step`th texel of each `step`th row. Codes are averaged
+// with neighbours', clamped to nearly equal ones: on a surface that slopes little, whole numbers leave steps.
+void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high, int step) {
     const Image<uint8_t, 1>& codes = film_.map->inverse;
-    const auto count = static_cast<size_t>(high.x - low.x) * static_cast<size_t>(high.y - low.y);
+    const glm::ivec2 blocks = (high - low + step - 1) / step;
+    const auto count = static_cast<size_t>(blocks.x) * static_cast<size_t>(blocks.y);
     for (std::vector<float>* each : {&along_, &aside_, &up_}) each->resize(count);
     hidden_.assign(count, 0);
     size_t i = 0;
-    for (int y = low.y; y < high.y; ++y) {
+    for (int y = low.y; y < high.y; y += step) {
         const std::array<const uint8_t*, 3> rows{codes.at(0, std::max(y - 1, 0)), codes.at(0, y),
                                                  codes.at(0, std::min(y + 1, codes.height - 1))};
-        for (int x = low.x; x < high.x; ++x, ++i) {
+        for (int x = low.x; x < high.x; x += step, ++i) {
             const int code = rows[1][x], left = wrappedColumn(x - 1, codes.width),
                       right = wrappedColumn(x + 1, codes.width);
             int sum = 0;
@@ -194,9 +197,8 @@ float FilmShadows::findOccluders(const CastingLight& light) {
         const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
         const float radius = std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc;
         const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
-        // The piece's area divided by the disc's; 1.27: the greatest density of the product of two strips.
-        darkest += fade * std::min(1.0f, 4 * piece.halfAlong_m * piece.halfAside_m * 1.27f /
-                                             (std::numbers::pi_v<float> * disc * disc));
+        darkest +=
+            fade * std::min(1.0f, 4 * piece.halfAlong_m * piece.halfAside_m * kDensest / (disc * disc));
         const glm::vec3 middle = piece.middle - film_.cameraWorld;
         // The lower end is a little below where the shadow meets the surface, which may slope.
         const float up = glm::dot(middle, light.towards), margin = 0.5f * radius + 0.05f;
@@ -237,6 +239,8 @@ FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec
 bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float discTangent) {
     const glm::vec3 &low = extent.low, &high = extent.high; // along, aside, up
     const float disc = discTangent * (piece.up - std::max(low.z, piece.lowest));
+    const float least = discTangent * std::max(piece.up - high.z, 0.0f);
+    if (4 * piece.halfAlong * piece.halfAside * kDensest < kUnseen / 8 * least * least) return false;
     return piece.along + piece.halfAlong + disc > low.x && piece.along - piece.halfAlong - disc < high.x &&
            piece.aside + piece.halfAside + disc > low.y && piece.aside - piece.halfAside - disc < high.y &&
            high.z > piece.lowest && low.z < piece.up;
@@ -245,10 +249,11 @@ bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float dis
 void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile) {
     const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
     const Extent extent = extentOf(low, high);
+    const int step = light.isWide() ? 2 : 1; // its shadows change little from texel to texel
     hidden_.clear();
     for (const Occluder& piece : occluders_) {
         if (!reaches(piece, extent, light.discTangent())) continue;
-        if (hidden_.empty()) findPlaces(low, high);
+        if (hidden_.empty()) findPlaces(low, high, step);
         hide(piece, light.discTangent(), along_.data(), aside_.data(), up_.data(), hidden_.size(),
              hidden_.data());
     }
@@ -256,16 +261,19 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
     bool any = false;
     const glm::vec3 towardsEnv = film_.envFromWorld * light.towards;
     size_t i = 0;
-    for (int y = low.y; y < high.y; ++y)
-        for (int x = low.x; x < high.x; ++x, ++i) {
-            if (hidden_[i] < kUnseen) continue;
+    for (int y = low.y; y < high.y; y += step)
+        for (int x = low.x; x < high.x; x += step, ++i) {
+            const float hidden = strength * std::min(hidden_[i], 1.0f);
+            if (hidden < kUnseen) continue;
             any = true;
-            const glm::vec3 taken =
-                strength * std::min(hidden_[i], 1.0f) * light.shareAt(cosineAt(x, y, towardsEnv));
+            const glm::vec3 taken = hidden * light.shareAt(cosineAt(x, y, towardsEnv));
             const glm::vec3 left = remainingOf(taken, frames_, arrives_[*film_.map->inverse.at(x, y)]);
-            uint8_t* out = remaining_.at(x, y);
-            for (int c = 0; c < 3; ++c)
-                out[c] = static_cast<uint8_t>(static_cast<float>(out[c]) * left[2 - c] + 0.5f);
+            for (int row = y; row < std::min(y + step, high.y); ++row)
+                for (int column = x; column < std::min(x + step, high.x); ++column) {
+                    uint8_t* out = remaining_.at(column, row);
+                    for (int c = 0; c < 3; ++c)
+                        out[c] = static_cast<uint8_t>(static_cast<float>(out[c]) * left[2 - c] + 0.5f);
+                }
         }
     if (!any) return;
     empty_ = false;

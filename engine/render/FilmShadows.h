@@ -70,7 +70,7 @@ class FilmShadows {
     Extent extentOf(const glm::ivec2& low, const glm::ivec2& high) const;
     static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
-    void findPlaces(const glm::ivec2& low, const glm::ivec2& high);
+    void findPlaces(const glm::ivec2& low, const glm::ivec2& high, int step);
     // Both return vectors from the film's camera, env frame; a place of unknown distance is far away.
     glm::vec3 directionAt(int x, int y) const;
     glm::vec3 placeAt(int x, int y) const;

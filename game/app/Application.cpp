@@ -476,10 +476,8 @@ const game::Snapshot& Application::shown() {
     const auto animal = screens_.animalBeside();
     const auto extent = animal ? content_.loadSpecies(config_, *animal) : std::nullopt;
     if (!extent) return dive;
-    const glm::vec2 size = display_->menuSurface().size;
-    const float tanY = std::tan(glm::radians(options_.fov_deg) / 2);
     return guideAnimal_.show(dive, static_cast<int>(*animal), config_.species[*animal], *extent,
-                             {tanY * size.x / std::max(size.y, 1.0f), tanY},
+                             halfExtentOf(display_->menuSurface().size, options_.fov_deg),
                              static_cast<float>(play_->elapsed_s), !options_.reducedMotion);
 }
 

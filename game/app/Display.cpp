@@ -96,9 +96,7 @@ Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& sho
 std::array<Pointing, 2> FlatDisplay::pointing(const GameSession& session) const {
     if (!session.tracked) return {};
     const std::array<hands::HandPose, 2> hands = session.tracked->seen();
-    const glm::vec2 size = menuSurface().size;
-    const float tanY = std::tan(glm::radians(options_.fov_deg) / 2);
-    const glm::vec2 tanHalf(tanY * size.x / std::max(size.y, 1.0f), tanY);
+    const glm::vec2 tanHalf = halfExtentOf(menuSurface().size, options_.fov_deg);
     return {pointingInView(hands[0], tanHalf), pointingInView(hands[1], tanHalf)};
 }
 
@@ -208,7 +206,8 @@ void HeadsetDisplay::feed(GameSession& session) {
 }
 
 const game::Notice* HeadsetDisplay::notice() const {
-    static const game::Notice kPositionLost{"The headset has lost your place: for now you can only look around"};
+    static const game::Notice kPositionLost{
+        "The headset has lost your place: for now you can only look around"};
     static const game::Notice kNoRoom{"This headset cannot show your own room"};
     if (noRoom_s_ > 0) return &kNoRoom;
     const xr::Tracking& tracking = headset_.tracking();

@@ -110,6 +110,12 @@ class FlatDisplay : public Display {
     std::vector<gl::Target> reducedTargets_; // enlarged to targets_ while `scale` is below 1
 };
 
+// Returns the tangents of half the angles of a picture of this size. fov_deg: its vertical angle.
+inline glm::vec2 halfExtentOf(glm::vec2 size, float fov_deg) {
+    return render::View{.verticalFov = glm::radians(fov_deg), .aspect = size.x / std::max(size.y, 1.0f)}
+        .halfExtent();
+}
+
 // Returns a picture of both eyes side by side.
 ImageRgb8 pictureOf(std::span<const gl::Target> eyes);
 

@@ -21,8 +21,8 @@ constexpr float kHoldingOpacity = 0.4f;
 // gone, before the near plane cuts it into torn polygons that fill the view.
 constexpr float kFades_m = 0.16f, kGone_m = 0.06f;
 constexpr float kArmMargin = 1.3f; // factor on an arm's bounding spheres: a bend moves its flesh
-constexpr float kMinSwing =
-    0.01f; // swing of the tail in a clip, body lengths: below, there is no wave to scale
+// Swing of the tail in a clip, body lengths, below which there is no wave to scale.
+constexpr float kMinSwing = 0.01f;
 constexpr float kMaxScale = 2.5f; // largest scale of that wave: more would fold the body
 
 // Returns the clip's time at this phase: clips loop.
