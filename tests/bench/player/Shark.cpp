@@ -1,5 +1,5 @@
 // Measures the shark in whole dives of modelled players, and of a scripted one who offers it fish, in open
-// water and in the rooms of the films: bench_shark [SEEDS [FIRST [DIVE]]], in the films' own dives or another.
+// water and the films' rooms, or in one film or another dive's file: bench_shark [SEEDS [FIRST [DIVE]]].
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/bench/player/SharkWatch.h"
 #include "tests/playthrough/Play.h"
@@ -16,10 +16,9 @@ void report(const char* who, const player::SharkWatch& w) {
     const double n = w.dives, ticks = w.ticks / 100;
     std::printf(
         "  %-24s loses a fish in %.2f of the dives; a dive: %.2f steals of %.2f strikes, %.2f threats, %.1f "
-        "grabs; %.2f bumps; farther out than "
-        "the median fish %.0f %% (with room %.0f %% of %.0f %%), near %.2f (its middle %.2f) %%; circles "
-        "%.0f, visits %.0f, "
-        "threatens %.0f, strikes %.0f, leaves %.0f %%\n",
+        "grabs; %.2f bumps; farther out than the median fish %.0f %% (with room %.0f %% of %.0f %%), near "
+        "%.2f (its middle %.2f) %%; circles %.0f, visits %.0f, threatens %.0f, strikes %.0f, leaves %.0f "
+        "%%\n",
         who, w.divesWithLoss / n, w.steals / n, w.strikes / n, w.threats / n, w.grabs / n, w.bumps / n,
         w.farther / ticks, 100 * w.fartherWithRoom / std::max(1.0, w.roomTicks), w.roomTicks / ticks,
         w.near / ticks, w.middleNear / ticks, w.inState[0] / ticks, w.inState[1] / ticks,
@@ -49,6 +48,7 @@ int main(int count, char** arguments) {
     const auto offers = game::loadScript(dataRoot() / "tests/playthrough/shark_steals.toml");
     if (!rig || !offers) return 1;
     for (const std::string film : {"open water", "reef", "night", "kelp"}) {
+        if (count > 3 && arguments[3] != film && !std::string_view(arguments[3]).ends_with(".toml")) continue;
         auto files = game::loadDiveFiles(count > 3 ? arguments[3] : film == "open water" ? "reef" : film);
         if (!files) return std::fprintf(stderr, "%s\n", files.error().message().c_str()), 1;
         if (film != "open water") {

@@ -49,11 +49,10 @@ Status makeAll(const Path& models) {
 } // namespace
 
 int main(int count, char** arguments) {
-    if (count < 2 || count > 3) {
-        std::fputs("shoal-occlusion MODEL FILE: makes the occlusion of a glTF model; Shoal reads it from "
-                   "NAME.occlusion.json "
-                   "beside NAME.glb\n"
-                   "shoal-occlusion FOLDER: makes that of all models of the game, in a folder such as "
+    if (count < 2 || count > 3 || *arguments[1] == '-') {
+        std::fputs("shoal-occlusion MODEL FILE: makes the occlusion of a glTF model; Shoal reads it from\n"
+                   "NAME.occlusion.json beside NAME.glb\n"
+                   "shoal-occlusion FOLDER: makes that of all models of the game, in a folder such as\n"
                    "content/models\n",
                    stderr);
         return 2;
