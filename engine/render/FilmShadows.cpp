@@ -237,9 +237,9 @@ FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec
 }
 
 bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float discTangent) {
-    const glm::vec3 &low = extent.low, &high = extent.high; // along, aside, up
-    const float disc = discTangent * (piece.up - std::max(low.z, piece.lowest));
-    const float least = discTangent * std::max(piece.up - high.z, 0.0f);
+    const glm::vec3 &low = extent.low, &high = extent.high;                      // along, aside, up
+    const float disc = discTangent * (piece.up - std::max(low.z, piece.lowest)); // radius at its bottom
+    const float least = discTangent * std::max(piece.up - high.z, 0.0f); // radius at the top of the tile
     if (4 * piece.halfAlong * piece.halfAside * kDensest < kUnseen / 8 * least * least) return false;
     return piece.along + piece.halfAlong + disc > low.x && piece.along - piece.halfAlong - disc < high.x &&
            piece.aside + piece.halfAside + disc > low.y && piece.aside - piece.halfAside - disc < high.y &&

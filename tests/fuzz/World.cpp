@@ -1,6 +1,6 @@
 // The physics world with bodies of any size, speed and place: what it gives back is finite, and does not
 // depend on what the world was used for before.
-#include "engine/physics/World.h"
+#include "tests/LevelFloor.h"
 #include "tests/fuzz/Target.h"
 
 #include <glm/geometric.hpp>
@@ -15,17 +15,6 @@ using fuzz::Bytes;
 namespace {
 
 constexpr float kDt = 1.0f / 120;
-
-struct Floor final : Ground {
-    void triangles(glm::vec3 low, glm::vec3 high, const Visit& visit) const override {
-        if (low.y > height || high.y < height) return;
-        const glm::vec3 a(low.x - 1, height, low.z - 1), b(high.x + 1, height, low.z - 1),
-            c(high.x + 1, height, high.z + 1), d(low.x - 1, height, high.z + 1);
-        visit(a, c, b);
-        visit(a, d, c);
-    }
-    float height = -1;
-};
 
 // Metres to both sides in steps of a millimetre, or any bits at all.
 glm::vec3 vectorFrom(Bytes& bytes, bool any) {
@@ -79,7 +68,7 @@ struct Scene {
             fuzz::expect(std::fabs(glm::length(contact.normal) - 1) < 0.01f);
         }
         std::vector<Knock> knocks;
-        world.move(loose, bodies, Floor(), kDt, knocks);
+        world.move(loose, bodies, tests::LevelFloor(-1), kDt, knocks);
         for (const Knock& knock : knocks)
             fuzz::expect(knock.closing_mps > 0 && std::isfinite(knock.closing_mps));
         for (const LooseBody& b : loose) {

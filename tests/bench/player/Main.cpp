@@ -24,23 +24,18 @@ std::vector<Kind> kinds() {
     using namespace player;
     using game::Assist;
     const game::DiveRules none{Assist::None}, normal, strong{Assist::Strong};
+    const auto withMussels = [&](Device by) {
+        return PlayerSetup{Skill::Practised, by, normal, 1, 1.2f, 1, true};
+    };
     return {
         {"mouse, novice", {Skill::Novice, Device::Mouse, normal}, 4, 1000, 45},
         {"mouse, practised", {Skill::Practised, Device::Mouse, normal}, 10, 18, 90},
         {"mouse, practised, assist none", {Skill::Practised, Device::Mouse, none}, 4, 1000, 90},
         {"mouse, novice, assist strong", {Skill::Novice, Device::Mouse, strong}, 4, 1000, 45},
-        {"mouse, practised, with mussels",
-         {Skill::Practised, Device::Mouse, normal, 1, 1.2f, 1, true},
-         10,
-         1000,
-         90},
+        {"mouse, practised, with mussels", withMussels(Device::Mouse), 10, 1000, 90},
         {"hands, novice", {Skill::Novice, Device::Hands, normal}, 4, 1000, 45},
         {"hands, practised", {Skill::Practised, Device::Hands, normal}, 10, 18, 90},
-        {"hands, practised, with mussels",
-         {Skill::Practised, Device::Hands, normal, 1, 1.2f, 1, true},
-         10,
-         1000,
-         90},
+        {"hands, practised, with mussels", withMussels(Device::Hands), 10, 1000, 90},
         {"hands, practised, arms of 0.7 m", {Skill::Practised, Device::Hands, normal, 1, 0.7f}, 10, 18, 90},
         {"hands, practised, assist none", {Skill::Practised, Device::Hands, none}, 4, 1000, 90},
     };

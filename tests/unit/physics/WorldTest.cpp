@@ -1,6 +1,5 @@
-#include "engine/physics/World.h"
-
 #include "engine/core/Random.h"
+#include "tests/LevelFloor.h"
 #include "tests/Test.h"
 
 #include <LinearMath/btAlignedAllocator.h>
@@ -10,19 +9,6 @@ namespace {
 
 constexpr float kDt = 1.0f / 120;
 constexpr float kVolume_m3 = 4.0f / 3 * 3.14159265f * 0.03f * 0.03f * 0.03f; // of the spheres below
-
-// A level floor around the box that is asked for.
-struct Floor final : Ground {
-    explicit Floor(float at) : height(at) {}
-    void triangles(glm::vec3 low, glm::vec3 high, const Visit& visit) const override {
-        if (low.y > height || high.y < height) return;
-        const glm::vec3 a(low.x - 1, height, low.z - 1), b(high.x + 1, height, low.z - 1),
-            c(high.x + 1, height, high.z + 1), d(low.x - 1, height, high.z + 1);
-        visit(a, c, b);
-        visit(a, d, c);
-    }
-    float height;
-};
 
 LooseBody sphere(uint32_t id, glm::vec3 at, glm::vec3 velocity = glm::vec3(0)) {
     return {.id = id, .radius = 0.03f, .half = 0, .position = at, .velocity = velocity};
@@ -38,7 +24,7 @@ TEST(World, AStoneSinksAtItsTerminalVelocity) {
     LooseBody stone = sphere(0, {0, 0, 0});
     World world;
     std::vector<Knock> knocks;
-    for (int i = 0; i < 240; ++i) world.move({&stone, 1}, {}, Floor(-1000), kDt, knocks);
+    for (int i = 0; i < 240; ++i) world.move({&stone, 1}, {}, tests::LevelFloor(-1000), kDt, knocks);
     const float area = 3.14159265f * 0.03f * 0.03f;
     const float terminal =
         std::sqrt(2 * kVolume_m3 * 9.81f * (2600 - kWater_kgpm3) / (kWater_kgpm3 * 0.5f * area));
@@ -58,7 +44,7 @@ TEST(World, NoThrowTunnelsThroughTheFloorAndAllComeToRest) {
     for (const float speed : {0.1f, 1.0f, 5.0f, 15.0f}) {
         LooseBody stone = sphere(0, {0, 0.2f, 0}, {0.3f * speed, -speed, 0});
         World world;
-        Floor floor(0);
+        tests::LevelFloor floor(0);
         floor.friction = 0.6f;
         std::vector<Knock> knocks;
         float hardest = 0;
@@ -88,7 +74,7 @@ TEST(World, AThrownStoneStrikesABodyAtAnySpeed) {
             std::vector<Knock> knocks;
             bool struck = false;
             for (int i = 0; i < 240 && !struck; ++i) {
-                world.move({&stone, 1}, {&fish, 1}, Floor(-9), kDt, knocks);
+                world.move({&stone, 1}, {&fish, 1}, tests::LevelFloor(-9), kDt, knocks);
                 struck = !knocks.empty();
                 if (struck) {
                     EXPECT_EQ(std::pair(knocks[0].loose, knocks[0].other), std::pair(1u, 0u));
@@ -109,7 +95,7 @@ TEST(World, BodiesShareMomentum) {
     }
     World world;
     std::vector<Knock> knocks;
-    world.move(stones, {}, Floor(-9), kDt, knocks);
+    world.move(stones, {}, tests::LevelFloor(-9), kDt, knocks);
     EXPECT_NEAR(stones[0].velocity.x + stones[1].velocity.x, 1, 1e-4f);
     EXPECT_NEAR(stones[1].velocity.x - stones[0].velocity.x, 0.25f, 1e-3f);
     ASSERT_EQ(knocks.size(), 1u);
@@ -134,7 +120,7 @@ struct Fall {
         const float x = 0.3f * static_cast<float>(tick % 240) / 240;
         Body fish = still(20, {x, 0.1f, 0});
         fish.velocity = {0.15f, 0, 0};
-        Floor floor(0);
+        tests::LevelFloor floor(0);
         floor.friction = 0.6f;
         world.move(bodies, {&fish, 1}, floor, kDt, knocks);
     }
@@ -179,9 +165,9 @@ TEST(World, ForgetsWhatANumberThatIsNoneWouldDo) {
     EXPECT_TRUE(contacts.empty());
     Body swift = still(4, {0, 1, 0});
     swift.velocity.x = none;
-    world.move({&stone, 1}, {&swift, 1}, Floor(0), kDt, knocks);
+    world.move({&stone, 1}, {&swift, 1}, tests::LevelFloor(0), kDt, knocks);
     EXPECT_TRUE(std::isfinite(stone.velocity.x));
-    world.move({&stone, 1}, {&fish, 1}, Floor(0), kDt, knocks);
+    world.move({&stone, 1}, {&fish, 1}, tests::LevelFloor(0), kDt, knocks);
     EXPECT_TRUE(std::isfinite(stone.position.y));
 }
 
