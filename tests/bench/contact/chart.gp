@@ -8,13 +8,13 @@ set grid linecolor rgb "#d0d0d0" linewidth 0.7
 set border linecolor rgb "#606060"
 set tics scale 0.6
 set logscale xy
-set xrange [0.7:40]
-set xtics (1, 2, 5, 10, 20)
+set xrange [0.7:60<*]
+set xtics (1, 2, 5, 10, 20, 50, 100)
 set xlabel "cost of forty fish and two fists, of ours"
 array measures[4] = ["strike\tfirst touch, ms", "strike\tpassed through, %", "strike\toff its place, mm", "squeezed\tspat out, %"]
 array titles[4] = ["Strikes: first touch, ms off", "Strikes that pass through, %", "Strikes: fish off its place, mm", "Held fish that are spat out, %"]
 array leasts[4] = [0.01, 0.1, 0.5, 0.1]
-array mosts[4] = [5000, 150, 300, 150]
+array mosts[4] = [50000, 150, 300, 150]
 set multiplot layout 2,2 title "Contacts between bones and fish: error over cost; 0 lies on the lower edge" font ",13"
 do for [i = 1:4] {
     measure = measures[i]

@@ -80,5 +80,5 @@ END {
     print "\nMoving twelve loose bodies that sink to a level floor or drift among forty fish takes " \
         short(mean("Shoal", "loose", "us a tick", "", "")) " us a tick besides."
     print "\nShoal, every pair: all fish against all bones. Shoal, moved at once: not in the game. Cost: medians of 15 rounds of 240 ticks at 120 a second,"
-    print "methods in turn, ratios to ours of the same round; they are ratios of one machine while other work ran."
+    print "methods in turn, ratios to ours of the same round."
 }
