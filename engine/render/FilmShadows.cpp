@@ -14,9 +14,13 @@ namespace {
 
 constexpr float kUnseen = 0.0039f; // share of the light whose loss rounds to none of 255 display values
 constexpr float kFar_m = 1e4f;     // stands for unknown distances; no shadow falls so far
-// The greatest share of the light, a disc of radius 1, that the product of two strips hides per area.
-constexpr float kDensest = 1.27f * std::numbers::inv_pi_v<float>;
-constexpr int kSame = 2; // neighbours' codes are clamped to this difference, then averaged
+constexpr int kSame = 2;           // neighbours' codes are clamped to this difference, then averaged
+
+// Returns at least the share of a disc that a piece hides where its shadow is darkest: its area divided by
+// the disc's, times 1.27, the greatest density of the product of two strips.
+float mostHidden(float halfAlong, float halfAside, float disc) {
+    return 4 * halfAlong * halfAside * 1.27f / (std::numbers::pi_v<float> * disc * disc);
+}
 
 // Adds the share of the light that the piece hides from each place. disc: CastingLight::discTangent().
 SHOAL_VECTORISE void hide(const FilmShadows::Occluder& piece, float disc, const float* along,
@@ -31,6 +35,17 @@ SHOAL_VECTORISE void hide(const FilmShadows::Occluder& piece, float disc, const 
         const float above = std::min(std::max((up[i] - piece.lowest) * piece.perFade, 0.0f), piece.share);
         hidden[i] += fall > 0 ? covered * above : 0.0f;
     }
+}
+
+// Multiplies the texels from low to below high, blue first, by a factor for red, green and blue.
+void dimTexels(Image<uint8_t, 4>& texels, const glm::ivec2& low, const glm::ivec2& high,
+               const glm::vec3& factor) {
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x)
+            for (int c = 0; c < 3; ++c) {
+                uint8_t& value = texels.at(x, y)[c];
+                value = static_cast<uint8_t>(static_cast<float>(value) * factor[2 - c] + 0.5f);
+            }
 }
 
 Sphere sphereAround(std::span<const occlusion::Ellipsoid> body) {
@@ -197,8 +212,7 @@ float FilmShadows::findOccluders(const CastingLight& light) {
         const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
         const float radius = std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc;
         const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
-        darkest +=
-            fade * std::min(1.0f, 4 * piece.halfAlong_m * piece.halfAside_m * kDensest / (disc * disc));
+        darkest += fade * std::min(1.0f, mostHidden(piece.halfAlong_m, piece.halfAside_m, disc));
         const glm::vec3 middle = piece.middle - film_.cameraWorld;
         // The lower end is a little below where the shadow meets the surface, which may slope.
         const float up = glm::dot(middle, light.towards), margin = 0.5f * radius + 0.05f;
@@ -237,10 +251,11 @@ FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec
 }
 
 bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float discTangent) {
-    const glm::vec3 &low = extent.low, &high = extent.high;                      // along, aside, up
-    const float disc = discTangent * (piece.up - std::max(low.z, piece.lowest)); // radius at its bottom
-    const float least = discTangent * std::max(piece.up - high.z, 0.0f); // radius at the top of the tile
-    if (4 * piece.halfAlong * piece.halfAside * kDensest < kUnseen / 8 * least * least) return false;
+    const glm::vec3 &low = extent.low, &high = extent.high; // along, aside, up
+    // The disc is largest at the extent's lower end. A body has some eight pieces, which may add up.
+    const float disc = discTangent * (piece.up - std::max(low.z, piece.lowest));
+    const float least = std::max(discTangent * (piece.up - high.z), kMinDisc_m);
+    if (mostHidden(piece.halfAlong, piece.halfAside, least) < kUnseen / 8) return false;
     return piece.along + piece.halfAlong + disc > low.x && piece.along - piece.halfAlong - disc < high.x &&
            piece.aside + piece.halfAside + disc > low.y && piece.aside - piece.halfAside - disc < high.y &&
            high.z > piece.lowest && low.z < piece.up;
@@ -268,12 +283,7 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
             any = true;
             const glm::vec3 taken = hidden * light.shareAt(cosineAt(x, y, towardsEnv));
             const glm::vec3 left = remainingOf(taken, frames_, arrives_[*film_.map->inverse.at(x, y)]);
-            for (int row = y; row < std::min(y + step, high.y); ++row)
-                for (int column = x; column < std::min(x + step, high.x); ++column) {
-                    uint8_t* out = remaining_.at(column, row);
-                    for (int c = 0; c < 3; ++c)
-                        out[c] = static_cast<uint8_t>(static_cast<float>(out[c]) * left[2 - c] + 0.5f);
-                }
+            dimTexels(remaining_, {x, y}, glm::min(glm::ivec2(x, y) + step, high), left);
         }
     if (!any) return;
     empty_ = false;
