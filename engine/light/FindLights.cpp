@@ -306,7 +306,7 @@ const ShadowLight& LightOverTime::follow(const FoundLights& found, float dt_s) {
     if (!same) return now_;
     FoundLight& light = now_.light;
     const float away = std::acos(std::clamp(nearest, -1.0f, 1.0f));
-    const float turn = std::min(part, kFastest_radps * dt_s / std::max(away, 1e-6f));
+    const float turn = std::clamp(kFastest_radps * dt_s / std::max(away, 1e-6f), 0.0f, part);
     light.direction = glm::normalize(glm::mix(light.direction, same->direction, turn));
     light.radius += (same->radius - light.radius) * part;
     light.irradiance += (same->irradiance - light.irradiance) * part;

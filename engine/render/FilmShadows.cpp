@@ -77,9 +77,16 @@ bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const Vi
 
 } // namespace
 
-glm::vec3 remainingOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives) {
+glm::vec3 surfaceShare(const water::Water& water, float distance_m) {
+    const glm::vec3 arrives = glm::exp(-water.attenuation_perM * distance_m);
+    const glm::vec3 veil = glm::max(water.veil[0], 1e-6f),
+                    surface = arrives * std::max({veil.r, veil.g, veil.b});
+    return surface / (surface + (1.0f - arrives) * veil);
+}
+
+glm::vec3 remainingOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& share) {
     const glm::vec3 left = 1.0f - taken;
-    return glm::sqrt(1.0f - (1.0f - (frames == FrameCoding::Srgb ? left : left * left)) * arrives);
+    return glm::sqrt(1.0f - (1.0f - (frames == FrameCoding::Srgb ? left : left * left)) * share);
 }
 
 void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water::Water& water) {
@@ -106,7 +113,7 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
     tiles_.clear(size);
     for (size_t code = 0; code < distance_m_.size(); ++code) {
         distance_m_[code] = code == 0 ? kFar_m : 1 / depth::DepthMap::perM(static_cast<int>(code));
-        arrives_[code] = glm::exp(-water.attenuation_perM * distance_m_[code]);
+        surface_[code] = surfaceShare(water, distance_m_[code]);
     }
 }
 
@@ -282,7 +289,7 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
             if (hidden < kUnseen) continue;
             any = true;
             const glm::vec3 taken = hidden * light.shareAt(cosineAt(x, y, towardsEnv));
-            const glm::vec3 left = remainingOf(taken, frames_, arrives_[*film_.map->inverse.at(x, y)]);
+            const glm::vec3 left = remainingOf(taken, frames_, surface_[*film_.map->inverse.at(x, y)]);
             dimTexels(remaining_, {x, y}, glm::min(glm::ivec2(x, y) + step, high), left);
         }
     if (!any) return;

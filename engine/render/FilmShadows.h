@@ -23,11 +23,14 @@
 
 namespace shoal::render {
 
-// Returns the factor for a surface's display values where shadows take `taken` (0 to 1) of its irradiance.
-// Display values are square roots of light (water/Water.h), except in frames coded as in the thesis, whose
-// radiance is proportional to them (light/InverseToneMap.h). arrives: the share of light that the water lets
-// through. The rest is the water's own light, as bright as the surface by assumption; shadows do not dim it.
-glm::vec3 remainingOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
+// Returns the surface's share of the light in a film's texel; the rest is the water's own, which shadows do
+// not dim. The surface is taken to be grey, as bright as the water's brightest colour.
+glm::vec3 surfaceShare(const water::Water& water, float distance_m);
+
+// Returns the factor for a texel's display values where shadows take `taken` (0 to 1) of its surface's
+// irradiance. Display values are square roots of light (water/Water.h), except in frames coded as in the
+// thesis, whose radiance is proportional to them (light/InverseToneMap.h). share: surfaceShare().
+glm::vec3 remainingOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& share);
 
 class FilmShadows {
   public:
@@ -85,7 +88,7 @@ class FilmShadows {
     Image<uint8_t, 4> remaining_;
     std::vector<glm::vec3> columns_, rows_; // directions: of each column at the horizon, of each row ahead
     std::array<float, 256> distance_m_{};   // indexed by the map's code
-    std::array<glm::vec3, 256> arrives_{};  // by code: share of light that the water lets through
+    std::array<glm::vec3, 256> surface_{};  // by code: surfaceShare()
     glm::mat3 lightFromEnv_{1};             // for the body being added: along, aside, up
     std::vector<FlatPiece> pieces_;         // scratch: of one body
     std::vector<Occluder> occluders_;

@@ -58,7 +58,7 @@ class ShadowGL : public WithContext, public testing::WithParamInterface<render::
     }
 
     const depth::DepthMap ground_ = tests::levelGround();
-    const water::Water sea_{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
+    const water::Water sea_{.veil = {{{0.05f, 0.15f, 0.25f}}}, .attenuation_perM = {0.2f, 0.1f, 0.08f}};
     std::optional<render::EnvironmentGpu> environment_;
     ImageRgba8 frame_{2048, 1024};
     std::unique_ptr<render::BackgroundPass> background_;
@@ -88,7 +88,7 @@ TEST_P(ShadowGL, IsTheClosedFormAtEveryPixel) {
                 const glm::vec3 ground = ray * (kGround_m / ray.y);
                 const glm::vec3 left = render::remainingOf(
                     render::covered(flat, sunlight(), ground) * sunlight().share, render::FrameCoding::Srgb,
-                    glm::exp(-sea_.attenuation_perM * glm::length(ground)));
+                    render::surfaceShare(sea_, glm::length(ground)));
                 for (int c = 0; c < 3; ++c) {
                     const float expected = static_cast<float>(kBefore) * left[c];
                     // Steps of the map of distances tilt the ground, which changes its share of the light.

@@ -212,6 +212,9 @@ TEST(LightOverTime, AShakyLightIsCalm) {
         }
         before = now.light.direction;
     }
+    found.lights[0].direction = towards(105, 60);
+    EXPECT_LT(degreesBetween(steady.follow(found, -60).light.direction, before), 1)
+        << "a dive that begins anew";
 }
 
 TEST(LightOverTime, ACutIsFollowedAtOnce) {

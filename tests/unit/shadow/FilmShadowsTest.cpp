@@ -9,10 +9,7 @@ namespace {
 
 using tests::filmOf, tests::kGround_m, tests::levelGround, tests::lightAt, tests::toPlane;
 
-// Returns the share of light that so much water lets through.
-glm::vec3 through(const water::Water& water, float distance_m) {
-    return glm::exp(-water.attenuation_perM * distance_m);
-}
+const water::Water kSea{.veil = {{{0.05f, 0.15f, 0.25f}}}, .attenuation_perM = {0.2f, 0.1f, 0.08f}};
 
 const occlusion::Ellipsoid kShark{{0.3f, -0.4f, -1.6f}, glm::mat3(1), {0.2f, 0.22f, 1.1f}};
 
@@ -65,10 +62,9 @@ int shadedTexels(const FilmShadows& shadows) {
 // On level and tilted planes the remaining light is the closed form's for the place, times the share that the
 // plane's slope towards the light leaves. Nothing is dimmed elsewhere.
 TEST(FilmShadows, OnPlanesAreTheClosedForm) {
-    const water::Water sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
     for (const glm::vec3& normal : {glm::vec3(0, 1, 0), glm::normalize(glm::vec3(0.5f, 1, 0.2f))}) {
         const auto map = filmOf([&](const glm::vec3& dir) { return toPlane(dir, normal, -kGround_m); });
-        const Scene scene{.map = map, .water = sea};
+        const Scene scene{.map = map, .water = kSea};
         const FilmShadows shadows = shadowsOf(kShark, scene);
         ASSERT_FALSE(shadows.empty());
         std::vector<FlatPiece> pieces;
@@ -79,7 +75,8 @@ TEST(FilmShadows, OnPlanesAreTheClosedForm) {
         eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
             const float distance = toPlane(dir, normal, -kGround_m);
             const float hidden = distance < 20 ? covered(pieces, scene.light, distance * dir) : 0;
-            const glm::vec3 expected = remainingOf(hidden * share, FrameCoding::Srgb, through(sea, distance));
+            const glm::vec3 expected =
+                remainingOf(hidden * share, FrameCoding::Srgb, surfaceShare(kSea, distance));
             for (int c = 0; c < 3; ++c) {
                 const double off = static_cast<double>(std::abs(left[c] - expected[c]));
                 worst = std::max(worst, off);
@@ -333,20 +330,27 @@ TEST(FilmShadows, AreWorkedOutWhereAnEyeMaySeeThem) {
 
 TEST(FilmShadows, LeaveNoMoreThanThereIs) {
     const CastingLight light = lightAt(66, 16);
-    const water::Water sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
     for (const FrameCoding frames : {FrameCoding::Srgb, FrameCoding::Thesis})
         for (const float hidden : {0.0f, 0.3f, 1.0f})
             for (const float distance_m : {0.5f, 3.0f, 30.0f}) {
-                const glm::vec3 left = remainingOf(hidden * light.share, frames, through(sea, distance_m));
+                const glm::vec3 left =
+                    remainingOf(hidden * light.share, frames, surfaceShare(kSea, distance_m));
                 for (int c = 0; c < 3; ++c) {
                     EXPECT_LE(left[c], 1);
                     EXPECT_GE(left[c], 1 - hidden * light.share[c] - 1e-6f);
                 }
             }
+    // Light of deep water, of a grey surface at 3 m and of the water before it.
+    for (int c = 0; c < 3; ++c) {
+        const float arrives = std::exp(-3 * kSea.attenuation_perM[c]),
+                    water = (1 - arrives) * kSea.veil[0][c];
+        EXPECT_NEAR(surfaceShare(kSea, 3)[c] * (0.25f * arrives + water), 0.25f * arrives, 1e-6f);
+    }
+    EXPECT_EQ(surfaceShare({}, 3), glm::vec3(1)) << "in air";
     // Half of 40 % of the light is hidden: 0.8 of it is left, and its square root as display values show it.
     EXPECT_NEAR(remainingOf(0.5f * light.share, FrameCoding::Thesis, glm::vec3(1)).x, 0.8f, 1e-6f);
     EXPECT_NEAR(remainingOf(0.5f * light.share, FrameCoding::Srgb, glm::vec3(1)).x, std::sqrt(0.8f), 1e-6f);
-    EXPECT_NEAR(remainingOf(1.0f * light.share, FrameCoding::Srgb, through(sea, 100)).y, 1,
+    EXPECT_NEAR(remainingOf(1.0f * light.share, FrameCoding::Srgb, surfaceShare(kSea, 100)).y, 1,
                 1e-3f); // all veil
 }
 
