@@ -70,9 +70,11 @@ vec3 Filming::shade(Hit& hit, float footprint) const {
                     : std::max(facing, 0.0f);
     if (lit > 0) lit *= world_.sunlitSoft(hit.p + smooth * 0.035f);
     if (lit > 0) lit *= caustics_.at(hit.p);
+    if (lit > 0 && world_.isShadedByAnimal(hit.p + smooth * 0.01f)) lit = 0;
     // Indirect light comes from above on the whole, so relief shows in it too; pits are darker.
-    const float relief =
-        std::clamp(1 + 0.55f * (n.y - smooth.y), 0.3f, 1.6f) * std::clamp(0.75f + 0.35f * tone, 0.5f, 1.25f);
+    const float relief = hit.kind == Kind::Animal ? 1 : // is smooth
+                             std::clamp(1 + 0.55f * (n.y - smooth.y), 0.3f, 1.6f) *
+                                 std::clamp(0.75f + 0.35f * tone, 0.5f, 1.25f);
     vec3 irradiance = sunAtDepth(scene_, -hit.p.y) * lit + hit.indirect * relief;
     for (const Lamps::Arriving& light : world_.lamps().at(hit.p + smooth * 0.02f)) {
         const float towards = glm::dot(n, light.toLamp);

@@ -38,6 +38,8 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
     size                         width of these frames and frames a second, to standard output
     truth NAME FRAME...          NAME_NNNN.hdr: linear radiance before the camera
     beside NAME WIDTH X Y Z FRAME...   NAME_NNNN.hdr: the same from so many millimetres beside the camera
+    animal MESH NAME WIDTH FRAME...    NAME_NNNN.hdr: the same before the camera, with an animal there; lines of MESH: v with
+                                 millimetres right, up, back, a normal and an albedo; f with three vertices, from 0
     probes PLACES FILE.tsv       the light at places beside the camera: for each line of PLACES, frame and millimetres
                                  right, up, back, what it stands at and the radiance there on spherical harmonics
     sunlight PLACES FILE.tsv     the sun's light there in each frame of the last second, of what a level sea lets through
@@ -180,6 +182,42 @@ Status beside(const Studio& studio, const std::string& name, int width, const ve
               const std::vector<int>& frames) {
     for (const int frame : frames) {
         const Drawn drawn = studio.filming.draw(studio.turn(frame), width, true, metres);
+        if (Status s = media::writeHdr(name + numbered("_%04d.hdr", frame), drawn.radianceLin); !s) return s;
+    }
+    return Done{};
+}
+
+Result<Mesh> readAnimal(const Path& file) {
+    const auto text = readText(file, 64u << 20);
+    if (!text) return text.error();
+    Mesh mesh;
+    std::istringstream lines(*text);
+    for (std::string kind; lines >> kind;) {
+        Vertex v;
+        v.kind = Kind::Animal;
+        glm::uvec3 t(0);
+        if (kind == "v" && lines >> v.p.x >> v.p.y >> v.p.z >> v.normal.x >> v.normal.y >> v.normal.z >>
+                               v.albedo.x >> v.albedo.y >> v.albedo.z) {
+            v.p *= 0.001f;
+            mesh.add(v);
+        } else if (kind == "f" && lines >> t.x >> t.y >> t.z &&
+                   std::max({t.x, t.y, t.z}) < mesh.vertices.size())
+            mesh.triangles.push_back(t);
+        else
+            return Error{file, "is not a mesh of this program"};
+    }
+    return mesh;
+}
+
+Status animal(const Studio& studio, const Path& file, const std::string& name, int width,
+              const std::vector<int>& frames) {
+    const auto mesh = readAnimal(file);
+    if (!mesh) return mesh.error();
+    for (const int frame : frames) {
+        Mesh there = *mesh;
+        for (Vertex& v : there.vertices) v.p += studio.route.at(studio.turn(frame));
+        studio.world.putAnimal(std::move(there));
+        const Drawn drawn = studio.filming.draw(studio.turn(frame), width, true);
         if (Status s = media::writeHdr(name + numbered("_%04d.hdr", frame), drawn.radianceLin); !s) return s;
     }
     return Done{};
@@ -336,6 +374,8 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
         const vec3 metres = 0.001f * vec3(named[1], named[2], named[3]);
         return beside(studio, words[1], named[0], metres, {named.begin() + 4, named.end()});
     }
+    if (task == "animal" && words.size() > 4)
+        return animal(studio, words[1], words[2], named[1], {named.begin() + 2, named.end()});
     if (task == "probes" && words.size() == 3) return probes(studio, words[1], words[2]);
     if (task == "truth") return truth(studio, words[1], named);
     if (task == "look") return look(studio, std::atoi(words[1].c_str()), named);

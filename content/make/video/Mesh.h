@@ -8,7 +8,7 @@
 namespace shoal::reef {
 
 // Kinds of surface; each has its own fine relief and colour.
-enum class Kind : uint8_t { Sand, Rock, Coral, Soft, Leaf, Lamp };
+enum class Kind : uint8_t { Sand, Rock, Coral, Soft, Leaf, Lamp, Animal };
 
 struct Vertex {
     vec3 p{0}, normal{0};

@@ -45,7 +45,7 @@ World::World(const Scene& scene, const Route& route)
     Mesh ground = makeSand(scene);
     for (const Rock& rock : scene.rocks) append(ground, makeRock(scene, rock));
     std::fprintf(stderr, "ground: %zu triangles\n", ground.triangles.size());
-    raise(Mesh(ground), {});
+    raise(kStill, Mesh(ground));
     castShadows();
     Grown grown = grow(scene, route, ground, [this](const vec3& p) { return sunlitSoft(p); });
     append(ground, std::move(grown.still));
@@ -53,7 +53,8 @@ World::World(const Scene& scene, const Route& route)
         if (!lamp.carried) append(ground, makeLamp(lamp));
     std::fprintf(stderr, "still: %zu triangles, swaying: %zu\n", ground.triangles.size(),
                  grown.swaying.triangles.size());
-    raise(std::move(ground), std::move(grown.swaying));
+    raise(kStill, std::move(ground));
+    raise(kSwaying, std::move(grown.swaying));
     castShadows();
     lamps_ = Lamps(scene.lamps, scene.water, [this](const vec3& origin, const vec3& dir) {
         Hit hit;
@@ -62,42 +63,59 @@ World::World(const Scene& scene, const Route& route)
 }
 
 void World::lightOnce(const Path& cache) {
-    const uint64_t key = scene_.key ^ (parts_[0].vertices.size() * 1000003 + parts_[1].vertices.size());
+    const uint64_t key =
+        scene_.key ^ (parts_[kStill].vertices.size() * 1000003 + parts_[kSwaying].vertices.size());
     if (!load(cache, key)) {
         light();
         save(cache, key);
     }
-    for (int pass = 0; pass < 4; ++pass) smooth(0);
+    for (int pass = 0; pass < 4; ++pass) smooth(kStill);
 }
 
-void World::raise(Mesh&& still, Mesh&& swaying) {
-    parts_ = {std::move(still), std::move(swaying)};
-    moved_.clear();
-    for (const Vertex& v : parts_[1].vertices) moved_.push_back(v.p);
-    moved_.emplace_back(0); // Embree reads 16 bytes at the last vertex
-    for (unsigned i = 0; i < 2; ++i) {
-        auto& scene = i ? swayingScene_ : stillScene_;
-        const Mesh& mesh = parts_[i];
-        scene.reset(rtcNewScene(device_.get()));
-        if (i) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_DYNAMIC);
-        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        const void* vertices = i ? static_cast<const void*>(moved_.data()) : mesh.vertices.data();
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices, 0,
-                                   i ? sizeof(vec3) : sizeof(Vertex), mesh.vertices.size());
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                   mesh.triangles.data(), 0, sizeof(glm::uvec3), mesh.triangles.size());
-        if (i) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
-        rtcCommitGeometry(geometry);
-        if (!mesh.triangles.empty()) rtcAttachGeometryByID(scene.get(), geometry, 0);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene.get());
-        indirect_[i].assign(mesh.vertices.size(), vec3(0));
+void World::raise(Part part, Mesh&& raised) {
+    const Mesh& mesh = parts_[part] = std::move(raised);
+    indirect_[part].assign(mesh.vertices.size(), vec3(0));
+    auto& scene = scenes_[part];
+    scene.reset();
+    if (mesh.triangles.empty()) return;
+    const bool sways = part == kSwaying;
+    if (sways) {
+        moved_.clear();
+        for (const Vertex& v : mesh.vertices) moved_.push_back(v.p);
+        moved_.emplace_back(0); // Embree reads 16 bytes at the last vertex
     }
+    scene.reset(rtcNewScene(device_.get()));
+    if (sways) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_DYNAMIC);
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    const void* vertices = sways ? static_cast<const void*>(moved_.data()) : mesh.vertices.data();
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices, 0,
+                               sways ? sizeof(vec3) : sizeof(Vertex), mesh.vertices.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                               sizeof(glm::uvec3), mesh.triangles.size());
+    if (sways) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene.get(), geometry, 0);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene.get());
+}
+
+void World::putAnimal(Mesh&& animal) {
+    constexpr int kRays = 512; // gathered once for a picture
+    raise(kAnimal, std::move(animal));
+    lightVertices(kAnimal, kRays);
+}
+
+bool World::isShadedByAnimal(const vec3& p) const {
+    if (!scenes_[kAnimal]) return false;
+    const vec3& d = scene_.sun.toSunWater;
+    RTCRay ray{p.x, p.y, p.z, 0, d.x, d.y, d.z, 0, 100, ~0u, 0, 0};
+    occlude(scenes_[kAnimal].get(), ray);
+    return ray.tfar < 0;
 }
 
 // The surge moves all to and fro together, a little later and less regularly from place to place.
 void World::advance(float turn, const vec3& camera) {
-    const Mesh& mesh = parts_[1];
+    const Mesh& mesh = parts_[kSwaying];
     const auto cycles = [&](float period) { return std::round(duration_ / period); };
     const float slow = cycles(5.4f), quick = cycles(2.3f), flutter = cycles(1.1f);
     lamps_.carry(camera);
@@ -114,24 +132,22 @@ void World::advance(float turn, const vec3& camera) {
         moved_[i] = v.p + sway * vec3(0.85f * a + 0.3f * b, -0.22f * a * a, 0.5f * a - 0.8f * b);
     }
     if (mesh.triangles.empty()) return;
-    const RTCGeometry geometry = rtcGetGeometry(swayingScene_.get(), 0);
+    const RTCGeometry geometry = rtcGetGeometry(scenes_[kSwaying].get(), 0);
     rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(geometry);
-    rtcCommitScene(swayingScene_.get());
+    rtcCommitScene(scenes_[kSwaying].get());
 }
 
 bool World::trace(const vec3& origin, const vec3& dir, float furthest, Hit& hit) const {
-    RTCRayHit ray;
-    RTCRayHit swaying;
-    bool met = traceRay(stillScene_.get(), origin, dir, furthest, ray);
-    size_t part = 0;
-    if (!parts_[1].triangles.empty() &&
-        traceRay(swayingScene_.get(), origin, dir, met ? ray.ray.tfar : furthest, swaying)) {
-        ray = swaying;
-        part = 1;
-        met = true;
-    }
-    if (!met) return false;
+    RTCRayHit ray, next;
+    size_t part = kParts;
+    for (size_t i = 0; i < kParts; ++i)
+        if (scenes_[i] && traceRay(scenes_[i].get(), origin, dir, furthest, next)) {
+            ray = next;
+            furthest = ray.ray.tfar;
+            part = i;
+        }
+    if (part == kParts) return false;
     const Mesh& mesh = parts_[part];
     const auto& indirect = indirect_[part];
     const glm::uvec3& t = mesh.triangles[ray.hit.primID];

@@ -33,20 +33,25 @@ class World {
     // Moves the swaying meshes near the camera. turn: time in films, 0..1.
     void advance(float turn, const vec3& camera);
 
+    // Puts an animal into the scene in place of the last, and lights it. World frame.
+    void putAnimal(Mesh&& animal);
+
     bool trace(const vec3& origin, const vec3& dir, float furthest, Hit& hit) const;
     // Returns the share of the sun that solid things do not block at a place.
     float sunlit(const vec3& p) const;
     float sunlitSoft(const vec3& p) const; // with the penumbra that waves and the sun's disc cause
+    bool isShadedByAnimal(const vec3& p) const;
     // Returns the mean radiance over all directions, without the direct light of sun and lamps.
     vec3 ambient(const vec3& p) const;
     const Lamps& lamps() const { return lamps_; }
 
   private:
-    void raise(Mesh&& still, Mesh&& swaying);
+    enum Part : size_t { kStill, kSwaying, kAnimal, kParts };
+    void raise(Part part, Mesh&& mesh);
     void castShadows();
     void light();
     void lightGrid(int rays);
-    void lightVertices(int rays);
+    void lightVertices(Part part, int rays);
     void smooth(size_t part);
     vec3 incoming(const vec3& origin, const vec3& dir, bool& fromBehind) const;
     bool load(const Path& cache, uint64_t key);
@@ -58,9 +63,9 @@ class World {
     };
     const Scene& scene_;
     std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
-    std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> stillScene_, swayingScene_;
-    std::array<Mesh, 2> parts_; // still, swaying
-    std::array<std::vector<vec3>, 2> indirect_;
+    std::array<std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>, kParts> scenes_; // null: empty
+    std::array<Mesh, kParts> parts_;
+    std::array<std::vector<vec3>, kParts> indirect_;
     std::vector<vec3> moved_; // current positions of the swaying part
     float duration_ = 0;
     std::vector<float>

@@ -26,9 +26,9 @@ vec2 spread(int i, const vec2& shift) {
 void World::light() {
     grid_.assign(cell(0, 0, gridCells_.z), vec3(-1));
     lightGrid(16);
-    lightVertices(4);
+    for (const Part part : {kStill, kSwaying}) lightVertices(part, 4);
     lightGrid(32);
-    lightVertices(14);
+    for (const Part part : {kStill, kSwaying}) lightVertices(part, 14);
     lightGrid(64);
 }
 
@@ -124,36 +124,34 @@ vec3 World::ambient(const vec3& p) const {
            (row(0, 1) * (1 - f.y) + row(1, 1) * f.y) * f.z;
 }
 
-void World::lightVertices(int rays) {
-    for (size_t part = 0; part < 2; ++part) {
-        const Mesh& mesh = parts_[part];
-        std::vector<vec3> next(mesh.vertices.size());
+void World::lightVertices(Part part, int rays) {
+    const Mesh& mesh = parts_[part];
+    std::vector<vec3> next(mesh.vertices.size());
 #pragma omp parallel for schedule(dynamic, 4096)
-        for (size_t i = 0; i < mesh.vertices.size(); ++i) {
-            const Vertex& v = mesh.vertices[i];
-            // Ground is broad and shows the noise of few rays. Leaves are too small for that, and much water
-            // hides far things.
-            const bool far = glm::dot(v.p, v.p) > 13 * 13;
-            const bool ground = v.kind == Kind::Sand || v.kind == Kind::Rock;
-            Random random(i, part);
-            const vec2 shift(random.unit(), random.unit());
-            const glm::mat3 frame = frameAlong(v.normal, 0);
-            const int count = std::max(rays / (far ? 6 : ground ? 1 : v.kind == Kind::Leaf ? 4 : 2), 2);
-            vec3 sum(0);
-            for (int k = 0; k < count; ++k) {
-                const vec2 s = spread(k, shift);
-                const float ring = std::sqrt(s.x), up = std::sqrt(1 - s.x);
-                bool fromBehind = false;
-                vec3 d = frame * vec3(ring * std::cos(2 * kPi * s.y), up, ring * std::sin(2 * kPi * s.y));
-                if (v.kind == Kind::Leaf && (k & 1)) d = -d; // thin: light passes it
-                sum += incoming(v.p + (v.kind == Kind::Leaf ? d : v.normal) * 0.012f, d, fromBehind);
-            }
-            next[i] = sum * (kPi / static_cast<float>(count));
+    for (size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Vertex& v = mesh.vertices[i];
+        // Ground is broad and shows the noise of few rays. Leaves are too small for that, and much water
+        // hides far things.
+        const bool far = glm::dot(v.p, v.p) > 13 * 13;
+        const bool ground = v.kind == Kind::Sand || v.kind == Kind::Rock;
+        Random random(i, part);
+        const vec2 shift(random.unit(), random.unit());
+        const glm::mat3 frame = frameAlong(v.normal, 0);
+        const int count = std::max(rays / (far ? 6 : ground ? 1 : v.kind == Kind::Leaf ? 4 : 2), 2);
+        vec3 sum(0);
+        for (int k = 0; k < count; ++k) {
+            const vec2 s = spread(k, shift);
+            const float ring = std::sqrt(s.x), up = std::sqrt(1 - s.x);
+            bool fromBehind = false;
+            vec3 d = frame * vec3(ring * std::cos(2 * kPi * s.y), up, ring * std::sin(2 * kPi * s.y));
+            if (v.kind == Kind::Leaf && (k & 1)) d = -d; // thin: light passes it
+            sum += incoming(v.p + (v.kind == Kind::Leaf ? d : v.normal) * 0.012f, d, fromBehind);
         }
-        indirect_[part] = next;
-        for (int pass = 0; pass < 2; ++pass) smooth(part);
-        std::fprintf(stderr, "lit %zu vertices with %d rays each\n", next.size(), rays);
+        next[i] = sum * (kPi / static_cast<float>(count));
     }
+    indirect_[part] = next;
+    for (int pass = 0; pass < 2; ++pass) smooth(part);
+    std::fprintf(stderr, "lit %zu vertices with %d rays each\n", next.size(), rays);
 }
 
 // Smooths the noise of few rays: blends each vertex half and half with its neighbours' mean.

@@ -3,7 +3,7 @@
 // (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
 // film's distances; writes FOLDER/bounce.tsv. bench_bounce caustics FOLDER FILM...: compares the sun's light
 // there over a second (FOLDER/NAME.sunlight.tsv) with what the film's ground tells of it; writes
-// FOLDER/caustics.tsv.
+// FOLDER/caustics.tsv. bench_bounce animals FOLDER and bench_bounce pictures FOLDER FRAME...: see Animals.h.
 #include "engine/depth/Caustics.h"
 #include "engine/depth/LightDifference.h"
 #include "engine/light/FindLights.h"
@@ -16,6 +16,7 @@
 #include "game/app/ContentLoader.h"
 #include "game/rules/Dive.h"
 #include "tests/bench/Bench.h"
+#include "tests/bench/bounce/Animals.h"
 
 #include <fmt/core.h>
 
@@ -393,9 +394,16 @@ class Measuring {
 Status run(int argc, char** argv) {
     const std::string task = argc >= 3 ? argv[1] : "";
     if (task == "places") return writePlaces(argv[2]);
+    if (task == "animals") return bench::writeAnimals(argv[2]);
+    if (task == "pictures") {
+        std::vector<int> frames;
+        for (int i = 3; i < argc; ++i) frames.push_back(std::atoi(argv[i]));
+        return bench::writePictures(argv[2], frames);
+    }
     if (task != "measure" && task != "caustics")
         return shoal::Error{"",
-                            "bench_bounce places FOLDER | measure FOLDER FILM... | caustics FOLDER FILM..."};
+                            "bench_bounce places FOLDER | measure FOLDER FILM... | caustics FOLDER FILM... | "
+                            "animals FOLDER | pictures FOLDER FRAME..."};
     Measuring measuring(argv[2]);
     for (int i = 3; i < argc; ++i)
         if (Status s = task == "measure" ? measuring.add(argv[i]) : measuring.addSunlight(argv[i]); !s)
