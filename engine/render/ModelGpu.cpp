@@ -101,7 +101,8 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     return gpu;
 }
 
-PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance reflectance) {
+PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance reflectance,
+                             std::span<const glm::vec3> bent) {
     PrimitiveGpu gpu;
     gpu.material = primitive.material;
     gpu.skinned = !primitive.joints.empty();
@@ -110,7 +111,7 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
     std::vector<uint32_t> every(primitive.positions.size());
     std::iota(every.begin(), every.end(), 0u);
     gpu.details.push_back(uploadDetail(primitive, reflectance, every, primitive.indices));
-    for (const scene::Lod& lod : scene::makeLods(primitive)) {
+    for (const scene::Lod& lod : scene::makeLods(primitive, bent)) {
         gpu.details.push_back(uploadDetail(primitive, reflectance, lod.vertices, lod.indices));
         gpu.details.back().error = lod.error;
     }
@@ -187,7 +188,7 @@ const DetailGpu& PrimitiveGpu::detail(float tolerance) const {
 }
 
 ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail,
-                     std::shared_ptr<const TexturesGpu> textures) {
+                     std::shared_ptr<const TexturesGpu> textures, std::span<const glm::vec3> bent) {
     ModelGpu gpu;
     gpu.reflectance = reflectance;
     gpu.materials = model.materials;
@@ -199,7 +200,8 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail 
         MeshGpu& meshGpu = gpu.meshes.emplace_back();
         for (const scene::Primitive& primitive : mesh.primitives) {
             PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(
-                uploadPrimitive(primitive, reflectanceFor(model.materialOf(primitive), reflectance)));
+                uploadPrimitive(primitive, reflectanceFor(model.materialOf(primitive), reflectance),
+                                bent.empty() ? primitive.positions : bent));
             uploaded.gloss = scene::glossOf(model, gpu.materialOf(uploaded));
         }
     }

@@ -174,11 +174,11 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
     return result;
 }
 
-std::vector<Lod> makeLods(const Primitive& primitive) {
+std::vector<Lod> makeLods(const Primitive& primitive, std::span<const glm::vec3> posed) {
     std::vector<Lod> lods;
-    if (!primitive.morphTargets.empty() || primitive.positions.empty()) return lods;
-    const size_t vertexCount = primitive.positions.size();
-    const float* positions = &primitive.positions[0].x;
+    if (!primitive.morphTargets.empty() || posed.empty()) return lods;
+    const size_t vertexCount = posed.size();
+    const float* positions = &posed[0].x;
     const float extent = meshopt_simplifyScale(positions, vertexCount, sizeof(glm::vec3));
     std::vector<uint32_t> coarser(primitive.indices.size()), every(vertexCount); // every: all vertices
     std::iota(every.begin(), every.end(), 0u);

@@ -38,6 +38,10 @@ static void placeJoints(std::span<const hands::Joint> joints, std::span<const in
             glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
 }
 
+static void placeArm(const ArmPose& arm, std::span<const int> nodes, scene::Pose& pose) {
+    for (size_t k = 0; k < arm.size(); ++k) pose.modelFromNode[nodes[k]] = arm[k];
+}
+
 // Returns the opacity of a hand and its arm by how near the hand is to the eyes: 0 gone to 1.
 static float opacityNear(const glm::vec3& eyes, std::span<const hands::Joint> joints) {
     float nearest_m = kFades_m;
@@ -163,7 +167,8 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     return instance;
 }
 
-void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail) {
+void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail,
+                            bool isArm) {
     // Lean detail draws each material with the mean of its textures.
     const scene::Gloss gloss = scene::minGloss(instance.model);
     minRoughness_ =
@@ -171,7 +176,16 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
     // Both hands have the same textures, and both arms.
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
     const bool shared = std::ranges::equal(instance.model.images, lastImages_, same);
-    instance.gpu = render::uploadModel(instance.model, reflectance, detail, shared ? lastTextures_ : nullptr);
+    // An arm at rest is straight: hardly a ring would be missed there, but the hand would stick out of a bent
+    // one.
+    std::vector<glm::vec3> bent;
+    if (isArm) {
+        placeArm(poseArm(hands::Side::Right, {.position = {0, -0.3f, -0.3f}}, {}), instance.jointNodes,
+                 instance.pose);
+        bent = scene::posedSurface(instance.model, instance.pose).positions;
+    }
+    instance.gpu =
+        render::uploadModel(instance.model, reflectance, detail, shared ? lastTextures_ : nullptr, bent);
     lastImages_ = std::move(instance.model.images); // OpenGL has a copy
     lastTextures_ = instance.gpu.textures;
     instance.model.images.clear();
@@ -204,7 +218,7 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
         auto instance = next.get();
         if (!instance) return instance.error();
         if (i + 1 < requests.size()) next = read(i + 1);
-        models.upload(*instance, reflectance, detail);
+        models.upload(*instance, reflectance, detail, requests[i].joints.data() == kArmJointNames.data());
         *requests[i].into = std::move(*instance);
         const auto done = static_cast<float>(i + 1) / static_cast<float>(requests.size());
         if (progress && !progress(done)) return Error{"", "loading was stopped"};
@@ -300,8 +314,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, const Head& player, co
         showPosed(hands_[side], 1, lamp, pass, opacity * (1 - (1 - kHoldingOpacity) * held), hand.ready);
         const ArmPose arm = poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], player,
                                     hand.towardsElbow);
-        for (size_t k = 0; k < arm.size(); ++k)
-            arms_[side].pose.modelFromNode[arms_[side].jointNodes[k]] = arm[k];
+        placeArm(arm, arms_[side].jointNodes, arms_[side].pose);
         showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), lamp, pass, opacity);
     }
 }

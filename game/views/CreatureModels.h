@@ -124,7 +124,8 @@ class CreatureModels {
     };
     // Reads a model on any thread, without what upload() makes.
     static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
-    void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail);
+    void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail,
+                bool isArm = false);
     // Adds an instance whose joints are posed in the world. margin: factor on its bounding spheres.
     void showPosed(ModelInstance& instance, float margin, const depth::LightHarmonics& light,
                    render::ObjectPass& pass, float opacity = 1, float highlight = 0);

@@ -87,7 +87,7 @@ TEST_P(Animals, AreFewAndLeanDraws) {
 TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
     ASSERT_FALSE(model.meshes.empty());
     const Primitive& body = model.meshes[0].primitives[0];
-    const std::vector<Lod> lods = makeLods(body);
+    const std::vector<Lod> lods = makeLods(body, body.positions);
     ASSERT_GE(lods.size(), 2u);
     EXPECT_LE(lods[0].indices.size(), body.indices.size() * 6 / 10);
     EXPECT_LE(lods[1].indices.size(), body.indices.size() * 35 / 100);
@@ -104,6 +104,23 @@ TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
         return glm::length(high - low);
     };
     for (const Lod& lod : lods) EXPECT_GT(longest(lod.vertices), 0.3f * longest(body.indices));
+}
+
+// A flat strip can be two triangles; bent to a half circle of 1 m it lacks, with every second row, 1.5 mm.
+TEST(LevelsOfDetail, AreMeasuredInTheGivenPose) {
+    Primitive strip;
+    std::vector<glm::vec3> bent;
+    constexpr uint32_t kRows = 32;
+    for (uint32_t i = 0; i <= kRows; ++i)
+        for (const float across : {0.0f, 0.1f}) {
+            const float along = static_cast<float>(i) / kRows, angle = glm::pi<float>() * along;
+            strip.positions.emplace_back(across, 0, along);
+            bent.emplace_back(across, std::sin(angle) / glm::pi<float>(), std::cos(angle) / glm::pi<float>());
+            if (i == kRows || across > 0) continue;
+            for (const uint32_t corner : {0, 2, 1, 1, 2, 3}) strip.indices.push_back(2 * i + corner);
+        }
+    EXPECT_LT(makeLods(strip, strip.positions)[0].error, 1e-5f);
+    EXPECT_GT(makeLods(strip, bent)[0].error, 5e-4f);
 }
 
 TEST_P(Animals, HoldTheClipsThatTheGamePlays) { expectClips(model, animal.clips); }
