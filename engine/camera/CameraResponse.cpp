@@ -290,9 +290,12 @@ void GlareFilter::make(const light::FrameView& frame, Glare& out) {
             if (const float around = luma(out.spread.at(x, y)); around > kBright) {
                 shares_.push_back(luma(cells_.at(x, y)) / around);
                 auto& samples = samples_[y * kGlowWidth + x];
-                const auto bright = samples.begin() + kDarkSamples;
-                std::nth_element(samples.begin(), bright, samples.end());
-                const float dark = std::accumulate(samples.begin(), bright, 0.0f) / kDarkSamples;
+                float dark = std::ranges::min(samples);
+                if (dark < kUsualGlare * around) { // else their mean is not below it either
+                    const auto bright = samples.begin() + kDarkSamples;
+                    std::nth_element(samples.begin(), bright, samples.end());
+                    dark = std::accumulate(samples.begin(), bright, 0.0f) / kDarkSamples;
+                }
                 smallShares_.push_back(dark / around);
             }
     if (shares_.size() < kFewCells) return;
