@@ -180,8 +180,11 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
     // one.
     std::vector<glm::vec3> bent;
     if (isArm) {
-        placeArm(poseArm(hands::Side::Right, {.position = {0, -0.3f, -0.3f}}, {}), instance.jointNodes,
-                 instance.pose);
+        placeArm(poseArm(hands::Side::Right,
+                         {.position = {0.1f, -0.3f, -0.45f},
+                          .orientation = glm::angleAxis(1.0f, glm::vec3(1, 0, 0))},
+                         {}),
+                 instance.jointNodes, instance.pose);
         bent = scene::posedSurface(instance.model, instance.pose).positions;
     }
     instance.gpu =
