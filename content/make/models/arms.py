@@ -18,7 +18,7 @@ JOINTS = (('wrist', 0.0), ('forearm_end', 0.0), ('forearm_middle', ELBOW / 2), (
           ('upper_arm_end', ELBOW), ('upper_arm', SHOULDER))
 POINT = np.array([0.6, -0.8])  # x, y of the direction in which the tip of the elbow points, at rest
 # Metres behind the wrist, half widths across and up. It starts inside the skin of the wrist, runs forward to the hem and back.
-CUFF = np.array([(0.0215, 0.0215, 0.0140), (0.0150, 0.0286, 0.0205), (0.0106, 0.0301, 0.0222), (0.0112, 0.0309, 0.0231),
+CUFF = np.array([(0.0215, 0.0250, 0.0175), (0.0150, 0.0286, 0.0205), (0.0106, 0.0301, 0.0222), (0.0112, 0.0309, 0.0231),
                  (0.0135, 0.0315, 0.0238), (0.0180, 0.0318, 0.0241), (0.0230, 0.0314, 0.0238), (0.0290, 0.0309, 0.0234)])
 # A slender arm: it covers less of the picture.
 ACROSS = Curve([(0.029, 0.0309), (0.06, 0.0313), (0.10, 0.0325), (0.16, 0.0348), (0.21, 0.0353), (0.255, 0.0340), (0.29, 0.0335),

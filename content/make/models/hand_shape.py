@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from mesh import unit
-from paint import step
 from surface import capsule, ellipsoid, smooth_max, smooth_min
 
 PARENTS = (1, -1, 1, 2, 3, 4, 1, 6, 7, 8, 9, 1, 11, 12, 13, 14, 1, 16, 17, 18, 19, 1, 21, 22, 23, 24)
@@ -146,6 +145,5 @@ def hand_field(hand):
             fingers = smooth_min(fingers, finger_field(hand, finger, p), 0.002)
         f = smooth_min(palm_field(hand, p), fingers, 0.006)
         f = smooth_min(f, finger_field(hand, FINGERS[0], p), 0.008)
-        f = f + 0.004 * step(0.011, 0.020, p[:, 2])  # slimmer than coarse levels of detail of the sleeve
         return smooth_max(f, p[:, 2] - WRIST_END, 0.008)
     return field
