@@ -72,8 +72,7 @@ struct ModelGpu {
 enum class Detail { Full, Lean };
 
 // textures: shared with another model that has the same pictures and materials; null: new ones are made.
-// bent: positions of a model of one primitive in the pose in which levels of detail are measured; empty: at
-// rest.
+// bent: positions of a one-primitive model in the pose in which detail is measured; empty: at rest.
 ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail = Detail::Full,
                      std::shared_ptr<const TexturesGpu> textures = nullptr,
                      std::span<const glm::vec3> bent = {});

@@ -48,7 +48,7 @@ struct Lod {
 
 // Makes levels of about half the triangles of the one before, finest first, by quadric edge collapse
 // (meshoptimizer). Makes none of meshes that cannot be reduced and of primitives with morph targets.
-// positions: of the vertices in the pose in which the error is measured.
-std::vector<Lod> makeLods(const Primitive& primitive, std::span<const glm::vec3> positions);
+// posed: the vertices' positions in the pose in which the error is measured.
+std::vector<Lod> makeLods(const Primitive& primitive, std::span<const glm::vec3> posed);
 
 } // namespace shoal::scene

@@ -176,15 +176,12 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
     // Both hands have the same textures, and both arms.
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
     const bool shared = std::ranges::equal(instance.model.images, lastImages_, same);
-    // An arm at rest is straight: hardly a ring would be missed there, but the hand would stick out of a bent
-    // one.
+    // A straight arm, as at rest, hardly needs its rings; from a bent one without them the hand sticks out.
     std::vector<glm::vec3> bent;
     if (isArm) {
-        placeArm(poseArm(hands::Side::Right,
-                         {.position = {0.1f, -0.3f, -0.45f},
-                          .orientation = glm::angleAxis(1.0f, glm::vec3(1, 0, 0))},
-                         {}),
-                 instance.jointNodes, instance.pose);
+        const glm::quat bend = glm::angleAxis(1.0f, glm::vec3(1, 0, 0));
+        const hands::Joint wrist{.position = {0.1f, -0.3f, -0.45f}, .orientation = bend};
+        placeArm(poseArm(hands::Side::Right, wrist, {}), instance.jointNodes, instance.pose);
         bent = scene::posedSurface(instance.model, instance.pose).positions;
     }
     instance.gpu =
@@ -211,7 +208,10 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
         requests.push_back(
             {content / kHandModels[side], &models.hands_[side], handVariant, hands::kJointNames, true});
     for (size_t side = 0; side < 2; ++side)
-        requests.push_back({content / kArmModels[side], &models.arms_[side], {}, kArmJointNames, false});
+        requests.push_back({.file = content / kArmModels[side],
+                            .into = &models.arms_[side],
+                            .joints = kArmJointNames,
+                            .isArm = true});
     // Each model is read while the one before it is uploaded; not all at once, to save memory.
     const auto read = [&](size_t i) {
         return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });
@@ -221,7 +221,7 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
         auto instance = next.get();
         if (!instance) return instance.error();
         if (i + 1 < requests.size()) next = read(i + 1);
-        models.upload(*instance, reflectance, detail, requests[i].joints.data() == kArmJointNames.data());
+        models.upload(*instance, reflectance, detail, requests[i].isArm);
         *requests[i].into = std::move(*instance);
         const auto done = static_cast<float>(i + 1) / static_cast<float>(requests.size());
         if (progress && !progress(done)) return Error{"", "loading was stopped"};

@@ -121,6 +121,7 @@ class CreatureModels {
         std::span<const std::string_view> joints; // joints it must have, posed in the world: hands and arms
         bool onItself = false;                    // its parts occlude each other
         glm::vec3 colour{1};                      // multiplies the materials' colours
+        bool isArm = false;
     };
     // Reads a model on any thread, without what upload() makes.
     static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
