@@ -34,11 +34,16 @@ void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
     edges.push_back(pixels);
 }
 
+// Rounds a number that fits an int, without a call of the C library.
+float nearest(float value) {
+    return static_cast<float>(static_cast<int>(value + (value < 0 ? -0.5f : 0.5f)));
+}
+
 // Rounds to 1/1024 texel of a 2048 wide video, so that sums of a few coordinates are exact: corners then lie
 // in one plane to the last bit, by which llvmpipe recognises a rectangle.
 glm::vec2 rounded(const glm::vec2& uv) {
     constexpr float kSteps = 1 << 21;
-    return glm::round(uv * kSteps) / kSteps;
+    return glm::vec2(nearest(uv.x * kSteps), nearest(uv.y * kSteps)) / kSteps;
 }
 
 } // namespace
@@ -66,7 +71,7 @@ BackgroundCell BackgroundCells::cellOf(const Corners& corners, glm::ivec2 low, g
     for (size_t i = 0; i < 4; ++i) {
         cell.directions[i] = corners[i].directionEnv;
         uv[i] = corners[i].uv;
-        uv[i].x += std::round(uv[0].x - uv[i].x); // the map repeats: all corners on one side of the seam
+        uv[i].x += nearest(uv[0].x - uv[i].x); // the map repeats: all corners on one side of the seam
     }
     cell.right = rounded(0.5f * (uv[1] - uv[0] + uv[3] - uv[2]));
     cell.up = rounded(0.5f * (uv[2] - uv[0] + uv[3] - uv[1]));

@@ -45,7 +45,10 @@ Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bo
 }
 
 void BackgroundPass::want(const FrameTiles& tiles, const BackgroundCell& cell) {
-    tiles.eachBetween(cell.mapLow(), cell.mapHigh(), [&](size_t tile) { wanted_[tile] = true; });
+    tiles.anyBetween(cell.mapLow(), cell.mapHigh(), [&](size_t tile) {
+        wanted_[tile] = true;
+        return false;
+    });
 }
 
 Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) {

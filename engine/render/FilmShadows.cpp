@@ -111,6 +111,7 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
     }
     empty_ = true;
     tiles_.clear(size);
+    codes_.fill({});
     for (size_t code = 0; code < distance_m_.size(); ++code) {
         distance_m_[code] = code == 0 ? kFar_m : 1 / depth::DepthMap::perM(static_cast<int>(code));
         surface_[code] = surfaceShare(water, distance_m_[code]);
@@ -140,12 +141,14 @@ void FilmShadows::findTiles(std::span<const View> eyes) {
     for (const Occluder& piece : occluders_) {
         const Sphere around{piece.spotWorld, std::numbers::sqrt2_v<float> * piece.spotRadius_m};
         if (std::ranges::none_of(eyes, [&](const View& eye) { return sees(eye, around); })) continue;
-        tiles_.eachOfSphere(
-            film_.envFromWorld * (around.centre - film_.cameraWorld), around.radius,
-            [&](const glm::ivec2& tile) { reached_.push_back(FrameTiles::indexOf(tile.x, tile.y)); });
+        tiles_.eachOfSphere(film_.envFromWorld * (around.centre - film_.cameraWorld), around.radius,
+                            [&](const glm::ivec2& tile) {
+                                const size_t index = FrameTiles::indexOf(tile.x, tile.y);
+                                if (!isReached_[index]) reached_.push_back(index);
+                                isReached_[index] = true;
+                            });
     }
-    std::ranges::sort(reached_);
-    reached_.erase(std::unique(reached_.begin(), reached_.end()), reached_.end());
+    for (const size_t tile : reached_) isReached_[tile] = false;
 }
 
 // Computes the places, in the light's frame, of each `step`th texel of each `step`th row. Codes are averaged
@@ -239,14 +242,15 @@ float FilmShadows::findOccluders(const CastingLight& light) {
 
 // Uses the nearest and the farthest of the tile's texels: most tiles that a spot's sphere reaches lie before
 // or behind it.
-FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec2& high) const {
+FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& range) const {
     const Image<uint8_t, 1>& codes = film_.map->inverse;
-    int least = 255, most = 0;
-    for (int y = low.y; y < high.y; ++y)
-        for (int x = low.x; x < high.x; ++x) {
-            least = std::min<int>(least, *codes.at(x, y));
-            most = std::max<int>(most, *codes.at(x, y));
-        }
+    auto& [least, most] = range;
+    if (least > most)
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) {
+                least = std::min(least, *codes.at(x, y));
+                most = std::max(most, *codes.at(x, y));
+            }
     const float furthest = distance_m_[static_cast<size_t>(std::max(least - kSame, 0))];
     const float nearest = most == 0 ? kFar_m : distance_m_[static_cast<size_t>(std::min(most + kSame, 255))];
     const glm::ivec2 middle = (low + high) / 2;
@@ -270,7 +274,7 @@ bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float dis
 
 void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile) {
     const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
-    const Extent extent = extentOf(low, high);
+    const Extent extent = extentOf(low, high, codes_[FrameTiles::indexOf(tile.x, tile.y)]);
     const int step = light.isWide() ? 2 : 1; // its shadows change little from texel to texel
     hidden_.clear();
     for (const Occluder& piece : occluders_) {
@@ -282,14 +286,18 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
     if (hidden_.empty()) return;
     bool any = false;
     const glm::vec3 towardsEnv = film_.envFromWorld * light.towards;
+    const glm::vec3 most = strength * light.shareAt(1); // share of a surface that faces the light
+    const float unseen = frames_ == FrameCoding::Srgb ? kUnseen : kUnseen / 2;
     size_t i = 0;
     for (int y = low.y; y < high.y; y += step)
         for (int x = low.x; x < high.x; x += step, ++i) {
-            const float hidden = strength * std::min(hidden_[i], 1.0f);
-            if (hidden < kUnseen) continue;
+            const float hidden = std::min(hidden_[i], 1.0f);
+            const glm::vec3& surface = surface_[*film_.map->inverse.at(x, y)];
+            const glm::vec3 bound = hidden * most * surface;
+            if (std::max({bound.r, bound.g, bound.b}) < unseen) continue;
             any = true;
-            const glm::vec3 taken = hidden * light.shareAt(cosineAt(x, y, towardsEnv));
-            const glm::vec3 left = remainingOf(taken, frames_, surface_[*film_.map->inverse.at(x, y)]);
+            const glm::vec3 taken = hidden * strength * light.shareAt(cosineAt(x, y, towardsEnv));
+            const glm::vec3 left = remainingOf(taken, frames_, surface);
             dimTexels(remaining_, {x, y}, glm::min(glm::ivec2(x, y) + step, high), left);
         }
     if (!any) return;

@@ -69,8 +69,12 @@ class FilmShadows {
     struct Extent {
         glm::vec3 low, high;
     };
-    // Returns a box around all places of a tile.
-    Extent extentOf(const glm::ivec2& low, const glm::ivec2& high) const;
+    // Least and greatest code in a tile of the map; least > most: not looked for yet.
+    struct Codes {
+        uint8_t least = 255, most = 0;
+    };
+    // Returns a box around all places of a tile. codes: the tile's, which it finds if need be.
+    Extent extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& codes) const;
     static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high, int step);
@@ -92,7 +96,9 @@ class FilmShadows {
     glm::mat3 lightFromEnv_{1};             // for the body being added: along, aside, up
     std::vector<FlatPiece> pieces_;         // scratch: of one body
     std::vector<Occluder> occluders_;
-    std::vector<size_t> reached_; // tiles that the shadow of the body being added may reach
+    std::array<Codes, FrameTiles::kAll> codes_; // by tile
+    std::vector<size_t> reached_;               // tiles that the shadow of the body being added may reach
+    std::array<bool, FrameTiles::kAll> isReached_{}; // scratch: whether a tile is in reached_
     std::vector<float> along_, aside_, up_, hidden_; // of a tile's texels, in the light's frame
 };
 

@@ -74,23 +74,24 @@ class FrameTiles {
                 if (marked[indexOf(x, y)]) visit(glm::ivec2(x, y));
     }
 
-    // Calls touch(index) for each tile that reaches into the rectangle between these coordinates of the map,
-    // widened by a texel. Columns repeat across the seam.
-    template <class Touch>
-    void eachBetween(const glm::vec2& low, const glm::vec2& high, Touch&& touch) const {
+    // Calls visit(index) for each tile that reaches into the rectangle between these coordinates of the map,
+    // widened by a texel, until it returns true; returns whether it did. Columns repeat across the seam.
+    template <class Visit> bool anyBetween(const glm::vec2& low, const glm::vec2& high, Visit&& visit) const {
+        constexpr int kAhead = 2; // maps to the left that keep numbers positive: truncation then rounds down
         const glm::vec2 texel = 1.0f / glm::vec2(frameSize_);
-        const glm::ivec2 first(glm::floor((low - texel) * glm::vec2(kCount)));
-        const glm::ivec2 last(glm::floor((high + texel) * glm::vec2(kCount)));
+        const auto tileOf = [](const glm::vec2& uv) {
+            return glm::ivec2((uv + static_cast<float>(kAhead)) * glm::vec2(kCount)) - kAhead * kCount;
+        };
+        const glm::ivec2 first = tileOf(low - texel), last = tileOf(high + texel);
         for (int y = std::max(first.y, 0); y <= std::min(last.y, kCount.y - 1); ++y)
-            for (int x = first.x; x <= last.x; ++x) touch(indexOf(x, y));
+            for (int x = first.x; x <= last.x; ++x)
+                if (visit(indexOf(x, y))) return true;
+        return false;
     }
 
-    // Returns whether any tile that eachBetween() visits has been chosen.
+    // Returns whether any tile that anyBetween() visits has been chosen.
     bool isChosen(const glm::vec2& low, const glm::vec2& high) const {
-        if (chosen_.empty()) return false;
-        bool found = false;
-        eachBetween(low, high, [&](size_t tile) { found = found || chosen_[tile]; });
-        return found;
+        return !chosen_.empty() && anyBetween(low, high, [&](size_t tile) { return chosen_[tile]; });
     }
 
   private:

@@ -158,6 +158,7 @@ void ObjectPass::begin() {
     near_.clear();
     inRoom_.clear();
     drawCount_ = triangleCount_ = 0;
+    uploaded_ = 0;
 }
 
 void ObjectPass::add(const Object& object) {
@@ -213,16 +214,19 @@ size_t ObjectPass::append(const void* block, size_t bytes) {
     return offset;
 }
 
-void ObjectPass::upload(const glm::mat3& envFromWorld) {
+// Finds what occludes each object in view. A second eye sees few objects that the first did not.
+void ObjectPass::shadeVisible(const glm::mat3& envFromWorld) {
     for (Placed& object : objects_) {
-        if (object.body < 0) continue;
+        if (object.body < 0 || object.shade.isKnown || !object.seen.any) continue;
         const auto [occluders, own, ownStrength] = near_.near(static_cast<size_t>(object.body), envFromWorld);
         object.shade = {occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
-                        static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength};
+                        static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength, true};
     }
+    if (uploaded_ == matrices_.size()) return;
     // The shader's blocks have room for MAX_JOINTS; the bound range must cover them for the last object too.
     static_assert(MAX_JOINTS * sizeof(glm::mat4) >= MAX_OCCLUDERS * sizeof(PackedOccluder));
     matrices_.resize(matrices_.size() + MAX_JOINTS * sizeof(glm::mat4));
+    uploaded_ = matrices_.size();
     glBindBuffer(GL_UNIFORM_BUFFER, matrixBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(matrices_.size()), matrices_.data(),
                  GL_STREAM_DRAW);
@@ -297,9 +301,8 @@ void ObjectPass::addVisible(const View& view, std::vector<Sphere>& out) const {
 }
 
 // Replaces order_ by the items that are in the view and not behind the film.
-void ObjectPass::sortVisible(const EyePicture& picture) {
+void ObjectPass::sortVisible(const EyePicture& picture, unsigned shared, Glossy glossy) {
     const bool inRoom = picture.surroundings == Surroundings::Room;
-    for (Placed& object : objects_) object.seen = seenIn(object, picture);
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
@@ -311,9 +314,13 @@ void ObjectPass::sortVisible(const EyePicture& picture) {
                                                       : Stage::Opaque;
         const float distance = glm::distance(object.bound.centre, picture.view.eyeWorld);
         const bool cut = object.seen.behind == BehindFilm::Perhaps, fades = object.opacity < 1;
-        if (fades && stage == Stage::Opaque) order_.push_back({Stage::FadedDepth, distance, cut, i});
-        const Stage seen = fades && stage == Stage::Opaque ? Stage::Blended : stage;
-        order_.push_back({seen, seen == Stage::Blended ? -distance : distance, cut, i});
+        if (fades && stage == Stage::Opaque) order_.push_back({Stage::FadedDepth, 0, distance, cut, i});
+        ToDraw next{fades && stage == Stage::Opaque ? Stage::Blended : stage, 0, distance, cut, i};
+        if (next.stage == Stage::Blended)
+            next.order = -distance;
+        else if (detail_ == Detail::Lean)
+            next.program = featuresFor(next, shared, picture, glossy), next.order = 0;
+        order_.push_back(next);
     }
     std::sort(order_.begin(), order_.end());
 }
@@ -357,7 +364,6 @@ void ObjectPass::use(const gl::Program& program, unsigned features, const EyePic
 }
 
 Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Glossy glossy) {
-    sortVisible(picture);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
@@ -365,7 +371,11 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
                             (glossy == Glossy::PhongRings ? PHONG_RINGS : 0u) | (water.none() ? 0u : WATER) |
                             (detail_ == Detail::Lean ? LEAN : 0u) |
                             (picture.environment.lightIsScaled() ? SCALED_LIGHT : 0u);
+    for (Placed& object : objects_) object.seen = seenIn(object, picture);
+    shadeVisible(picture.envFromWorld);
+    sortVisible(picture, shared, glossy);
     const gl::Program* current = nullptr;
+    const Item* last = nullptr;
     // An object that swims behind a part of the film, or out from it, needs another program. These are
     // compiled in advance, one per picture: a graphics driver takes a quarter to half a second for one, in
     // which the game would stand still. Lean ones, for software renderers, take 20 ms.
@@ -378,15 +388,20 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
             soon = other;
         auto program = programFor(features);
         if (!program) return program.error();
+        const Item& item = items_[next.item];
         if (*program != current) use(**program, features, picture, water);
+        if (*program != current || !last || last->primitive != item.primitive ||
+            objects_[last->object].opacity != objects_[item.object].opacity)
+            setMaterial(**program, item, features);
         current = *program;
+        last = &item;
         const bool blended = next.stage == Stage::Blended;
         gl::setEnabled(GL_BLEND, blended || next.cut);
         glDepthMask(!blended);
         glDepthFunc(blended ? GL_LEQUAL : GL_LESS);
         const GLboolean coloured = next.stage != Stage::DepthAlone && next.stage != Stage::FadedDepth;
         glColorMask(coloured, coloured, coloured, coloured);
-        drawItem(*current, items_[next.item], features, picture);
+        drawItem(*current, item, features, picture);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         ++drawCount_;
     }
@@ -443,7 +458,6 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
     if (features & LAYERS) program.set("bodyAlbedo", object.albedo);
     program.setArray("lightDifference[0]", inRoom ? kNone : object.matteDifference);
     program.set("highlight", object.highlight);
-    setMaterial(program, item, features);
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));

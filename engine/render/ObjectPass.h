@@ -47,18 +47,17 @@ class ObjectPass {
 
     void begin();
     void add(const Object& object); // all meshes of it
-    // Uploads the objects added since begin(). The light's frame is env.
-    void upload(const glm::mat3& envFromWorld);
 
-    // Draws opaque objects front to back, then blended ones back to front. Nearer parts of the film hide
-    // objects, except in the player's room. There an object with isInRoom draws only its depth, so that it
-    // hides the objects behind it.
+    // Draws opaque objects front to back (lean ones by program and model, because a software renderer takes
+    // longer to change these than to draw pixels twice), then blended ones back to front. Nearer parts of the
+    // film hide objects, except in the player's room. There an object with isInRoom draws only its depth, so
+    // that it hides the objects behind it.
     Status draw(const EyePicture& picture, const water::Water& water, Glossy glossy);
 
     // Adds spheres that together hold all objects that the view sees, world frame.
     void addVisible(const View& view, std::vector<Sphere>& out) const;
 
-    // The bodies of the objects since begin(), as ellipsoids.
+    // The bodies of the objects since begin(), as ellipsoids. Other threads may read them during draw().
     const NearBodies& bodies() const { return near_; }
     bool isInRoom(size_t body) const { return inRoom_[body]; } // Object::isInRoom
 
@@ -79,6 +78,7 @@ class ObjectPass {
         size_t offset = 0;      // bytes, in the buffer of matrices
         int count = 0, own = 0; // the first `own` of `count` are its own parts
         float ownStrength = 0;  // strength of its own parts, 0 to 1
+        bool isKnown = false;
     };
     struct Placed { // an object since begin()
         Sphere bound;
@@ -104,8 +104,9 @@ class ObjectPass {
     enum class Stage { DepthAlone, Opaque, FadedDepth, Blended };
     struct ToDraw {
         Stage stage;
-        float order; // within the stage
-        bool cut;    // whether nearer parts of the film may hide a part of it
+        unsigned program; // sorts by the program's features before the order; 0: by the order alone
+        float order;      // within the stage
+        bool cut;         // whether nearer parts of the film may hide a part of it
         size_t item;
         auto operator<=>(const ToDraw&) const = default;
     };
@@ -116,7 +117,8 @@ class ObjectPass {
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // appends to the matrices; returns the offset
     Result<const gl::Program*> programFor(unsigned features);
-    void sortVisible(const EyePicture& picture);
+    void sortVisible(const EyePicture& picture, unsigned shared, Glossy glossy);
+    void shadeVisible(const glm::mat3& envFromWorld);
     unsigned featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture, Glossy glossy) const;
     void use(const gl::Program& program, unsigned features, const EyePicture& picture,
              const water::Water& water) const;
@@ -136,6 +138,7 @@ class ObjectPass {
     std::vector<Item> items_;
     std::vector<ToDraw> order_;     // scratch
     std::vector<uint8_t> matrices_; // matrices and occluders
+    size_t uploaded_ = 0;           // size of matrices_ when the buffer took them
     NearBodies near_;
     std::vector<bool> inRoom_; // by body
     std::vector<glm::mat4> joints_;

@@ -215,7 +215,6 @@ Status Viewer::draw(const gl::Target& target, bool withLayers) {
                    .pose = pose_,
                    .bound = {orbit_.target, orbit_.modelRadius},
                    .body = &body_});
-    objects_->upload(environment_->envFromWorld());
     const render::EyePicture picture{.environment = environment_->gpu(0),
                                      .envFromWorld = environment_->envFromWorld(),
                                      .view = view,

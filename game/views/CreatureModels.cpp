@@ -56,8 +56,9 @@ static std::optional<render::BakedOcclusion> stored(const Path& file, scene::Mod
     return baked && render::applyBakedOcclusion(*baked, model) ? std::optional(*baked) : std::nullopt;
 }
 
-constexpr size_t kEachTime = 4;    // animals whose light is looked up for each picture: 35 take nine pictures
-constexpr float kFollow_s = 0.25f; // time constant of that light
+constexpr float kLookUp_s = 0.03f;                          // a film's light changes no more often
+constexpr size_t kEachTime = 6;                             // animals whose light is looked up each time
+constexpr float kFollow_s = 0.25f;                          // time constant of that light
 constexpr float kLampAbove_m = 0.15f, kLampRadius_m = 0.3f; // a wide lamp dazzles less from near
 constexpr float kGrazing = 0.5f; // height at which light counts as grazing: the sun under water is higher
 constexpr float kJump_m = 0.5f;  // movement between two pictures from which it counts as another animal
@@ -87,9 +88,12 @@ void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDiffe
     const auto passed_s = static_cast<float>(snapshot.time_s - time_s_);
     time_s_ = snapshot.time_s;
     const float share = passed_s < 0 || passed_s > 1 ? 1 : math::followShare(passed_s, kFollow_s);
+    sinceLookUp_s_ += passed_s;
+    const bool isDue = share == 1 || sinceLookUp_s_ >= kLookUp_s;
+    if (isDue) sinceLookUp_s_ = 0;
     const size_t known = animals_.size(), count = snapshot.creatures.size();
     animals_.resize(count);
-    const size_t turns = std::min(kEachTime, count);
+    const size_t turns = isDue ? std::min(kEachTime, count) : 0;
     for (size_t i = 0; i < count; ++i) {
         Animal& animal = animals_[i];
         const glm::vec3 position = snapshot.creatures[i].position;
@@ -97,11 +101,12 @@ void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightDiffe
         animal.position = position;
         if (jumped || (i + count - next_ % count) % count < turns)
             animal.found = light ? light->at(envFromWorld * position) : depth::LightHarmonics{};
+        if (jumped || isDue)
+            animal.waves = ofWaves(focused, envFromWorld * position, snapshot.creatures[i].length);
         animal.lit = ofLamp(position);
-        const auto waves = ofWaves(focused, envFromWorld * position, snapshot.creatures[i].length);
         for (size_t k = 0; k < animal.now.size(); ++k) {
             animal.now[k] += (jumped ? 1 : share) * (animal.found[k] - animal.now[k]);
-            animal.lit[k] += animal.now[k] + waves[k];
+            animal.lit[k] += animal.now[k] + animal.waves[k];
         }
     }
     next_ = count > 0 ? (next_ + turns) % count : 0;

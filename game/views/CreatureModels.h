@@ -49,9 +49,10 @@ struct FocusedLight {
 // smoothed over time, that of waves, and the lamp's. Only on the rendering thread.
 class AnimalLight {
   public:
-    // Updates the light of all animals, once for each picture. Each call looks up the light of a few animals
-    // in turn; the light of all eases towards their last look-up with a time constant of 0.25 s. light: null
-    // for a film without distances. Allocates nothing once it has grown.
+    // Updates the light of all animals, once for each picture. As often as the film's light changes, that of
+    // a few animals in turn is looked up; all eases towards the last look-up with a time constant of 0.25 s,
+    // but not that of waves, which is found for all animals. light: null for a film without distances.
+    // Allocates nothing once it has grown.
     void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
                 const glm::mat3& envFromWorld, const DiverLamp& lamp = {}, const FocusedLight& focused = {});
 
@@ -66,7 +67,8 @@ class AnimalLight {
     struct Animal {
         glm::vec3 position{0};
         depth::LightHarmonics found{}, now{}; // of the film, less that at the camera
-        depth::LightHarmonics lit{};          // now, the waves' and the lamp's
+        depth::LightHarmonics waves{};
+        depth::LightHarmonics lit{}; // now, the waves' and the lamp's
     };
     std::vector<Animal> animals_;
     DiverLamp lamp_;
@@ -74,6 +76,7 @@ class AnimalLight {
     glm::mat3 envFromWorld_{1};
     size_t next_ = 0; // index of the next animal to look up
     double time_s_ = 0;
+    float sinceLookUp_s_ = 0;
 };
 
 class CreatureModels {

@@ -55,7 +55,6 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
                                     : FocusedLight{});
     const Head viewer{snapshot.headWorld, snapshot.worldFromView};
     creatureModels_->show(snapshot, look.player.value_or(viewer), animalLight_, passes_.objects);
-    passes_.objects.upload(environment.envFromWorld());
 }
 
 // Returns the strongest light, of presence 0 if none stands out.

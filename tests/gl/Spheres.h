@@ -123,7 +123,6 @@ inline ImageRgba8 drawObjects(render::ObjectPass& pass,
     fill(picture.canvas);
     pass.begin();
     for (const auto& object : objects) pass.add(object);
-    pass.upload(glm::mat3(1));
     EXPECT_TRUE(pass.draw(picture, water, render::Glossy::Prefiltered));
     return picture.canvas.read();
 }

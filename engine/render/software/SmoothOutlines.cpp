@@ -59,15 +59,16 @@ uint32_t mixed(uint32_t own, const std::array<uint32_t, 4>& others, const std::a
     return result;
 }
 
-// Returns a nonzero highest byte where the alpha of a pixel differs from those beside it.
-inline uint32_t differenceBeside(const uint32_t* pixel, ptrdiff_t row) {
-    return (pixel[-1] ^ *pixel) | (pixel[1] ^ *pixel) | (pixel[-row] ^ *pixel) | (pixel[row] ^ *pixel);
-}
-
-SHOAL_VECTORISE bool blockDiffers(const uint32_t* pixels, ptrdiff_t row) {
-    uint32_t difference = 0;
-    for (int x = 0; x < kBlock; ++x) difference |= differenceBeside(pixels + x, row);
-    return difference >> 24 != 0;
+// Sets, for each of `count` pixels, whether a step lies on any of its sides; returns whether any has one.
+SHOAL_VECTORISE bool findSteps(const uint32_t* pixels, ptrdiff_t row, int count, uint8_t* steps) {
+    uint8_t any = 0;
+    for (int x = 0; x < count; ++x) {
+        const uint32_t* pixel = pixels + x;
+        steps[x] = static_cast<uint8_t>(differ(*pixel, pixel[-1]) | differ(*pixel, pixel[1]) |
+                                        differ(*pixel, pixel[-row]) | differ(*pixel, pixel[row]));
+        any |= steps[x];
+    }
+    return any != 0;
 }
 
 uint32_t smoothed(const uint32_t* pixel, const glm::ivec2& at, const glm::ivec2& size) {
@@ -86,13 +87,14 @@ uint32_t smoothed(const uint32_t* pixel, const glm::ivec2& at, const glm::ivec2&
 
 void smoothOutlines(std::span<uint32_t> pixels, const glm::ivec2& size) {
     std::vector<std::pair<uint32_t*, uint32_t>> changed;
+    std::array<uint8_t, kBlock> steps;
     for (int y = 1; y + 1 < size.y; ++y) {
         uint32_t* const line = pixels.data() + ptrdiff_t{y} * size.x;
         for (int begin = 1; begin + 1 < size.x; begin += kBlock) {
             const int end = std::min(begin + kBlock, size.x - 1);
-            if (end - begin == kBlock && !blockDiffers(line + begin, size.x)) continue;
+            if (!findSteps(line + begin, size.x, end - begin, steps.data())) continue;
             for (int x = begin; x < end; ++x) {
-                if (differenceBeside(line + x, size.x) >> 24 == 0) continue;
+                if (!steps[static_cast<size_t>(x - begin)]) continue;
                 const uint32_t now = smoothed(line + x, {x, y}, size);
                 if (now != line[x]) changed.emplace_back(line + x, now);
             }

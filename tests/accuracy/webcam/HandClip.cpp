@@ -148,7 +148,6 @@ ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass_->begin();
     creatureModels_->show(snapshot, {}, {}, *pass_);
-    pass_->upload(glm::mat3(1));
     const render::View view{.verticalFov = verticalFov_,
                             .aspect = static_cast<float>(size_.width) / static_cast<float>(size_.height),
                             .heightPixels = size_.height};

@@ -111,6 +111,7 @@ TEST(AnimalLight, WavesLightBacksByWhatTheGroundGains) {
     shown.creatures.resize(1);
     shown.creatures[0].position = kAhead;
     const auto on = [&](const glm::dvec3& normal) {
+        shown.time_s += 1 / 30.0; // the film's light is looked up no more often
         light.follow(shown, nullptr, glm::mat3(1), {}, {&caustics, &map, &from});
         return reflected(light.of(0), normal);
     };
