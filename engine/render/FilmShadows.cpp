@@ -287,7 +287,7 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
     bool any = false;
     const glm::vec3 towardsEnv = film_.envFromWorld * light.towards;
     const glm::vec3 most = strength * light.shareAt(1); // share of a surface that faces the light
-    const float unseen = frames_ == FrameCoding::Srgb ? kUnseen : kUnseen / 2;
+    const float unseen = frames_ == FrameCoding::Srgb ? kUnseen : kUnseen / 2; // see remainingOf()
     size_t i = 0;
     for (int y = low.y; y < high.y; y += step)
         for (int x = low.x; x < high.x; x += step, ++i) {

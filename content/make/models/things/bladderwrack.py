@@ -8,7 +8,7 @@ from mesh import Part, facing, join, quaternion, quaternion_product, strongest_f
 from paint import bump, mix, rgb, step
 from things.thing import GONE, skin
 
-HEIGHT = 0.15          # metres
+HEIGHT = 0.105         # metres
 CHAINS, LINKS = 3, 3   # joints: weed, then weed_0_0 .. weed_2_2
 FORK = 0.42            # share of a frond's length below its fork
 BLADE, BLADDER = (384, 0, 128, 216), (384, 216, 128, 40)  # tiles
@@ -33,7 +33,7 @@ def frame(t, at, angle, lean, long, branch, seed):
     across = np.cos(twist)[..., None] * side + np.sin(twist)[..., None] * out
     face = np.cos(twist)[..., None] * out - np.sin(twist)[..., None] * side
     middle = at + np.stack([lean[0] * t ** 1.3, long * (t - 0.12 * t * t), lean[1] * t ** 1.3], -1)
-    apart = (0.042 if branch > 0 else -0.026) * np.clip(t - FORK, 0, 1) ** 1.15 + 0.004 * np.sin(6.5 * t + 2.1 * seed) * t
+    apart = (0.031 if branch > 0 else -0.020) * np.clip(t - FORK, 0, 1) ** 1.15 + 0.004 * np.sin(6.5 * t + 2.1 * seed) * t
     return middle + apart[..., None] * side + (0.0055 * np.sin(8 * t + seed) * t)[..., None] * out, across, face
 
 
@@ -41,7 +41,7 @@ def blade(start, *line):
     """One way of a frond, from start on, without thickness; it is seen from both sides."""
     def place(u, v):
         middle, across, _ = frame(v, *line)
-        half = 0.0014 + 0.0036 * step(0.02, 0.35, v) + 0.0010 * step(0.80, 0.92, v)
+        half = 0.0014 + 0.0031 * step(0.02, 0.35, v) + 0.0008 * step(0.80, 0.92, v)
         half = half * np.sqrt(np.clip(1 - ((v - 0.88) / 0.121) ** 2 * (v > 0.88), 0.25, 1))
         return middle + (half * (2 * u - 1))[..., None] * across
     rows = np.append(np.linspace(start, 0.88, 5 if start == 0 else 4), 1)
@@ -49,27 +49,29 @@ def blade(start, *line):
 
 
 def bladder(t, side, *line):
-    """An octahedron: bladders are six pixels wide in a hand's reach."""
+    """A flat lozenge whose normals are those of a round one: bladders are six pixels wide in a hand's reach."""
     middle, across, face = (w[0] for w in frame(np.array([t]), *line))
     ahead = unit(np.cross(across, face)) * (1 if np.cross(across, face)[1] > 0 else -1)
-    out = np.array([across, face, -across, -face, ahead, -ahead])
-    triangles = [(k, (k + 1) % 4, 4) for k in range(4)] + [((k + 1) % 4, k, 5) for k in range(4)]
-    return facing(Part(middle + side * 0.0038 * across + np.array([0.0039] * 4 + [0.0062] * 2)[:, None] * out, out,
-                       tangent_frame(out, np.roll(out, 1, axis=0), np.tile(ahead, (6, 1))),
-                       np.array([(0, 0.5), (0.5, 0.5), (1, 0.5), (0.5, 0.5), (0.5, 0), (0.5, 1)]), np.array(triangles)))
+    middle = middle + side * 0.0038 * across
+    across = unit(across + 0.7 * face)  # out of the blade's plane
+    out = np.array([across, ahead, -across, -ahead])
+    normals = unit(out + 0.8 * face)
+    return facing(Part(middle + np.array([0.0042, 0.0062] * 2)[:, None] * out, normals,
+                       tangent_frame(normals, np.tile(across, (4, 1)), np.tile(ahead, (4, 1))),
+                       np.array([(1, 0.5), (0.5, 0), (0, 0.5), (0.5, 1)]), np.array([(0, 1, 2), (0, 2, 3)])))
 
 
 def tuft(at, first, reach, sheet):
     """Fronds that lean up to about reach metres along Z from where they are fastened. first: number of the joint "weed"."""
     sheet.paint(BLADE, lambda u, v: np.stack([0.01 * u, HEIGHT * v, 0 * u], -1), paint_blade)
     sheet.paint(BLADDER, lambda u, v: np.stack([0.02 * u, 0.01 * v, 0 * u], -1), paint_bladder)
-    fronds = ((0, 0.3, (0.034, 0.2), 0.160), (1, 1.9, (-0.032, -0.4), 0.166), (2, 2.8, (-0.004, 0.5), 0.140), (1, 1.1, (0.014, -0.45), 0.112))
+    fronds = ((0, 0.3, (0.026, 0.2), 0.112), (1, 1.9, (-0.024, -0.4), 0.116), (2, 2.8, (-0.003, 0.5), 0.098))
     parts = []
     for k, (chain, angle, lean, long) in enumerate(fronds):
         line = at, angle, (lean[0], lean[1] * reach), long
         for start, branch in ((0, -1), (FORK - 0.02, 1)):
             made = [sheet.placed(blade(start, *line, branch, 3 * k), BLADE)]
-            for t, sides in (((0.34, (-1, 1)), (0.70, (1,))) if branch < 0 else ((0.58, (-1,)),)):
+            for t, sides in (((0.34, (-1, 1)),) if branch < 0 else ((0.62, (-1,)),)):
                 made += [sheet.placed(bladder(t + 0.03 * np.sin(5 * k), side, *line, branch, 3 * k), BLADDER) for side in sides]
             parts.append(follow(join(made), at, first, chain))
     return parts
