@@ -150,7 +150,11 @@ void TrackedHands::announce() {
         log::info("Hands: {}, {}", name, state_.description);
     } else if (asked_ || gone) { // says why the device is not used
         announcement_ = needs();
-        if (!announcement_) announcement_ = game::Notice{"{} was not found: the mouse moves the hands", name};
+        using game::Text;
+        if (!announcement_)
+            announcement_ = game::Notice{gone ? Text("{} is gone: the mouse moves the hands")
+                                              : Text("{} was not found: the mouse moves the hands"),
+                                         name};
         log::info("Hands: mouse; {}: {}", name, state_.description);
     } else
         log::info("Hands: mouse");

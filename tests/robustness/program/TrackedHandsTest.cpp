@@ -242,7 +242,7 @@ TEST(HandsNotice, NamesTheDeviceThatAutoHasFoundAndSaysWhenItGoes) {
     while (!tracked.notice() && std::chrono::steady_clock::now() < hangs) tracked.frame(0.01);
     ASSERT_TRUE(tracked.notice());
     EXPECT_EQ(tracked.notice()->in(game::Language::English),
-              "Leap Motion was not found: the mouse moves the hands");
+              "Leap Motion is gone: the mouse moves the hands");
 }
 
 } // namespace
