@@ -161,7 +161,7 @@ Status Application::run(bool measured) {
             played = Done{};
         }
         if (!played) break;
-        if (played = beginSeated(); !played) break;
+        if (played = beginAsTracked(); !played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
         if (!play_ || play_->isOver()) break; // play_ is empty if the player left while a film was loading
         awaitHeadset();
@@ -187,6 +187,7 @@ Status Application::begin(Mode mode) {
     if (isForPerson()) {
         config.rules.freeSwim = mode != Mode::Dive;
         config.rules.seated = isSeated();
+        config.rules.roomFloor_cm = roomFloor_cm();
         config.rules.stars = stars();
     }
     statistics_ = {.renderer = std::move(statistics_.renderer)};
@@ -208,12 +209,21 @@ bool Application::isSeated() const {
     return eyes_m && *eyes_m < kStandingEyes_m;
 }
 
-// Restarts with seated rules: a headset knows the eye height only after the first dive has been set up.
-Status Application::beginSeated() {
+int Application::roomFloor_cm() const {
+    constexpr long kNearest_cm = 70; // below the animals
+    const std::optional<float> floor_m = display_->roomFloor_m();
+    return floor_m ? static_cast<int>(
+                         std::clamp(std::lround(-100 * *floor_m), kNearest_cm, long{game::kDeepest_cm}))
+                   : 0;
+}
+
+// A headset knows the heights of eyes and floor only after the first dive has been set up.
+Status Application::beginAsTracked() {
     constexpr uint64_t kFirst_ticks = 60; // half a second
     const GameSession& session = play_->session;
-    if (!isForPerson() || session.ticks > kFirst_ticks || session.dive.rules().seated || !isSeated())
-        return Done{};
+    const game::DiveRules& rules = session.dive.rules();
+    const bool changed = (!rules.seated && isSeated()) || (rules.roomFloor_cm == 0 && roomFloor_cm() > 0);
+    if (!isForPerson() || session.ticks > kFirst_ticks || !changed) return Done{};
     const Mode mode = play_->states.mode();
     if (records(mode)) --recordings_; // the recording begins again, too
     return begin(mode);

@@ -68,7 +68,8 @@ class Application {
     Status begin(Mode mode);
     bool isSeated() const;
     int stars() const;
-    Status beginSeated(); // begins again with seated rules if the player turns out to sit
+    int roomFloor_cm() const; // game::DiveRules::roomFloor_cm
+    Status beginAsTracked();  // begins again if the player turns out to sit, or the room's floor is found
     bool records(Mode mode) const { return measured_ && !options_.record.empty() && mode != Mode::Title; }
     Path recordingFile();
     Status endPlay();

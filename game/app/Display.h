@@ -62,6 +62,8 @@ class Display {
 
     // Height of the player's eyes now; empty: the display does not know.
     virtual std::optional<float> eyesAboveFloor_m() const { return std::nullopt; }
+    // Height of the floor of the player's room, world frame; empty: unknown, or the room is not shown.
+    virtual std::optional<float> roomFloor_m() const { return std::nullopt; }
     // Makes the player's present view direction the direction ahead, if the display tracks the head.
     virtual void recentre() {}
 
@@ -217,6 +219,9 @@ class HeadsetDisplay : public Display {
         const xr::Tracking& tracking = headset_.tracking();
         if (!tracking.headTracked || !tracking.floor_m) return std::nullopt;
         return tracking.worldFromHead.position.y - *tracking.floor_m;
+    }
+    std::optional<float> roomFloor_m() const override {
+        return surroundings_ == render::Surroundings::Room ? headset_.tracking().floor_m : std::nullopt;
     }
     void recentre() override {
         headset_.recentre();

@@ -64,6 +64,10 @@ Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed, DiveRules rules)
         files_.dive.goals.clear();
     }
     if (rules_.seated) bringToSeated(files_.dive);
+    if (rules_.roomFloor_cm > 0) {
+        files_.dive.space = nullptr;
+        files_.dive.floor_m = -0.01f * static_cast<float>(rules_.roomFloor_cm);
+    }
     std::erase_if(files_.dive.schools, [&](const School& school) { return school.stars > rules_.stars; });
     begin(seed);
 }
@@ -372,7 +376,8 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
                        {"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
                        {"seated", rules.seated ? "on" : "off"},
-                       {"stars", std::to_string(rules.stars)}};
+                       {"stars", std::to_string(rules.stars)},
+                       {"room_floor_cm", std::to_string(rules.roomFloor_cm)}};
     if (dive.file().space) header.settings[kFilmSpace] = nameOf(dive.file().space.get());
     return header;
 }
@@ -384,14 +389,15 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
     for (const auto& [name, value] : header.settings) {
         bool* flag = name == "free_swim" ? &rules.freeSwim : name == "seated" ? &rules.seated : nullptr;
         const auto assist = enumNamed<Assist>(value);
-        const auto stars = parseNumber(value, 0, 1'000'000'000);
-        if (name == "stars" && stars)
-            rules.stars = *stars;
+        int* count = name == "stars" ? &rules.stars : name == "room_floor_cm" ? &rules.roomFloor_cm : nullptr;
+        const auto number = parseNumber(value, 0, count == &rules.stars ? 1'000'000'000 : kDeepest_cm);
+        if (count && number)
+            *count = *number;
         else if (name == "assist" && assist)
             rules.assist = *assist;
         else if (flag && (value == "on" || value == "off"))
             *flag = value == "on";
-        else if (flag || name == "assist" || name == "stars") // others are settings of the program, no rules
+        else if (flag || name == "assist" || count) // others are settings of the program, no rules
             return Error{"the recording", "has an unknown value: " + name + " = " + value};
     }
     return rules;

@@ -190,7 +190,7 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
         if (dive.music.find('/') != std::string::npos) root.complain("music", "must be the name of a theme");
         root.number("duration", dive.duration_s, 5, 3600);
         root.number("lamp", dive.lamp, 0, 1);
-        root.number("floor", dive.floor_m, -3, -0.5f);
+        root.number("floor", dive.floor_m, -0.01f * kDeepest_cm, -0.5f);
         root.flag("water", dive.water);
         if (dive.video.find("..") != std::string::npos || dive.video.starts_with('/'))
             root.complain("video", "must name a file below content/");

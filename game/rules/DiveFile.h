@@ -133,6 +133,8 @@ struct Goal {
     int level = 0;       // 1 easy to kLevels hard; 0: none
 };
 
+constexpr int kDeepest_cm = 300; // greatest depth of a floor below the world's origin
+
 struct DiveFile {
     std::string name;  // stem of the file; its path if it lies outside content/
     std::string title; // as the menu shows it
@@ -141,7 +143,7 @@ struct DiveFile {
     float duration_s = 90;
     // Diver's lamp: radiance of a white matte surface that faces it from a metre; the film's white is 1.
     float lamp = 0;
-    float floor_m = -1.1f; // height of the floor; fish stay above it
+    float floor_m = -1.1f; // height of the floor, at least -kDeepest_cm; fish stay above it
     bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
@@ -186,6 +188,9 @@ struct DiveRules {
     // The player sits: no fish circles where only a step or bent knees would reach it.
     bool seated = false;
     int stars = 0; // that the player has; rarer animals come for them
+    // The player sees their own room, whose floor is so far below the world's origin; it takes the place of
+    // all that the film shows. 0: the film is seen, or the floor is not known.
+    int roomFloor_cm = 0;
 
     bool operator==(const DiveRules&) const = default;
 };

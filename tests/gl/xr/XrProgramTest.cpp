@@ -306,8 +306,12 @@ TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
         if (f.framesWaited == 160) f.viewFlags = 0; // no pose: what is drawn fades, and the room stays
         if (f.framesWaited == 200) seen.push_back(f.last);
     };
+    withoutValidation();
+    fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);
+    fake.referenceSpaces[XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT] = {{0, 0, 0, 1}, {0, -1.6f, 0}};
     PlayOptions o = options();
     o.passthrough = true;
+    o.record = folder_ / "room.replay";
     const Outcome outcome = run(o, 210);
     EXPECT_EQ(outcome.status, 0) << outcome.said;
     EXPECT_EQ(outcome.said, "");
@@ -331,6 +335,9 @@ TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
     PlayOptions kept;
     loadSettings(settingsOf(kept));
     EXPECT_TRUE(kept.passthrough);
+    const tests::Recorded recording = tests::valueOf(tests::readRecorded(o.record));
+    EXPECT_EQ(recording.header().settings.at("room_floor_cm"), "160");
+    expectReplays(recording);
 }
 TEST_F(XrProgram, TheFilmStaysWhereTheRuntimeShowsNoRoom) {
     fake.keepPictures = true;

@@ -277,7 +277,7 @@ TEST(Sting, AHandThatClosesOnAJellyfishCannotHoldForASecond) {
 }
 
 TEST(Replays, CarryTheirRules) {
-    const DiveRules rules{Assist::Strong, true, true, 12};
+    const DiveRules rules{Assist::Strong, true, true, 12, 160};
     const Dive dive(cove().species, cove().dive, 3, rules);
     sim::RecordingHeader header = recordingHeader(dive);
     ASSERT_TRUE(rulesOf(header));
@@ -287,7 +287,11 @@ TEST(Replays, CarryTheirRules) {
     header.settings["assist"] = "none";
     header.settings["stars"] = "-1";
     EXPECT_FALSE(rulesOf(header));
-    header.settings.erase("stars"); // of an earlier version
+    header.settings["stars"] = "0";
+    header.settings["room_floor_cm"] = "301";
+    EXPECT_FALSE(rulesOf(header));
+    header.settings.erase("room_floor_cm"); // of an earlier version
+    header.settings.erase("stars");
     EXPECT_EQ(tests::valueOf(rulesOf(header)).stars, 0);
 }
 

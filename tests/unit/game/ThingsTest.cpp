@@ -79,6 +79,13 @@ TEST(Things, DriftWhereTheyAreUntilAHandTakesThem) {
     EXPECT_LT(glm::length(one.fish().velocity), 0.05f);
 }
 
+TEST(Things, LieOnTheFloorOfThePlayersOwnRoom) {
+    OneThing one("stone", false, false, {.seated = true, .roomFloor_cm = 130});
+    one.place(kPlace, {0, -0.1f, 0});
+    one.run(6);
+    EXPECT_NEAR(one.fish().position.y, -1.3f + one.world.species()[one.fish().species].bodyRadius_m, 0.003f);
+}
+
 TEST(Things, AThrowHasTheMeanVelocityOfTheLastTicks) {
     OneThing one("stone", false, false, {.assist = Assist::None});
     one.take();
