@@ -49,10 +49,10 @@ struct FocusedLight {
 // smoothed over time, that of waves, and the lamp's. Only on the rendering thread.
 class AnimalLight {
   public:
-    // Updates the light of all animals, once for each picture. As often as the film's light changes, that of
-    // a few animals in turn is looked up; all eases towards the last look-up with a time constant of 0.25 s,
-    // but not that of waves, which is found for all animals. light: null for a film without distances.
-    // Allocates nothing once it has grown.
+    // Updates the light of all animals, once for each picture. As often as a film's light changes, it looks
+    // up the light of a few animals in turn, to which each animal's light eases with a time constant of 0.25
+    // s, and finds the waves' light at all animals. light: null for a film without distances. Allocates
+    // nothing once it has grown.
     void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
                 const glm::mat3& envFromWorld, const DiverLamp& lamp = {}, const FocusedLight& focused = {});
 
