@@ -86,7 +86,9 @@ std::vector<uint32_t>& LayerPass::pixels() {
 }
 
 void LayerPass::smoothOutlines() {
-    render::smoothOutlines(pixels(), size());
+    render::smoothOutlines(pixels(), size(), [this](const glm::ivec2& low, const glm::ivec2& high) {
+        return holdsAnything(low, high);
+    });
     areNewer_ = true;
 }
 

@@ -85,21 +85,24 @@ uint32_t smoothed(const uint32_t* pixel, const glm::ivec2& at, const glm::ivec2&
 
 } // namespace
 
-void smoothOutlines(std::span<uint32_t> pixels, const glm::ivec2& size) {
+void smoothOutlines(std::span<uint32_t> pixels, const glm::ivec2& size, const HoldsAnything& holdsAnything) {
+    constexpr int kRows = 8; // of a part of the picture, which is kBlock pixels wide
     std::vector<std::pair<uint32_t*, uint32_t>> changed;
     std::array<uint8_t, kBlock> steps;
-    for (int y = 1; y + 1 < size.y; ++y) {
-        uint32_t* const line = pixels.data() + ptrdiff_t{y} * size.x;
+    for (int low = 1; low + 1 < size.y; low += kRows)
         for (int begin = 1; begin + 1 < size.x; begin += kBlock) {
-            const int end = std::min(begin + kBlock, size.x - 1);
-            if (!findSteps(line + begin, size.x, end - begin, steps.data())) continue;
-            for (int x = begin; x < end; ++x) {
-                if (!steps[static_cast<size_t>(x - begin)]) continue;
-                const uint32_t now = smoothed(line + x, {x, y}, size);
-                if (now != line[x]) changed.emplace_back(line + x, now);
+            const int high = std::min(low + kRows, size.y - 1), end = std::min(begin + kBlock, size.x - 1);
+            if (!holdsAnything({begin - 1, low - 1}, {end + 1, high + 1})) continue;
+            for (int y = low; y < high; ++y) {
+                uint32_t* const line = pixels.data() + ptrdiff_t{y} * size.x;
+                if (!findSteps(line + begin, size.x, end - begin, steps.data())) continue;
+                for (int x = begin; x < end; ++x) {
+                    if (!steps[static_cast<size_t>(x - begin)]) continue;
+                    const uint32_t now = smoothed(line + x, {x, y}, size);
+                    if (now != line[x]) changed.emplace_back(line + x, now);
+                }
             }
         }
-    }
     for (const auto& [pixel, value] : changed) *pixel = value;
 }
 

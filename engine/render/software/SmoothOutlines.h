@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace shoal::render {
@@ -14,6 +15,10 @@ namespace shoal::render {
 // An outline, a step of alpha between two rows or columns, is taken for a straight line between the step's
 // ends, where it lies half a pixel towards the side to which the step bends. A pixel takes from its neighbour
 // the share beyond that line. Straight outlines match their coverage to 0.11 (root mean square; 0.26 before).
-void smoothOutlines(std::span<uint32_t> pixels, const glm::ivec2& size);
+// holdsAnything: whether any of the pixels from low to high - 1 may differ from 0.
+using HoldsAnything = std::function<bool(const glm::ivec2& low, const glm::ivec2& high)>;
+void smoothOutlines(
+    std::span<uint32_t> pixels, const glm::ivec2& size,
+    const HoldsAnything& holdsAnything = [](const glm::ivec2&, const glm::ivec2&) { return true; });
 
 } // namespace shoal::render
