@@ -31,7 +31,7 @@ void ThreadPool::work(std::unique_lock<std::mutex>& lock) {
     while (next_ < parts_) {
         const int mine = next_++;
         lock.unlock();
-        part_(context_, mine);
+        part_(mine);
         lock.lock();
         if (--unfinished_ == 0) done_.notify_all();
     }
@@ -46,11 +46,10 @@ void ThreadPool::wait() {
     }
 }
 
-void ThreadPool::start(int parts, void (*part)(void*, int), void* context) {
+void ThreadPool::begin(int parts, std::function<void(int)> part) {
     {
         const std::lock_guard lock(mutex_);
-        part_ = part;
-        context_ = context;
+        part_ = std::move(part);
         next_ = 0;
         parts_ = unfinished_ = parts;
     }

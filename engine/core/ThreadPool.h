@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -15,10 +16,7 @@ class ThreadPool {
 
     // Begins a loop: the helpers, and then finish(), call part(0) to part(parts - 1), each once, in any
     // order. `part` must live until finish() returns. Allocates nothing. One loop at a time.
-    template <class Part> void start(int parts, Part& part) {
-        start(
-            parts, [](void* context, int k) { (*static_cast<Part*>(context))(k); }, &part);
-    }
+    template <class Part> void start(int parts, Part& part) { begin(parts, std::ref(part)); }
     void finish(); // helps with the parts; returns when all are done
 
     template <class Part> void parallelFor(int parts, Part&& part) {
@@ -27,7 +25,7 @@ class ThreadPool {
     }
 
   private:
-    void start(int parts, void (*part)(void*, int), void* context);
+    void begin(int parts, std::function<void(int)> part);
     void stop();
     void work(std::unique_lock<std::mutex>& lock);
     void wait();
@@ -35,8 +33,7 @@ class ThreadPool {
     std::mutex mutex_;
     std::condition_variable called_, done_;
     // Guarded by mutex_:
-    void (*part_)(void*, int) = nullptr;
-    void* context_ = nullptr;
+    std::function<void(int)> part_;
     int next_ = 0, parts_ = 0, unfinished_ = 0;
     bool stop_ = false;
     std::vector<std::jthread> helpers_; // last: joined before the others end
