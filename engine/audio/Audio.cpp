@@ -273,28 +273,22 @@ struct Audio::State {
         voices.setSilent(paused);
     }
 
-    Status openDevice() {
-        // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
-        // sentence.
+    Status open() {
+        // Sound libraries below OpenAL write pages about a missing sound card; the caller says it briefly.
         const log::QuietStandardError quiet;
         device.reset(options.loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
         if (!device) return Error{"", "there is no sound device"};
-        std::vector<ALCint> attributes = {ALC_HRTF_SOFT, options.headphones ? ALC_TRUE : ALC_FALSE};
-        if (options.loopback)
-            for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
-                                      ALC_FLOAT_SOFT, ALC_FREQUENCY, 48000})
-                attributes.push_back(each);
-        attributes.push_back(0);
-        context.reset(alcCreateContext(device.get(), attributes.data()));
+        // The first 0 ends the list, so that a real device keeps its own format.
+        const ALCint hrtf = options.headphones ? ALC_TRUE : ALC_FALSE,
+                     format = options.loopback ? ALC_FORMAT_CHANNELS_SOFT : 0;
+        const ALCint attributes[] = {
+            ALC_HRTF_SOFT, hrtf,  format, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT, ALC_FLOAT_SOFT,
+            ALC_FREQUENCY, 48000, 0};
+        context.reset(alcCreateContext(device.get(), attributes));
         if (!context) {
             device.reset();
             return Error{"", "the sound device could not be set up"};
         }
-        return Done{};
-    }
-
-    Status open() {
-        if (Status opened = openDevice(); !opened) return opened;
         pausedAt_s = pausedFor_s = 0; // a new device, a new clock
         standing = false;
         makeCurrent();
@@ -368,11 +362,8 @@ int Audio::add(Clip clip) {
 void Audio::update(const Listener& listener, std::span<const Sound> emitters, std::span<const Sound> shots) {
     State& s = *state_;
     if (!s.ready()) return;
-    const glm::vec3 ahead = listener.worldFromHead * glm::vec3(0, 0, -1),
-                    up = listener.worldFromHead * glm::vec3(0, 1, 0);
-    const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
-    alListenerfv(AL_ORIENTATION, facing.data());
+    alListenerfv(AL_ORIENTATION, orientationOf(listener.worldFromHead).data());
     s.streamed.turn(glm::inverse(listener.worldFromHead) * listener.worldFromTrack);
     if (s.paused) {
         if (s.standing || s.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;

@@ -23,6 +23,12 @@ inline double rateFor(double ahead_s) {
     return 1 - std::clamp(ahead_s / kCorrection_s, -kMaxBend, kMaxBend);
 }
 
+// Returns a frame's directions ahead and up, as AL_ORIENTATION wants them.
+inline std::array<ALfloat, 6> orientationOf(const glm::quat& rotation) {
+    const glm::vec3 ahead = rotation * glm::vec3(0, 0, -1), up = rotation * glm::vec3(0, 1, 0);
+    return {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
+}
+
 class StreamedTrack {
   public:
     // Makes the source and its buffers in a new context; they end with it.
@@ -37,9 +43,7 @@ class StreamedTrack {
 
     // Turns B-format by the source's orientation (AL_EXT_BFORMAT, which OpenAL Soft has had since 1.15).
     void turn(const glm::quat& headFromTrack) const {
-        const glm::vec3 ahead = headFromTrack * glm::vec3(0, 0, -1), up = headFromTrack * glm::vec3(0, 1, 0);
-        const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
-        if (source_) alSourcefv(source_, AL_ORIENTATION, facing.data());
+        if (source_) alSourcefv(source_, AL_ORIENTATION, orientationOf(headFromTrack).data());
     }
 
     // See Audio::syncTrack().
