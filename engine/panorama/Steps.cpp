@@ -120,8 +120,9 @@ std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight) {
 
     // Minimum cost of a seam down to each pixel of a row, with a sentinel at each end, and its predecessor.
     std::vector<float> above(w + 2, kNever), here(w + 2, kNever);
+    std::fill(above.begin() + 1, above.end() - 1, 0.0f);
     std::vector<float> apart(w), turnLeft(w), turnRight(w);
-    cv::Mat from(h, w, CV_8S, cv::Scalar(0));
+    cv::Mat from(h, w, CV_8S);
     for (int y = 0; y < h; ++y) {
         const float* row = colours.ptr<float>(y);
         const float* over = colours.ptr<float>(std::max(y - 1, 0));
@@ -132,16 +133,12 @@ std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight) {
             turnLeft[x] = difference(over + 3 * x, left);
             turnRight[x] = difference(over + 3 * x, right);
         }
-        if (y == 0) {
-            std::copy(apart.begin(), apart.end(), here.begin() + 1);
-        } else {
-            int8_t* cameFrom = from.ptr<int8_t>(y);
-            for (int x = 0; x < w; ++x) {
-                const float l = above[x] + turnLeft[x], u = above[x + 1], r = above[x + 2] + turnRight[x];
-                const float minimum = std::min(std::min(l, u), r);
-                cameFrom[x] = static_cast<int8_t>(u == minimum ? 0 : l == minimum ? -1 : 1);
-                here[x + 1] = minimum + apart[x];
-            }
+        int8_t* cameFrom = from.ptr<int8_t>(y);
+        for (int x = 0; x < w; ++x) {
+            const float l = above[x] + turnLeft[x], u = above[x + 1], r = above[x + 2] + turnRight[x];
+            const float minimum = std::min(std::min(l, u), r);
+            cameFrom[x] = static_cast<int8_t>(u == minimum ? 0 : l == minimum ? -1 : 1);
+            here[x + 1] = minimum + apart[x];
         }
         std::swap(above, here);
     }
@@ -216,10 +213,8 @@ std::vector<float> offsets(const cv::Mat& ring) {
         for (int d = -maximum; d <= maximum; ++d) {
             const int l = std::clamp(y + (d >= 0 ? (d + 1) / 2 : d / 2), 0, rows - 1);
             const int r = std::clamp(l - d, 0, rows - 1);
-            const cv::Vec3f apart = left.at<cv::Vec3f>(l) - right.at<cv::Vec3f>(r);
             const float offsetCost = 0.02f * static_cast<float>(std::abs(d)) / static_cast<float>(maximum);
-            cost.at<float>(y, d + maximum) =
-                std::abs(apart[0]) + std::abs(apart[1]) + std::abs(apart[2]) + offsetCost;
+            cost.at<float>(y, d + maximum) = difference(left.ptr<float>(l), right.ptr<float>(r)) + offsetCost;
         }
     const std::vector<int> seam = minSeam(none, cost);
     cv::Mat found(rows, 1, CV_32F);
