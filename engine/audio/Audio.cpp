@@ -34,8 +34,7 @@ struct Close {
 // attenuation, low-pass filtering, reverberation. All calls require the OpenAL context to be current.
 class VoicePool {
   public:
-    // OpenAL Soft glides to a new gain over one mix, at most 2048 samples: 43 ms. After that a silenced sound
-    // may stop without a click.
+    // OpenAL Soft fades to a new gain in one mix of at most 2048 samples, 43 ms; then a stop does not click.
     static constexpr double kGlide_s = 0.05;
 
     // Makes kSources voices in a new context, fewer if the device has fewer. They end with the context.
@@ -66,8 +65,7 @@ class VoicePool {
         }
     }
 
-    // Starts, moves and ends sounds, once a frame. clips and their OpenAL buffers: by Sound::clip. now_s: the
-    // device's clock, minus the time paused.
+    // See Audio::update(). clips, buffers: by Sound::clip. now_s: the device's clock, minus the time paused.
     void update(std::span<const Clip> clips, std::span<const ALuint> buffers, const glm::vec3& listener,
                 std::span<const Sound> emitters, std::span<const Sound> shots, double now_s) {
         for (Voice& voice : voices_) {
@@ -107,8 +105,7 @@ class VoicePool {
         for (const Sound& shot : shots) play(shot, Use::OneShot, nullptr);
     }
 
-    // Sets the reverberation. enclosure: from 0, open water where only ground and surface reflect, to 1, a
-    // tunnel.
+    // Sets the reverberation: Listener::enclosure. In open water only ground and surface reflect.
     void setEnclosure(float enclosure) {
         const float wanted = std::clamp(enclosure, 0.0f, 1.0f);
         if (std::exchange(enclosure_, wanted) != wanted) applyReverbGain();
@@ -131,13 +128,11 @@ class VoicePool {
     }
 
   private:
-    // A new sound must be this many times as loud as the one it replaces, so that two equal ones do not
-    // alternate.
+    // A new sound must be this many times as loud as the one it replaces, or two equal ones would alternate.
     static constexpr float kTakeOver = 1.3f;
     static constexpr float kAmbientLoudness = 10; // never replaced by sounds with a position
 
-    // Effects of the water, chosen by ear: over this game's distances those of real sea water would be
-    // inaudible.
+    // Effects of the water, chosen by ear: real sea water's are inaudible over this game's distances.
     static constexpr float kReference_m = 0.7f; // beyond it, the level falls as 1 / distance
     static constexpr float kSpeed_mps = 1500;   // speed of sound in water, 4.4 times that in air
     // Exaggeration of the Doppler effect. At the speed of sound in water a shark at 3 m/s shifts by 3.5

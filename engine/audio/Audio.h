@@ -67,14 +67,12 @@ class Audio {
     // Fails if there is no sound device.
     static Result<Audio> open(const AudioOptions& options);
 
-    // Adds a clip and returns its index for Sound::clip, counted from 0. Keeps the clip's samples, for a
-    // device that comes back.
+    // Adds a clip, and keeps it for a device that comes back. Returns its index for Sound::clip, from 0 on.
     int add(Clip clip);
 
     // Starts, moves and ends sounds; call it once a frame. At most kSources play at once: a new one replaces
     // the quietest if it is 1.3 times as loud, else it is left out (an emitter until there is room). Emitters
-    // end with a short fade. An unplugged device is replaced when there is another; meanwhile all is silent.
-    // Allocates only when it opens a device.
+    // end with a short fade. Replaces an unplugged device once there is another, and allocates only then.
     void update(const Listener& listener, std::span<const Sound> emitters, std::span<const Sound> shots);
     static constexpr int kSources = 32;
 

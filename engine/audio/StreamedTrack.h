@@ -1,5 +1,4 @@
-// Streaming source that is kept in step with a video. Part of Audio.cpp. All calls require the OpenAL
-// context to be current.
+// Streaming source, kept in step with a video; part of Audio.cpp. All calls require a current OpenAL context.
 //
 // Once a frame the position of the sound (what has left the device, by its own clock) is compared with the
 // picture's. A small offset is corrected by the playback rate, by half a per cent at most, which is 9 cents

@@ -28,12 +28,10 @@ constexpr float kTexelVariance = 1.0f / 6;
 // Quantile of the edges' blur that counts as the camera's: objects and the codec make most edges softer. In a
 // film whose camera sharpens, a fifth of the edges is sharper than 0.7 texels, a twentieth than 0.2.
 constexpr double kSharpest = 0.05;
-// Minimum step in standard deviations of noise: noise hides the tails of lower steps, which would then seem
-// the sharpest.
+// Minimum step in standard deviations of noise, which hides the tails of lower steps: these would seem sharp.
 constexpr float kAboveNoise = 20;
 
-// --- Noise: from the Laplacians of a block; the flattest thirtieth of the blocks is assumed to be noise
-// alone.
+// --- Noise: from a block's Laplacians; the flattest thirtieth of the blocks is assumed to be noise alone.
 constexpr double kFlattest = 0.03;
 // Selection bias: the kFlattest quantile of deviations measured in 16 x 16 blocks of simulated noise, as a
 // share of the true deviation, fine and coarse.

@@ -15,9 +15,8 @@ using Path = std::filesystem::path;
 // Returns the folder of the running program.
 Path programFolder();
 
-// Returns the folder of content/ and shaders/: $SHOAL_DATA; else where `cmake --install` puts them, relative
-// to the program, so that an installation can be moved; else the source tree of the build. It does not
-// change after the first call.
+// Returns the folder of content/ and shaders/, the same at each call: $SHOAL_DATA; else where it is
+// installed, relative to the program, so that an installation can be moved; else the build's source tree.
 const Path& dataRoot();
 
 // $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal, $XDG_CACHE_HOME/shoal; relative values are ignored, as the

@@ -1,6 +1,5 @@
 // Seeded pseudo-random number generator (PCG32, O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient
-// Statistically Good Algorithms for Random Number Generation"). The only source of randomness in the
-// simulation.
+// Statistically Good Algorithms for Random Number Generation"); the simulation's only source of randomness.
 #pragma once
 
 #include <cstdint>

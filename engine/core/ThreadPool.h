@@ -39,9 +39,8 @@ class ThreadPool {
     std::vector<std::jthread> helpers_; // last: joined before the others end
 };
 
-// Lowers the priority of the calling thread and of threads that it starts later. It is for work that must be
-// done within a video frame, beside threads that must be done within a display frame. It has no effect on
-// systems without thread priorities.
+// Lowers the priority of the calling thread and of its later ones, where the system has priorities: for work
+// that must be done within a video frame, beside threads that must be done within a display frame.
 void lowerThreadPriority();
 
 } // namespace shoal

@@ -36,8 +36,7 @@ bool isSpecial(const fs::file_status& status) {
 
 using Staged = std::vector<std::pair<Path, Path>>; // files under temporary names, and their places
 
-// Writes a file under a temporary name in its folder, which it adds to `staged`; a device is written
-// directly.
+// Writes a file under a temporary name in its folder, which it adds to `staged`; writes a device directly.
 Status stage(const Path& file, std::string_view bytes, Staged& staged) {
     std::error_code code;
     const Path place = placeOf(file);

@@ -119,8 +119,7 @@ void insertColumns(const cv::Mat& picture, const cv::Mat& weight, int first, int
     for (const float at : cv::Mat_<float>(mean)) map.push_back(at + static_cast<float>(first));
 }
 
-// No seam crosses the columns of the light and around it; beyond them the weight falls over `fade` columns.
-// light: in pixels of the patch.
+// No seam crosses the columns of the light (in the patch) and around it; then the weight falls over `fade`.
 std::vector<float> insertSideways(const cv::Mat& patch, const MainLight& light, const Progress& progress) {
     const int w = patch.cols, middle = std::clamp(static_cast<int>(std::lround(light.place.x)), 0, w);
     const double half = std::min(light.radius_px, kLargestLight) + kAroundLight;
@@ -165,8 +164,7 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& lig
         if (full && have > 0) return have + toPole;
         return static_cast<int>(std::clamp(have + lacking, have * 1.0, have * kMaxUpward * 1.0));
     };
-    // The patch widened to the ring, at a quarter of the map's columns (enough to find seams across it),
-    // transposed.
+    // The patch widened to the ring, transposed, at a quarter of the map's columns: enough for seams across.
     const cv::Mat turned = remapped(patch, {patch.rows, kMapWidth / 4}, cv::INTER_LINEAR, [&](int x, int y) {
         return cv::Vec2f(ring.column[4 * y + 2], static_cast<float>(x));
     });

@@ -44,8 +44,7 @@ Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const Panorama
 
 // --- Completion of a partial panorama, whose place in the sphere is known
 
-// Edges as shares of the full lat-long picture: 0 to 1 from left to right and from top to bottom, left <
-// right, top < bottom.
+// Edges as shares of the full lat-long picture, 0 to 1: left < right, top < bottom.
 struct PanoramaPart {
     double left = 0, top = 0, right = 1, bottom = 1;
 };

@@ -1,5 +1,4 @@
-// A window, or an off-screen context, of OpenGL 3.3 or newer (core profile), and the player's input in the
-// window since the last poll.
+// A window, or an off-screen context, of OpenGL 3.3 core or newer; the player's input since the last poll.
 #pragma once
 
 #include "engine/core/Hidden.h"
