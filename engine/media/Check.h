@@ -17,9 +17,8 @@ enum class MediaKind { Photo, Hdr, Video, DepthTrack };
 // whose kind is known may still be damaged. layer: if it is not empty, only OpenEXR is accepted.
 Result<MediaKind> mediaKind(const Path& file, const std::string& layer = {});
 
-// Returns a description ("2048x1024 h264 video, ..."), also of the depth track beside the file if there is
-// one, or the reason why the video cannot be used. Decodes up to a second at the beginning and the last part,
-// so damage in the middle may go unnoticed.
+// Returns a description ("2048x1024 h264 video, ..."), also of a depth track beside the file, or the reason
+// why the video cannot be used. Decodes the first second and the last part: damage between may go unnoticed.
 Result<std::string> checkVideo(const Path& file);
 
 // Does the same as checkVideo() for a depth track (DepthTrack.h); decodes all frames.

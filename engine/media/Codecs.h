@@ -30,9 +30,8 @@ struct Codecs {
     CameraReader (*openCamera)(int index, const CameraRequest& request);
 };
 
-// Loads the plug-in at the first call, which any thread may make: from beside the program, else from where it
-// is installed or was built. Fails if it, or a library that it needs, is missing. Sets up OpenCV (Ffmpeg.h,
-// setUpDecoders()).
+// Loads the plug-in at the first call, by any thread: from beside the program, else where it is installed or
+// was built. Fails if it or a library that it needs is missing. Calls setUpDecoders() of Ffmpeg.h.
 Result<const Codecs*> codecs();
 
 } // namespace shoal::media

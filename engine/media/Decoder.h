@@ -25,8 +25,7 @@ Status checkPictureSize(int width, int height);
 void toBgr(const std::array<const uint8_t*, 3>& planes, const std::array<int, 3>& strides,
            int rowsPerDifference, ColourMatrix matrix, bool fullRange, ImageRgb8& bgr);
 
-// Pictures brought back from a graphics card, which decodes films by VAAPI or CUDA. Keeps its memory between
-// them.
+// Brings pictures back from a graphics card, which decodes films by VAAPI or CUDA; keeps memory between them.
 class CardPictures {
   public:
     // Replaces a picture on the card by a copy in planes, as software decoders give it. False: that failed.

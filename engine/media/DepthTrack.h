@@ -75,8 +75,7 @@ class DepthTrack {
     // Returns the number of the frame nearest to this time of the film, which repeats without end.
     int frameAt(double time_s) const;
 
-    // Reads a frame. Returns false, without changing `out`, if its checksums show damage. Our code allocates
-    // only if `out` has another size.
+    // Reads a frame; false, `out` unchanged, if checksums show damage. Our code allocates for new sizes only.
     bool read(int number, DepthFrame& out);
 
   private:

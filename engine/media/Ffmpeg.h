@@ -1,5 +1,4 @@
-// Setup of FFmpeg and OpenCV for the process, smart pointers to FFmpeg's objects, and opening of files.
-// Internal to this folder.
+// Setup of FFmpeg and OpenCV, smart pointers to FFmpeg's objects, opening of files. Internal to this folder.
 #pragma once
 
 #include "engine/core/Files.h"

@@ -39,8 +39,7 @@ struct FrameColour {
 FrameColour colourOf(AVCodecID codec, const StatedColour& stated, int width, int height);
 
 // Returns BT.601 for Motion JPEG of any size (JFIF), else the matrix that is stated. Without a known code
-// (unspecified, or RGB) it follows from the size, as in other players: BT.709 from 1280 wide or above 576
-// high.
+// (unspecified, or RGB) the size decides, as in other players: BT.709 from 1280 wide or above 576 high.
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
 
 // Weights of red and blue in luma; green's is 1 minus both.

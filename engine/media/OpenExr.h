@@ -1,5 +1,4 @@
-// OpenEXR pictures are read and written through OpenEXR's own library, on the calling thread. Internal to
-// this folder. The errors have no path.
+// OpenEXR's own library reads and writes, on the calling thread. Internal to this folder; errors lack a path.
 #pragma once
 
 #include "engine/media/PictureHeader.h"

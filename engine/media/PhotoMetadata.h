@@ -45,8 +45,7 @@ PhotoMetadata photoMetadata(std::span<const uint8_t> bytes, PictureKind kind);
 // one of other components than the picture's, is ignored.
 std::string convertToSrgb(std::span<const uint8_t> profile, ImageRgb8& picture);
 
-// Returns the layout of a photo that is lat-long by its shape and content, or by its metadata; Auto: an
-// ordinary photo.
+// Returns a photo's layout if it is lat-long by shape and content or by metadata; Auto: an ordinary photo.
 template <class Picture> Layout layoutOf(const Picture& photo, const PhotoMetadata& metadata) {
     const Layout layout = layoutOf(photo);
     return layout == Layout::Auto && metadata.placement ? Layout::Mono : layout;

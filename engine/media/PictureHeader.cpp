@@ -141,8 +141,7 @@ bool isPnm(ByteSpan b) {
     return b.size() > 2 && b[0] == 'P' && b[1] >= '1' && b[1] <= '6' && std::isspace(b[2]);
 }
 
-// Returns whether a file of the ISO base media format (ISO 14496-12, 4.3) names one of these brands, of four
-// letters each.
+// Returns whether an ISO base media file (ISO 14496-12, 4.3) names one of these brands of four letters.
 bool hasBrand(ByteSpan b, std::string_view brands) {
     if (b.size() < 12 || !hasText(b, 4, "ftyp")) return false;
     const size_t end = std::min<size_t>({big32(b, 0), b.size(), 256});
@@ -151,8 +150,7 @@ bool hasBrand(ByteSpan b, std::string_view brands) {
     return false;
 }
 
-// Returns the largest size that a picture in the file states (ISO 23008-12, 6.5.3): parts and thumbnails are
-// smaller than the whole.
+// Returns the largest size that a picture states (ISO 23008-12, 6.5.3): parts and thumbnails are smaller.
 Size avifSize(ByteSpan b) {
     Size size;
     walkChunks(b, PictureKind::Avif, [&](std::string_view name, ByteSpan data) {

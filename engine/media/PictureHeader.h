@@ -1,6 +1,5 @@
-// Kind and size of a picture file, read from its first bytes so that limits hold before memory is taken.
-// Internal to this folder. Headers are read here because stb_image knows neither WebP nor PFM, and OpenCV
-// tells a size only by decoding.
+// Kind and size of a picture file from its first bytes, so that limits hold before memory is taken. Read
+// here: stb_image knows neither WebP nor PFM, and OpenCV decodes to tell a size. Internal to this folder.
 #pragma once
 
 #include "engine/core/Result.h"

@@ -19,8 +19,7 @@
 #include <cstdlib>
 #include <utility>
 
-// Compresses with zlib, which is faster and makes smaller files than the code in the header. The header frees
-// the result.
+// Compresses by zlib: faster and smaller than by the header's own code. The header frees the result.
 static unsigned char* compressed(unsigned char* bytes, int count, int* compressedCount, int) {
     uLongf size = compressBound(static_cast<uLong>(count));
     auto* out = static_cast<unsigned char*>(std::malloc(size));
@@ -123,8 +122,7 @@ struct LineReader {
 
 // Radiance: RGBE pixels, flat or run-length coded. bytes: the whole file, whose header can be read. Ward,
 // "Real Pixels", Graphics Gems II, 1991: component = mantissa * 2^(e - 136), black where e is 0. Neither
-// OpenCV 4.6 nor stb_image reads Ward's first run-length code; stb_image also takes a file that is cut short
-// for black pixels.
+// OpenCV 4.6 nor stb_image reads Ward's first run-length code; stb_image takes missing pixels for black.
 Result<HdrPicture> decodeRadiance(ByteSpan bytes) {
     const RadianceHeader header = readRadianceHeader(bytes);
     const int length = static_cast<int>(header.size.width), lines = static_cast<int>(header.size.height);

@@ -71,8 +71,7 @@ Status writePicture(const Path& file, const ImageRgb8& image);
 Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin);
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin);
 
-// Copies a picture to blue, green, red and alpha 255. Reuses out's memory if it has the size. bgr: whether
-// blue comes first in `in`.
+// Copies a picture to blue, green, red and alpha 255; fits `out` to its size. bgr: blue comes first in `in`.
 void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out);
 
 } // namespace shoal::media

@@ -1,6 +1,5 @@
-// The sound of a video file, decoded by FFmpeg on a thread of its own and read as samples, looping: stereo,
-// or the first order of ambisonics in FuMa B-format (W, X, Y, Z; X points to the picture's middle, Y left, Z
-// up).
+// The sound of a video file, decoded on a thread of its own, read as samples, looping: stereo or first-order
+// ambisonics in FuMa B-format (W, X, Y, Z; X points to the picture's middle, Y left, Z up).
 //
 // Time: positions are frames of sound at 48 kHz since the first picture of the video. Where the file has no
 // sound (it begins late, has gaps, or ends early) there is silence.

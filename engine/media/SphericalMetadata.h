@@ -37,8 +37,7 @@ struct SphericalMetadata {
     int orientation = 1;               // of the stored pictures: see below
 
     bool isStated() const { return projection != Projection::Unknown || layout != Layout::Auto; }
-    // Returns what is done to the picture for its orientation, bounds and pose, a clause each after "; ";
-    // empty: nothing.
+    // Returns what is done for orientation, bounds and pose, a clause each after "; "; empty: nothing.
     std::string note() const;
 };
 
@@ -65,9 +64,8 @@ std::string_view xmpValue(std::string_view xmp, const std::string& name);
 std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::string& space);
 
 // --- How a stored picture becomes one of the whole sphere: upright, then each eye's part in its place. An
-// orientation is one of the eight ways in which a picture may be turned or mirrored, by its number in EXIF
-// (CIPA DC-008, tag 274): 1 is upright, and from 5 on columns are stored as rows. Pictures: ImageRgb8 or
-// ImageRgbF.
+// orientation is one of the eight ways in which a picture may be turned or mirrored, by EXIF's number (CIPA
+// DC-008, tag 274): 1 is upright, and from 5 on columns are stored as rows. Pictures: ImageRgb8 or ImageRgbF.
 
 constexpr bool swapsSides(int orientation) { return orientation >= 5; }
 std::string uprightNote(int orientation); // the clause for the person, after "; "; empty for 1

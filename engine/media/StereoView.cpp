@@ -41,8 +41,7 @@ cv::Mat blockAt(const cv::Mat& half, int x, int y) {
 
 enum class Halves { Unlike, Alike, Unstructured };
 
-// Returns whether blocks of one half are found in the other, each with a shift of its own: near things are
-// shifted more than far ones.
+// Returns whether one half's blocks are found in the other, each with its own shift: near things shift more.
 Halves compare(const cv::Mat& a, const cv::Mat& b) {
     constexpr double kMinVariance = kStructure * kStructure * kBlock * kBlock;
     int structured = 0, found = 0;

@@ -171,8 +171,7 @@ struct VideoPlayer::Impl {
 
     // --- Frame's thread, with the lock held ----------------------------------------------------------------
 
-    // Shows the newest of the ready frames low .. high, if there is one, and frees those that are too old or
-    // too far ahead.
+    // Shows the newest ready frame of low .. high, if any, and frees those that are too old or too far ahead.
     bool showReady(int64_t low, int64_t high) {
         Slot* newest = nullptr;
         for (Slot& slot : slots) {

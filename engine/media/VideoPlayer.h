@@ -23,10 +23,9 @@ class VideoPlayer {
 
     const VideoInfo& info() const;
 
-    // Returns the newest complete frame that is due at this time, without waiting. If the decoder is late it
-    // is an older one, and the decoder skips frames to catch up. Small steps back in time (up to half a
-    // second) keep the frame, larger ones and jumps ahead seek. Never null. Valid until the next call of
-    // newest() or waitFor().
+    // Returns the newest complete frame that is due, without waiting; if the decoder is late, an older one,
+    // and the decoder skips frames to catch up. Small steps back in time (up to 0.5 s) keep the frame, larger
+    // ones and jumps ahead seek. Never null. Valid until the next call of newest() or waitFor().
     const VideoFrame* newest(double videoTime_s);
 
     // Waits for exactly the frame due at this time, however far ahead or back, and returns it. The same times

@@ -265,8 +265,7 @@ int64_t VideoSource::keyFrameBefore(int64_t number) const {
     return std::clamp(std::max(std::lround(frames) + delay, usual), int64_t{0}, number);
 }
 
-// Seeks to the last key frame at or before this frame; starts further back each time that the container's own
-// search lands after it.
+// Seeks to the last key frame at or before this frame, from further back when the search lands after it.
 bool VideoSource::jump(int64_t number) {
     if (!begun_ || begins_ == AV_NOPTS_VALUE || !(av_q2d(in_.opened().time_base) > 0)) return false;
     for (int64_t before = 0;; before = 2 * before + 16) {
@@ -312,8 +311,7 @@ bool VideoSource::findLayout(Layout request) {
     const Layout shape =
         layoutFromShape(info_.width * pixelAspect_ / bounds.width(), info_.height / bounds.height());
     // Two eyes' pictures may be squeezed to 2:1, and square films are as often ordinary ones. The first frame
-    // that tells anything decides, and two more have to agree if it tells of two eyes. A film may begin with
-    // a fade.
+    // that tells anything (a film may fade in) decides, and two more have to agree if it tells of two eyes.
     constexpr int64_t kFrames = 6;
     Layout content = Layout::Auto;
     ImageRgb8 frame(info_.width, info_.height);

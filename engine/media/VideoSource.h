@@ -1,5 +1,4 @@
-// Decoder of one video file, frame by frame, through FFmpeg. For this folder and the webcam's; owned by one
-// thread at a time.
+// Decoder of one video file, frame by frame, for this folder and the webcam's; owned by one thread at a time.
 #pragma once
 
 #include "engine/media/Decoder.h"
@@ -34,8 +33,7 @@ class VideoSource {
     bool grab(bool hurries = false);
 
     // Converts the frame grabbed last, blue first, upright and placed in its bounds, into the image's memory.
-    // Returns false if it cannot be converted or has another size than the first. radianceLin: as for
-    // Decoder::convert().
+    // Returns false if that fails or the size is not the first's. radianceLin: as for Decoder::convert().
     bool retrieve(ImageRgb8& bgr, ImageRgbF* radianceLin = nullptr);
 
     // Makes `out` hold the planes of the frame grabbed last, if retrieve() neither turns nor places it.

@@ -36,8 +36,7 @@ class LivePlayer {
     static Result<LivePlayer> open(std::shared_ptr<LiveFeed> feed, LiveOptions options = {},
                                    const std::function<bool()>& wait = {});
 
-    // Returns the newest complete frame; call it once per displayed frame. Never null. Valid until the next
-    // call.
+    // Returns the newest complete frame: never null, valid until the next call. Call it once a display frame.
     const VideoFrame* newest();
 
     // Returns the last frame's latency in display frames, from arrival to display; 1: the next display frame.
@@ -48,8 +47,7 @@ class LivePlayer {
 
     LiveState state() const; // as of the last newest()
 
-    // Returns a message for the user while nothing new comes, else an empty one. Valid until the next
-    // newest().
+    // Returns a message while nothing new comes, else an empty one. Valid until the next newest().
     const std::string& notice() const;
 
     LiveCounts counts() const;

@@ -53,8 +53,7 @@ class PacketQueue {
         return true;
     }
 
-    // Ends the queue for this reason, until reset(): the reader's calls return false. Packets in it can still
-    // be popped. Any thread.
+    // Ends the reader's calls until reset(), for this reason. Packets can still be popped. Any thread.
     void close(std::string reason) {
         const std::lock_guard lock(mutex_);
         closed_ = true;
@@ -134,9 +133,8 @@ class PacketQueue {
     std::string reason_;
 };
 
-// Delays packets that come faster than their own time stamps (a file on a server, or written into a pipe). A
-// token bucket of seconds: it fills as time passes, and each picture takes its duration. Live packets never
-// wait.
+// Delays packets that come faster than their own time stamps (a file on a server, or written to a pipe), but
+// never live ones. A token bucket of seconds: it fills as time passes, and each picture takes its duration.
 class TokenBucket {
   public:
     // burst_s: seconds that may come at once: a live server may begin with its last few seconds.
@@ -157,8 +155,7 @@ class TokenBucket {
   private:
     static constexpr double kJump_s = 10;
     double max_s_, left_s_;
-    // Stamp and arrival of the packet before. NaN gives no duration for the first; -infinity fills the
-    // bucket.
+    // The last stamp and arrival. NaN gives the first packet no duration; -infinity fills the bucket.
     double stamp_s_ = std::numeric_limits<double>::quiet_NaN();
     double now_s_ = -std::numeric_limits<double>::infinity();
 };

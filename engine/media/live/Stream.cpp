@@ -125,9 +125,8 @@ class Stream final : public LiveFeed {
 
     // Opens a pipe for its present writer, or the next.
     Status openPipe(const Path& file) {
-        // Opened before the old one is closed: a new writer must not find the pipe without readers. And
-        // opened again each time: after a writer has closed, the old descriptor tells only the end of the
-        // file.
+        // A new writer must not find the pipe without readers, so it opens before the old one is closed. It
+        // opens each time, because after a writer has closed the old descriptor tells only the end of file.
         const int opened = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
         if (pipe_ >= 0) ::close(pipe_);
         pipe_ = opened;
@@ -163,9 +162,8 @@ class Stream final : public LiveFeed {
         av_dict_free(&options);
         if (!format) (void)format_.release(); // freed by the failure
         if (error >= 0) {
-            // FFmpeg's parser finds the end of a picture by the beginning of the next, which would delay each
-            // by one. In these formats packets are pictures already; a parser of our own finds the key
-            // frames.
+            // FFmpeg's parser ends a picture at the beginning of the next, which delays each by one. In these
+            // formats packets are pictures already; a parser of our own finds the key frames.
             const std::string_view container = format->iformat->name;
             if (container == "mpegts" || container == "rtsp")
                 format->flags |= AVFMT_FLAG_NOPARSE | AVFMT_FLAG_NOFILLIN;
