@@ -7,18 +7,15 @@ namespace shoal::platform {
 
 // Returns the first display that starts: a graphics card's (device platform), else Mesa's software one.
 static EGLDisplay firstDisplay() {
-    const auto getDisplay =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     const auto queryDevices =
         reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    if (!getDisplay) return EGL_NO_DISPLAY;
     EGLDeviceEXT devices[16];
     EGLint count = 0;
     if (queryDevices) queryDevices(16, devices, &count);
     for (EGLint i = 0; i <= count; ++i) {
-        EGLDisplay display = i < count
-                                 ? getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)
-                                 : getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        EGLDisplay display =
+            i < count ? eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)
+                      : eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
         if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
     }
     return EGL_NO_DISPLAY;
