@@ -247,51 +247,47 @@ Result<HdrPicture> decodeExr(const Path& name, ByteSpan bytes, const std::string
     return Error{"", "cannot be decoded as OpenEXR: cut short, damaged, or a rare variant"};
 }
 
-Result<std::string> encodeExr(const ImageRgbF& image) {
-    try {
-        Imf::Header header(image.width, image.height);
-        Imf::FrameBuffer buffer;
-        for (const auto& [name, offset] : {std::pair("R", 0), {"G", 1}, {"B", 2}}) {
-            header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-            auto* first = reinterpret_cast<char*>(const_cast<float*>(image.pixels.data() + offset));
-            buffer.insert(name, Imf::Slice(Imf::FLOAT, first, 3 * sizeof(float),
-                                           3 * sizeof(float) * static_cast<size_t>(image.width)));
-        }
-        Imf::StdOSStream stream;
-        {
-            Imf::OutputFile output(stream, header, kOnThisThread); // its end writes the table of rows
-            output.setFrameBuffer(buffer);
-            output.writePixels(image.height);
-        }
-        return stream.str();
-    } catch (const std::exception&) {
-        return Error{"", "the picture cannot be coded as OpenEXR"};
+Result<std::string> encodeExr(const ImageRgbF& image) try {
+    Imf::Header header(image.width, image.height);
+    Imf::FrameBuffer buffer;
+    for (const auto& [name, offset] : {std::pair("R", 0), {"G", 1}, {"B", 2}}) {
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + offset, header.dataWindow(),
+                                             3 * sizeof(float),
+                                             3 * sizeof(float) * static_cast<size_t>(image.width)));
     }
+    Imf::StdOSStream stream;
+    {
+        Imf::OutputFile output(stream, header, kOnThisThread); // its end writes the table of rows
+        output.setFrameBuffer(buffer);
+        output.writePixels(image.height);
+    }
+    return stream.str();
+} catch (const std::exception&) {
+    return Error{"", "the picture cannot be coded as OpenEXR"};
 }
 
-bool toRec709(ImageRgbF& image, const Primaries& from) {
+bool toRec709(ImageRgbF& image, const Primaries& from) try {
     const Imf::Chromaticities ours;
     const Imf::Chromaticities theirs({from[0], from[1]}, {from[2], from[3]}, {from[4], from[5]},
                                      {from[6], from[7]});
     // Lam, "Metamerism and Colour Constancy", 1985: XYZ to cones, transposed, as Imath's vectors are rows.
     const Imath::M44f toCones(0.8951f, -0.7502f, 0.0389f, 0, 0.2664f, 1.7135f, -0.0685f, 0, -0.1614f, 0.0367f,
                               1.0296f, 0, 0, 0, 0, 1);
-    try {
-        const Imath::M44f toXyz = Imf::RGBtoXYZ(theirs, 1);
-        const Imath::V3f white(1), there = white * toXyz * toCones,
-                                   here = white * Imf::RGBtoXYZ(ours, 1) * toCones;
-        const Imath::M44f matrix = toXyz * toCones * Imath::M44f().setScale(here / there) *
-                                   toCones.inverse() * Imf::XYZtoRGB(ours, 1);
-        if (const Imath::V3f grey = white * matrix; !grey.equalWithAbsError(white, 1e-3f)) return false;
-        for (size_t i = 0; i < image.pixels.size(); i += 3) {
-            float* p = image.pixels.data() + i;
-            const Imath::V3f colour = Imath::V3f(p[0], p[1], p[2]) * matrix;
-            for (int c = 0; c < 3; ++c) p[c] = colour[c] > 0 ? std::min(colour[c], kMaxRadiance) : 0;
-        }
-        return true;
-    } catch (const std::exception&) {
-        return false;
+    const Imath::M44f toXyz = Imf::RGBtoXYZ(theirs, 1);
+    const Imath::V3f white(1), there = white * toXyz * toCones,
+                               here = white * Imf::RGBtoXYZ(ours, 1) * toCones;
+    const Imath::M44f matrix =
+        toXyz * toCones * Imath::M44f().setScale(here / there) * toCones.inverse() * Imf::XYZtoRGB(ours, 1);
+    if (const Imath::V3f grey = white * matrix; !grey.equalWithAbsError(white, 1e-3f)) return false;
+    for (size_t i = 0; i < image.pixels.size(); i += 3) {
+        float* p = image.pixels.data() + i;
+        const Imath::V3f colour = Imath::V3f(p[0], p[1], p[2]) * matrix;
+        for (int c = 0; c < 3; ++c) p[c] = colour[c] > 0 ? std::min(colour[c], kMaxRadiance) : 0;
     }
+    return true;
+} catch (const std::exception&) {
+    return false;
 }
 
 } // namespace shoal::media
