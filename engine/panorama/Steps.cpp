@@ -193,20 +193,12 @@ void smoothMap(std::vector<float>& map, double sigma_px) {
 
 namespace {
 
-// Returns the mean of a few columns at one end.
-cv::Mat endOf(const cv::Mat& ring, bool left) {
-    const int width = std::max(1, ring.cols / 256);
-    cv::Mat mean;
-    cv::reduce(ring.colRange(left ? 0 : ring.cols - width, left ? width : ring.cols), mean, 1,
-               cv::REDUCE_AVG);
-    return mean;
-}
-
 // Returns by how many rows the left end's content lies lower than the right's, for each row half way between.
 std::vector<float> offsets(const cv::Mat& ring) {
-    const int maximum = ring.cols * 8 / 360;
-    cv::Mat left = endOf(ring, true), right = endOf(ring, false);
-    const int rows = ring.rows;
+    const int rows = ring.rows, maximum = ring.cols * 8 / 360, averaged = std::max(1, ring.cols / 256);
+    cv::Mat left, right;
+    cv::reduce(ring.colRange(0, averaged), left, 1, cv::REDUCE_AVG);
+    cv::reduce(ring.colRange(ring.cols - averaged, ring.cols), right, 1, cv::REDUCE_AVG);
     cv::Mat cost(rows, 2 * maximum + 1, CV_32F);
     const cv::Mat none(cost.size(), CV_32FC3, cv::Scalar::all(0));
     for (int y = 0; y < rows; ++y)
@@ -240,7 +232,10 @@ void alignRows(cv::Mat& ring) {
     ring = cv::min(cv::max(out, darkest), brightest);
 }
 
-void blendColours(cv::Mat& ring) {
+} // namespace
+
+void blendWrapAround(cv::Mat& ring) {
+    alignRows(ring);
     cv::Mat rest = ring.col(0) - ring.col(ring.cols - 1);
     // Octave bands of the difference from fine to coarse; the remainder is the coarsest.
     for (double sigma = 1;; sigma *= 2) {
@@ -260,13 +255,6 @@ void blendColours(cv::Mat& ring) {
         if (coarsest) break;
     }
     ring = cv::max(ring, 0.0);
-}
-
-} // namespace
-
-void blendWrapAround(cv::Mat& ring) {
-    alignRows(ring);
-    blendColours(ring);
 }
 
 // --- Poles
