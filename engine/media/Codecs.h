@@ -7,10 +7,7 @@
 
 #include <opencv2/core.hpp>
 
-#include <cstdint>
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace shoal::media {
 

@@ -13,9 +13,8 @@ namespace {
 constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // size of a half, and side of a block, in cells
 constexpr int kMaxShift = 6;     // cells to either side: 17 degrees, twice the disparity at arm's length
 constexpr double kStructure = 3; // least standard deviation along a block's rows, in levels of 255
-// The least correlation of a block with the other half, and the least share of structured blocks that must
-// reach it. In two stereo pictures at hand 97 % do; in a room that repeats itself 76 %; in ten other
-// panoramas at most 14 %.
+// The least correlation of a block with the other half, and the least share of structured blocks with it: two
+// stereo pictures at hand have 97 %, a room that repeats itself 76 %, ten other panoramas at most 14 %.
 constexpr double kAlike = 0.7, kOfStructured = 0.9;
 constexpr int kMinStructured = 12; // least number of structured blocks, of 128: fewer tell nothing
 
