@@ -9,10 +9,6 @@
 
 #include <fmt/core.h>
 
-extern "C" {
-#include <libavutil/avstring.h>
-}
-
 #include <algorithm>
 
 namespace shoal::media {

@@ -6,11 +6,6 @@
 #include <fmt/core.h>
 #include <opencv2/core.hpp>
 
-extern "C" {
-#include <libavutil/hwcontext.h>
-#include <libavutil/imgutils.h>
-}
-
 #include <cmath>
 #include <utility>
 

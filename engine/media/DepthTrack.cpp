@@ -7,10 +7,6 @@
 #include <fmt/core.h>
 #include <opencv2/core.hpp>
 
-extern "C" {
-#include <libavutil/crc.h>
-}
-
 #include <algorithm>
 #include <bit>
 #include <cmath>

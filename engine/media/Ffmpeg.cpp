@@ -4,10 +4,6 @@
 
 #include <opencv2/core/utils/logger.hpp>
 
-extern "C" {
-#include <libavutil/log.h>
-}
-
 #include <cstdlib>
 #include <dlfcn.h>
 #include <mutex>

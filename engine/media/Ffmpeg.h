@@ -1,4 +1,4 @@
-// Setup of FFmpeg and OpenCV, smart pointers to FFmpeg's objects, opening of files. Internal to this folder.
+// FFmpeg's headers, setup of it and of OpenCV, smart pointers, opening of files. Internal to this folder.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -6,7 +6,21 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libavutil/avstring.h>
+#include <libavutil/channel_layout.h>
+#include <libavutil/crc.h>
+#include <libavutil/csp.h>
+#include <libavutil/hwcontext.h>
+#include <libavutil/imgutils.h>
+#include <libavutil/log.h>
 #include <libavutil/mem.h>
+#include <libavutil/opt.h>
+#include <libavutil/parseutils.h>
+#include <libavutil/pixdesc.h>
+#include <libavutil/spherical.h>
+#include <libavutil/stereo3d.h>
+#include <libavutil/time.h>
+#include <libswresample/swresample.h>
 }
 
 #include <memory>

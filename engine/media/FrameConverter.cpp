@@ -8,10 +8,6 @@
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
-extern "C" {
-#include <libavutil/csp.h>
-}
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

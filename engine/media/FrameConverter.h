@@ -6,10 +6,6 @@
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/VideoFrame.h"
 
-extern "C" {
-#include <libavutil/pixdesc.h>
-}
-
 #include <array>
 #include <memory>
 #include <vector>

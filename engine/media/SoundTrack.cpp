@@ -4,11 +4,6 @@
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Decoder.h"
 
-extern "C" {
-#include <libavutil/channel_layout.h>
-#include <libswresample/swresample.h>
-}
-
 #include <algorithm>
 #include <bit>
 #include <cmath>

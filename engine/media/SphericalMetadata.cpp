@@ -5,11 +5,6 @@
 #include "engine/media/Decoder.h"
 #include "engine/media/PictureHeader.h"
 
-extern "C" {
-#include <libavutil/spherical.h>
-#include <libavutil/stereo3d.h>
-}
-
 #include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 

@@ -7,10 +7,6 @@
 
 #include <fmt/core.h>
 
-extern "C" {
-#include <libavutil/parseutils.h>
-}
-
 #include <thread>
 
 namespace shoal::media {

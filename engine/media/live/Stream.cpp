@@ -3,11 +3,6 @@
 #include "engine/media/live/LiveFeed.h"
 #include "engine/media/live/PacketQueue.h"
 
-extern "C" {
-#include <libavutil/opt.h>
-#include <libavutil/time.h>
-}
-
 #include <fmt/core.h>
 
 #include <fcntl.h>
