@@ -8,21 +8,19 @@ namespace shoal {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 constexpr size_t kLongestName = 200; // part of a name that its temporary name has, within 255 bytes
 
-Error cannotWrite(const Path& file, const std::string& why) {
+static Error cannotWrite(const Path& file, const std::string& why) {
     return Error{file.string(), "cannot be written: " + why};
 }
 
-Error cannotWrite(const Path& file, int code) {
+static Error cannotWrite(const Path& file, int code) {
     return cannotWrite(file, std::generic_category().message(code));
 }
 
 // Resolves the symbolic links of a path, whether its target exists or not; returns a link if they form a
 // cycle.
-Path placeOf(const Path& file) {
+static Path placeOf(const Path& file) {
     std::error_code code;
     const Path place = fs::weakly_canonical(fs::absolute(file, code), code);
     if (code) return file;
@@ -30,14 +28,14 @@ Path placeOf(const Path& file) {
     return placeOf(place.parent_path() / fs::read_symlink(place, code)); // a dangling link
 }
 
-bool isSpecial(const fs::file_status& status) {
+static bool isSpecial(const fs::file_status& status) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
 using Staged = std::vector<std::pair<Path, Path>>; // files under temporary names, and their places
 
 // Writes a file under a temporary name in its folder, which it adds to `staged`; writes a device directly.
-Status stage(const Path& file, std::string_view bytes, Staged& staged) {
+static Status stage(const Path& file, std::string_view bytes, Staged& staged) {
     std::error_code code;
     const Path place = placeOf(file);
     const fs::file_status old = fs::status(place, code);
@@ -59,7 +57,7 @@ Status stage(const Path& file, std::string_view bytes, Staged& staged) {
 
 // Renames the files if all were written, and removes those that were not put in place. Temporary files stay
 // only where memory runs out.
-Status putInPlace(const Staged& staged, Status written) {
+static Status putInPlace(const Staged& staged, Status written) {
     std::error_code code;
     for (const auto& [temporary, place] : staged) {
         if (written) fs::rename(temporary, place, code);
@@ -68,8 +66,6 @@ Status putInPlace(const Staged& staged, Status written) {
     }
     return written;
 }
-
-} // namespace
 
 Status writeFileWhole(const Path& file, std::string_view bytes) {
     std::error_code code;

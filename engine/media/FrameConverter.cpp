@@ -17,14 +17,12 @@ namespace shoal::media {
 
 // --- Colours
 
-namespace {
-
 constexpr double kWhite_cdM2 = 203;    // ITU-R BT.2408
 constexpr double kHlgPeak_cdM2 = 1000; // nominal, which makes gamma 1.2: BT.2100, table 5
 constexpr double kPqPeak_cdM2 = 10000; // SMPTE ST 2084
 constexpr glm::vec3 kLuminance2020{0.2627f, 0.6780f, 0.0593f}; // BT.2020
 
-template <class F> std::vector<float> tableOf(F&& valueAt) {
+template <class F> static std::vector<float> tableOf(F&& valueAt) {
     std::vector<float> table(kLightCodes);
     for (size_t i = 0; i < table.size(); ++i)
         table[i] = static_cast<float>(valueAt(static_cast<double>(i) / (kLightCodes - 1)));
@@ -32,14 +30,14 @@ template <class F> std::vector<float> tableOf(F&& valueAt) {
 }
 
 // Returns the light by code, 0 to 1; the scene's for HLG.
-const std::vector<float>& lightByCode(Transfer transfer) {
+static const std::vector<float>& lightByCode(Transfer transfer) {
     static const std::array<std::vector<float>, 3> tables = {tableOf(math::linearFromSrgb<double>),
                                                              tableOf(lightFromPq), tableOf(sceneFromHlg)};
     return tables[static_cast<size_t>(transfer)];
 }
 
 // Returns the matrix from linear light of these primaries to Rec. 709's. White stays white.
-glm::mat3 toRec709(AVColorPrimaries primaries) {
+static glm::mat3 toRec709(AVColorPrimaries primaries) {
     const auto xyzOf = [](AVColorPrimaries of) {
         const AVColorPrimariesDesc& known = *av_csp_primaries_desc_from_id(of);
         const auto xyz = [](const AVCIExy& c) {
@@ -55,8 +53,6 @@ glm::mat3 toRec709(AVColorPrimaries primaries) {
     const glm::dvec3 white = matrix * glm::dvec3(1);
     return {matrix[0] / white, matrix[1] / white, matrix[2] / white};
 }
-
-} // namespace
 
 double lightFromPq(double code) {
     constexpr double kM1 = 2610.0 / 16384, kM2 = 2523.0 / 4096 * 128;

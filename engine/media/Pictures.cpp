@@ -197,7 +197,6 @@ void append(void* to, void* data, int size) {
 std::string encodeRadiance(const ImageRgbF& image) {
     assert(!image.empty());
     std::string bytes;
-    bytes.reserve(image.pixels.size() * 4 / 3 + 128);
     stbi_write_hdr_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data());
     return bytes;
 }

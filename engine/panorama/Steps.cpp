@@ -191,10 +191,8 @@ void smoothMap(std::vector<float>& map, double sigma_px) {
 
 // --- Wrap-around
 
-namespace {
-
 // Returns by how many rows the left end's content lies lower than the right's, for each row half way between.
-std::vector<float> offsets(const cv::Mat& ring) {
+static std::vector<float> offsets(const cv::Mat& ring) {
     const int rows = ring.rows, maximum = ring.cols * 8 / 360, averaged = std::max(1, ring.cols / 256);
     cv::Mat left, right;
     cv::reduce(ring.colRange(0, averaged), left, 1, cv::REDUCE_AVG);
@@ -216,11 +214,11 @@ std::vector<float> offsets(const cv::Mat& ring) {
 }
 
 // Returns 1 at an end, 0 from `reach` on, with a continuous slope.
-float fade(double distance, double reach) {
+static float fade(double distance, double reach) {
     return static_cast<float>(glm::smoothstep(0.0, 1.0, 1 - distance / reach));
 }
 
-void alignRows(cv::Mat& ring) {
+static void alignRows(cv::Mat& ring) {
     const std::vector<float> lower = offsets(ring);
     const double reach = ring.cols / 6.0;
     const cv::Mat out = remapped(ring, ring.size(), cv::INTER_CUBIC, [&](int x, int y) {
@@ -231,8 +229,6 @@ void alignRows(cv::Mat& ring) {
     cv::minMaxLoc(ring.reshape(1), &darkest, &brightest);
     ring = cv::min(cv::max(out, darkest), brightest);
 }
-
-} // namespace
 
 void blendWrapAround(cv::Mat& ring) {
     alignRows(ring);
