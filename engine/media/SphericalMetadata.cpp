@@ -212,15 +212,14 @@ template <class Picture> static cv::Mat viewOf(const Picture& picture, const Eye
 }
 
 template <class Picture> void makeUpright(const Picture& stored, int orientation, Picture& upright) {
-    const int known = orientation >= 1 && orientation <= 8 ? orientation : 1;
-    const bool across = swapsSides(known);
+    const bool across = swapsSides(orientation);
     upright.fit(across ? stored.height : stored.width, across ? stored.width : stored.height);
     if (stored.empty()) return;
     const cv::Mat from = viewOf(stored, {0, 0, stored.width, stored.height});
     cv::Mat to = viewOf(upright, {0, 0, upright.width, upright.height});
     across ? cv::transpose(from, to) : from.copyTo(to);
     constexpr int kFlips[] = {1, -1, 0}; // after the transposition: left and right, both, upside down
-    if (const int step = (known - 1) % 4; step > 0) cv::flip(to, to, kFlips[step - 1]);
+    if (const int step = (orientation - 1) % 4; step > 0) cv::flip(to, to, kFlips[step - 1]);
 }
 
 std::string uprightNote(int orientation) {

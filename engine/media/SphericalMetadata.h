@@ -70,7 +70,7 @@ std::optional<PanoramaPlacement> placementIn(std::string_view xmp, const std::st
 constexpr bool swapsSides(int orientation) { return orientation >= 5; }
 std::string uprightNote(int orientation); // the clause for the person, after "; "; empty for 1
 
-// Makes a stored picture upright; `upright` takes its size. Any number but 1 to 8 counts as 1.
+// Makes a stored picture upright; `upright` takes its size.
 template <class Picture> void makeUpright(const Picture& stored, int orientation, Picture& upright);
 
 // Places each eye's picture in its bounds within `whole`, which keeps its size: the picture takes the size
