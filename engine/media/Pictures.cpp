@@ -294,15 +294,12 @@ Result<Photo> readPhoto(const Path& file, PictureLimits limits) {
         bytes.insert(bytes.end(), {0xff, 0xd9}); // OpenCV leaves the last rows undecoded without an end mark
     }
     if (header.kind == PictureKind::Tiff) clearOrientation(bytes);
-    auto stored = decoded(file, header.kind, bytes);
+    const auto stored = decoded(file, header.kind, bytes);
     if (!stored) return stored.error();
     if (header.kind == PictureKind::Avif &&
         (stored->width != header.size.width || stored->height != header.size.height))
         return Error{file.string(), "its header and its pixels state different sizes"};
-    if (photo.metadata.orientation == 1)
-        photo.picture = std::move(*stored);
-    else
-        makeUpright(*stored, photo.metadata.orientation, photo.picture);
+    makeUpright(*stored, photo.metadata.orientation, photo.picture);
     photo.colourNote = convertToSrgb(photo.metadata.profile, photo.picture);
     return photo;
 }

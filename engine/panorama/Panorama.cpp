@@ -423,9 +423,8 @@ Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const Panorama
         std::tan(kDefaultFov_deg / 2 * kRadiansPerDegree) * photo.width / std::max(photo.width, photo.height);
     const double fov = options.fov_deg ? *options.fov_deg * kRadiansPerDegree : 2 * std::atan(usual);
     const int detailed = static_cast<int>(photo.width * 2 * std::numbers::pi / fov);
-    const Panorama<cv::Mat> made = panoramaFromCoded(
-        coded, fov, std::clamp(detailed / 64 * 64, 512, 4096), options.full,
-        options.progress ? options.progress : [](double) {});
+    const Panorama<cv::Mat> made = panoramaFromCoded(coded, fov, std::clamp(detailed / 64 * 64, 512, 4096),
+                                                     options.full, options.progress);
     return Panorama<Picture>{pictureFromCoded<Picture>(made.latLong),
                              made.lightInPhoto * (photo.width * 1.0 / coded.cols), made.lightLatitude_deg};
 }

@@ -24,7 +24,7 @@ struct PanoramaOptions {
     // longer side, as of a phone's main camera.
     std::optional<double> fov_deg;
     bool full = false; // heighten it by seam insertion to both poles, as the thesis does
-    Progress progress;
+    Progress progress = [](double) {};
 };
 
 inline constexpr double kMinFov_deg = 10, kMaxFov_deg = 150;
