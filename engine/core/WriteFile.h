@@ -1,9 +1,8 @@
 // Writes files so that nothing is lost; all files of the program are written by these functions. Any thread.
 //
-// A file is written under a temporary name in the same folder, synchronised to the disk, then renamed: a
-// reader, a crash or a full disk finds the old file or the new one, never half of one. The temporary name of
-// NAME is .NAME.PID.part; a process that is killed in between leaves that file. Symbolic links are followed
-// and kept; devices and FIFOs are written to directly.
+// A file is written under a temporary name in its folder (.NAME.PID.part, which a killed process leaves),
+// synchronised to the disk, then renamed: a reader, a crash or a full disk finds the old file or the new one,
+// never half of one. Symbolic links are followed and kept; devices and FIFOs are written to directly.
 #pragma once
 
 #include "engine/core/Files.h"

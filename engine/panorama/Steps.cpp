@@ -316,8 +316,7 @@ cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
     return out;
 }
 
-// The triangle that contains a point of the plane, in a lattice of triangles with sides of length 1: its
-// corners, and the point's barycentric coordinates.
+// The triangle that contains a point of the plane, in a lattice of triangles with sides of length 1.
 struct Triangle {
     std::array<cv::Point2i, 3> corners; // lattice coordinates
     std::array<double, 3> barycentric;

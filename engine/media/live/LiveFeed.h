@@ -44,11 +44,10 @@ class LiveFeed {
     // Connects, or connects again. The error says why there is nothing to read.
     virtual Status open() = 0;
 
-    // Reads the newest picture that was not read before, as soon as there is one; blue first, sRGB-coded.
-    // The image takes the picture's size, at most kMaxVideoSide a side. Sets the frame's light, chroma
-    // texels, time of decoding, and arrival: that of the last coded byte, by liveNow_s(). Returns how many
-    // pictures were skipped since the last one because a newer one had arrived. The error says why no more
-    // pictures come; only open() can then bring new ones.
+    // Reads the newest unread picture as soon as there is one, blue first, sRGB-coded; the image takes its
+    // size, at most kMaxVideoSide a side. Sets the frame's light, chroma texels, decode_ms and arrived_s:
+    // when its last coded byte came, by liveNow_s(). Returns how many it left out because a newer one had
+    // arrived. The error says why no more pictures come; only open() can then bring new ones.
     virtual Result<int64_t> read(ImageRgb8& bgr, VideoFrame& frame) = 0;
 
     // Makes open() and read() return soon, now and later. Any thread.
