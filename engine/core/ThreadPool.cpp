@@ -8,18 +8,12 @@
 
 namespace shoal {
 
-ThreadPool::ThreadPool(int helpers) {
-    try {
-        for (int k = 0; k < helpers; ++k) helpers_.emplace_back([this] { wait(); });
-    } catch (...) { // a thread could not be started; without stop() the others would wait for ever
-        stop();
-        throw;
-    }
+// As the other constructor has finished by then, the destructor ends the helpers if one cannot be started.
+ThreadPool::ThreadPool(int helpers) : ThreadPool() {
+    for (int k = 0; k < helpers; ++k) helpers_.emplace_back([this] { wait(); });
 }
 
-ThreadPool::~ThreadPool() { stop(); }
-
-void ThreadPool::stop() {
+ThreadPool::~ThreadPool() {
     const std::lock_guard lock(mutex_);
     stop_ = true;
     next_ = parts_;

@@ -25,8 +25,8 @@ class ThreadPool {
     }
 
   private:
+    ThreadPool() = default;
     void begin(int parts, std::function<void(int)> part);
-    void stop();
     void work(std::unique_lock<std::mutex>& lock);
     void wait();
 
