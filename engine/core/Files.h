@@ -12,8 +12,7 @@ namespace shoal {
 
 using Path = std::filesystem::path;
 
-// Returns the folder of the running program.
-Path programFolder();
+Path programFolder(); // of the running program
 
 // Returns the folder of content/ and shaders/, the same at each call: $SHOAL_DATA; else where it is
 // installed, relative to the program, so that an installation can be moved; else the build's source tree.

@@ -75,7 +75,7 @@ static std::string shapeNote(const Photo& photo) {
                                   : fmt::format("lat-long {}", enumName(layout));
 }
 
-// Returns checkVideo()'s clause about a film's depth; empty if no track lies beside the film.
+// Return checkVideo()'s clauses about a film's depth, empty if no track lies beside it, and about its sound.
 static std::string depthNote(const Path& film) {
     const Path file = depthTrackOf(film);
     std::error_code missing;
@@ -85,7 +85,6 @@ static std::string depthNote(const Path& film) {
     return fmt::format("; with depth, {}x{}", track->info().width, track->info().height);
 }
 
-// Returns checkVideo()'s clause about a film's sound.
 static std::string soundNote(const Path& film) {
     const auto sound = SoundTrack::open(film, 0);
     if (!sound) return "; " + sound.error().reason;

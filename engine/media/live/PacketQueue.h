@@ -95,7 +95,6 @@ class PacketQueue {
         const std::lock_guard lock(mutex_);
         return packets_.size();
     }
-    // Returns the reason of close().
     std::string reason() const {
         const std::lock_guard lock(mutex_);
         return reason_;
