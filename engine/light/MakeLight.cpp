@@ -56,10 +56,9 @@ void LightMaker::make(const FrameView& frame, EnvironmentLight& out) {
     filter(out);
 }
 
-size_t LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
-    const size_t repaired = pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
+void LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
+    pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
     filter(out);
-    return repaired;
 }
 
 void LightMaker::makeFilters(int baseWidth) {

@@ -55,9 +55,8 @@ class LightMaker {
     explicit LightMaker(LightOptions options = {}) : options_(options) {}
 
     void make(const FrameView& frame, EnvironmentLight& out);
-
-    // Returns how many texels were repaired: NaN, infinite, negative or above kMaxRadianceIn.
-    size_t makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out);
+    // radianceLin: see kMaxRadianceIn for values that cannot be light.
+    void makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out);
 
   private:
     // The filters for one base width.

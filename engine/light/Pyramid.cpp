@@ -114,11 +114,10 @@ void halveRow(const float* __restrict top, const float* __restrict bottom, float
     }
 }
 
-// Clamps a value to 0 .. kMaxRadianceIn; infinity becomes kMaxHalf, NaN 0. Returns whether it changed.
-bool repair(float& value) {
-    if (value >= 0 && value <= kMaxRadianceIn) return false;
-    value = std::isinf(value) && value > 0 ? kMaxHalf : value > 0 ? kMaxRadianceIn : 0.0f;
-    return true;
+// Returns the value clamped to 0 .. kMaxRadianceIn; infinity becomes kMaxHalf, NaN 0.
+float repaired(float value) {
+    if (!(value > 0)) return 0;
+    return std::isinf(value) ? kMaxHalf : std::min(value, kMaxRadianceIn);
 }
 
 // Resizes the levels; a level that already has its size keeps its values.
@@ -177,6 +176,7 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
     assert(sourceWidth > 0 && sourceHeight > 0);
     const int width = baseWidthFor(sourceWidth, askedWidth), height = width / 2;
     fitLevels(width, out);
+    std::ranges::fill(out.levels[0].pixels, 0.0f);
     if (sourceWidth == sourceWidth_ && sourceHeight == sourceHeight_ && width == baseWidth_) return;
     sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
 
@@ -295,7 +295,6 @@ void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid&
     if (!expands && makeByBlocks(frame, askedWidth, out, from)) return;
     prepare(frame.width, frame.height, askedWidth, out);
     ImageRgbF& base = out.levels[0];
-    std::ranges::fill(base.pixels, 0.0f);
     const auto decode = from == FrameRadiance::Thesis ? decodeRow : decodeLinearRow;
     const glm::vec2 range = from == FrameRadiance::Akyuz ? luminanceRange(frame, row_) : glm::vec2(0);
     addRows(
@@ -309,21 +308,16 @@ void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid&
     halveAll(out);
 }
 
-size_t PyramidMaker::make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out) {
+void PyramidMaker::make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out) {
     prepare(radianceLin.width, radianceLin.height, askedWidth, out);
-    size_t repaired = 0;
-    const auto read = [&](int y) {
-        std::copy_n(radianceLin.at(0, y), row_.size(), row_.begin());
-        for (size_t i = 0; i < row_.size(); i += 3) {
-            const bool r = repair(row_[i]), g = repair(row_[i + 1]), b = repair(row_[i + 2]);
-            repaired += r || g || b;
-        }
-        return true;
-    };
-    std::ranges::fill(out.levels[0].pixels, 0.0f);
-    addRows(read, out.levels[0]);
+    addRows(
+        [&](int y) {
+            const float* from = radianceLin.at(0, y);
+            std::transform(from, from + row_.size(), row_.begin(), repaired);
+            return true;
+        },
+        out.levels[0]);
     halveAll(out);
-    return repaired;
 }
 
 } // namespace shoal::light

@@ -37,8 +37,8 @@ class PyramidMaker {
     void make(const FrameView& frame, int askedWidth, RadiancePyramid& out,
               FrameRadiance from = FrameRadiance::Thesis);
 
-    // Takes linear radiance. Returns how many texels had to be repaired.
-    size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
+    // Takes linear radiance.
+    void make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
 
     // Returns the gain of the last frame made with FrameRadiance::Auto.
     const ClippedGain& clippedGain() const { return clippedGain_; }

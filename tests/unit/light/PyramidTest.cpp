@@ -314,7 +314,7 @@ TEST(Pyramid, LinearSourceOfTheBasesSizeIsKept) {
     const ImageRgbF source = noise(512, 256);
     RadiancePyramid pyramid;
     PyramidMaker maker;
-    EXPECT_EQ(maker.make(source, 512, pyramid), 0u);
+    maker.make(source, 512, pyramid);
     EXPECT_LT(largestDifference(pyramid.levels[0], source), 1e-6);
 }
 
@@ -338,7 +338,7 @@ TEST(Pyramid, RepairsWhatIsNotLight) {
     broken.at(7, 50)[0] = 1e9f; // a real sun may be so bright
     RadiancePyramid pyramid;
     PyramidMaker maker;
-    EXPECT_EQ(maker.make(broken, 256, pyramid), 4u);
+    maker.make(broken, 256, pyramid);
     EXPECT_EQ(pyramid.levels[0].at(3, 50)[0], 0.0f);
     EXPECT_EQ(pyramid.levels[0].at(4, 50)[1], 0.0f);
     EXPECT_EQ(pyramid.levels[0].at(5, 50)[2], kMaxHalf);
