@@ -13,21 +13,15 @@ namespace shoal::light {
 
 namespace {
 
-// Decodes a row of bytes to linear RGB with the arithmetic of radianceFromDisplay().
+// Decodes a row of bytes by radianceFromDisplay().
 SHOAL_VECTORISE
 void decodeRow(const uint8_t* __restrict bytes, int width, bool bgr, float* __restrict rgb) {
     constexpr float kUnit = 1.0f / 255.0f;
     for (int i = 0; i < 3 * width; ++i) rgb[i] = static_cast<float>(bytes[i]) * kUnit;
     for (int x = 0; x < width; ++x) { // a separate loop, and no address from bgr: both are vectorised
         const float first = rgb[3 * x], g = rgb[3 * x + 1], last = rgb[3 * x + 2];
-        const float r = bgr ? last : first, b = bgr ? first : last;
-        const float l = 0.30f * r + 0.59f * g + 0.11f * b;
-        const float l2 = l * l;
-        const float l4 = l2 * l2;
-        const float scale = 10.0f * l4 * l4 * l2 + 1.8f;
-        rgb[3 * x] = scale * r;
-        rgb[3 * x + 1] = scale * g;
-        rgb[3 * x + 2] = scale * b;
+        const glm::vec3 radiance = radianceFromDisplay({bgr ? last : first, g, bgr ? first : last});
+        for (int c = 0; c < 3; ++c) rgb[3 * x + c] = radiance[c];
     }
 }
 
