@@ -121,11 +121,11 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
 // s, which is 0 at infinity. It goes from near to far, each time to where the ray would meet the surface that
 // the film shows towards the point, by FILM_STEP_RAD at most, so that it passes over no wide surface. A point
 // a little behind that surface is moved back to it; one far behind it has passed an edge.
-Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
+glm::vec3 searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
     struct Point {
-        float inverse; // inverse distance from the eye
-        Seen seen;
-        float met; // inverse distance at which the ray meets that surface
+        float inverse;     // inverse distance from the eye
+        glm::vec3 towards; // direction from the film's camera
+        float met;         // inverse distance at which the ray meets the surface seen there
     };
     const float along = glm::dot(eyeEnv, dirEnv), eye2 = glm::dot(eyeEnv, eyeEnv), eye = std::sqrt(eye2);
     const auto at = [&](float inverse) {
@@ -133,23 +133,23 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
         const float d = map.inverse_perM(towards);
         const float met =
             d / (std::sqrt(1 + d * d * (along * along - eye2)) - along * d); // |eye + dir / w| = 1 / d
-        return Point{inverse, {towards, d}, met};
+        return Point{inverse, towards, met};
     };
     const float maxStep = static_cast<float>(FILM_STEP_RAD) / eye; // the greatest step on the map
     const float found = static_cast<float>(FILM_FOUND_RAD) / eye;  // a quarter of a texel
     const auto isMet = [&](const Point& point) { return std::abs(point.met - point.inverse) <= found; };
     Point before = at(1 / kNearest_m), point = before;
     for (int k = 0; k < FILM_MAX_STEPS; ++k) {
-        if (isMet(point)) return point.seen;
+        if (isMet(point)) return point.towards;
         if (point.met > static_cast<float>(FILM_PASSED) * point.inverse + found) break; // far behind it
         if (point.met < point.inverse) before = point;
         point = at(std::max(point.met, point.inverse - maxStep));
     }
     const Point nearer = at(point.met);
-    if (isMet(nearer)) return nearer.seen; // a step went past it
+    if (isMet(nearer)) return nearer.towards; // a step went past it
     const Point beyond = at(before.met);
-    if (isMet(beyond)) return beyond.seen;
-    return nearer.met < point.met ? nearer.seen : before.seen;
+    if (isMet(beyond)) return beyond.towards;
+    return nearer.met < point.met ? nearer.towards : before.towards;
 }
 
 void widenNear(const DepthMap& map, DepthMap& out) {

@@ -33,17 +33,11 @@ struct DepthMap {
     float inverse_perM(const glm::vec3& dirEnv) const;
 };
 
-// The point of the film that a ray meets: see searchAlong().
-struct Seen {
-    glm::vec3 dirEnv;   // direction from the film's camera
-    float inverse_perM; // inverse of its distance from the film's camera
-};
-
-// Returns what an eye beside the film's camera sees in a direction: the first point of the film on the ray,
-// found by fixed-point iteration from the near end. Where the ray passes behind a depth edge, in a place that
-// no frame shows, it returns the surface behind, beside that edge. eyeEnv: metres from the film's camera, at
-// most a third of a metre; dirEnv: unit length.
-Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv);
+// Returns what an eye beside the film's camera sees in a direction, as a direction from that camera: the
+// first point of the film on the ray, found by fixed-point iteration from the near end. Where the ray passes
+// behind a depth edge, in a place that no frame shows, it returns the surface behind, beside that edge.
+// eyeEnv: metres from the film's camera, at most a third of a metre; dirEnv: unit length.
+glm::vec3 searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv);
 
 // Widens near surfaces by a texel. Texels at a film's edges mix the colours of both sides: if they moved with
 // the far side, an eye would see a ghost of the edge.

@@ -329,11 +329,12 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
             for (int x = 4; x < width; x += 8) {
                 const glm::vec3 ray = rayThrough(eye, x, y);
                 const glm::vec3 dirEnv = envFromWorld * (down * glm::normalize(ray));
-                const depth::Seen seen = depth::searchAlong(*environment_->depth(), eyeEnv, dirEnv);
+                const glm::vec3 seen = depth::searchAlong(*environment_->depth(), eyeEnv, dirEnv);
+                const float inverse_perM = environment_->depth()->inverse_perM(seen);
                 // 1/m along the eye's axis.
-                const glm::vec3 toPlace = seen.dirEnv - eyeEnv * seen.inverse_perM;
+                const glm::vec3 toPlace = seen - eyeEnv * inverse_perM;
                 const float expected =
-                    seen.inverse_perM * glm::length(ray) / std::max(glm::length(toPlace), 1e-3f);
+                    inverse_perM * glm::length(ray) / std::max(glm::length(toPlace), 1e-3f);
                 const float value = eye.depth->values[static_cast<size_t>(y * width + x)];
                 const float found = (1 - value * (far_m - near_m) / far_m) / near_m;
                 ++asked;
