@@ -5,16 +5,15 @@
 
 namespace shoal::tests {
 
-struct LevelFloor final : physics::Ground {
-    explicit LevelFloor(float at) : height(at) {}
-    void triangles(glm::vec3 low, glm::vec3 high, const Visit& visit) const override {
+inline physics::Ground levelFloor(float height, float friction = 0) {
+    const auto triangles = [height](glm::vec3 low, glm::vec3 high, const physics::Ground::Visit& visit) {
         if (low.y > height || high.y < height) return;
         const glm::vec3 a(low.x - 1, height, low.z - 1), b(high.x + 1, height, low.z - 1),
             c(high.x + 1, height, high.z + 1), d(low.x - 1, height, high.z + 1);
         visit(a, c, b);
         visit(a, d, c);
-    }
-    float height;
-};
+    };
+    return {triangles, friction};
+}
 
 } // namespace shoal::tests

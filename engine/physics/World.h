@@ -44,15 +44,11 @@ struct Knock {
     float closing_mps = 0; // > 0
 };
 
-// Surfaces at rest. visit() is called for each triangle that may reach into the box.
-class Ground {
-  public:
+// Surfaces at rest. triangles() calls `visit` for each triangle that may reach into the box.
+struct Ground {
     using Visit = std::function<void(glm::vec3, glm::vec3, glm::vec3)>;
-    virtual void triangles(glm::vec3 low, glm::vec3 high, const Visit& visit) const = 0;
+    std::function<void(glm::vec3 low, glm::vec3 high, const Visit& visit)> triangles;
     float friction = 0;
-
-  protected:
-    ~Ground() = default;
 };
 
 class World {

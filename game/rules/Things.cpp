@@ -5,7 +5,6 @@
 #include "game/rules/SharkBehaviour.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shoal::game {
 
@@ -70,10 +69,10 @@ const Swimmer* targetOf(glm::vec3 from, glm::vec3 way, const DiveContext& in) {
 }
 
 // Returns the velocity of a throw that comes nearest to the target, which swims on. It simulates a throw,
-// measures by how much this misses at its nearest point, corrects the aim by that, and repeats.
-glm::vec3 aimedAt(const Swimmer& target, physics::LooseBody thing, const Species* shark) {
-    const glm::vec3 at =
-        shark ? target.position + target.forward * (0.4f * shark->length_m) : target.position;
+// measures by how much this misses at its nearest point, corrects the aim by that, and repeats. ahead_m: how
+// far ahead of the target's middle it aims.
+glm::vec3 aimedAt(const Swimmer& target, float ahead_m, physics::LooseBody thing) {
+    const glm::vec3 at = target.position + target.forward * ahead_m;
     const glm::vec3 from = thing.position;
     const float speed =
         std::min(kAimedMax_mps,
@@ -96,23 +95,19 @@ glm::vec3 aimedAt(const Swimmer& target, physics::LooseBody thing, const Species
 }
 
 // The film's surfaces at this time, and the floor of the dive.
-class Room final : public physics::Ground {
-  public:
-    explicit Room(const DiveContext& in) : in_(in) { friction = in.film.known() ? 0 : 0.6f; }
-    void triangles(glm::vec3 low, glm::vec3 high, const Visit& visit) const override {
-        const float y = in_.dive.floor_m;
+physics::Ground groundOf(const DiveContext& in) {
+    const auto triangles = [&in](glm::vec3 low, glm::vec3 high, const physics::Ground::Visit& visit) {
+        const float y = in.dive.floor_m;
         if (low.y < y) {
             const glm::vec3 a(low.x - 1, y, low.z - 1), c(high.x + 1, y, high.z + 1);
             const glm::vec3 b(c.x, y, a.z), d(a.x, y, c.z);
             visit(a, c, b);
             visit(a, d, c);
         }
-        if (in_.film.known()) in_.film.triangles(low, high, visit);
-    }
-
-  private:
-    const DiveContext& in_;
-};
+        if (in.film.known()) in.film.triangles(low, high, visit);
+    };
+    return {triangles, in.film.known() ? 0 : 0.6f};
+}
 
 void drift(Fish& f, const DiveContext& in) {
     const Species& kind = in.kindOf(f);
@@ -231,8 +226,9 @@ void letGo(Fish& f, int id, const Hand& hand, int h, const DiveContext& in, Even
     f.spin = glm::vec3(0);
     if (f.loose.thrown && in.thingOf(f) == Thing::Stone && in.assist != Assist::None)
         if (const Swimmer* target = targetOf(f.position, f.push / speed, in)) {
-            const Shark* shark = target == &in.state.shark ? &in.state.shark : nullptr;
-            f.push = aimedAt(*target, looseBody(f, id, in.kindOf(f)), shark ? &in.kindOf(*shark) : nullptr);
+            const Shark& shark = in.state.shark;
+            const float ahead_m = target == &shark ? 0.4f * in.kindOf(shark).length_m : 0;
+            f.push = aimedAt(*target, ahead_m, looseBody(f, id, in.kindOf(f)));
         }
     f.velocity = f.push;
     events.push_back({f.loose.thrown ? EventKind::Throw : EventKind::Release, id, h, f.position});
@@ -316,7 +312,7 @@ void ThingMover::move(physics::World& world, std::span<Fish> fish, Shark& shark,
         bodies_.push_back({static_cast<uint32_t>(fish.size() + 1 + h), forearm(hand.before),
                            forearm(hand.joints), hand.velocity});
     }
-    world.move(loose_, bodies_, Room(in), kDt, knocks_);
+    world.move(loose_, bodies_, groundOf(in), kDt, knocks_);
     for (const physics::LooseBody& b : loose_) {
         Fish& f = fish[b.id];
         const Species& kind = in.kindOf(f);

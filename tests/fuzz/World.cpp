@@ -68,7 +68,7 @@ struct Scene {
             fuzz::expect(std::fabs(glm::length(contact.normal) - 1) < 0.01f);
         }
         std::vector<Knock> knocks;
-        world.move(loose, bodies, tests::LevelFloor(-1), kDt, knocks);
+        world.move(loose, bodies, tests::levelFloor(-1), kDt, knocks);
         for (const Knock& knock : knocks)
             fuzz::expect(knock.closing_mps > 0 && std::isfinite(knock.closing_mps));
         for (const LooseBody& b : loose) {

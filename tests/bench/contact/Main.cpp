@@ -300,7 +300,7 @@ double loose_us(Random random) {
     physics::World world;
     std::vector<physics::Knock> knocks;
     const double began = now_us();
-    for (int i = 0; i < 240; ++i) world.move(loose, fish, tests::LevelFloor(-0.6f), 1.0f / 120, knocks);
+    for (int i = 0; i < 240; ++i) world.move(loose, fish, tests::levelFloor(-0.6f), 1.0f / 120, knocks);
     return (now_us() - began) / 240;
 }
 

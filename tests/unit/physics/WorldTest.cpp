@@ -24,7 +24,7 @@ TEST(World, AStoneSinksAtItsTerminalVelocity) {
     LooseBody stone = sphere(0, {0, 0, 0});
     World world;
     std::vector<Knock> knocks;
-    for (int i = 0; i < 240; ++i) world.move({&stone, 1}, {}, tests::LevelFloor(-1000), kDt, knocks);
+    for (int i = 0; i < 240; ++i) world.move({&stone, 1}, {}, tests::levelFloor(-1000), kDt, knocks);
     const float area = 3.14159265f * 0.03f * 0.03f;
     const float terminal =
         std::sqrt(2 * kVolume_m3 * 9.81f * (2600 - kWater_kgpm3) / (kWater_kgpm3 * 0.5f * area));
@@ -44,8 +44,7 @@ TEST(World, NoThrowTunnelsThroughTheFloorAndAllComeToRest) {
     for (const float speed : {0.1f, 1.0f, 5.0f, 15.0f}) {
         LooseBody stone = sphere(0, {0, 0.2f, 0}, {0.3f * speed, -speed, 0});
         World world;
-        tests::LevelFloor floor(0);
-        floor.friction = 0.6f;
+        const Ground floor = tests::levelFloor(0, 0.6f);
         std::vector<Knock> knocks;
         float hardest = 0;
         for (int i = 0; i < 600; ++i) {
@@ -74,7 +73,7 @@ TEST(World, AThrownStoneStrikesABodyAtAnySpeed) {
             std::vector<Knock> knocks;
             bool struck = false;
             for (int i = 0; i < 240 && !struck; ++i) {
-                world.move({&stone, 1}, {&fish, 1}, tests::LevelFloor(-9), kDt, knocks);
+                world.move({&stone, 1}, {&fish, 1}, tests::levelFloor(-9), kDt, knocks);
                 struck = !knocks.empty();
                 if (struck) {
                     EXPECT_EQ(std::pair(knocks[0].loose, knocks[0].other), std::pair(1u, 0u));
@@ -95,7 +94,7 @@ TEST(World, BodiesShareMomentum) {
     }
     World world;
     std::vector<Knock> knocks;
-    world.move(stones, {}, tests::LevelFloor(-9), kDt, knocks);
+    world.move(stones, {}, tests::levelFloor(-9), kDt, knocks);
     EXPECT_NEAR(stones[0].velocity.x + stones[1].velocity.x, 1, 1e-4f);
     EXPECT_NEAR(stones[1].velocity.x - stones[0].velocity.x, 0.25f, 1e-3f);
     ASSERT_EQ(knocks.size(), 1u);
@@ -120,8 +119,7 @@ struct Fall {
         const float x = 0.3f * static_cast<float>(tick % 240) / 240;
         Body fish = still(20, {x, 0.1f, 0});
         fish.velocity = {0.15f, 0, 0};
-        tests::LevelFloor floor(0);
-        floor.friction = 0.6f;
+        const Ground floor = tests::levelFloor(0, 0.6f);
         world.move(bodies, {&fish, 1}, floor, kDt, knocks);
     }
     bool operator==(const Fall& other) const {
@@ -165,9 +163,9 @@ TEST(World, ForgetsWhatANumberThatIsNoneWouldDo) {
     EXPECT_TRUE(contacts.empty());
     Body swift = still(4, {0, 1, 0});
     swift.velocity.x = none;
-    world.move({&stone, 1}, {&swift, 1}, tests::LevelFloor(0), kDt, knocks);
+    world.move({&stone, 1}, {&swift, 1}, tests::levelFloor(0), kDt, knocks);
     EXPECT_TRUE(std::isfinite(stone.velocity.x));
-    world.move({&stone, 1}, {&fish, 1}, tests::LevelFloor(0), kDt, knocks);
+    world.move({&stone, 1}, {&fish, 1}, tests::levelFloor(0), kDt, knocks);
     EXPECT_TRUE(std::isfinite(stone.position.y));
 }
 
