@@ -5,12 +5,12 @@
 #include "occlusion/Slab.glsl"
 
 struct OllfbView {
-    vec4 right, up, along; // rows of viewFromBody; w: position of the pixels' origin
+    float viewFromBody[9]; // column by column
+    float low[3];          // position of the pixels' origin
     float pixelsPerMetre;
     float depthRange;
     int width, height;
     uint firstRow;
-    uint pad0, pad1, pad2;
 };
 struct OllfbRow {
     uint firstLayer, firstStart;
@@ -201,10 +201,13 @@ bool surfaceNear(vec3 place, vec3 normal, out float depth, out vec2 slope, out v
     return true;
 }
 
-mat3 bodyFromView() { return mat3(view.right.xyz, view.up.xyz, view.along.xyz); }
+mat3 bodyFromView() {
+    float m[9] = view.viewFromBody;
+    return mat3(m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]);
+}
 
 vec3 pixelFromBody(vec3 place) {
-    return place * bodyFromView() * view.pixelsPerMetre - vec3(view.right.w, view.up.w, view.along.w);
+    return place * bodyFromView() * view.pixelsPerMetre - vec3(view.low[0], view.low[1], view.low[2]);
 }
 
 const vec4 kNothing = vec4(-1, 0, 0, 0);

@@ -19,14 +19,8 @@ float startOf(float start_px, const Sphere& sphere, int resolution) {
     return start_px * 2 * sphere.radius / static_cast<float>(resolution);
 }
 
-// OllfbView in shaders/occlusion/Ollfb.glsl, std430.
-struct GpuView {
-    glm::vec4 rows[3]; // rows of viewFromBody; w: OllfbView::low
-    float pixelsPerMetre, depthRange_px;
-    glm::ivec2 size;
-    uint32_t firstRow, pad[3];
-};
-static_assert(sizeof(GpuView) == 80);
+// Ollfb.glsl reads the buffers of an Ollfb as they are, std430.
+static_assert(sizeof(OllfbView) == 68, "17 words in the order of the members");
 static_assert(sizeof(OllfbRow) == 12, "three words, begin in the low half of the third");
 
 } // namespace
@@ -87,22 +81,10 @@ template <class T> Status LayersGpu::keep(int binding, const std::vector<T>& val
 }
 
 Result<LayersGpu> LayersGpu::upload(const Ollfb& ollfb) {
-    if (Status status = canKeepLayers(); !status) return status.error();
     LayersGpu result;
     result.closed_ = ollfb.closed;
-    std::vector<GpuView> views;
-    for (const OllfbView& view : ollfb.views) {
-        const glm::mat3 rows = glm::transpose(view.viewFromBody);
-        views.push_back(
-            {{glm::vec4(rows[0], view.low.x), glm::vec4(rows[1], view.low.y), glm::vec4(rows[2], view.low.z)},
-             view.pixelsPerMetre,
-             view.depthRange_px,
-             view.size,
-             view.firstRow,
-             {}});
-    }
     for (const Status& status :
-         {result.keep(OCCLUSION_VIEWS, views), result.keep(OCCLUSION_ROWS, ollfb.rows),
+         {result.keep(OCCLUSION_VIEWS, ollfb.views), result.keep(OCCLUSION_ROWS, ollfb.rows),
           result.keep(OCCLUSION_STARTS, ollfb.starts), result.keep(OCCLUSION_LAYERS, ollfb.layers),
           result.keep(OCCLUSION_AXES, ollfb.axes.table)})
         if (!status) return status.error();
@@ -110,7 +92,6 @@ Result<LayersGpu> LayersGpu::upload(const Ollfb& ollfb) {
 }
 
 Result<LayersGpu> LayersGpu::upload(const ThesisLayers& layers) {
-    if (Status status = canKeepLayers(); !status) return status.error();
     LayersGpu result;
     result.method_ = LayerMethod::Thesis;
     result.views_ = layers.views;

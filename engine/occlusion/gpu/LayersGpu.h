@@ -32,7 +32,7 @@ class LayersGpu {
     static Result<LayersGpu> make(const BodyMesh& mesh, LayerMethod method,
                                   const Ollfb::Options& options = {});
 
-    // Upload the buffers; both fail without OpenGL 4.3 or memory.
+    // Upload the buffers. Both require canKeepLayers(), and fail without memory.
     static Result<LayersGpu> upload(const Ollfb& ollfb);
     static Result<LayersGpu> upload(const ThesisLayers& layers);
 
