@@ -6,7 +6,6 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include "engine/core/Hash.h"
 #include "engine/core/Number.h"
-#include "game/rules/FishBehaviour.h"
 #include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
 
@@ -453,7 +452,6 @@ template <class T> auto fieldsOf(const T& state) {
     SHOAL_TIE(6, a, b, c, d, e, f);
     SHOAL_TIE(7, a, b, c, d, e, f, g);
     SHOAL_TIE(8, a, b, c, d, e, f, g, h);
-    SHOAL_TIE(9, a, b, c, d, e, f, g, h, i);
     SHOAL_TIE(10, a, b, c, d, e, f, g, h, i, j);
     SHOAL_TIE(11, a, b, c, d, e, f, g, h, i, j, k);
     SHOAL_TIE(12, a, b, c, d, e, f, g, h, i, j, k, l);
