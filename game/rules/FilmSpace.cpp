@@ -104,8 +104,6 @@ FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
                 std::min(surface_mm[step * kCells + cell], static_cast<uint16_t>(1000 * kFar_m));
         fillBorder(to);
     }
-    directions_.resize(kCells);
-    for (int cell = 0; cell < kCells; ++cell) directions_[cell] = directionOf(cell);
     for (const Room of : {Room::Fish, Room::Shark}) makeRoom(of);
 }
 
@@ -180,7 +178,7 @@ glm::vec3 FilmSpace::corner(const Moment& moment, int x, int y) const {
         return static_cast<float>(surface_mm_[step * kStride + cellAt(cell)]);
     };
     const float before = inStep(moment.before), after = inStep(moment.after);
-    return directions_[cell] * (0.001f * (before + (after - before) * moment.share));
+    return directionOf(cell) * (0.001f * (before + (after - before) * moment.share));
 }
 
 float FilmMoment::gap_m(glm::vec3 place) const {

@@ -65,7 +65,6 @@ class FilmSpace {
 
     double length_s_;
     int steps_;
-    std::vector<glm::vec3> directions_; // one for each cell
     // The grids of all steps, each with a border of one cell that repeats the octahedron's adjacent cells.
     std::vector<uint16_t> surface_mm_;
     std::array<std::vector<uint16_t>, 2> room_mm_; // by Room
