@@ -225,8 +225,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
     }
     const ImageRgbF& thumb = radiance.ofWidth(kThumbWidth);
     for (size_t i = 0; i < out.thumb.size(); ++i)
-        out.thumb[i] =
-            luminanceAt(thumb, static_cast<int>(i % kThumbWidth), static_cast<int>(i / kThumbWidth));
+        out.thumb[i] = thesisLuminance(glm::make_vec3(&thumb.pixels[3 * i]));
 
     const double mean = sum / (4 * std::numbers::pi);
     mean_ = static_cast<float>(mean);
@@ -259,14 +258,13 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
 // Returns the difference between two scenes, 0 to 1: the mean over the sphere of |a - b| / (a + b) of their
 // luminances (Lance and Williams 1967), in which bright parts do not outweigh the rest.
 static float sceneDistance(const FoundLights& a, const FoundLights& b) {
-    double sum = 0, weights = 0;
+    double sum = 0;
     for (size_t i = 0; i < a.thumb.size(); ++i) {
         const double weight = texelSolidAngle(static_cast<int>(i / kThumbWidth), kThumbWidth, kThumbHeight);
         const auto both = static_cast<double>(a.thumb[i] + b.thumb[i]);
         if (both > 0) sum += weight * std::abs(static_cast<double>(a.thumb[i] - b.thumb[i])) / both;
-        weights += weight;
     }
-    return static_cast<float>(sum / weights);
+    return static_cast<float>(sum / (4 * std::numbers::pi));
 }
 
 void LightOverTime::take(const FoundLights& found, float presence) {
