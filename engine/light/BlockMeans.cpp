@@ -107,9 +107,7 @@ template <FrameRadiance kFrom> void meansPlain(const BlockRow& row, int first, i
 #ifdef SHOAL_AVX2
 
 SHOAL_AVX2 inline __m256i twoHalves(const uint8_t* low, const uint8_t* high) {
-    return _mm256_inserti128_si256(
-        _mm256_castsi128_si256(_mm_loadu_si128(reinterpret_cast<const __m128i*>(low))),
-        _mm_loadu_si128(reinterpret_cast<const __m128i*>(high)), 1);
+    return _mm256_loadu2_m128i(reinterpret_cast<const __m128i*>(high), reinterpret_cast<const __m128i*>(low));
 }
 
 // Returns the shuffle mask that sorts four pixels from byte `first` on: all red, all green, all blue.
@@ -227,13 +225,11 @@ SHOAL_AVX2 inline __m256i clippedStepsAvx2(const TwoRows& rows) {
 // Makes blocks 0 .. count - 1, four at a time; count: a multiple of 4.
 template <FrameRadiance kFrom> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) {
     const __m128i pick = planesOf(0, row.bgr);
-    const Picks picks = {_mm256_broadcastsi128_si256(pick),
-                         _mm256_inserti128_si256(_mm256_castsi128_si256(pick), planesOf(4, row.bgr), 1)};
+    const Picks picks = {_mm256_broadcastsi128_si256(pick), _mm256_set_m128i(planesOf(4, row.bgr), pick)};
     const Lines lines = makeLines();
     const __m256 unit = _mm256_set1_ps(row.unit);
     for (int x = 0; x < count; x += 4) {
-        Sums sums = {_mm256_setzero_si256(), _mm256_setzero_si256(), _mm256_setzero_si256(),
-                     _mm256_setzero_si256()};
+        Sums sums{};
         const uint8_t* p = row.pixels + 3 * kBlock * x;
         for (size_t y = 0; y < kBlock; y += 2, p += 2 * row.stride) {
             const TwoRows rows = readTwoRows(p, row.stride, picks);
