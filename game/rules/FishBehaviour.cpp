@@ -236,12 +236,11 @@ struct Desire {
 };
 
 Desire flee(const Fish& f, const Species& kind, const Place& place, const School& school) {
-    Desire desire;
+    Desire desire{.afraid = true};
     desire.way = f.flight.heading * kind.dart_mps + place.outward * (place.radius < 0.6f ? 0.8f : 0.0f);
     desire.speed = kind.dart_mps * std::min(1.0f, 0.35f + f.flight.left_s);
     const float outer = school.radiusHigh_m + 0.6f * kOuterSlack_m;
     if (place.radius > outer) desire.way -= place.outward * kind.dart_mps * 1.2f;
-    desire.afraid = true;
     return desire;
 }
 
@@ -269,15 +268,12 @@ Desire cruise(const Fish& f, const Species& kind, const Place& place, const Neig
 
 // Swims to the place in front of the palm, slowly at the end, and hovers there facing the hand.
 Desire visit(const Fish& f, const Hand& hand) {
-    Desire desire;
     const glm::vec3 apart = visitedPlace(hand) - f.position;
     const float distance = glm::length(apart);
     const float share = std::min(1.0f, distance / kVisitSlow_m);
     const glm::vec3 looks = normalizedOr(hand.graspCentre - f.position, f.forward);
-    desire.speed = (hand.baitLeft_s > 0 ? kHungry : 1.3f) * f.route.cruise_mps * share;
-    desire.way =
-        normalizedOr(apart, looks) * (f.route.cruise_mps * share) + looks * (0.2f * f.route.cruise_mps);
-    return desire;
+    return {normalizedOr(apart, looks) * (f.route.cruise_mps * share) + looks * (0.2f * f.route.cruise_mps),
+            (hand.baitLeft_s > 0 ? kHungry : 1.3f) * f.route.cruise_mps * share};
 }
 
 // Steers a fish around the player's head.
