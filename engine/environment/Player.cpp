@@ -190,7 +190,7 @@ void Player::makeLight(const light::FrameView& frame, const ImageRgbF& radianceL
     else
         lightMaker_.make(frame, made_);
     pack(light::TooBright::Cut, out);
-    if (setup_.water) out.water = waterEstimator_.estimate(frame);
+    if (setup_.water) out.water = water::estimateWater(frame);
     if (setup_.lights) lightFinder_.find(made_.radiance, out.lights);
     if (every > 1) newest_ = out;
 }

@@ -163,7 +163,6 @@ class Player {
     // State of the analysis. It and the frames are declared before the players, whose threads write them.
     light::LightMaker lightMaker_;
     light::BruteForceDiffuse thesisDiffuse_;
-    water::WaterEstimator waterEstimator_;
     light::LightFinder lightFinder_;
     camera::CameraResponseEstimator responseEstimator_;
     camera::GlareFilter glare_;

@@ -78,9 +78,12 @@ VeilFit lowerFit(std::span<const VeilCell> cells, int channel, double level) {
     return fit;
 }
 
-void sample(const light::FrameView& frame, std::vector<glm::vec3>& cellsLin) {
+// Mean light of the scene in each sector of the horizon, by row.
+using Cells = std::array<glm::vec3, kRows * kSectors>;
+
+Cells sample(const light::FrameView& frame) {
     const auto& table = math::linearOfByte();
-    cellsLin.assign(kRows * kSectors, glm::vec3(0));
+    Cells cellsLin{};
     const int first = frame.bgr ? 2 : 0, last = 2 - first;
     for (int row = rowAt(kVeilTop_deg); row < rowAt(-kVeilBottom_deg); ++row) {
         const uint8_t* line = frame.row(static_cast<int64_t>(2 * row + 1) * frame.height / (2 * kRows));
@@ -95,19 +98,18 @@ void sample(const light::FrameView& frame, std::vector<glm::vec3>& cellsLin) {
             cellsLin[row * kSectors + sector] = sum / static_cast<float>(kPerSector);
         }
     }
+    return cellsLin;
 }
 
-using Cells = std::span<const glm::vec3>;
-
 // Rows: firstRow to lastRow - 1, as below.
-glm::vec3 meanLin(Cells cellsLin, int sector, int firstRow, int lastRow) {
+glm::vec3 meanLin(const Cells& cellsLin, int sector, int firstRow, int lastRow) {
     glm::vec3 sum(0);
     for (int row = firstRow; row < lastRow; ++row) sum += cellsLin[row * kSectors + sector];
     return sum / static_cast<float>(lastRow - firstRow);
 }
 
 // Returns the sectors, the most open first.
-std::array<int, kSectors> sectorsByOpenness(Cells cellsLin, int firstRow, int lastRow) {
+std::array<int, kSectors> sectorsByOpenness(const Cells& cellsLin, int firstRow, int lastRow) {
     std::array<int, kSectors> sectors;
     std::iota(sectors.begin(), sectors.end(), 0);
     std::ranges::sort(sectors, {}, [&](int sector) {
@@ -118,7 +120,7 @@ std::array<int, kSectors> sectorsByOpenness(Cells cellsLin, int firstRow, int la
 }
 
 // Returns the median of the sectors' means, by channel.
-glm::vec3 medianLin(Cells cellsLin, std::span<const int> sectors, int firstRow, int lastRow) {
+glm::vec3 medianLin(const Cells& cellsLin, std::span<const int> sectors, int firstRow, int lastRow) {
     const size_t count = sectors.size();
     glm::vec3 median;
     for (int c = 0; c < 3; ++c) {
@@ -130,7 +132,7 @@ glm::vec3 medianLin(Cells cellsLin, std::span<const int> sectors, int firstRow, 
     return median;
 }
 
-float redLoss(Cells cellsLin, int firstRow, int lastRow) {
+float redLoss(const Cells& cellsLin, int firstRow, int lastRow) {
     int lost = 0;
     for (int sector = 0; sector < kSectors; ++sector) {
         const glm::vec3 mean = meanLin(cellsLin, sector, firstRow, lastRow);
@@ -155,15 +157,15 @@ glm::vec3 attenuationFromVeil(const glm::vec3& veilLin) {
     return kMean_perM * glm::vec3(kRed, root / std::sqrt(kRed), 1 / (root * std::sqrt(kRed)));
 }
 
-WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
-    sample(frame, cellsLin_);
+WaterEstimate estimateWater(const light::FrameView& frame) {
+    const Cells cellsLin = sample(frame);
     WaterEstimate result;
     const int horizonTop = rowAt(kHorizon_deg), horizonBottom = rowAt(-kHorizon_deg);
-    result.evidence = redLoss(cellsLin_, horizonTop, horizonBottom);
+    result.evidence = redLoss(cellsLin, horizonTop, horizonBottom);
     // Only the upper half of the band is used: towards the floor the water is not deep.
-    const auto sectors = sectorsByOpenness(cellsLin_, horizonTop, rowAt(0));
+    const auto sectors = sectorsByOpenness(cellsLin, horizonTop, rowAt(0));
     const std::span<const int> open = std::span(sectors).first(kOpenSectors);
-    result.water.attenuation_perM = attenuationFromVeil(medianLin(cellsLin_, open, horizonTop, rowAt(0)));
+    result.water.attenuation_perM = attenuationFromVeil(medianLin(cellsLin, open, horizonTop, rowAt(0)));
 
     std::array<VeilCell, kSectors* static_cast<size_t>((kVeilTop_deg + kVeilBottom_deg) / kVeilBand_deg)>
         cells;
@@ -176,11 +178,11 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             // Below the horizon most cells show floor, which only bounds the veil.
             const float weight = std::cos(glm::radians(middle)) * (middle > -15 ? 1.0f : 0.3f);
             cells[count] = {veilTerms(dir),
-                            squaredCoded(meanLin(cellsLin_, sector, rowAt(top), rowAt(top - kVeilBand_deg))),
+                            squaredCoded(meanLin(cellsLin, sector, rowAt(top), rowAt(top - kVeilBand_deg))),
                             weight};
         }
     // The level is that of all sectors: a tunnel's veil is as dark as its walls, even if the sea is bright.
-    const glm::vec3 level = squaredCoded(medianLin(cellsLin_, sectors, horizonTop, rowAt(0)));
+    const glm::vec3 level = squaredCoded(medianLin(cellsLin, sectors, horizonTop, rowAt(0)));
     for (int c = 0; c < 3; ++c) {
         const VeilFit fit = lowerFit(cells, c, static_cast<double>(level[c]));
         for (int i = 0; i < fit.rows; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);

@@ -4,8 +4,6 @@
 #include "engine/light/FrameView.h"
 #include "engine/water/Water.h"
 
-#include <vector>
-
 namespace shoal::water {
 
 struct WaterEstimate {
@@ -13,22 +11,14 @@ struct WaterEstimate {
     float evidence = 0; // 0 to 1: rises with the share of horizon that lost red and kept blue, as in water
 };
 
-// Does not allocate after the first frame. One thread at a time.
-//
-// Coded values are linearised by the sRGB curve. Then
+// Estimates the water from one frame. Allocates nothing. Coded values are linearised by the sRGB curve. Then
 //   - the veil (backscatter): spherical harmonics of bands 0 to 2, fitted as a lower envelope to means over
 //     cells by robust least squares, since the veil is part of every pixel and all of it where the water is
 //     deep. It corresponds to the dark channel's minima over patches (He, Sun and Tang 2009; under water
 //     Drews et al. 2013). Directions through the surface to the sky are left out.
 //   - the attenuation: from the veil's colour at the horizon (attenuationFromVeil()); medians over those
 //     sectors of the horizon where green or blue exceed red the most, which is where the water is deepest.
-class WaterEstimator {
-  public:
-    WaterEstimate estimate(const light::FrameView& frame);
-
-  private:
-    std::vector<glm::vec3> cellsLin_; // by row: mean light of the scene in each sector of the horizon
-};
+WaterEstimate estimateWater(const light::FrameView& frame);
 
 // Returns the attenuation per metre: clear coastal water's, with red attenuated most. The ratio of green to
 // blue follows from the veil, which under single scattering is b E / beta, with b about equal for both. E,

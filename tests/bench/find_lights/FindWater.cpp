@@ -37,7 +37,6 @@ In a frame of each second of the films, whose water content/make/video tells. Er
 |---|---|---|--:|--:|--:|--:|
 )");
     const glm::vec3 same_perM = water::attenuationFromVeil(glm::vec3(1)); // by a veil without colour
-    water::WaterEstimator estimator;
     for (const auto& [name, scene] :
          {std::pair("reef", "Reef.toml"), {"night", "Reef.toml"}, {"kelp", "Kelp.toml"}}) {
         auto player = media::VideoPlayer::open(dataRoot() / "content/video" / (std::string(name) + ".mp4"));
@@ -55,7 +54,7 @@ In a frame of each second of the films, whose water content/make/video tells. Er
                                         ptrdiff_t{3} * frame.width};
             glm::vec3 found_perM(0);
             times_us.push_back(
-                shortest_us(0, [&] { found_perM = estimator.estimate(view).water.attenuation_perM; }));
+                shortest_us(0, [&] { found_perM = water::estimateWater(view).water.attenuation_perM; }));
             squares += squareOff(found_perM, truth_perM);
             for (int c = 0; c < 3; ++c)
                 found[static_cast<size_t>(c)].push_back(static_cast<double>(found_perM[c]));
