@@ -33,15 +33,13 @@ size_t cellAt(int cell) { return cellAt(cell % FilmSpace::kSide, cell / FilmSpac
 template <class T> void fillBorder(T* grid) {
     constexpr int n = FilmSpace::kSide;
     for (int i = 0; i < n; ++i) {
-        grid[cellAt(i, -1)] = grid[cellAt(n - 1 - i, 0)];
-        grid[cellAt(i, n)] = grid[cellAt(n - 1 - i, n - 1)];
         grid[cellAt(-1, i)] = grid[cellAt(0, n - 1 - i)];
         grid[cellAt(n, i)] = grid[cellAt(n - 1, n - 1 - i)];
     }
-    grid[cellAt(-1, -1)] = grid[cellAt(n - 1, n - 1)];
-    grid[cellAt(n, n)] = grid[cellAt(0, 0)];
-    grid[cellAt(n, -1)] = grid[cellAt(0, n - 1)];
-    grid[cellAt(-1, n)] = grid[cellAt(n - 1, 0)];
+    for (int i = -1; i <= n; ++i) { // with the corners, from the columns just filled
+        grid[cellAt(i, -1)] = grid[cellAt(n - 1 - i, 0)];
+        grid[cellAt(i, n)] = grid[cellAt(n - 1 - i, n - 1)];
+    }
 }
 
 // Offsets from a cell's index to those of its eight neighbours.
