@@ -42,31 +42,21 @@ struct Frame {
 
 // Rotates the view so that the body's bounding rectangle is smallest, and scales it to the resolution.
 void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Frame& frame) {
-    const glm::mat3 upright = lookingAlong(axis, 0);
-    frame.corners.resize(mesh.positions.size());
-    for (size_t i = 0; i < frame.corners.size(); ++i) frame.corners[i] = upright * mesh.positions[i];
-    float minimum = INFINITY, turn = 0;
+    OllfbView& view = frame.view;
+    glm::vec3 low(0), high(0);
+    float smallest = 0;
     for (int i = 0; i < kTurns; ++i) {
-        const float angle = std::numbers::pi_v<float> / 2 * static_cast<float>(i) / kTurns;
-        const float c = std::cos(angle), s = std::sin(angle);
-        glm::vec2 low(INFINITY), high(-INFINITY);
+        const glm::mat3 turned =
+            lookingAlong(axis, std::numbers::pi_v<float> / 2 * static_cast<float>(i) / kTurns);
+        glm::vec3 from(INFINITY), to(-INFINITY);
         for (const glm::uvec3& t : mesh.triangles)
             for (int k = 0; k < 3; ++k) {
-                const glm::vec3& p = frame.corners[t[k]];
-                const glm::vec2 turned(c * p.x + s * p.y, c * p.y - s * p.x);
-                low = glm::min(low, turned), high = glm::max(high, turned);
+                const glm::vec3 p = turned * mesh.positions[t[k]];
+                from = glm::min(from, p), to = glm::max(to, p);
             }
-        const glm::vec2 size = high - low;
-        if (size.x * size.y < minimum) minimum = size.x * size.y, turn = angle;
+        const float area = (to.x - from.x) * (to.y - from.y);
+        if (i == 0 || area < smallest) smallest = area, view.viewFromBody = turned, low = from, high = to;
     }
-    OllfbView& view = frame.view;
-    view.viewFromBody = lookingAlong(axis, turn);
-    glm::vec3 low(INFINITY), high(-INFINITY);
-    for (const glm::uvec3& t : mesh.triangles)
-        for (int k = 0; k < 3; ++k) {
-            const glm::vec3 p = view.viewFromBody * mesh.positions[t[k]];
-            low = glm::min(low, p), high = glm::max(high, p);
-        }
     // A hundredth of a pixel of margin all round.
     constexpr float kMargin_px = 0.01f;
     const glm::vec3 size = high - low;
@@ -76,6 +66,7 @@ void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Fram
     view.size = glm::clamp(glm::ivec2(glm::ceil(glm::vec2(size) * view.pixelsPerMetre + 2 * kMargin_px)),
                            glm::ivec2(1), glm::ivec2(resolution));
     view.depthRange_px = size.z * view.pixelsPerMetre + 2 * kDepthMargin_px;
+    frame.corners.resize(mesh.positions.size());
     for (size_t i = 0; i < frame.corners.size(); ++i)
         frame.corners[i] = view.pixelFromBody(mesh.positions[i]);
 }
