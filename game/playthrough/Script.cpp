@@ -359,10 +359,7 @@ void ScriptRun::advance(size_t to) {
     step_ = to;
     stepBegan_ = tick_;
     occurredAtStep_ = occurred_.size();
-    if (step_ >= script_.steps.size()) {
-        finished_ = true;
-        return;
-    }
+    if (finished()) return;
     // A step that brings a hand to a fish chooses a new one.
     const ScriptStep& step = script_.steps[step_];
     if (step.what == ScriptStep::Do::Reach || step.what == ScriptStep::Do::Point)
@@ -373,22 +370,18 @@ void ScriptRun::advance(size_t to) {
 void ScriptRun::performStep(const Snapshot& now, TickInput& out) {
     const ScriptStep& step = script_.steps[step_];
     const float spent_s = static_cast<float>(tick_ - stepBegan_) * kDt;
+    const bool isLate = spent_s > std::max(step.timeout_s, step.seconds + 1);
     if (step.what == ScriptStep::Do::Again) {
         const bool stops = step.unless && std::ranges::count(occurred_, *step.unless, &Occurred::kind) > 0;
         const bool repeat = repeats_[step_] < step.times && !stops;
         if (repeat) ++repeats_[step_];
         advance(repeat ? static_cast<size_t>(step.from - 1) : step_ + 1);
-    } else if (perform(step, now, out)) {
+    } else if (perform(step, now, out) || (isLate && step.optional)) {
         advance(step_ + 1);
-    } else if (spent_s > std::max(step.timeout_s, step.seconds + 1)) {
-        if (step.optional)
-            advance(step_ + 1);
-        else
-            failure_ = fmt::format("line {}: step {} was not done in time", step.line, step_ + 1);
-    }
-    if (failure_.empty() && !finished_ && static_cast<float>(tick_) * kDt > script_.timeout_s)
+    } else if (isLate)
+        failure_ = fmt::format("line {}: step {} was not done in time", step.line, step_ + 1);
+    if (!finished() && static_cast<float>(tick_) * kDt > script_.timeout_s)
         failure_ = fmt::format("the script's time was over at step {}", step_ + 1);
-    finished_ = finished_ || !failure_.empty();
 }
 
 void ScriptRun::next(const Snapshot& now, TickInput& out) {
@@ -398,7 +391,7 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
         advance(0);
     }
 
-    if (!finished_) performStep(now, out);
+    if (!finished()) performStep(now, out);
 
     const glm::quat worldFromView =
         glm::normalize(math::rotationAbout(kUp, -yaw_) * math::rotationAbout(glm::vec3(1, 0, 0), pitch_));
@@ -428,7 +421,7 @@ void ScriptRun::observe(std::span<const Event> events, uint64_t stateHash, const
 
 Status ScriptRun::verdict() const {
     if (!failure_.empty()) return Error{script_.name, failure_};
-    if (!finished_) return Error{script_.name, "the script has not ended"};
+    if (!finished()) return Error{script_.name, "the script has not ended"};
     for (const ScriptExpect& expect : script_.expects) {
         if (expect.water && (*expect.water == ScriptExpect::Water::Film) != inFilm_) continue;
         if (const std::string reason = unmet(expect); !reason.empty())

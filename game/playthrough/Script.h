@@ -47,8 +47,8 @@ struct ScriptStep {
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
     enum class At { Shark, Fish };
-    std::optional<At> at; // Look or Throw at the shark, or Point at a fish, not at the numbers below
-    glm::vec3 offset{0}, to{0};     // viewer's frame, metres
+    std::optional<At> at;       // Look or Throw at the shark, or Point at a fish, not at the numbers below
+    glm::vec3 offset{0}, to{0}; // viewer's frame, metres
     glm::vec2 pointer_px{640, 360}; // place in a window of 1280x720: +x right, +y down
     float near_m = 0;
     float seconds = 0;
@@ -115,7 +115,7 @@ class ScriptRun {
     // Takes the events of the tick just stepped, the state's hash, and the snapshot after it.
     void observe(std::span<const Event>, uint64_t stateHash, const Snapshot&);
 
-    bool finished() const { return finished_; }
+    bool finished() const { return !failure_.empty() || step_ >= script_.steps.size(); }
     // Returns success, or the first step that timed out or expectation that failed, once finished().
     Status verdict() const;
     uint64_t ticks() const { return tick_; }
@@ -167,8 +167,7 @@ class ScriptRun {
     Snapshot last_;
     float lowestFish_m_ = 1e9f;
     Hash hash_;
-    bool finished_ = false;
-    std::string failure_;
+    std::string failure_; // ends the script
 };
 
 } // namespace shoal::game
