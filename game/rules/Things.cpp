@@ -295,10 +295,9 @@ void ThingMover::move(physics::World& world, std::span<Fish> fish, Shark& shark,
             if (in.thingOf(f) != Thing::None) drift(f, in);
         } else if (f.state == Fish::State::Loose)
             loose_.push_back(looseBody(f, static_cast<int>(i), in.kindOf(f)));
+        else if (f.swims() || f.state == Fish::State::Held)
+            bodies_.push_back(bodyOf(f, i, in.kindOf(f)));
     }
-    for (size_t i = 0; i < fish.size(); ++i)
-        if (fish[i].swims() || fish[i].state == Fish::State::Held)
-            bodies_.push_back(bodyOf(fish[i], i, in.kindOf(fish[i])));
     if (shark.present) bodies_.push_back(bodyOf(shark, fish.size(), in.kindOf(shark)));
     for (size_t h = 0; h < 2; ++h) { // their ids come after the shark's
         const Hand& hand = in.state.hands[h];
