@@ -364,12 +364,10 @@ glm::vec3 turn(Fish& f, int id, const Species& kind, const Desire& desire, glm::
 
 // Switches between bursts and glides: Weihs 1974, "Energetic advantages of burst swimming of fish".
 void chooseGliding(Fish& f, const Species& kind, const Desire& desire) {
-    if (desire.afraid || !kind.coasts)
+    if (desire.afraid || !kind.coasts || f.speed < 0.75f * desire.speed)
         f.route.gliding = false;
     else if (f.speed > 1.2f * desire.speed)
         f.route.gliding = true;
-    else if (f.speed < 0.75f * desire.speed)
-        f.route.gliding = false;
 }
 
 void accelerate(Fish& f, const Species& kind, Desire desire, glm::vec3 goal) {
