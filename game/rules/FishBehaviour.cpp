@@ -14,11 +14,6 @@ constexpr float kSight_m = 1.1f;    // strangers farther away are ignored
 constexpr float kTouch_m = 0.04f;   // gap below which bodies push each other
 constexpr float kForesee_s = 0.5f;  // look-ahead for fish that will be too near
 
-// Returns the distance at which two strangers start to give way, centre to centre.
-static float roomBetween(const Species& a, const Species& b) {
-    return 0.45f * (a.length_m + b.length_m) + 0.08f;
-}
-
 // Adds one fish's avoidance of another to out. away: unit; gap: between the bodies, metres; urgency: 0 to 1.
 static void giveWay(const Fish& f, const Species& kind, glm::vec3 away, float gap, float urgency,
                     Neighbours& out) {
@@ -46,7 +41,8 @@ static void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, con
     const float squared = glm::dot(apart, apart);
     if ((!companions && squared > kSight_m * kSight_m) || !b.swims()) return;
     const float spacing = kindA.spacing * kindA.length_m;
-    const float room = companions ? spacing : roomBetween(kindA, kindB);
+    // Below this distance, centre to centre, two start to give way.
+    const float room = companions ? spacing : 0.45f * (kindA.length_m + kindB.length_m) + 0.08f;
     const float distance = std::sqrt(squared);
     const glm::vec3 soon = apart + kForesee_s * (a.velocity - b.velocity);
     const float nearest = std::min(distance, glm::length(soon));
