@@ -107,15 +107,14 @@ Result<Program> Program::load(const std::string& stem, const std::vector<std::st
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
-        result.slots_.push_back({name.data(), glGetUniformLocation(program, name.data())});
+        result.locations_[name.data()] = glGetUniformLocation(program, name.data());
     }
     return result;
 }
 
 GLint Program::location(const char* name) const {
-    for (const Slot& slot : slots_)
-        if (slot.name == name) return slot.location;
-    return -1;
+    const auto found = locations_.find(name);
+    return found == locations_.end() ? -1 : found->second;
 }
 
 void Program::setTexture(const char* name, GLuint unit, GLuint texture) const {

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -15,8 +16,6 @@ namespace shoal::gl {
 
 class Program {
   public:
-    Program() = default;
-
     // stem: below shaders/, without ending ("render/Object"). Lines `#include "light/Environment.glsl"`
     // (paths below shaders/) are replaced by the file. defines: names set to 1. Errors carry file name and
     // line of the source. glsl: the language's version; above 330 the caller has checked its support.
@@ -61,12 +60,8 @@ class Program {
     static void put(GLint at, GLsizei count, const glm::vec3* v) { glUniform3fv(at, count, &v->x); }
     static void put(GLint at, GLsizei count, const glm::vec4* v) { glUniform4fv(at, count, &v->x); }
 
-    struct Slot {
-        std::string name;
-        GLint location;
-    };
     Object<Kind::Program> program_;
-    std::vector<Slot> slots_; // every active uniform
+    std::map<std::string, GLint, std::less<>> locations_; // of every active uniform
 };
 
 // GLSL text of one shader stage: the file with its includes resolved, below the version and the defines.
