@@ -5,19 +5,13 @@
 #include "engine/gl/Objects.h"
 
 #include <array>
+#include <memory>
+#include <type_traits>
 
 namespace shoal::gl {
 
 class FramePace {
   public:
-    FramePace() = default;
-    FramePace(const FramePace&) = delete;
-    FramePace& operator=(const FramePace&) = delete;
-    ~FramePace() {
-        for (Frame& frame : frames_)
-            if (frame.drawn) glDeleteSync(frame.drawn); // without frames there may be no context
-    }
-
     // Call it before a frame's first draw.
     void begin() {
         current_ ^= 1;
@@ -30,7 +24,7 @@ class FramePace {
     void end(bool whole = false) {
         Frame& frame = frames_[current_];
         glQueryCounter(frame.end.name(), GL_TIMESTAMP);
-        frame.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        frame.drawn.reset(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
         glFlush();
         wait(frames_[current_ ^ 1]);
         if (whole) wait(frame);
@@ -39,18 +33,20 @@ class FramePace {
     double card_ms() const { return card_ms_; }
 
   private:
+    struct SyncDeleter {
+        void operator()(GLsync sync) const { glDeleteSync(sync); }
+    };
     struct Frame {
         Query begin, end;
-        GLsync drawn = nullptr; // null: nothing is being drawn
+        std::unique_ptr<std::remove_pointer_t<GLsync>, SyncDeleter> drawn; // null: nothing is being drawn
     };
     void wait(Frame& frame) {
         constexpr GLuint64 kPatience_ns = 1'000'000'000;
         if (!frame.drawn) return;
-        while (glClientWaitSync(frame.drawn, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience_ns) ==
+        while (glClientWaitSync(frame.drawn.get(), GL_SYNC_FLUSH_COMMANDS_BIT, kPatience_ns) ==
                GL_TIMEOUT_EXPIRED) {
         }
-        glDeleteSync(frame.drawn);
-        frame.drawn = nullptr;
+        frame.drawn.reset();
         GLuint64 begin_ns = 0, end_ns = 0;
         glGetQueryObjectui64v(frame.begin.name(), GL_QUERY_RESULT, &begin_ns);
         glGetQueryObjectui64v(frame.end.name(), GL_QUERY_RESULT, &end_ns);
