@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string_view>
 
 namespace shoal::gl {
 
@@ -48,8 +47,6 @@ void PassTimers::read(Frame& frame) {
 }
 
 void PassTimers::beginFrame(bool measured) {
-    if (!known_) groups_ = epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug");
-    known_ = true;
     onThread_.beginFrame();
     measured_ = measured;
     current_ = (current_ + 1) % frames_.size();

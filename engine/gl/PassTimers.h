@@ -67,9 +67,9 @@ class PartTimes {
     Clock::time_point since_ = Clock::now();
 };
 
-// Runs the part and returns its result.
-template <class Run> auto timed(PartTimes& times, const char* part, Run&& run) {
-    const PartTimes::Scope scope(&times, part);
+// Runs the part and returns its result. times: may be null.
+template <class Run> auto timed(PartTimes* times, const char* part, Run&& run) {
+    const PartTimes::Scope scope(times, part);
     return run();
 }
 
@@ -118,7 +118,8 @@ class PassTimers {
 
     std::array<Frame, 4> frames_;
     size_t current_ = 0;
-    bool measured_ = false, known_ = false, groups_ = false;
+    bool measured_ = false;
+    bool groups_ = epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug");
     std::vector<Time> times_;
     PartTimes onThread_;
 };

@@ -76,12 +76,8 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     if (Status s = scene.drawParticles(ParticlePass::On::Objects, picture); !s) return s;
     layerOf(picture).end();
     if (samples_ != 1) return Done{};
-    {
-        const PartTimes::Scope part(picture.partTimes(), "wait for the layer");
-        layerOf(picture).pixels();
-    }
-    const PartTimes::Scope part(picture.partTimes(), "outlines");
-    layerOf(picture).smoothOutlines();
+    timed(picture.partTimes(), "wait for the layer", [&] { layerOf(picture).pixels(); });
+    timed(picture.partTimes(), "outlines", [&] { layerOf(picture).smoothOutlines(); });
     return Done{};
 }
 

@@ -251,7 +251,7 @@ Status Application::frame() {
     GameSession& session = play_->session;
     play_->beginFrame(display_->elapsed_s());
     content_.renderer().timers().beginFrame(options_.frameTimes);
-    PartTimes& parts = content_.renderer().timers().onThread();
+    PartTimes* const parts = &content_.renderer().timers().onThread();
     timed(parts, "input", [&] { readInput(); });
     timed(parts, "ticks and sound", [&] { simulate(); });
     noteTracker();
