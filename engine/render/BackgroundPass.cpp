@@ -12,12 +12,8 @@ namespace shoal::render {
 
 namespace {
 
-enum FeatureBit : unsigned {
-    kPolarBit = 1u << kToneFeatures,
-    kAsIs = 1u << (kToneFeatures + 1),
-    kFrameIsCoded = 1u << (kToneFeatures + 2),
-    kShaded = 1u << (kToneFeatures + 3),
-};
+constexpr unsigned kPolar = 1u << kToneFeatures, kAsIs = kPolar << 1, kFrameIsCoded = kAsIs << 1,
+                   kShaded = kFrameIsCoded << 1;
 constexpr std::array kBackgroundDefines = {SHOAL_TONE_DEFINES, "POLAR", "AS_IS", "FRAME_IS_CODED", "SHADED"};
 
 unsigned featuresOf(const EyePicture& picture) {
@@ -34,7 +30,7 @@ Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bo
                                                                       : new BackgroundPass);
     pass->programs_ = gl::Variants("render/Background", kBackgroundDefines);
     // These programs are compiled now, so that a broken shader is reported at the start.
-    for (const unsigned features : {0u, static_cast<unsigned>(kPolarBit)})
+    for (const unsigned features : {0u, kPolar})
         if (auto program = pass->programs_.get(kAsIs | features); !program) return program.error();
     if (withLayers)
         if (Status s = EquirectComposite::make().moveTo(pass->composite_); !s) return s.error();
@@ -94,7 +90,7 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
             }
         }
         if (corners_.empty()) continue;
-        auto found = programs_.get(featuresOf(picture) | (polar ? kPolarBit : 0u) |
+        auto found = programs_.get(featuresOf(picture) | (polar ? kPolar : 0u) |
                                    (shadows && !shownPainted ? kShaded : 0u));
         if (!found) return found.error();
         const gl::Program& program = **found;

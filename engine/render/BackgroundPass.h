@@ -30,8 +30,6 @@ class BackgroundPass {
     // OpenGL the pictures that it cannot sample. withLayers: whether draw() will be given layers.
     static Result<std::unique_ptr<BackgroundPass>> make(Backend backend, bool withLayers);
     virtual ~BackgroundPass() = default;
-    BackgroundPass(const BackgroundPass&) = delete;
-    BackgroundPass& operator=(const BackgroundPass&) = delete;
 
     // Tells that this picture is drawn next, and starts work that may run while the layer is drawn. The tiles
     // (null if there is no layer) and the environment's frame must live until draw().
@@ -42,7 +40,6 @@ class BackgroundPass {
     virtual Status draw(const EyePicture& picture, const TexelLayer* layer);
 
   protected:
-    BackgroundPass() = default;
     Status drawCells(const EyePicture& picture, const TexelLayer* layer); // draws the cells in drawn_
     void want(const FrameTiles& tiles, const BackgroundCell& cell); // marks the tiles that the cell shows
 
