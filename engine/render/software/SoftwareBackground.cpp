@@ -6,9 +6,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <thread>
-#include <utility>
 
 namespace shoal::render {
 
@@ -47,31 +45,21 @@ bool isChosenIn(const FrameTiles* tiles, const BackgroundCell& cell) {
     return tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh());
 }
 
-// Tells for which cells of a picture a layer holds objects.
-class ObjectsInCells {
-  public:
-    ObjectsInCells(const EyePicture& picture, const TexelLayer& layer) : layer_(layer) {
-        const View &from = picture.view, &to = layer.view;
-        const glm::vec2 size(layer.layer.size()), perSlope = 0.5f * size / to.halfExtent();
-        step_ = 2.0f * from.halfExtent() * perSlope / glm::vec2(picture.size());
-        first_ = 0.5f * size + (from.shift - to.shift - from.halfExtent()) * perSlope;
-    }
-
-    bool in(const BackgroundCell& cell) const {
-        // A texel that shares its chroma and is filtered takes colours from two texels around it, each up to
-        // four of the layer's pixels wide (60 degrees beside the picture's middle), and from one pixel more.
-        constexpr int kBeside = 9;
-        const auto pixelOf = [&](const glm::ivec2& pixel) {
-            return glm::ivec2(glm::floor(first_ + step_ * glm::vec2(pixel)));
-        };
-        return isChosenIn(&layer_.tiles, cell) &&
-               layer_.layer.holdsAnything(pixelOf(cell.low) - kBeside, pixelOf(cell.high) + 1 + kBeside);
-    }
-
-  private:
-    const TexelLayer& layer_;
-    glm::vec2 first_, step_; // in the layer's pixels: the picture's first corner, and the size of its pixels
-};
+// Returns whether a layer holds objects within a cell of the picture.
+bool hasObjects(const EyePicture& picture, const TexelLayer& layer, const BackgroundCell& cell) {
+    if (!isChosenIn(&layer.tiles, cell)) return false;
+    // A texel that shares its chroma and is filtered takes colours from two texels around it, each up to
+    // four of the layer's pixels wide (60 degrees beside the picture's middle), and from one pixel more.
+    constexpr int kBeside = 9;
+    const View &from = picture.view, &to = layer.view;
+    const glm::vec2 size(layer.layer.size()), perSlope = 0.5f * size / to.halfExtent();
+    const glm::vec2 step = 2.0f * from.halfExtent() * perSlope / glm::vec2(picture.size());
+    const glm::vec2 first = 0.5f * size + (from.shift - to.shift - from.halfExtent()) * perSlope;
+    const auto pixelOf = [&](const glm::ivec2& pixel) { // the layer's pixel there
+        return glm::ivec2(glm::floor(first + step * glm::vec2(pixel)));
+    };
+    return layer.layer.holdsAnything(pixelOf(cell.low) - kBeside, pixelOf(cell.high) + 1 + kBeside);
+}
 
 } // namespace
 
@@ -132,21 +120,16 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
 Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* layer) {
     if (!canSample(picture)) return BackgroundPass::draw(picture, layer);
     if (!started_) prepare(picture, layer ? &layer->tiles : nullptr);
-    {
-        const PartTimes::Scope part(picture.partTimes(), "wait for the background");
-        threadPool_.finish();
-    }
+    timed(picture.partTimes(), "wait for the background", [&] { threadPool_.finish(); });
     started_ = false;
     drawn_.clear();
     wanted_.assign(FrameTiles::kAll, false);
     const FilmShadows* shadows = picture.seenShadows(); // may have been cast since prepare()
     if (layer) layer->layer.pixels();                   // reads them
-    const auto objectsIn =
-        layer ? std::optional<ObjectsInCells>(std::in_place, picture, *layer) : std::nullopt;
     for (size_t k = 0; k < eye_->states.size(); ++k) {
         const BackgroundCell& cell = eye_->grid.all()[k];
         State& state = eye_->states[k];
-        const bool objects = objectsIn && objectsIn->in(cell);
+        const bool objects = layer && hasObjects(picture, *layer, cell);
         if (!state.here) drawn_.push_back({&cell, objects});
         const bool shaded = isChosenIn(shadows ? &shadows->tiles() : nullptr, cell);
         const FilmShadows::Version shown = shaded ? shadows->version() : FilmShadows::Version();
@@ -156,11 +139,10 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         state.shows = objects ? std::nullopt : std::optional(shown);
         if (state.painted) want(layer ? layer->tiles : shadows->tiles(), cell);
     }
-    {
-        const PartTimes::Scope part(picture.partTimes(), "compositing");
+    timed(picture.partTimes(), "compositing", [&] {
         paintFrame(picture, layer);
         threadPool_.parallelFor(kParts, samplePart_);
-    }
+    });
     if (drawn_.size() < eye_->states.size()) {
         const PartTimes::Scope part(picture.partTimes(), "upload");
         glBindTexture(GL_TEXTURE_2D, picture.canvas.texture());
