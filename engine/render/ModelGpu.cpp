@@ -199,7 +199,7 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail 
     for (const scene::Mesh& mesh : model.meshes) {
         MeshGpu& meshGpu = gpu.meshes.emplace_back();
         for (const scene::Primitive& primitive : mesh.primitives) {
-            PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(
+            PrimitiveGpu& uploaded = meshGpu.emplace_back(
                 uploadPrimitive(primitive, reflectanceFor(model.materialOf(primitive), reflectance),
                                 bent.empty() ? primitive.positions : bent));
             uploaded.gloss = scene::glossOf(model, gpu.materialOf(uploaded));
@@ -213,7 +213,7 @@ void uploadMorphed(const scene::Mesh& mesh, std::span<const float> weights, Mesh
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
         if (mesh.primitives[p].morphTargets.empty()) continue;
         const std::vector<MorphVertex> vertices = morphed(mesh.primitives[p], weights);
-        glBindBuffer(GL_ARRAY_BUFFER, gpu.primitives[p].details[0].morphable.name());
+        glBindBuffer(GL_ARRAY_BUFFER, gpu[p].details[0].morphable.name());
         glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(vertices.size() * sizeof(MorphVertex)),
                         vertices.data());
     }

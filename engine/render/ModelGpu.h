@@ -32,9 +32,7 @@ struct PrimitiveGpu {
     const DetailGpu& detail(float tolerance) const;
 };
 
-struct MeshGpu {
-    std::vector<PrimitiveGpu> primitives;
-};
+using MeshGpu = std::vector<PrimitiveGpu>;
 
 // The space in which surfaces scale light. The thesis' inverse tone mapping scales a video's coded values
 // directly, so its "radiance" is still gamma-coded, and since coding is nearly a power, code(a L) = code(a)

@@ -145,8 +145,7 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity
     pass.matrixAlignment_ = static_cast<size_t>(std::max(alignment, 16));
     // Compiled now, so that a broken shader is reported at the start and not when the first object appears.
     pass.programs_ = gl::Variants("render/Object", kObjectDefines);
-    auto program = pass.programFor(0);
-    if (!program) return program.error();
+    if (auto program = pass.programFor(0); !program) return program.error();
     return pass;
 }
 
@@ -182,22 +181,20 @@ void ObjectPass::add(const Object& object) {
     const scene::Model& model = object.model;
     const glm::mat4& worldFromModel = object.worldFromModel;
     for (const int index : model.order) {
-        const auto n = static_cast<size_t>(index);
-        const scene::Node& node = model.nodes[n];
+        const scene::Node& node = model.nodes[index];
         if (node.mesh < 0) continue;
-        const MeshGpu& mesh = object.gpu.meshes[static_cast<size_t>(node.mesh)];
+        const MeshGpu& mesh = object.gpu.meshes[node.mesh];
         const bool skinned = node.skin >= 0;
-        if (skinned) {
+        if (skinned)
             scene::skinMatrices(model, node.skin, object.pose, joints_);
-            for (glm::mat4& joint : joints_) joint = worldFromModel * joint;
-        }
-        const glm::mat4 worldFromNode = worldFromModel * object.pose.modelFromNode[n];
-        const size_t bytes =
-            skinned ? std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4) : sizeof(glm::mat4);
-        const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
-        const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
-        const bool mirrored = glm::determinant(glm::mat3(skinned ? joints_[0] : worldFromNode)) < 0;
-        for (const PrimitiveGpu& primitive : mesh.primitives)
+        else
+            joints_.assign(1, object.pose.modelFromNode[index]);
+        for (glm::mat4& joint : joints_) joint = worldFromModel * joint;
+        const size_t bytes = std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4);
+        const size_t offset = append(joints_.data(), bytes);
+        const float scale = glm::length(glm::vec3((skinned ? worldFromModel : joints_[0])[0]));
+        const bool mirrored = glm::determinant(glm::mat3(joints_[0])) < 0;
+        for (const PrimitiveGpu& primitive : mesh)
             items_.push_back({.gpu = &object.gpu,
                               .primitive = &primitive,
                               .object = objects_.size() - 1,
@@ -230,11 +227,6 @@ void ObjectPass::shadeVisible(const glm::mat3& envFromWorld) {
     glBindBuffer(GL_UNIFORM_BUFFER, matrixBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(matrices_.size()), matrices_.data(),
                  GL_STREAM_DRAW);
-}
-
-bool ObjectPass::shaded(const Item& item) const {
-    return occlusion_ && !layers_ && !item.gpu->materialOf(*item.primitive).unlit &&
-           (item.primitive->withSelfOcclusion || objects_[item.object].shade.count > 0);
 }
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
@@ -329,6 +321,7 @@ void ObjectPass::sortVisible(const EyePicture& picture, unsigned shared, Glossy 
 unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture,
                                  Glossy glossy) const {
     const Item& item = items_[next.item];
+    const Placed& object = objects_[item.object];
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     unsigned features = shared | featuresOf(material, *item.primitive);
     const bool lean = detail_ == Detail::Lean;
@@ -338,15 +331,17 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
     if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
     if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
         features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
-    else if (lean && isSmall(objects_[item.object].seen.slope, picture.view) && !hasLayerMaps(material))
+    else if (lean && isSmall(object.seen.slope, picture.view) && !hasLayerMaps(material))
         features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
     else if (lean && !material.doubleSided)
         features |= VERTEX_DIFFUSE;
     const bool unlit = material.unlit && shown_ == ShownQuantity::Light;
     if (unlit) features = (features & ~(VERTEX_DIFFUSE | MIRRORS | PHONG_RINGS)) | VERTEX_LIT | UNLIT;
-    if (shaded(item)) features |= OCCLUDED;
+    if (occlusion_ && !layers_ && !material.unlit &&
+        (item.primitive->withSelfOcclusion || object.shade.count > 0))
+        features |= OCCLUDED;
     if (next.cut) features |= FILM_DEPTH;
-    if (objects_[item.object].opacity < 1) features |= ALPHA_BLEND;
+    if (object.opacity < 1) features |= ALPHA_BLEND;
     if (layers_ && !unlit)
         features = (features & ~OCCLUSION_MAP) | LAYERS |
                    (layers_->method() == occlusion::LayerMethod::Thesis ? LAYERS_THESIS : 0u);

@@ -114,7 +114,6 @@ class ObjectPass {
     std::span<const Sphere> partsOf(const Placed& object) const;
     Seen seenIn(const Placed& object, const EyePicture& picture) const;
     BehindFilm behindFilm(const Placed& object, const EyePicture& picture) const;
-    bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // appends to the matrices; returns the offset
     Result<const gl::Program*> programFor(unsigned features);
     void sortVisible(const EyePicture& picture, unsigned shared, Glossy glossy);
