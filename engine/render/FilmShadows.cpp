@@ -96,19 +96,12 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
     const glm::ivec2 size(film.map->inverse.width, film.map->inverse.height);
     if (size != glm::ivec2(remaining_.width, remaining_.height)) {
         remaining_ = Image<uint8_t, 4>(size.x, size.y);
-        std::ranges::fill(remaining_.pixels, uint8_t{255});
         columns_.clear();
         rows_.clear();
         for (int x = 0; x < size.x; ++x) columns_.push_back(texelDirection(x, 0, size.x, 1));
         for (int y = 0; y < size.y; ++y) rows_.push_back(texelDirection(0, y, 1, size.y));
-    } else if (!empty_) {
-        FrameTiles::eachOf(tiles_.chosen(), [&](const glm::ivec2& tile) {
-            const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
-            for (int y = low.y; y < high.y; ++y)
-                std::fill(remaining_.at(low.x, y), remaining_.at(low.x, y) + 4 * (high.x - low.x),
-                          uint8_t{255});
-        });
     }
+    std::ranges::fill(remaining_.pixels, uint8_t{255});
     empty_ = true;
     tiles_.clear(size);
     codes_.fill({});
@@ -242,7 +235,7 @@ float FilmShadows::findOccluders(const CastingLight& light) {
 
 // Uses the nearest and the farthest of the tile's texels: most tiles that a spot's sphere reaches lie before
 // or behind it.
-FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& range) const {
+scene::Bounds FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& range) const {
     const Image<uint8_t, 1>& codes = film_.map->inverse;
     auto& [least, most] = range;
     if (least > most)
@@ -261,7 +254,7 @@ FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec
     return {glm::min(near, far) - beside, glm::max(near, far) + beside};
 }
 
-bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float discTangent) {
+bool FilmShadows::reaches(const Occluder& piece, const scene::Bounds& extent, float discTangent) {
     const glm::vec3 &low = extent.low, &high = extent.high; // along, aside, up
     // The disc is largest at the extent's lower end. A body has some eight pieces, which may add up.
     const float disc = discTangent * (piece.up - std::max(low.z, piece.lowest));
@@ -274,7 +267,7 @@ bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float dis
 
 void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile) {
     const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
-    const Extent extent = extentOf(low, high, codes_[FrameTiles::indexOf(tile.x, tile.y)]);
+    const scene::Bounds extent = extentOf(low, high, codes_[FrameTiles::indexOf(tile.x, tile.y)]);
     const int step = light.isWide() ? 2 : 1; // its shadows change little from texel to texel
     hidden_.clear();
     for (const Occluder& piece : occluders_) {

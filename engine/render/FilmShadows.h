@@ -65,17 +65,13 @@ class FilmShadows {
     // darkest.
     float findOccluders(const CastingLight& light);
     void findTiles(std::span<const View> eyes);
-    // A box in the light's frame.
-    struct Extent {
-        glm::vec3 low, high;
-    };
     // Least and greatest code in a tile of the map; least > most: not looked for yet.
     struct Codes {
         uint8_t least = 255, most = 0;
     };
-    // Returns a box around all places of a tile. codes: the tile's, which it finds if need be.
-    Extent extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& codes) const;
-    static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
+    // Returns a box in the light's frame around all places of a tile. codes: the tile's, found if need be.
+    scene::Bounds extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& codes) const;
+    static bool reaches(const Occluder& piece, const scene::Bounds& extent, float discTangent);
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high, int step);
     // Both return vectors from the film's camera, env frame; a place of unknown distance is far away.
