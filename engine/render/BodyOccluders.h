@@ -36,8 +36,6 @@ float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoi
 occlusion::Ellipsoid placed(const BodyOccluders::Part& part, const scene::Pose& pose,
                             const glm::mat4& worldFromModel);
 
-using shoal::Sphere;
-
 // Layout of shaders/occlusion/Bodies.glsl, std140.
 struct PackedOccluder {
     glm::vec4 centreStrength{0};

@@ -27,7 +27,6 @@ struct View {
 
     int heightPixels = 0; // height of the picture: details too fine for it are left out; 0: none are left out
 
-    bool operator==(const View&) const = default;
     glm::vec2 halfExtent() const {
         const float y = std::tan(verticalFov / 2);
         return {y * aspect, y};

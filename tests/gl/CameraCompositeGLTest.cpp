@@ -27,7 +27,7 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
     fill(0, 0, kSize / 2, kSize, left);
     fill(kSize / 2, 0, kSize / 2, kSize, right);
     render::View view{.verticalFov = 2.0f, .aspect = 1};
-    const render::Sphere sphere{{0, 0, -2}, 1.4f};
+    const Sphere sphere{{0, 0, -2}, 1.4f};
     auto pass = tests::valueOf(render::EquirectComposite::make());
     const render::FilmedFrame filmed{look, index};
     render::FrameTiles tiles;

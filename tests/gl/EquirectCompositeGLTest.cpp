@@ -57,7 +57,7 @@ class LatLongGL : public WithContext {
             const int half = static_cast<int>(std::sqrt(radius * radius - dy * dy) + 0.5f);
             fill(kSize / 2 - half, y, 2 * half, 1, {1, 0, 0, 1});
         }
-        const render::Sphere sphere{eyeWorld + 2.0f * direction, 2 * std::sin(halfAngle)};
+        const Sphere sphere{eyeWorld + 2.0f * direction, 2 * std::sin(halfAngle)};
         tiles_.choose({frame_.width, frame_.height}, glm::mat3(1), {&sphere, 1}, eyeWorld);
         const std::vector<bool> everywhere(tiles_.chosen().size(), true);
         pass_->paint(*environment_, tiles_, everywhere, layer_->layer().texture(), view, glm::mat3(1));
@@ -204,7 +204,7 @@ TEST_F(LatLongGL, NothingOfOneEyesObjectsStaysInTheOthersPicture) {
         layer_->begin({4, 4}, 1);
         glClearColor(alpha, 0, 0, alpha);
         glClear(GL_COLOR_BUFFER_BIT);
-        const render::Sphere sphere{2.0f * glm::normalize(to), 2 * std::sin(kHalfAngle)};
+        const Sphere sphere{2.0f * glm::normalize(to), 2 * std::sin(kHalfAngle)};
         tiles_.choose({frame_.width, frame_.height}, glm::mat3(1), {&sphere, 1}, glm::vec3(0));
         const render::TexelLayer layer{*layer_, view, tiles_};
         target.bindColour();
