@@ -1,2 +1,1 @@
-// Pairs with engine/render/HeadsetPasses.
 #include "render/WholePicture.glsl"

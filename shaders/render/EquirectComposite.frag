@@ -1,6 +1,5 @@
 // Paints a texel of the frame with the layer of objects in its direction; display values, premultiplied by coverage. FILMED: as
-// the video's camera would show them, with its noise and, where codecs keep one colour for squares of texels, with shared
-// colours, see engine/render/EquirectComposite.h.
+// the video's camera would show them, see engine/render/EquirectComposite.h.
 uniform sampler2D layer;
 uniform vec2 rayScale; // half extent of the layer's image plane at distance 1
 uniform vec2 rayShift; // its centre

@@ -1,4 +1,3 @@
-// Pairs with engine/render/FloorShadowPass.
 in float taken;
 out vec4 colour; // premultiplied
 

@@ -1,2 +1,1 @@
-// Pairs with PlanesPass in engine/render/EnvironmentGpu.
 #include "render/WholePicture.glsl"
