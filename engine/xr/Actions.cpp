@@ -125,8 +125,7 @@ void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<C
 }
 
 void Actions::vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const {
-    const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, haptic_,
-                                  hands_[static_cast<size_t>(hand)]};
+    const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, haptic_, hands_[hand]};
     if (!(amplitude > 0)) {
         SHOAL_XR(xrStopHapticFeedback(session, &info));
         return;
