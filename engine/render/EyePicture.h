@@ -22,9 +22,8 @@ struct EyePicture {
     View view;
     Exposure exposure;
     const gl::Target& canvas;
-    int eye = 0;             // 0 left, 1 right
-    bool sharesFrame = true; // both eyes see the same frame of the video
-    FilmedFrame filmed;      // the response of the video's camera in this frame
+    int eye = 0;        // 0 left, 1 right
+    FilmedFrame filmed; // the response of the video's camera in this frame
     // Position of the eye from the film's camera, env frame: the film is drawn at its distances, where they
     // are known. 0: the film is drawn infinitely far away, so that the eye sees what the camera saw.
     glm::vec3 eyeInFilm{0};

@@ -73,7 +73,7 @@ void SceneRenderer::castShadows() {
     filmed_.clear();
     for (const render::EyePicture& picture : pictures_) filmed_.push_back(filmedFrom(picture));
     Shadows& to = *shadows_;
-    to.films = pictures_[0].sharesFrame ? 1 : static_cast<int>(pictures_.size());
+    to.films = environment_->eyesSeeTheSame() ? 1 : static_cast<int>(pictures_.size());
     const uint64_t frame = pictures_[0].environment.frameNumber();
     // Shadows are made once for a frame of the film, for wider views, within which the head may turn.
     constexpr float kWider = 1.2f; // 3 to 4 degrees on each side
@@ -145,7 +145,6 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) {
             .exposure = look_.exposure,
             .canvas = eye.canvas,
             .eye = eye.eye,
-            .sharesFrame = environment_->eyesSeeTheSame(),
             .filmed = {environment_->player().cameraResponse(), environment_->player().frameIndex()},
             .eyeInFilm = eyeInFilm(eye.view),
             .skip = setup_.skip,
@@ -193,8 +192,8 @@ Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::E
 // for each eye, from the eye's offset from the head.
 render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const {
     render::View view = picture.view;
-    view.eyeWorld = picture.sharesFrame ? glm::transpose(picture.envFromWorld) * picture.eyeInFilm
-                                        : picture.view.eyeWorld - headWorld_;
+    view.eyeWorld = environment_->eyesSeeTheSame() ? glm::transpose(picture.envFromWorld) * picture.eyeInFilm
+                                                   : picture.view.eyeWorld - headWorld_;
     return view;
 }
 
