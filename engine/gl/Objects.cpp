@@ -1,25 +1,6 @@
 #include "engine/gl/Objects.h"
 
-#include <array>
-
 namespace shoal::gl {
-
-// The table is made in each call, because libepoxy finds functions when they are first called.
-GLuint detail::create(Kind kind) {
-    if (kind == Kind::Program) return glCreateProgram();
-    const std::array make = {glGenBuffers,      glGenVertexArrays,  glGenTextures,
-                             glGenFramebuffers, glGenRenderbuffers, glGenQueries};
-    GLuint name = 0;
-    make[static_cast<size_t>(kind)](1, &name);
-    return name;
-}
-
-void detail::destroy(Kind kind, GLuint name) {
-    if (kind == Kind::Program) return glDeleteProgram(name);
-    const std::array destroy = {glDeleteBuffers,      glDeleteVertexArrays,  glDeleteTextures,
-                                glDeleteFramebuffers, glDeleteRenderbuffers, glDeleteQueries};
-    destroy[static_cast<size_t>(kind)](1, &name);
-}
 
 Texture makeTexture(GLint minFilter, GLint magFilter, GLint wrapS, GLint wrapT) {
     Texture texture = Texture::make();

@@ -9,17 +9,15 @@
 
 namespace shoal::gl {
 
-enum class Kind { Buffer, VertexArray, Texture, Framebuffer, Renderbuffer, Query, Program };
-
-namespace detail {
-GLuint create(Kind kind);
-void destroy(Kind kind, GLuint name);
-} // namespace detail
-
-template <Kind kKind> class Object {
+// kMake, kDelete: OpenGL's functions for names of one kind.
+template <auto& kMake, auto& kDelete> class Object {
   public:
     Object() = default;
-    static Object make() { return Object(detail::create(kKind)); }
+    static Object make() {
+        GLuint name = 0;
+        kMake(1, &name);
+        return Object(name);
+    }
     explicit Object(GLuint name) : name_(name) {}
     Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
     Object& operator=(Object&& other) noexcept {
@@ -27,7 +25,7 @@ template <Kind kKind> class Object {
         return *this;
     }
     ~Object() {
-        if (name_) detail::destroy(kKind, name_);
+        if (name_) kDelete(1, &name_);
     }
 
     GLuint name() const { return name_; }
@@ -37,12 +35,16 @@ template <Kind kKind> class Object {
     GLuint name_ = 0;
 };
 
-using Buffer = Object<Kind::Buffer>;
-using VertexArray = Object<Kind::VertexArray>;
-using Texture = Object<Kind::Texture>;
-using Framebuffer = Object<Kind::Framebuffer>;
-using Renderbuffer = Object<Kind::Renderbuffer>;
-using Query = Object<Kind::Query>;
+using Buffer = Object<glGenBuffers, glDeleteBuffers>;
+using VertexArray = Object<glGenVertexArrays, glDeleteVertexArrays>;
+using Texture = Object<glGenTextures, glDeleteTextures>;
+using Framebuffer = Object<glGenFramebuffers, glDeleteFramebuffers>;
+using Renderbuffer = Object<glGenRenderbuffers, glDeleteRenderbuffers>;
+using Query = Object<glGenQueries, glDeleteQueries>;
+
+inline void makeProgram(GLsizei, GLuint* name) { *name = glCreateProgram(); }
+inline void deleteProgram(GLsizei, const GLuint* name) { glDeleteProgram(*name); }
+using ProgramName = Object<makeProgram, deleteProgram>;
 
 inline void setEnabled(GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }
 

@@ -83,7 +83,7 @@ Result<ShaderSource> readShader(const std::string& name, const std::vector<std::
 
 Result<Program> Program::load(const std::string& stem, const std::vector<std::string>& defines, int glsl) {
     Program result;
-    result.program_ = Object<Kind::Program>::make();
+    result.program_ = ProgramName::make();
     const GLuint program = result.program_.name();
     for (const auto& [stage, ending] :
          {std::pair{GL_VERTEX_SHADER, ".vert"}, std::pair{GL_FRAGMENT_SHADER, ".frag"}}) {

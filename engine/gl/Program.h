@@ -60,7 +60,7 @@ class Program {
     static void put(GLint at, GLsizei count, const glm::vec3* v) { glUniform3fv(at, count, &v->x); }
     static void put(GLint at, GLsizei count, const glm::vec4* v) { glUniform4fv(at, count, &v->x); }
 
-    Object<Kind::Program> program_;
+    ProgramName program_;
     std::map<std::string, GLint, std::less<>> locations_; // of every active uniform
 };
 
