@@ -15,16 +15,16 @@ namespace shoal::scene {
 namespace {
 
 // Vertex attributes of a primitive or of one of its morph targets.
-class Attributes {
-  public:
-    Attributes(const GltfFile& file, const std::map<std::string, int>& names, std::string who,
-               size_t vertices)
-        : file_(file), names_(names), who_(std::move(who)), vertices_(vertices) {}
+struct Attributes {
+    const GltfFile& file;
+    const std::map<std::string, int>& accessors; // by attribute
+    std::string who;
+    size_t vertices;
 
-    bool has(const char* name) const { return names_.contains(name); }
-    std::string where(const char* name) const { return who_ + "." + name; }
+    bool has(const char* name) const { return accessors.contains(name); }
+    std::string where(const char* name) const { return who + "." + name; }
     const tinygltf::Accessor& accessor(const char* name) const {
-        return file_.gltf.accessors[names_.at(name)];
+        return file.gltf.accessors[accessors.at(name)];
     }
 
     // Returns the attribute's vectors; empty if the primitive does not have it. mayBeNormalized: the
@@ -36,10 +36,10 @@ class Attributes {
         const tinygltf::Accessor& a = accessor(name);
         static_assert(TINYGLTF_TYPE_VEC2 == 2 && TINYGLTF_TYPE_VEC3 == 3 && TINYGLTF_TYPE_VEC4 == 4);
         check(name, Vector::length(),
-              a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || (file_.quantized && isShort(a)) ||
+              a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || (file.quantized && isShort(a)) ||
                   (mayBeNormalized && a.normalized && isUnsignedShort(a)));
-        const std::vector<float> numbers = readFloats(file_.gltf, names_.at(name));
-        std::vector<Vector> vectors(vertices_);
+        const std::vector<float> numbers = readFloats(file.gltf, accessors.at(name));
+        std::vector<Vector> vectors(vertices);
         std::memcpy(vectors.data(), numbers.data(), numbers.size() * sizeof(float));
         return vectors;
     }
@@ -47,10 +47,9 @@ class Attributes {
     // Returns four numbers for each vertex.
     std::vector<uint32_t> integers(const char* name) const {
         check(name, TINYGLTF_TYPE_VEC4, isUnsignedShort(accessor(name)) && !accessor(name).normalized);
-        return readIntegers(file_.gltf, names_.at(name));
+        return readIntegers(file.gltf, accessors.at(name));
     }
 
-  private:
     static bool isUnsignedShort(const tinygltf::Accessor& a) { // of 8 or 16 bits
         return a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
@@ -62,16 +61,11 @@ class Attributes {
 
     void check(const char* name, int type, bool components) const {
         const tinygltf::Accessor& a = accessor(name);
-        const std::string who = where(name) + ": " + element("accessors", names_.at(name));
-        if (a.type != type || !components) fault(who, " has a type that this attribute cannot have");
-        if (a.count != vertices_)
-            fault(who, " has ", a.count, " elements, but the primitive ", vertices_, " vertices");
+        const std::string held = where(name) + ": " + element("accessors", accessors.at(name));
+        if (a.type != type || !components) fault(held, " has a type that this attribute cannot have");
+        if (a.count != vertices)
+            fault(held, " has ", a.count, " elements, but the primitive ", vertices, " vertices");
     }
-
-    const GltfFile& file_;
-    const std::map<std::string, int>& names_;
-    std::string who_;
-    size_t vertices_;
 };
 
 void readShading(const Attributes& attributes, GltfFile& file, Primitive& primitive) {
@@ -140,12 +134,12 @@ Primitive readAttributes(GltfFile& file, const tinygltf::Primitive& from, const 
     const size_t vertices = file.gltf.accessors[from.attributes.at("POSITION")].count;
     for (size_t k = 0; k < 1 + from.targets.size(); ++k) file.vertices.spend(vertices, who);
     Primitive primitive;
-    const Attributes attributes(file, from.attributes, who, vertices);
+    const Attributes attributes{file, from.attributes, who, vertices};
     primitive.positions = attributes.vectors<glm::vec3>("POSITION");
     readShading(attributes, file, primitive);
     readSkinning(attributes, file, primitive);
     for (size_t t = 0; t < from.targets.size(); ++t) {
-        const Attributes deltas(file, from.targets[t], who + "." + element("targets", t), vertices);
+        const Attributes deltas{file, from.targets[t], who + "." + element("targets", t), vertices};
         primitive.morphTargets.push_back(
             {deltas.vectors<glm::vec3>("POSITION"), deltas.vectors<glm::vec3>("NORMAL")});
     }
