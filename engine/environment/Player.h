@@ -85,7 +85,6 @@ struct FrameFindings {
     camera::Glare glare;
 };
 
-// A frame and its analysis.
 struct Frame {
     ImageRgba8 picture; // pixels to upload, blue first; empty for an HDR picture, unused beside planes
     const media::Planes* planes = nullptr; // to upload instead of the picture, unless null

@@ -34,7 +34,6 @@ struct EyePicture {
 
     PartTimes* partTimes() const { return timers ? &timers->onThread() : nullptr; }
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
-    // Returns the shadows if there are any, else null.
     const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }
     // Returns whether the frame is displayed exactly as it is coded: no curve, no exposure.
     bool showsFrameAsCoded() const { return environment.frameIsCoded() && exposure.keepsFrames(); }

@@ -27,7 +27,6 @@ class FrameTiles {
         return static_cast<size_t>(y * kCount.x + (x + 2 * kCount.x) % kCount.x);
     }
 
-    // Chooses no tiles.
     void clear(const glm::ivec2& frameSize) {
         frameSize_ = frameSize;
         chosen_.assign(kAll, false);

@@ -54,7 +54,6 @@ constexpr std::array<int, kJointCount> kJointParent = {1,  -1, 1,  2, 3,  4,  1,
 enum class Finger { Thumb, Index, Middle, Ring, Little };
 constexpr int kFingerCount = 5;
 
-// Joint indices.
 constexpr int kPalmJoint = 0, kWristJoint = 1;
 struct FingerJoints {
     int metacarpal = 0, proximal = 0, tip = 0; // the joints between them follow in order

@@ -20,7 +20,6 @@ struct Pose {
     glm::quat orientation{1, 0, 0, 0};
 };
 
-// Chains `worldFromA` and `aFromB` to `worldFromB`.
 inline Pose operator*(const Pose& worldFromA, const Pose& aFromB) {
     return {worldFromA.position + worldFromA.orientation * aFromB.position,
             worldFromA.orientation * aFromB.orientation};
@@ -45,7 +44,6 @@ struct Eye {
     Fov fov;
 };
 
-// A controller held in a hand.
 struct Controller {
     std::optional<Pose> worldFromGrip; // OpenXR's grip pose: in the palm; empty: not held, or not tracked
     float squeeze = 0;                 // pressure on the button under the middle finger, 0 to 1
