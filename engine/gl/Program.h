@@ -25,24 +25,12 @@ class Program {
     void use() const { glUseProgram(program_.name()); }
 
     // Sets a uniform of the program in use; a name that the compiler has removed is ignored.
-    void set(const char* name, int value) const { glUniform1i(location(name), value); }
-    void set(const char* name, float value) const { glUniform1f(location(name), value); }
-    void set(const char* name, const glm::ivec2& v) const { glUniform2iv(location(name), 1, &v.x); }
-    void set(const char* name, const glm::vec2& v) const { glUniform2fv(location(name), 1, &v.x); }
-    void set(const char* name, const glm::vec3& v) const { glUniform3fv(location(name), 1, &v.x); }
-    void set(const char* name, const glm::vec4& v) const { glUniform4fv(location(name), 1, &v.x); }
-    void set(const char* name, const glm::mat3& m) const {
-        glUniformMatrix3fv(location(name), 1, GL_FALSE, &m[0][0]);
-    }
-    void set(const char* name, const glm::mat4x3& m) const {
-        glUniformMatrix4x3fv(location(name), 1, GL_FALSE, &m[0][0]);
-    }
-    void set(const char* name, const glm::mat4& m) const {
-        glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0][0]);
+    template <class Value> void set(const char* name, const Value& value) const {
+        put(location(name), 1, &value);
     }
 
     // Sets a uniform array of the program in use. name: that of the first element, such as "lights[0]".
-    // values: a contiguous range of float, vec2, vec3 or vec4.
+    // values: a contiguous range.
     template <class Values> void setArray(const char* name, const Values& values) const {
         put(location(name), static_cast<GLsizei>(std::size(values)), std::data(values));
     }
@@ -55,10 +43,17 @@ class Program {
 
   private:
     GLint location(const char* name) const;
-    static void put(GLint at, GLsizei count, const float* v) { glUniform1fv(at, count, v); }
-    static void put(GLint at, GLsizei count, const glm::vec2* v) { glUniform2fv(at, count, &v->x); }
-    static void put(GLint at, GLsizei count, const glm::vec3* v) { glUniform3fv(at, count, &v->x); }
-    static void put(GLint at, GLsizei count, const glm::vec4* v) { glUniform4fv(at, count, &v->x); }
+    static void put(GLint at, GLsizei n, const int* v) { glUniform1iv(at, n, v); }
+    static void put(GLint at, GLsizei n, const float* v) { glUniform1fv(at, n, v); }
+    static void put(GLint at, GLsizei n, const glm::ivec2* v) { glUniform2iv(at, n, &v->x); }
+    static void put(GLint at, GLsizei n, const glm::vec2* v) { glUniform2fv(at, n, &v->x); }
+    static void put(GLint at, GLsizei n, const glm::vec3* v) { glUniform3fv(at, n, &v->x); }
+    static void put(GLint at, GLsizei n, const glm::vec4* v) { glUniform4fv(at, n, &v->x); }
+    static void put(GLint at, GLsizei n, const glm::mat3* m) { glUniformMatrix3fv(at, n, false, &m[0][0].x); }
+    static void put(GLint at, GLsizei n, const glm::mat4x3* m) {
+        glUniformMatrix4x3fv(at, n, false, &m[0][0].x);
+    }
+    static void put(GLint at, GLsizei n, const glm::mat4* m) { glUniformMatrix4fv(at, n, false, &m[0][0].x); }
 
     ProgramName program_;
     std::map<std::string, GLint, std::less<>> locations_; // of every active uniform

@@ -110,7 +110,7 @@ void LayersGpu::bind(const gl::Program& program) const {
         program.set("sphere", glm::vec4(views_.sphere.centre, views_.sphere.radius));
         program.set("pixelsPerMetre", views_.pixelsPerMetre());
     } else {
-        program.set("closed", closed_);
+        program.set("closed", closed_ ? 1 : 0);
     }
     for (const auto& [binding, buffer] : buffers_)
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
