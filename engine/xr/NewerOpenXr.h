@@ -29,10 +29,7 @@ struct XrSystemUserPresencePropertiesEXT {
 #ifndef XR_EXT_hand_tracking_data_source // extension 429
 #define XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME "XR_EXT_hand_tracking_data_source"
 inline constexpr auto XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT = static_cast<XrStructureType>(1000428000);
-enum XrHandTrackingDataSourceEXT {
-    XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT = 1,
-    XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT = 2,
-};
+enum XrHandTrackingDataSourceEXT { XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT = 1 };
 struct XrHandTrackingDataSourceInfoEXT {
     XrStructureType type;
     const void* next;
