@@ -55,20 +55,15 @@ Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) 
     return drawCells(picture, layer);
 }
 
-// Returns the texture of the shadows, uploaded anew if they have changed.
-GLuint BackgroundPass::textureOf(const FilmShadows& shadows) {
-    if (std::exchange(uploadedShadows_, shadows.version()) != shadows.version())
-        uploadTexels(shadowTexture_, frameOf(shadows.remaining()), shadowSize_);
-    return shadowTexture_.name();
-}
-
 Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* layer) {
     if (drawn_.empty()) return Done{};
     wanted_.assign(FrameTiles::kAll, false);
     for (const auto& [cell, isPainted] : drawn_)
         if (isPainted) want(layer->tiles, *cell);
     const FilmShadows* seen = picture.seenShadows();
-    const GLuint shadows = seen ? textureOf(*seen) : 0;
+    if (seen && std::exchange(uploadedShadows_, seen->version()) != seen->version())
+        uploadTexels(shadowTexture_, frameOf(seen->remaining()), shadowSize_);
+    const GLuint shadows = seen ? shadowTexture_.name() : 0;
     if (std::ranges::find(wanted_, true) != wanted_.end()) {
         const FilmedFrame* filmed = layer->filmed ? &picture.filmed : nullptr;
         composite_.paint(picture.environment, layer->tiles, wanted_, layer->layer.layer().texture(),

@@ -51,7 +51,6 @@ class BackgroundPass {
         glm::vec2 place, uv;
         glm::vec3 directionEnv;
     };
-    GLuint textureOf(const FilmShadows& shadows);
 
     gl::Variants programs_;
     TriangleBatch rectangles_;

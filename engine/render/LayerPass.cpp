@@ -77,11 +77,15 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
 }
 
 std::vector<uint32_t>& LayerPass::pixels() {
-    if (!areRead_) {
-        layer_->readBgra(pixels_);
-        markBlocks();
-    }
+    if (areRead_) return pixels_;
     areRead_ = true;
+    layer_->readBgra(pixels_);
+    const glm::ivec2 size = this->size();
+    const auto columns = static_cast<size_t>(size.x / kBlock + 1);
+    blocks_.assign(columns * static_cast<size_t>(size.y / kBlock + 1), 0);
+    for (int y = 0; y < size.y; ++y)
+        markRow(pixels_.data() + ptrdiff_t{y} * size.x, size.x,
+                blocks_.data() + static_cast<size_t>(y / kBlock) * columns);
     return pixels_;
 }
 
@@ -102,15 +106,6 @@ const gl::Target& LayerPass::layer() {
         areNewer_ = false;
     }
     return *layer_;
-}
-
-void LayerPass::markBlocks() {
-    const glm::ivec2 size = this->size();
-    const auto columns = static_cast<size_t>(size.x / kBlock + 1);
-    blocks_.assign(columns * static_cast<size_t>(size.y / kBlock + 1), 0);
-    for (int y = 0; y < size.y; ++y)
-        markRow(pixels_.data() + ptrdiff_t{y} * size.x, size.x,
-                blocks_.data() + static_cast<size_t>(y / kBlock) * columns);
 }
 
 bool LayerPass::holdsAnything(const glm::ivec2& low, const glm::ivec2& high) const {

@@ -58,8 +58,6 @@ class LayerPass {
     bool holdsAnything(const glm::ivec2& low, const glm::ivec2& high) const;
 
   private:
-    void markBlocks();
-
     gl::Program program_;
     TriangleBatch drawn_;
     std::optional<gl::Target> layer_;

@@ -98,9 +98,8 @@ void restPose(const Model& model, Pose& pose) {
     for (size_t i = 0; i < count; ++i) {
         const Node& node = model.nodes[i];
         pose.local[i] = node.parentFromNode;
-        const std::vector<float>* weights = &node.morphWeights;
-        if (weights->empty() && node.mesh >= 0) weights = &model.meshes[node.mesh].morphWeights;
-        pose.morphWeights[i] = *weights;
+        const bool own = node.mesh < 0 || !node.morphWeights.empty();
+        pose.morphWeights[i] = own ? node.morphWeights : model.meshes[node.mesh].morphWeights;
     }
     updateGlobals(model, pose);
 }

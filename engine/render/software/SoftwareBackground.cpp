@@ -68,10 +68,12 @@ SoftwareBackground::SoftwareBackground()
 
 void SoftwareBackground::SamplePart::operator()(int part) const {
     Eye& eye = *pass->eye_;
+    const glm::ivec2& size = pass->texelsSize_;
+    const DisplayFrame painted{reinterpret_cast<const uint8_t*>(pass->texels_.get()), size.x, size.y, size.x};
     const auto beginOf = [&](int k) { return static_cast<size_t>(k) * eye.states.size() / kParts; };
     for (size_t k = beginOf(part); k < beginOf(part + 1); ++k)
         if (const State& state = eye.states[k]; state.due)
-            sampleCell(state.painted ? pass->painted() : eye.film.frame, state.sampled, eye.picture.data(),
+            sampleCell(state.painted ? painted : eye.film.frame, state.sampled, eye.picture.data(),
                        eye.film.size.x);
 }
 
@@ -151,10 +153,6 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
                         GL_UNSIGNED_BYTE, eye_->picture.data());
     }
     return drawCells(picture, layer);
-}
-
-DisplayFrame SoftwareBackground::painted() const {
-    return {reinterpret_cast<const uint8_t*>(texels_.get()), texelsSize_.x, texelsSize_.y, texelsSize_.x};
 }
 
 TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLayer& layer) {

@@ -60,7 +60,6 @@ class SoftwareBackground final : public BackgroundPass {
     static void classify(const EyePicture& picture, Eye& eye);
     TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer);
     void paintFrame(const EyePicture& picture, const TexelLayer* layer);
-    DisplayFrame painted() const;
 
     std::array<Eye, 2> eyes_;
     Eye* eye_ = eyes_.data(); // the one whose picture is sampled
