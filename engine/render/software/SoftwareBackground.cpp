@@ -61,6 +61,20 @@ bool hasObjects(const EyePicture& picture, const TexelLayer& layer, const Backgr
     return layer.layer.holdsAnything(pixelOf(cell.low) - kBeside, pixelOf(cell.high) + 1 + kBeside);
 }
 
+TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer) {
+    TexelPaint paint{.layer = layer.layer.pixels().data(),
+                     .layerSize = layer.layer.size(),
+                     .eyeFromEnv =
+                         glm::transpose(picture.envFromWorld * glm::mat3_cast(layer.view.worldFromEye)),
+                     .rayScale = layer.view.halfExtent(),
+                     .rayShift = layer.view.shift};
+    if (layer.filmed) {
+        paint.filmed = cameraUniforms(picture.filmed);
+        paint.scattered = &picture.environment.scatteredLight();
+    }
+    return paint;
+}
+
 } // namespace
 
 SoftwareBackground::SoftwareBackground()
@@ -153,20 +167,6 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
                         GL_UNSIGNED_BYTE, eye_->picture.data());
     }
     return drawCells(picture, layer);
-}
-
-TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLayer& layer) {
-    TexelPaint paint{.layer = layer.layer.pixels().data(),
-                     .layerSize = layer.layer.size(),
-                     .eyeFromEnv =
-                         glm::transpose(picture.envFromWorld * glm::mat3_cast(layer.view.worldFromEye)),
-                     .rayScale = layer.view.halfExtent(),
-                     .rayShift = layer.view.shift};
-    if (layer.filmed) {
-        paint.filmed = cameraUniforms(picture.filmed);
-        paint.scattered = &picture.environment.scatteredLight();
-    }
-    return paint;
 }
 
 // Writes the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.

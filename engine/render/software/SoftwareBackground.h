@@ -15,8 +15,6 @@
 
 namespace shoal::render {
 
-struct TexelPaint;
-
 class SoftwareBackground final : public BackgroundPass {
   public:
     SoftwareBackground();
@@ -58,7 +56,6 @@ class SoftwareBackground final : public BackgroundPass {
     };
 
     static void classify(const EyePicture& picture, Eye& eye);
-    TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer);
     void paintFrame(const EyePicture& picture, const TexelLayer* layer);
 
     std::array<Eye, 2> eyes_;
