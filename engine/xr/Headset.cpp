@@ -212,7 +212,6 @@ struct Headset::State {
     std::optional<XrTime> recentresAt_ns; // time at which the runtime moves LOCAL, on the player's request
     bool positionTracked = false;         // whether it was ever tracked, not merely valid
     bool everPlaced = false;              // whether a position was ever known
-    bool centredBlind = false; // the dive was centred without a position: centred again once there is one
     // Positions of the eyes in the head's frame, as last known; at first those of an average person.
     std::array<glm::vec3, 2> headFromEye{glm::vec3(-0.0315f, 0, 0), glm::vec3(0.0315f, 0, 0)};
     Frame frame;
@@ -353,14 +352,13 @@ void Headset::State::locateEyes() {
     if (centring && locate(local) && (placed || !everPlaced)) {
         world = makeSpace(session.get(), originAt(middle()));
         centring = false;
-        centredBlind = !placed;
+        everPlaced = placed;
     }
     tracking.headTracked = locate(world);
     if (!tracking.headTracked) return;
     tracking.positionLost = !placed;
     if (placed) {
-        everPlaced = true;
-        centring |= std::exchange(centredBlind, false);
+        centring |= !std::exchange(everPlaced, true); // it was centred without a position before
         const Pose headFromWorld = inverse(middle());
         for (size_t i = 0; i < 2; ++i) headFromEye[i] = (headFromWorld * eyes[i].worldFromEye).position;
     } else {
