@@ -87,8 +87,8 @@ void SoftwareBackground::SamplePart::operator()(int part) const {
     const auto beginOf = [&](int k) { return static_cast<size_t>(k) * eye.states.size() / kParts; };
     for (size_t k = beginOf(part); k < beginOf(part + 1); ++k)
         if (const State& state = eye.states[k]; state.due)
-            sampleCell(state.painted ? painted : eye.film.frame, state.sampled, eye.picture.data(),
-                       eye.film.size.x);
+            sampleCell(state.shows == FilmShadows::Version() ? eye.film.frame : painted, state.sampled,
+                       eye.picture.data(), eye.film.size.x);
 }
 
 void SoftwareBackground::classify(const EyePicture& picture, Eye& eye) {
@@ -124,7 +124,6 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     for (size_t k = 0; k < eye_->states.size(); ++k) {
         const BackgroundCell& cell = eye_->grid.all()[k];
         State& state = eye_->states[k];
-        state.painted = false;
         state.due = state.here && state.shows != FilmShadows::Version() &&
                     !isChosenIn(shadows ? &shadows->tiles() : nullptr, cell) && !isChosenIn(tiles, cell);
         if (state.due) state.shows = FilmShadows::Version();
@@ -149,11 +148,10 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         if (!state.here) drawn_.push_back({&cell, objects});
         const bool shaded = isChosenIn(shadows ? &shadows->tiles() : nullptr, cell);
         const FilmShadows::Version shown = shaded ? shadows->version() : FilmShadows::Version();
-        state.painted = shaded || objects;
         state.due = state.here && (objects || state.shows != shown);
         if (!state.due) continue;
         state.shows = objects ? std::nullopt : std::optional(shown);
-        if (state.painted) want(layer ? layer->tiles : shadows->tiles(), cell);
+        if (shaded || objects) want(layer ? layer->tiles : shadows->tiles(), cell);
     }
     timed(picture.partTimes(), "compositing", [&] {
         paintFrame(picture, layer);

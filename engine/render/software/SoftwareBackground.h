@@ -40,8 +40,7 @@ class SoftwareBackground final : public BackgroundPass {
         bool here = false; // whether it is sampled here; otherwise OpenGL draws it
         // The shadows that the cell's pixels show, null for none; empty if the pixels show objects too.
         std::optional<FilmShadows::Version> shows{};
-        bool painted = false; // whether shadows or objects are in its texels
-        bool due = false;     // whether it is sampled next
+        bool due = false; // whether it is sampled next
     };
     static constexpr int kParts = 32; // number of parts into which the cells are divided for threads
     struct Eye {
