@@ -2,7 +2,6 @@
 
 #include "engine/math/Quantile.h"
 
-#include <epoxy/gl.h>
 #include <fmt/core.h>
 #include <imgui/imgui.h>
 // This header needs imgui.h before it.

@@ -7,9 +7,7 @@
 // This header needs imgui.h before it.
 #include <imgui/backends/imgui_impl_opengl3.h>
 
-#include <algorithm>
 #include <cfloat>
-#include <cmath>
 #include <memory>
 
 namespace shoal::app {

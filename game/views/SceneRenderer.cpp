@@ -7,7 +7,6 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace shoal::app {
