@@ -142,9 +142,9 @@ void Tutorial::drawStep(const Pen& pen, const render::View& view) const {
                                                    "Close your hand and hold the fish"};
     const auto index = static_cast<size_t>(step_);
     const float x = pen.size.x / 2;
-    const Rectangle title = pen.label(x, pen.size.y * 0.1f, 0.5f, TextSize::Heading, colour::kWhite,
+    const Rectangle title = pen.label(x, pen.size.y * 0.1f, TextSize::Heading, colour::kWhite,
                                       std::to_string(index + 1) + " / 3   " + pen.in(kTitles[index]));
-    pen.label(x, title.high.y + 0.4f * pen.line, 0.5f, TextSize::Body, colour::kGold,
+    pen.label(x, title.high.y + 0.4f * pen.line, TextSize::Body, colour::kGold,
               pen.in(kHowTo[index][static_cast<size_t>(pen.audience)]));
 }
 
@@ -187,7 +187,7 @@ void Tutorial::follow(const game::Snapshot& shown, std::span<const game::Event> 
 void Tutorial::draw(const Pen& pen, const render::View& view) const {
     if (pen.audience == Audience::Onlooker) return;
     const auto say = [&](game::Text text) {
-        pen.label(pen.size.x / 2, pen.size.y * 0.14f, 0.5f, TextSize::Body, colour::kWhite, pen.in(text));
+        pen.label(pen.size.x / 2, pen.size.y * 0.14f, TextSize::Body, colour::kWhite, pen.in(text));
     };
     if (mode_ == Mode::FirstSteps) drawStep(pen, view);
     if (done_s_ > 0) say("Well caught! Now for real: 90 seconds");

@@ -170,7 +170,7 @@ static void drawPopups(const Pen& pen, const HudInfo& info) {
         if (popup.isRecord) text += std::string("  ") + pen.in("Your largest");
         const float rise = 3 * pen.line * popup.age_s / Popup::kStay_s;
         const float lowest = pen.size.y - (2 + 1.6f * static_cast<float>(info.captions.size())) * pen.line;
-        pen.label(at.x, std::clamp(at.y - 4.5f * pen.line - rise, pen.line, std::max(lowest, pen.line)), 0.5f,
+        pen.label(at.x, std::clamp(at.y - 4.5f * pen.line - rise, pen.line, std::max(lowest, pen.line)),
                   TextSize::Body, kGold, text);
     }
 }
@@ -189,7 +189,7 @@ static void drawCaptions(const Pen& pen, const HudInfo& info) {
         const float seen = std::atan(info.view->halfExtent().x);
         const std::string line = fmt::format("{}{}{}", bearing < -seen ? "\u2190 " : "", pen.in(caption.text),
                                              bearing > seen ? " \u2192" : "");
-        pen.label(pen.size.x / 2, y, 0.5f, size, kWhite, line);
+        pen.label(pen.size.x / 2, y, size, kWhite, line);
         y -= step;
     }
 }
@@ -249,10 +249,9 @@ static void drawText(const Pen& pen, const HudInfo& info) {
     if (info.overlay) info.overlay(pen);
     const float x = pen.size.x / 2;
     if (info.volume)
-        pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Body, kWhite,
+        pen.label(x, pen.line * 2.6f, TextSize::Body, kWhite,
                   pen.in("Sound {} %", std::lround(*info.volume * 100)));
-    if (info.notice)
-        pen.label(x, pen.line * 0.7f, 0.5f, TextSize::Small, kGold, info.notice->in(pen.language));
+    if (info.notice) pen.label(x, pen.line * 0.7f, TextSize::Small, kGold, info.notice->in(pen.language));
     if (info.finger)
         pen.list->AddCircleFilled(ImVec2(info.finger->x, info.finger->y), 0.4f * pen.line, kGold);
     if (info.showTimes) drawTimes(pen, info);
@@ -314,22 +313,20 @@ void Hud::draw(const HudInfo& info, glm::ivec2 size) {
 
 void Hud::drawNotice(const game::Notice& notice, const TextSettings& text, glm::ivec2 size) {
     const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
-    pen.label(pen.size.x / 2, pen.size.y - 2 * pen.line, 0.5f, TextSize::Small, kWhite,
-              notice.in(pen.language));
+    pen.label(pen.size.x / 2, pen.size.y - 2 * pen.line, TextSize::Small, kWhite, notice.in(pen.language));
     endFrame();
 }
 
 void Hud::drawLoading(float progress, const TextSettings& text, glm::ivec2 size) {
     const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
     const float y = pen.size.y * 0.72f;
-    const Rectangle said = pen.label(pen.size.x / 2, y, 0.5f, TextSize::Body, kWhite, pen.in("Loading"));
+    const Rectangle said = pen.label(pen.size.x / 2, y, TextSize::Body, kWhite, pen.in("Loading"));
     const float half = 7 * pen.line, top = said.high.y + 0.5f * pen.line, bottom = top + 0.25f * pen.line;
     const Rectangle track{{pen.size.x / 2 - half, top}, {pen.size.x / 2 + half, bottom}};
     pen.fill(track, kPanel);
     if (progress >= 0)
         pen.fill({track.low, {track.low.x + 2 * half * std::clamp(progress, 0.02f, 1.0f), bottom}}, kAccent);
-    const Rectangle name =
-        pen.label(pen.size.x / 2, pen.size.y * 0.36f, 0.5f, TextSize::Display, kWhite, "Shoal");
+    const Rectangle name = pen.label(pen.size.x / 2, pen.size.y * 0.36f, TextSize::Display, kWhite, "Shoal");
     pen.rule({name.low.x, name.high.y + 0.6f * pen.line}, name.high.x - name.low.x, true);
     endFrame();
 }

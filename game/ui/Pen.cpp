@@ -104,22 +104,21 @@ float Pen::paragraph(float x, float y, float width, TextSize textSize, uint32_t 
     return extent(text, textSize, width).y;
 }
 
-Rectangle Pen::label(float x, float y, float anchor, TextSize textSize, uint32_t colour,
-                     std::string_view content) const {
+Rectangle Pen::label(float x, float y, TextSize textSize, uint32_t colour, std::string_view content) const {
     const glm::vec2 margin(line * 0.5f, line * 0.18f);
     // The label stays within the picture.
     const float widest = size.x - 2 * margin.x;
     const glm::vec2 extents = extent(content, textSize, widest);
     const float left =
-        std::clamp(x - extents.x * anchor, margin.x, std::max(margin.x, size.x - margin.x - extents.x));
+        std::clamp(x - extents.x / 2, margin.x, std::max(margin.x, size.x - margin.x - extents.x));
     const Rectangle area{glm::vec2(left, y) - margin, glm::vec2(left, y) + extents + margin};
     panel(area);
     paragraph(left, y, widest, textSize, colour, content);
     return area;
 }
 
-void Pen::fill(const Rectangle& area, uint32_t colour, float rounding_px) const {
-    list->AddRectFilled(imVec(area.low), imVec(area.high), colour, rounding_px);
+void Pen::fill(const Rectangle& area, uint32_t colour) const {
+    list->AddRectFilled(imVec(area.low), imVec(area.high), colour);
 }
 
 void Pen::panel(const Rectangle& area, Edge edge) const {

@@ -115,15 +115,14 @@ struct Pen {
     // Draws lines broken at width; returns their height, pixels.
     float paragraph(float x, float y, float width, TextSize size, uint32_t colour,
                     std::string_view text) const;
-    // Draws text on a small panel, in several lines if the picture is too narrow for one; y: the text's upper
-    // edge. Returns the panel.
-    Rectangle label(float x, float y, float anchor, TextSize size, uint32_t colour,
-                    std::string_view text) const;
+    // Draws text on a small panel, in several lines if the picture is too narrow for one; x: the text's
+    // middle, y: its upper edge. Returns the panel.
+    Rectangle label(float x, float y, TextSize size, uint32_t colour, std::string_view text) const;
     void panel(const Rectangle& area, Edge edge = Edge::None) const;
     // Draws a line of the accent's colour from a place to the right; waves: for the game's name.
     void rule(glm::vec2 from, float width, bool waves = false) const;
     float stroke() const { return std::max(1.0f, std::round(line * 0.08f)); } // width of lines
-    void fill(const Rectangle& area, uint32_t colour, float rounding_px = 0) const;
+    void fill(const Rectangle& area, uint32_t colour) const;
     // Draws the picture as large as fits, in the middle of the area.
     void picture(const Rectangle& area, const Pictures::Picture& shown) const;
 };
