@@ -491,6 +491,14 @@ const game::Snapshot& Application::shown() {
                              static_cast<float>(play_->elapsed_s), !options_.reducedMotion);
 }
 
+Look Application::look() const {
+    return {.exposure = content_.environment().exposure(options_.look.tone, options_.look.exposure_ev),
+            .glossy = options_.look.glossy,
+            .particles = options_.snow && !options_.reducedMotion,
+            .lamp = config_.dive.lamp,
+            .player = photo_ ? std::optional(photo_->player) : std::nullopt};
+}
+
 Result<bool> Application::draw(float finer) {
     const game::Snapshot& shown = this->shown();
     const bool wantsQuality = options_.quality == QualityControl::Auto && window_ && !options_.timedemo;

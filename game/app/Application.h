@@ -96,11 +96,7 @@ class Application {
     void photograph();
     Status applySettings();
     void simulate();
-    Look look() const {
-        Look look = lookOf(options_, content_.environment(), config_.dive.lamp);
-        if (photo_) look.player = photo_->player;
-        return look;
-    }
+    Look look() const;
     const game::Snapshot& shown();      // the dive, or what is shown in its place
     Result<bool> draw(float finer = 1); // factor on the number of rows and columns
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);

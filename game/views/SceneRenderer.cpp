@@ -11,13 +11,6 @@
 
 namespace shoal::app {
 
-Look lookOf(const PlayOptions& options, const Environment& environment, float lamp) {
-    return {.exposure = environment.exposure(options.look.tone, options.look.exposure_ev),
-            .glossy = options.look.glossy,
-            .particles = options.snow && !options.reducedMotion,
-            .lamp = lamp};
-}
-
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();

@@ -8,7 +8,6 @@
 #include "engine/render/FloorShadowPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
-#include "game/settings/PlayOptions.h"
 #include "game/views/ArmPose.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
@@ -41,9 +40,6 @@ struct Look {
     float lamp = 0;               // game::DiveFile::lamp
     std::optional<Head> player{}; // whose arms are drawn; empty: the viewer's
 };
-
-// Returns the look that the options ask for. lamp: the dive's.
-Look lookOf(const PlayOptions& options, const Environment& environment, float lamp);
 
 class SceneRenderer final : private render::CompositorScene {
   public:
