@@ -38,7 +38,8 @@ static bool points(const hands::HandPose& hand) {
     return glm::distance(at(index.proximal), at(index.tip)) > kStretched * bones_m;
 }
 
-void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples) {
+// Replaces the targets by `count` new ones of this size, unless they have this count and size already.
+static void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples) {
     if (targets.size() == static_cast<size_t>(count) && targets[0].width() == size.x &&
         targets[0].height() == size.y)
         return;

@@ -121,9 +121,6 @@ inline glm::vec2 halfExtentOf(glm::vec2 size, float fov_deg) {
 // Returns a picture of both eyes side by side.
 ImageRgb8 pictureOf(std::span<const gl::Target> eyes);
 
-// Replaces the targets by `count` new ones of this size, unless they have this count and size already.
-void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples);
-
 // Placement of the text panel in a headset: in front of the player, upright. It follows the head smoothly,
 // and only once the head looks well aside.
 class PanelPlacement {
