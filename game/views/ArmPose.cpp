@@ -1,6 +1,5 @@
 #include "game/views/ArmPose.h"
 
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -58,13 +57,6 @@ static glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec
     return glm::normalize(glm::quat_cast(to * glm::transpose(from)));
 }
 
-// Returns the shortest turn between unit vectors (Lengyel 2011, "Mathematics for 3D Game Programming").
-static glm::quat swing(const glm::vec3& from, const glm::vec3& to) {
-    const float cosine = glm::dot(from, to);
-    if (cosine < -0.9999f) return glm::angleAxis(glm::pi<float>(), across({0, 1, 0}, from, {1, 0, 0}));
-    return glm::normalize(glm::quat(1 + cosine, glm::cross(from, to)));
-}
-
 glm::vec3 shoulderWorld(hands::Side side, const Head& head) {
     const glm::vec3 fromHead = yawOf(head.worldFromView) * ofSide(side, kShoulder);
     glm::vec3 inView = glm::conjugate(head.worldFromView) * fromHead;
@@ -97,7 +89,7 @@ ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& he
     const glm::quat upperArm = frameOf(side, upperAxis, glm::cross(hinge, upperAxis));
     // The hand's rotation without the bend of the wrist; the middle of the forearm takes half of its twist.
     const glm::quat hand = wristWorld.orientation;
-    const glm::quat end = swing(hand * glm::vec3(0, 0, 1), foreAxis) * hand;
+    const glm::quat end = glm::quat(hand * glm::vec3(0, 0, 1), foreAxis) * hand; // the shortest turn
     const auto at = [](const glm::vec3& place, const glm::quat& turn) {
         return glm::translate(glm::mat4(1), place) * glm::mat4_cast(turn);
     };
