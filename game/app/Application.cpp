@@ -145,9 +145,7 @@ bool Application::drawLoading(float progress) {
 
 Status Application::openScene() {
     const bool filmFirst = window_ && !options_.xr && options_.environment.isOwnVideo();
-    if (Status s = content_.open(options_, config_, display_->seesRoom(), filmFirst); !s) return s;
-    screens_.facts.ownFilm = options_.environment.isOwnVideo();
-    return Done{};
+    return content_.open(options_, config_, display_->seesRoom(), filmFirst);
 }
 
 Status Application::run(bool measured) {

@@ -231,6 +231,7 @@ MenuPage Screens::titlePage() {
 
 MenuPage Screens::divesPage() {
     const bool swims = top() == Screen::Swims;
+    const EnvironmentOptions& shown = options_.environment;
     for (const DiveName& dive : facts.dives) {
         std::string label = named(dive.title);
         const auto scores = facts.allScores.find(dive.name);
@@ -241,21 +242,21 @@ MenuPage Screens::divesPage() {
         itemButton(std::move(label), [this, swims, name = dive.name] {
             ask(swims ? Request::Kind::Swim : Request::Kind::Dive, name);
         });
-        if (facts.ownFilm) items_.back().picture = dive.picture;
+        if (shown.isOwnVideo()) items_.back().picture = dive.picture;
     }
     backButton();
     MenuPage page{.title = in(swims ? game::Text("Free swim") : "Choose a dive"), .layout = PageLayout::Side};
     page.text = {swims ? in("No clock, no shark: meet the animals.")
                        : in("Stars in all: {}", starsIn(facts.allScores))};
-    const EnvironmentOptions& shown = options_.environment; // which has at most one of these
-    if (!facts.ownFilm)
+    if (!shown.isOwnVideo()) // one of these is its file
         page.text.push_back(
             in("All dives are in {}", Path(shown.video + shown.photo + shown.env).filename().string()));
     return page;
 }
 
 MenuPage Screens::filmsPage() {
-    if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OpenFilm); });
+    if (!options_.environment.isOwnVideo())
+        button("The dive’s own film", [this] { ask(Request::Kind::OpenFilm); });
     const auto [files, complete] = films_.found();
     std::string folders;
     for (const Path& folder : films_.folders()) folders += (folders.empty() ? "" : ", ") + folder.string();

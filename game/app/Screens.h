@@ -64,7 +64,6 @@ struct ScreenFacts {
     std::vector<DiveName> dives;
     bool headset = false;     // a headset is there
     bool headsetLost = false; // the headset was lost in mid-dive, which goes on in the window
-    bool ownFilm = true;      // the dive's own film is shown
     uint64_t seed = 0;        // of the present dive
     DiveScores scores;        // scores of this dive, before the last one
     std::map<std::string, DiveScores> allScores{}; // of all dives, the last one too

@@ -281,7 +281,6 @@ TEST_F(MenuTest, AMutedGameOffersNoVolume) {
 TEST_F(MenuTest, DivesInThePlayersOwnFilmSaySo) {
     choose("Dive");
     EXPECT_EQ(page().text, std::vector<std::string>{"Stars in all: 2"});
-    screens_.facts.ownFilm = false;
     options_.environment.photo = "/home/me/beach.jpg";
     screens_.open(Screen::Dives);
     EXPECT_THAT(page().text, testing::Contains("All dives are in beach.jpg"));
