@@ -201,7 +201,7 @@ int Application::stars() const { return config_.live ? starsIn(screens_.facts.al
 
 // Returns whether the player sits, which matters only in a headset.
 bool Application::isSeated() const {
-    if (display_->audience() != Audience::HeadsetPlayer) return false;
+    if (!inHeadset()) return false;
     if (options_.posture != Posture::Auto) return options_.posture == Posture::Seated;
     const std::optional<float> eyes_m = display_->eyesAboveFloor_m();
     return eyes_m && *eyes_m < kStandingEyes_m;
@@ -263,8 +263,7 @@ Status Application::frame() {
         return content_.environment().update(play_->clock.video_s(session.shown.time_s),
                                              play_->clock.exactVideo());
     });
-    const bool hidden = window_ && !options_.timedemo && play_->controls.input.minimised &&
-                        display_->audience() != Audience::HeadsetPlayer;
+    const bool hidden = window_ && !options_.timedemo && play_->controls.input.minimised && !inHeadset();
     pace_.begin();
     const Result<bool> drawn = hidden ? Result<bool>(false) : draw();
     if (!drawn) return drawn.error();
@@ -285,7 +284,7 @@ Status Application::frame() {
 
 // Waits for the next picture's time, if the display has not; a menu answers input at once.
 void Application::rest(bool hidden) {
-    if (!window_ || options_.timedemo || display_->audience() == Audience::HeadsetPlayer) return;
+    if (!window_ || options_.timedemo || inHeadset()) return;
     const bool menu = play_->states.byPerson() && play_->states.state() != ProgramStates::State::Diving;
     const bool quiet = quiet_s_ > kQuietAfter_s && !play_->session.tracked;
     // Displays that wait are a little late at times: then this wait must not cost the next picture.
@@ -327,13 +326,11 @@ void Application::readInput() {
     }
     display_->feed(session);
     // A script in a headset stands still while the session is paused: it waits for somebody to watch.
-    if (display_->audience() == Audience::HeadsetPlayer && session.paused && !states.byPerson())
-        play_->elapsed_s = 0;
+    if (inHeadset() && session.paused && !states.byPerson()) play_->elapsed_s = 0;
     auto* mouse = std::get_if<MouseSource>(&session.source);
     if (!mouse) return;
-    const auto dt_s = static_cast<float>(play_->elapsed_s);
     if (states.state() == ProgramStates::State::Title)
-        return mouse->idle(dt_s, options_.reducedMotion ? 0.0f : kTitleTurn_radps);
+        return mouse->idle(play_->dt_s(), options_.reducedMotion ? 0.0f : kTitleTurn_radps);
     if (window_) window_->holdCursor(!screens_.isOpen() && play_->controls.input.rightButton);
     if (screens_.isOpen()) return mouse->release();
     play_->moveMouse(window_ ? &play_->controls : nullptr,
@@ -348,7 +345,7 @@ void Application::noteDevice() {
     const bool byPad =
         !pad.pressed.empty() || pad.leftStick != glm::vec2(0) || pad.rightStick != glm::vec2(0);
     if (byHand || byPad) byGamepad_ = byPad;
-    quiet_s_ = byHand || byPad ? 0 : quiet_s_ + static_cast<float>(play_->elapsed_s);
+    quiet_s_ = byHand || byPad ? 0 : quiet_s_ + play_->dt_s();
 }
 
 void Application::readMenuInput() {
@@ -357,14 +354,12 @@ void Application::readMenuInput() {
     // A hand held up to be measured does not poke the menu.
     const auto fingers =
         screens_.top() == Screen::HandSize ? std::array<Pointing, 2>() : display_->pointing(play_->session);
-    MenuInput menu = menuControls_.step(input, &*window_, fingers, display_->menuSurface(),
-                                        static_cast<float>(play_->elapsed_s));
+    MenuInput menu = menuControls_.step(input, &*window_, fingers, display_->menuSurface(), play_->dt_s());
     // A press meant for a fish as the dive ends must choose nothing in the results.
     if (play_->states.state() == ProgramStates::State::Results) {
-        const auto dt_s = static_cast<float>(play_->elapsed_s);
         const bool rests = play_->results_s < kMaxResultsRest_s && play_->resultsQuiet_s < kResultsRest_s;
-        play_->results_s += dt_s;
-        play_->resultsQuiet_s = menu.accept || menu.pressed ? 0 : play_->resultsQuiet_s + dt_s;
+        play_->results_s += play_->dt_s();
+        play_->resultsQuiet_s = menu.accept || menu.pressed ? 0 : play_->resultsQuiet_s + play_->dt_s();
         if (rests) menu.accept = menu.pressed = menu.back = false;
     }
     screens_.input(menu);
@@ -384,7 +379,7 @@ void Application::noteTracker() {
 // Announces a new animal in the field guide. before: number of animals in it before this frame.
 void Application::noteMet(size_t before) {
     const std::vector<MetAnimal>& met = screens_.facts.met;
-    play_->metLeft_s -= static_cast<float>(play_->elapsed_s);
+    play_->metLeft_s -= play_->dt_s();
     if (met.size() == before) return;
     const game::SpeciesTable& all = *screens_.facts.species;
     play_->met = game::Notice{
@@ -402,8 +397,7 @@ void Application::measureHand() {
     }
     if (facts.handSizing.size()) return;
     const std::optional<TrackedHands>& tracked = play_->session.tracked;
-    facts.handSizing.see(tracked ? tracked->openHand_m() : std::nullopt,
-                         static_cast<float>(play_->elapsed_s));
+    facts.handSizing.see(tracked ? tracked->openHand_m() : std::nullopt, play_->dt_s());
     if (const auto size = facts.handSizing.size()) {
         options_.hands.size = *size;
         screens_.keep("hand-size");
@@ -428,8 +422,7 @@ void Application::globalActions(const Controls& controls) {
                 log::warn("{}", reloaded.error().message());
 #endif
     if (controls.was(Action::Recentre)) display_->recentre();
-    if (display_->audience() == Audience::HeadsetPlayer)
-        toggle(Action::Room, options_.passthrough, "passthrough");
+    if (inHeadset()) toggle(Action::Room, options_.passthrough, "passthrough");
     const int louder = controls.was(Action::Louder) - controls.was(Action::Quieter);
     if (louder != 0 && !options_.mute) {
         options_.volume = std::clamp(options_.volume + 0.1f * static_cast<float>(louder), 0.0f, 1.0f);
@@ -439,8 +432,8 @@ void Application::globalActions(const Controls& controls) {
 }
 
 void Application::photograph() {
-    const auto command = photo_->step(play_->controls, options_.controls.sensitivity,
-                                      static_cast<float>(play_->elapsed_s), options_.fov_deg);
+    const auto command =
+        photo_->step(play_->controls, options_.controls.sensitivity, play_->dt_s(), options_.fov_deg);
     if (command == PhotoMode::Command::Picture) {
         photo_->notice.reset(); // no text covers the picture
         const Result<bool> drawn = draw(kPhotoFiner);
@@ -457,11 +450,11 @@ void Application::simulate() {
     const double began_ms = play_->clock.sinceBegin_ms();
     session.advance(play_->elapsed_s);
     statistics_.sim_ms = static_cast<float>(play_->clock.sinceBegin_ms() - began_ms);
-    const bool attended = display_->audience() == Audience::HeadsetPlayer || play_->controls.input.focused;
-    soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(play_->elapsed_s), attended,
+    const bool attended = inHeadset() || play_->controls.input.focused;
+    soundAndHaptics_->frame(session.shown, session.events, play_->dt_s(), attended,
                             content_.environment().player().videoPosition_s(),
                             glm::quat_cast(glm::transpose(content_.environment().envFromWorld())));
-    const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
+    const auto dt_s = session.paused ? 0.0f : play_->dt_s();
     play_->goalsLeft_s -= dt_s;
     for (const game::Event& event : session.events) {
         if (event.species >= 0 && event.position && play_->popups.size() < play_->popups.capacity()) {
@@ -473,7 +466,7 @@ void Application::simulate() {
         }
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
-    for (Popup& popup : play_->popups) popup.age_s += static_cast<float>(play_->elapsed_s);
+    for (Popup& popup : play_->popups) popup.age_s += play_->dt_s();
     std::erase_if(play_->popups, [](const Popup& popup) { return popup.age_s > Popup::kStay_s; });
     play_->tutorial.follow(session.shown, session.events, dt_s);
 }
@@ -485,8 +478,8 @@ const game::Snapshot& Application::shown() {
     const auto extent = animal ? content_.loadSpecies(config_, *animal) : std::nullopt;
     if (!extent) return dive;
     return guideAnimal_.show(dive, static_cast<int>(*animal), config_.species[*animal], *extent,
-                             halfExtentOf(display_->menuSurface().size, options_.fov_deg),
-                             static_cast<float>(play_->elapsed_s), !options_.reducedMotion);
+                             halfExtentOf(display_->menuSurface().size, options_.fov_deg), play_->dt_s(),
+                             !options_.reducedMotion);
 }
 
 Look Application::look() const {

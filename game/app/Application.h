@@ -63,6 +63,7 @@ class Application {
     void openSound();
     Status openContent();
     bool drawLoading(float progress); // false: the player wants to leave
+    bool inHeadset() const { return display_->audience() == Audience::HeadsetPlayer; }
     bool isForPerson() const { return !config_.script && !config_.replay; }
     Mode firstMode() const;
     Status begin(Mode mode);

@@ -133,7 +133,7 @@ void Application::awaitHeadset() {
         if (Status entered = enterHeadset(); !entered) log::debug("{}", entered.error().message());
         return;
     }
-    *askForHeadset_s_ -= static_cast<float>(play_->elapsed_s);
+    *askForHeadset_s_ -= play_->dt_s();
     if (*askForHeadset_s_ <= 0) headsetAnswer_ = std::async(std::launch::async, &xr::Headset::isThere);
 }
 
@@ -153,7 +153,7 @@ Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
 
 Status Application::openContent() {
     if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
-    if (options_.xr != (display_->audience() == Audience::HeadsetPlayer))
+    if (options_.xr != inHeadset())
         if (Status s = openDisplay(); !s) return s;
     if (Status s = openScene(); !s) return s;
     openSound();

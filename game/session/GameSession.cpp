@@ -148,8 +148,8 @@ void GameSession::advance(double elapsed_s) {
 void DiveRunner::moveMouse(const Controls* controls, glm::ivec2 size) {
     const glm::vec2 shape = glm::max(size, 1);
     if (auto* mouse = std::get_if<MouseSource>(&session.source))
-        mouse->frame(controls, options_.controls, session.shown, static_cast<float>(elapsed_s),
-                     glm::radians(options_.fov_deg), shape.x / shape.y);
+        mouse->frame(controls, options_.controls, session.shown, dt_s(), glm::radians(options_.fov_deg),
+                     shape.x / shape.y);
 }
 
 bool DiveRunner::isOver() const {

@@ -149,6 +149,7 @@ class DiveRunner {
         clock.beginFrame();
         elapsed_s = clock.elapsed_s(display_s) * static_cast<double>(options_.speed);
     }
+    float dt_s() const { return static_cast<float>(elapsed_s); }
     // Moves the mouse's hand, if the session has it. controls: null where nobody plays. size: of the picture.
     void moveMouse(const Controls* controls, glm::ivec2 size);
     // Returns whether the session is complete; one that nobody watches ends with its results.
