@@ -36,19 +36,15 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     if (Status s = handSourceFor(options).moveTo(config.handSource); !s) return s.error();
     const std::string& file = config.handSource.argument;
     if (config.handSource.kind == HandSourceKind::Script) {
-        auto script = game::loadScript(file);
-        if (!script) return script.error();
-        config.seed = script->seed;
-        config.rules = script->rules;
-        config.script = std::move(*script);
+        if (Status s = game::loadScript(file).moveTo(config.script); !s) return s.error();
+        config.seed = config.script->seed;
+        config.rules = config.script->rules;
     } else if (config.handSource.kind == HandSourceKind::Replay) {
-        auto recording = sim::RecordingReader::open(file);
-        if (!recording) return recording.error();
-        if (Status s = game::rulesOf(recording->header()).moveTo(config.rules); !s)
-            return Error{file, s.error().reason};
-        diveName = recording->header().dive;
-        config.seed = recording->header().seed;
-        config.replay = std::move(*recording);
+        if (Status s = sim::RecordingReader::open(file).moveTo(config.replay); !s) return s.error();
+        const sim::RecordingHeader& header = config.replay->header();
+        if (Status s = game::rulesOf(header).moveTo(config.rules); !s) return Error{file, s.error().reason};
+        diveName = header.dive;
+        config.seed = header.seed;
     }
     auto files = config.script ? game::loadDiveFiles(*config.script) : game::loadDiveFiles(diveName);
     if (!files) return files.error();
