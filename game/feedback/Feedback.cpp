@@ -235,8 +235,9 @@ void HapticFeedback::startPulse(const Event& event) {
     const HapticPulse& row = rowOf(event.kind).pulse;
     const float speed = std::clamp(event.closing_mps / kFullSpeed_mps, 0.0f, 1.0f);
     const float share = event.part >= 0 ? speed : 1;
-    const Pulse pulse{row.amplitudeLow + (row.amplitude - row.amplitudeLow) * share,
-                      row.frequencyLow_Hz + (row.frequency_Hz - row.frequencyLow_Hz) * share, row.decay_s};
+    const Pulse pulse{{std::lerp(row.amplitudeLow, row.amplitude, share),
+                       std::lerp(row.frequencyLow_Hz, row.frequency_Hz, share)},
+                      row.decay_s};
     const auto strike = [&](Pulse& own) {
         if (pulse.amplitude >= own.amplitude) own = pulse;
     };
@@ -255,18 +256,17 @@ haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<cons
     }
     for (Pulse& pulse : pulses_) pulse.amplitude *= std::exp(-dt_s / pulse.decay_s);
     for (const Event& event : events) startPulse(event);
+    const auto felt = [&](haptics::Actuation out) {
+        out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
+        return out;
+    };
     haptics::HapticFrame frame;
     for (int i = 0; i < haptics::kActuatorCount; ++i) {
-        const Pulse& pulse = pulses_[i];
         const HandView& hand = shown.hands[i / haptics::kActuatorsPerHand];
         const TouchView& touch = hand.touching[i % haptics::kActuatorsPerHand];
-        haptics::Actuation out =
-            haptics::stronger({pulse.amplitude, pulse.frequency_Hz}, underFinger(touch, hand.holds >= 0));
-        out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
-        frame.actuators[i] = out;
+        frame.actuators[i] = felt(haptics::stronger(pulses_[i], underFinger(touch, hand.holds >= 0)));
     }
-    const Pulse& body = pulses_.back();
-    frame.body = {std::clamp(body.amplitude * strength, 0.0f, 1.0f), body.frequency_Hz};
+    frame.body = felt(pulses_.back());
     return frame;
 }
 

@@ -79,10 +79,8 @@ class HapticFeedback {
                                float strength);
 
   private:
-    struct Pulse {
-        float amplitude = 0; // present amplitude
-        float frequency_Hz = 0;
-        float decay_s = 1; // time constant: falls to 1/e
+    struct Pulse : haptics::Actuation { // its present one
+        float decay_s = 1;              // time constant: falls to 1/e
     };
     void startPulse(const Event&);
 
