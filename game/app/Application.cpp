@@ -135,7 +135,7 @@ bool Application::drawLoading(float progress) {
         const auto hud = [&](HudPart, Audience, const render::View&, glm::ivec2 eye) {
             hud_->drawLoading(progress, options_.text, eye);
         };
-        if (display_->draw(Painter::of(content_.renderer(), hud), nothing, 1)) display_->present();
+        if (display_->draw({content_.renderer(), hud}, nothing, 1)) display_->present();
     } else {
         hud_->drawLoading(progress, options_.text, size);
         window_->present();
@@ -496,15 +496,13 @@ Result<bool> Application::draw(float finer) {
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
     const Quality quality = quality_ ? quality_->quality() : Quality();
     content_.renderer().set(shown, content_.environment(), look());
-    const Result<bool> drawn = display_->draw(
-        Painter::of(content_.renderer(),
-                    [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
-                        if (options_.look.skip == render::SkippedPass::Overlay) return;
-                        if (photo_ && !photo_->notice) return;
-                        const gl::PassTimers::Scope scope(&content_.renderer().timers(), "overlay");
-                        drawHud(part, audience, view, size);
-                    }),
-        shown, finer > 1 ? finer : quality.scale);
+    const auto hud = [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
+        if (options_.look.skip == render::SkippedPass::Overlay || (photo_ && !photo_->notice)) return;
+        const gl::PassTimers::Scope scope(&content_.renderer().timers(), "overlay");
+        drawHud(part, audience, view, size);
+    };
+    const Result<bool> drawn =
+        display_->draw({content_.renderer(), hud}, shown, finer > 1 ? finer : quality.scale);
     statistics_.draws = content_.renderer().drawCount();
     statistics_.triangles = content_.renderer().triangleCount();
     return drawn;

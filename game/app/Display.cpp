@@ -82,7 +82,7 @@ Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& sho
                                 .heightPixels = drawnSize.y};
         toDraw.push_back({eye, view, canvases[eye]});
     }
-    const Status drawn = painter.scene(toDraw, [&](const render::EyePicture& eye) {
+    const Status drawn = painter.renderer.draw(toDraw, [&](const render::EyePicture& eye) {
         if (!reducedTargets_.empty()) {
             const gl::Target& target = targets_[eye.eye];
             eye.canvas.blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
@@ -252,7 +252,7 @@ Status HeadsetDisplay::drawEyes(const Painter& painter, glm::ivec2 windowSize) {
         view.heightPixels = target.height();
         eyes.push_back({eye, view, target, surroundings_, headset_.tracking().floor_m});
     }
-    if (Status drawn = painter.scene(eyes, {}); !drawn) return drawn;
+    if (Status drawn = painter.renderer.draw(eyes); !drawn) return drawn;
     for (const SceneRenderer::Eye& eye : eyes)
         if (Status shown = showEye(eye, painter, windowSize); !shown) return shown;
     return Done{};
@@ -281,7 +281,7 @@ Status HeadsetDisplay::showEye(const SceneRenderer::Eye& drawnEye, const Painter
     const xr::Picture depth = eye == 0 ? xr::Picture::LeftDepth : xr::Picture::RightDepth;
     const auto depthBuffer = headset_.acquire(depth);
     if (!depthBuffer) return depthBuffer.error();
-    if (Status drawn = painter.depth(drawnEye, *depthBuffer); !drawn) return drawn;
+    if (Status drawn = painter.renderer.drawDepth(drawnEye, *depthBuffer); !drawn) return drawn;
     planes_ = {view.near_m, view.far_m};
     return headset_.release(depth);
 }

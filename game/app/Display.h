@@ -5,7 +5,6 @@
 #include "engine/gl/Target.h"
 #include "engine/math/Trigonometry.h"
 #include "engine/platform/Window.h"
-#include "engine/render/Compositor.h"
 #include "engine/render/HeadsetPasses.h"
 #include "engine/xr/Headset.h"
 #include "game/session/GameSession.h"
@@ -25,22 +24,11 @@
 
 namespace shoal::app {
 
-// Callbacks that draw the content of a frame; the display provides eyes and targets.
+// Draws the content of a frame; the display provides eyes and targets.
 struct Painter {
-    using AfterEye = render::Compositor::AfterEye;
-    // Draws the scene for these eyes into their canvases; see SceneRenderer::draw().
-    std::function<Status(std::span<const SceneRenderer::Eye>, const AfterEye&)> scene;
-    // Draws the depth of the scene just drawn for this eye into a framebuffer with depth.
-    std::function<Status(const SceneRenderer::Eye&, uint32_t framebuffer)> depth;
+    SceneRenderer& renderer; // of the scene that has been set
     // Draws the text into the bound framebuffer of `size` pixels.
     std::function<void(HudPart, Audience, const render::View&, glm::ivec2 size)> hud;
-
-    // Returns a painter whose scene and depth come from this renderer.
-    static Painter of(SceneRenderer& renderer, decltype(hud) hud) {
-        return {[&](auto eyes, const AfterEye& afterEye) { return renderer.draw(eyes, afterEye); },
-                [&](const auto& eye, uint32_t into) { return renderer.drawDepth(eye, into); },
-                std::move(hud)};
-    }
 };
 
 class Display {

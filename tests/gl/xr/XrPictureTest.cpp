@@ -64,8 +64,7 @@ class XrPicture : public test::WithFakeRuntime {
     }
     // Shows frames until the fade-in is over, then one with the scene at rest.
     void show(HeadsetDisplay& headset, float scale) {
-        show(headset, scale,
-             Painter::of(*sceneRenderer_, [](HudPart, Audience, const render::View&, glm::ivec2) {}));
+        show(headset, scale, {*sceneRenderer_, [](HudPart, Audience, const render::View&, glm::ivec2) {}});
     }
     void show(HeadsetDisplay& headset, float scale, const Painter& painter) {
         bool drew = false;
@@ -188,15 +187,11 @@ TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
 // is coded.
 TEST_F(XrPicture, HalfCoverageOfTheRoomGivesHalfTheLight) {
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
-    const Painter half{.scene =
-                           [](std::span<const SceneRenderer::Eye> eyes, const auto&) {
-                               eyes[0].canvas.bind();
-                               glClearColor(0.4f, 0.3f, 0.2f, 0.5f); // coded, times coverage
-                               glClear(GL_COLOR_BUFFER_BIT);
-                               return Status(Done{});
-                           },
-                       .depth = {},
-                       .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}};
+    const Painter half{*sceneRenderer_, [](HudPart part, Audience, const render::View&, glm::ivec2) {
+                           if (part != HudPart::Marks) return;
+                           glClearColor(0.4f, 0.3f, 0.2f, 0.5f); // coded, times coverage
+                           glClear(GL_COLOR_BUFFER_BIT);         // over the scene
+                       }};
     for (const int samples : {1, 4}) {
         auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, samples));
         for (const bool room : {true, false}) {
@@ -300,15 +295,8 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
     };
     {
         auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
-        show(headset, 1,
-             {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
-                           const auto&) { return sceneRenderer_->draw(eyes); },
-              .depth =
-                  [](const SceneRenderer::Eye&, uint32_t) {
-                      ADD_FAILURE() << "the runtime takes no depth";
-                      return Status(Done{});
-                  },
-              .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}});
+        show(headset, 1);
+        EXPECT_FALSE((*fake.last.eyes)[0].depth) << "the runtime takes no depth";
     }
     fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
     fake.formats.push_back(GL_DEPTH_COMPONENT32F);
