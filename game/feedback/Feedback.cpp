@@ -79,17 +79,21 @@ void SoundCues::play(Sound sound, const glm::vec3& position, float gain, bool ev
                       .velocity = velocity});
 }
 
+// Keeps a clip playing that is heard everywhere.
+void SoundCues::loop(size_t clip, float gain, bool inStep) {
+    emitters_.push_back({.id = kBedId + static_cast<uint32_t>(clip),
+                         .clip = static_cast<int>(clip),
+                         .gain = gain,
+                         .everywhere = true,
+                         .inStep = inStep});
+}
+
 void SoundCues::beds(const Snapshot& shown, float dt_s) {
     const float wanted = std::clamp(shown.enclosure, 0.0f, 1.0f);
     enclosure_ += std::clamp(wanted - enclosure_, -dt_s / kCross_s, dt_s / kCross_s);
     const auto bed = [&](Sound sound, float share) {
-        if (share <= 0) return;
         // Square root: the powers of two unrelated sounds add up to a constant.
-        const float gain = gainOf(sound) * std::sqrt(share);
-        emitters_.push_back({.id = kBedId + static_cast<uint32_t>(sound),
-                             .clip = static_cast<int>(sound),
-                             .gain = gain,
-                             .everywhere = true});
+        if (share > 0) loop(static_cast<size_t>(sound), gainOf(sound) * std::sqrt(share), false);
     };
     bed(Sound::BedOpen, 1 - enclosure_);
     bed(Sound::BedTunnel, enclosure_);
@@ -123,14 +127,8 @@ void SoundCues::playMusic(const Snapshot& shown, std::span<const Event> events, 
     follow(lift_, liftLeft_s_ > 0 ? 1.0f : 0.0f);
     follow(tension_, tensionOf(shown));
     const std::array gains = {calm_ * (kCalm + kLift * lift_), tension_}; // of kMusicLayers
-    for (size_t layer = 0; layer < kMusicLayers.size(); ++layer) {
-        const size_t clip = kSounds.size() + layer;
-        emitters_.push_back({.id = kBedId + static_cast<uint32_t>(clip),
-                             .clip = static_cast<int>(clip),
-                             .gain = volume * gains[layer],
-                             .everywhere = true,
-                             .inStep = true});
-    }
+    for (size_t layer = 0; layer < kMusicLayers.size(); ++layer)
+        loop(kSounds.size() + layer, volume * gains[layer], true);
 }
 
 void SoundCues::struggling(const CreatureView& creature) {

@@ -48,6 +48,7 @@ class SoundCues {
     void play(Sound sound, const glm::vec3& position, float gain, bool everywhere = false, float pitch = 1,
               const glm::vec3& velocity = glm::vec3(0));
     void caption(Text text, const glm::vec3& position);
+    void loop(size_t clip, float gain, bool inStep);
     void beds(const Snapshot& shown, float dt_s);
     void playMusic(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume);
     void passing(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s);
