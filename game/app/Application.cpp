@@ -199,7 +199,6 @@ Status Application::begin(Mode mode) {
 // Returns the player's stars; none without a window, where equal commands give equal pictures.
 int Application::stars() const { return config_.live ? starsIn(screens_.facts.allScores) : 0; }
 
-// Returns whether the player sits, which matters only in a headset.
 bool Application::isSeated() const {
     if (!inHeadset()) return false;
     if (options_.posture != Posture::Auto) return options_.posture == Posture::Seated;

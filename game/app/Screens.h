@@ -31,7 +31,6 @@ enum class Screen {
     Results
 };
 
-// A request of the player to the program.
 struct Request {
     enum class Kind {
         Dive,

@@ -183,7 +183,6 @@ struct LookOptions {
     }
 };
 
-// A session's source of hands.
 struct HandSourceChoice {
     HandSourceKind kind = HandSourceKind::Mouse;
     std::string argument; // a webcam's number or clip, a script's or a replay's file; may be empty
@@ -218,7 +217,6 @@ struct HandOptions {
     }
 };
 
-// Settings of mouse, keys and gamepad.
 struct ControlOptions {
     hands::Side hand = hands::Side::Right;
     float sensitivity = 1;
@@ -254,7 +252,6 @@ struct ControlOptions {
     }
 };
 
-// Settings of text on the screen.
 struct TextSettings {
     LanguageChoice language = LanguageChoice::Auto;
     float scale = 1;

@@ -24,7 +24,6 @@ namespace shoal::app {
 
 enum class Category { General, Dive, Environment, Picture, Hands, Sound, Measuring };
 
-// The menu page that shows a setting.
 enum class SettingsPage { None, Hands, Comfort, Picture, Sound, Text };
 
 // A setting that is text: one of a few names, or in a notation of its own.
@@ -129,7 +128,6 @@ struct SettingsTable {
     }
 };
 
-// Returns the table of a struct of options.
 template <class Options> SettingsTable settingsOf(Options& options) {
     SettingsTable table;
     options.addTo(table);
