@@ -27,27 +27,18 @@ inline int editDistance(std::string_view a, std::string_view b) {
     return at(a.size(), b.size());
 }
 
-// Returns the known word at the smallest distance: at most 2, and less than half of the given word's letters,
-// so that not every short word is near. Empty: there is none.
-inline std::string_view nearestWord(std::string_view given, std::span<const std::string> known) {
+// Returns "; did you mean WORD?" with the known word at the smallest distance, or nothing if that is more
+// than 2 or not less than half of the given word's letters, so that not every short word is near.
+inline std::string didYouMean(std::string_view given, std::span<const std::string> known) {
     constexpr size_t kLongest = 64; // longest word that may be mistyped
     constexpr int kMaxDistance = 2;
-    if (given.size() > kLongest) return {};
-    std::string_view nearest;
-    int smallest = kMaxDistance + 1;
-    for (const std::string& word : known) {
-        const int distance = editDistance(given, word);
-        if (distance >= smallest || 2 * static_cast<size_t>(distance) >= given.size()) continue;
-        smallest = distance;
-        nearest = word;
-    }
-    return nearest;
-}
-
-// Returns "; did you mean NAME?", or nothing.
-inline std::string didYouMean(std::string_view given, std::span<const std::string> known) {
-    const std::string_view nearest = nearestWord(given, known);
-    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?";
+    if (given.size() > kLongest) return "";
+    const auto distance = [&](const std::string& word) { return editDistance(given, word); };
+    const auto nearest = std::ranges::min_element(known, {}, distance);
+    if (nearest == known.end()) return "";
+    const int smallest = distance(*nearest);
+    if (smallest > kMaxDistance || 2 * static_cast<size_t>(smallest) >= given.size()) return "";
+    return "; did you mean " + *nearest + "?";
 }
 
 } // namespace shoal::app
