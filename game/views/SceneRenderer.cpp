@@ -12,14 +12,12 @@
 namespace shoal::app {
 
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
-    auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
-    if (!objects) return objects.error();
-    auto particles = render::ParticlePass::make();
-    if (!particles) return particles.error();
-    Passes passes{std::move(*objects), std::move(*particles), {}, {}};
-    if (setup.floorShadows)
-        if (Status s = render::FloorShadowPass::make().moveTo(passes.floorShadows); !s) return s.error();
-    if (Status s = render::Compositor::make(setup.compositor).moveTo(passes.compositor); !s) return s.error();
+    Passes passes;
+    Status made = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown).moveTo(passes.objects);
+    if (made) made = render::ParticlePass::make().moveTo(passes.particles);
+    if (made && setup.floorShadows) made = render::FloorShadowPass::make().moveTo(passes.floorShadows);
+    if (made) made = render::Compositor::make(setup.compositor).moveTo(passes.compositor);
+    if (!made) return made.error();
     return passes;
 }
 
