@@ -238,7 +238,6 @@ Path Application::recordingFile() {
 Status Application::endPlay() {
     if (!play_) return Done{};
     const Status verdict = play_->end(statistics_);
-    summary_ = play_->session.summary;
     play_.reset();
     return verdict;
 }

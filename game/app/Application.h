@@ -30,11 +30,9 @@ class Application {
 
     bool hasPicture() const { return !display_->pictures().empty(); }
     Status saveScreenshot() const;
-    const std::string& summary() const { return summary_; } // of the last script that was played
     const Statistics& statistics() const { return statistics_; }
     bool leaving() const { return leaving_; }           // the player has asked to leave
     const Screens& screens() const { return screens_; } // the pages over the picture
-    bool showsLiveVideo() const { return content_.environment().player().live(); }
 
   private:
     // The present session and its state on the screen.
@@ -127,9 +125,8 @@ class Application {
     Pictures::Picture cameraPicture_; // image of a hand tracker's camera
     ImageRgba8 cameraImage_;          // scratch memory for that image
     Statistics statistics_;           // of the present session
-    std::string summary_;
-    int recordings_ = 0;   // number of recordings begun
-    bool measured_ = true; // false: the present run only warms up
+    int recordings_ = 0;              // number of recordings begun
+    bool measured_ = true;            // false: the present run only warms up
     double volumeShown_s_ = -10;
     bool byGamepad_ = false; // the player's last input came from a gamepad
     float quiet_s_ = 0;      // seconds since that input

@@ -62,12 +62,12 @@ static void printParts(const Statistics& s) {
 }
 
 // Prints the times for a person to read.
-static void printTimes(const Statistics& s, bool live) {
+static void printTimes(const Statistics& s) {
     std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",
                 s.renderer.c_str(), s.frame_ms.size(), quantile(s.frame_ms, 0.5), quantile(s.frame_ms, 0.99),
                 quantile(s.frame_ms, 1));
     printParts(s);
-    if (!live) return;
+    if (s.live.shown == 0) return; // no live video
     std::printf("live: %lld frames shown, %lld passed over; from arrival to picture median %.1f ms, 99th "
                 "percentile %.1f ms; in pictures of the display %.0f and %.0f, at most %.0f\n",
                 static_cast<long long>(s.live.shown), static_cast<long long>(s.live.passedOver),
@@ -113,11 +113,10 @@ static Status writeStatistics(const Path& file, const Statistics& s) {
 
 // Writes the figures, even of a run that failed, and prints the summary of a script that met its
 // expectations: its name and hash as in tests/equal_hashes.txt. Returns the verdict.
-static Status report(const PlayOptions& options, const Statistics& statistics, const std::string& summary,
-                     const Status& verdict) {
+static Status report(const PlayOptions& options, const Statistics& statistics, const Status& verdict) {
     if (!options.stats.empty())
         if (Status written = writeStatistics(options.stats, statistics); !written) return written;
-    if (verdict && !summary.empty()) std::printf("%s\n", summary.c_str());
+    if (verdict && !statistics.summary.empty()) std::printf("%s\n", statistics.summary.c_str());
     return verdict;
 }
 
@@ -148,7 +147,7 @@ static Status playUnseen(const PlayOptions& options) {
     } while (!runner.isOver() && stopSignal == 0);
     Statistics statistics{.renderer = "none"};
     const Status verdict = runner.end(statistics);
-    return report(options, statistics, runner.session.summary, verdict);
+    return report(options, statistics, verdict);
 }
 
 Status play(const PlayOptions& given) {
@@ -168,8 +167,8 @@ Status play(const PlayOptions& given) {
     // The outputs are written even when an expectation failed: they help to see why.
     if (!options.screenshot.empty() && application.hasPicture())
         if (Status saved = application.saveScreenshot(); !saved) return saved;
-    verdict = report(options, application.statistics(), application.summary(), verdict);
-    if (options.timedemo) printTimes(application.statistics(), application.showsLiveVideo());
+    verdict = report(options, application.statistics(), verdict);
+    if (options.timedemo) printTimes(application.statistics());
     return verdict;
 }
 

@@ -166,6 +166,7 @@ Status DiveRunner::end(Statistics& statistics) {
     statistics.score = session.after.score;
     statistics.stateHash = session.dive.stateHash();
     statistics.ticks = session.ticks;
+    statistics.summary = session.summary;
     const Status written = session.endRecording();
     return written ? session.verdict : written;
 }

@@ -30,6 +30,7 @@ struct Statistics {
     float minScale = 1; // least Quality::scale, see DynamicQuality.h
     int caught = 0, score = 0;
     uint64_t stateHash = 0, ticks = 0;
+    std::string summary; // GameSession::summary
 
     // Adds the time of a part of the frame that is measured, before its frame_ms.
     void addPart(const char* part, float ms) {
