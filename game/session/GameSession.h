@@ -108,10 +108,8 @@ class FrameClock {
 
     // Returns the dive's time since the last frame. display: that time by the display; empty: unknown.
     double elapsed_s(std::optional<double> display) const {
-        constexpr double kMaximum_s = 0.5; // a longer pause is not made up for
-        if (display) return std::min(*display, kMaximum_s);
-        if (mode_ == Mode::RealTime) return std::min(wall_s_, kMaximum_s);
-        return frame_ == 0 ? 0 : 1 / fps_;
+        if (!display && mode_ != Mode::RealTime) return frame_ == 0 ? 0 : 1 / fps_;
+        return std::min(display.value_or(wall_s_), sim::FixedStep::kMaxCatchUp_s);
     }
     double video_s(double dive_s) const {
         return mode_ == Mode::TimeDemo ? Seconds(Clock::now() - start_).count() : dive_s;
