@@ -254,8 +254,8 @@ static void drawText(const Pen& pen, const HudInfo& info) {
     if (info.notice) pen.label(x, pen.line * 0.7f, TextSize::Small, kGold, info.notice->in(pen.language));
     if (info.finger)
         pen.list->AddCircleFilled(ImVec2(info.finger->x, info.finger->y), 0.4f * pen.line, kGold);
-    if (info.showTimes) drawTimes(pen, info);
-    if (info.showTimes && info.camera) drawCamera(pen, *info.camera);
+    if (info.statistics) drawTimes(pen, info);
+    if (info.statistics && info.camera) drawCamera(pen, *info.camera);
 }
 
 void Hud::destroy(ImGuiContext* context) {

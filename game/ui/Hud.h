@@ -63,9 +63,8 @@ struct HudInfo {
     std::function<void(const Pen&)> overlay; // draws the menu pages or the tutorial; may be empty
     TextSettings text;
     float vignette = 0; // turning speed of the view for the dark edges, radians a second; 0: none
-    std::optional<glm::vec2> finger; // place where a finger points at a menu, pixels
-    bool showTimes = false;
-    const Statistics* statistics = nullptr;
+    std::optional<glm::vec2> finger;        // place where a finger points at a menu, pixels
+    const Statistics* statistics = nullptr; // for the developer's panel; null: it is not shown
     Quality quality;
     std::span<const gl::PassTimers::Time> passes; // GPU time of each pass
     const Environment* environment = nullptr;
