@@ -18,8 +18,7 @@ class PhotoMode {
     PhotoMode(const game::Snapshot& from, float fov_deg, bool byGamepad, const Bindings& bindings);
 
     enum class Command { None, Picture, Leave };
-    // Moves the camera and returns the player's command; once a frame. fov_deg: the picture's, which the
-    // wheel changes.
+    // Moves the camera and returns the player's command; once a frame. fov_deg: changed by the wheel.
     Command step(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
     // Saves the picture and a lat-long of all directions, and sets the notice.
     void save(const ImageRgb8& picture, SceneRenderer& renderer);

@@ -74,8 +74,7 @@ class SoundCues {
 // of a held fish while a finger touches it. Time is an argument; the pulses are the only state.
 class HapticFeedback {
   public:
-    // Returns the actuation of a frame. events: since the last call; dt_s: time since then; strength: the
-    // player's setting, 0 to 1.
+    // Returns a frame's actuation. events: since the last call; dt_s: time since then; strength: 0 to 1.
     haptics::HapticFrame frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
                                float strength);
 

@@ -116,8 +116,7 @@ class FrameClock {
     }
     bool exactVideo() const { return mode_ == Mode::FixedStep; }
 
-    // Waits at the end of a frame with a live video, which runs in real time, so that fixed steps are not
-    // faster than it.
+    // Waits after a frame with a live video, so that fixed steps are not faster than its real time.
     void waitForLiveVideo() const {
         if (mode_ != Mode::FixedStep) return;
         const Seconds due(static_cast<double>(frame_ + 1) / fps_);
@@ -134,8 +133,7 @@ class FrameClock {
     double wall_s_ = 0; // from the last frame to this one
 };
 
-// Runs one session, with a picture or without: its clock, the mouse's hand, ticks, recording, end and
-// figures.
+// Runs one session, with a picture or without: clock, the mouse's hand, ticks, recording, end and figures.
 class DiveRunner {
   public:
     // The options must outlive this.

@@ -18,8 +18,7 @@
 
 namespace shoal::app {
 
-// Returns the options' hand source, with the defaults that depend on other options. Fails if it is a clip
-// that does not exist.
+// Returns the options' hand source, with defaults that depend on other options. Fails for a missing clip.
 Result<HandSourceChoice> handSourceFor(const PlayOptions& options);
 
 // Input by mouse, keys and gamepad. Poses change once a frame and are the same for all its ticks.
@@ -77,8 +76,7 @@ struct ReplaySource {
     Status verdict = Done{}; // an error if a state differed or the file is damaged
 };
 
-// The hand tracking device of a session, which has threads of its own. While it sees no hands, the mouse
-// moves them.
+// A session's hand tracking device, on threads of its own. While it sees no hands, the mouse moves them.
 class TrackedHands {
   public:
     // live: real time; else frames count by their time stamps. source: Leap, Webcam, or Auto, which never

@@ -18,8 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Path settingsFile() { return configFolder() / "settings.json"; }
-// A JSON object of each dive's name to its scores, {"top": [...], "last": ..., "stars": ..., "all_stars":
-// ...}.
+// A JSON object of each dive's name to its {"top": [...], "last": ..., "stars": ..., "all_stars": ...}.
 Path scoreFile() { return dataFolder() / "scores.json"; }
 // A JSON object of "met" to a list of animals, or, from earlier versions, of their names.
 Path guideFile() { return dataFolder() / "guide.json"; }

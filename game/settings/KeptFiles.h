@@ -29,8 +29,7 @@ struct DiveScores {
     int allStars = 0;     // of all dives together
 };
 
-// Returns the scores by the dive's name; empty if there are none yet or the file cannot be used (which is
-// logged, and the file left as it is).
+// Returns the scores by the dive's name; empty if there are none yet or, with a warning, no usable file.
 std::map<std::string, DiveScores> readScores();
 
 // Returns the stars of all dives together.
@@ -53,8 +52,7 @@ Status saveGuide(const std::vector<MetAnimal>& met);
 
 // The player's own films and photos for the list on the screen, the newest first: the files in the folders
 // for videos, pictures and downloads, without subfolders, that can be shown by their content
-// (media::mediaKind()). A thread of its own reads their beginnings, because one may take longer than a
-// picture.
+// (media::mediaKind()). A thread reads their beginnings, because one may take longer than a picture.
 class FilmList {
   public:
     struct Found {

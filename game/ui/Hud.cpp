@@ -25,8 +25,7 @@ struct ReadoutLine {
     uint32_t tint;
 };
 
-// Draws lines of text on one panel at the upper edge. anchor: 0: x is its left side, 1: its right one.
-// Returns the panel.
+// Draws lines of text on a panel at the upper edge; returns it. anchor: 0: x is its left side, 1: its right.
 static Rectangle drawReadout(const Pen& pen, float x, float anchor, std::span<const ReadoutLine> lines) {
     const float margin = 0.6f * pen.line, gap = 0.2f * pen.line;
     glm::vec2 extent(0, -gap);

@@ -39,8 +39,7 @@ inline std::string lengthText(float length_m) { return std::to_string(std::lroun
 // Part to draw. In a headset the text is on a panel, and marks are at their places in the world.
 enum class HudPart { All, Panel, Marks };
 
-// Points that rise where a fish was caught, with its length and weight: "+25 snapper  31 cm, 600 g  Your
-// largest".
+// Points that rise where a fish was caught, with its size: "+25 snapper  31 cm, 600 g  Your largest".
 struct Popup {
     static constexpr float kStay_s = 2.0f;
     int points = 0, combo = 0;

@@ -29,8 +29,7 @@ static glm::quat yawOf(const glm::quat& worldFromView) {
     return glm::angleAxis(std::atan2(-level.x, -level.z), glm::vec3(0, 1, 0));
 }
 
-// Returns the normalised component of v perpendicular to the axis, which may be 0; that of `otherwise` if v
-// is parallel to the axis.
+// Returns the unit component of v perpendicular to the axis, which may be 0; of `otherwise` if v is parallel.
 static glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& otherwise) {
     glm::vec3 part = v - axis * glm::dot(v, axis);
     if (glm::dot(part, part) < 1e-6f) part = otherwise - axis * glm::dot(otherwise, axis);
@@ -48,8 +47,7 @@ static glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const
     return trust > 0 ? across(glm::mix(loose, across(given, back, loose), trust), back, loose) : loose;
 }
 
-// Returns the rotation that takes +Z to `axis` and kElbowAtRest of this side to `point`, which is
-// perpendicular to `axis`.
+// Returns the rotation of +Z to `axis` and of kElbowAtRest of this side to `point`, perpendicular to `axis`.
 static glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& point) {
     const glm::vec3 rest = ofSide(side, kElbowAtRest);
     const glm::mat3 from(rest, glm::cross(glm::vec3(0, 0, 1), rest), glm::vec3(0, 0, 1));

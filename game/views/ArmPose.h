@@ -13,8 +13,7 @@ namespace shoal::app {
 
 constexpr float kForearm_m = 0.27f, kUpperArm_m = 0.30f; // equal to content/make/models/arms.py
 
-// Joints of content/models/arm_*.glb. At rest the arm lies along +Z behind the wrist, the back of the hand
-// up.
+// Joints of content/models/arm_*.glb. At rest the arm lies along +Z behind the wrist, back of the hand up.
 enum class ArmJoint { Wrist, ForearmEnd, ForearmMiddle, Forearm, Elbow, UpperArmEnd, UpperArm };
 constexpr std::array<std::string_view, 7> kArmJointNames = {
     "wrist", "forearm_end", "forearm_middle", "forearm", "elbow", "upper_arm_end", "upper_arm"};

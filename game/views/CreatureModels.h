@@ -1,5 +1,4 @@
-// The posed models of a snapshot: creatures by species, two hands and their arms. Only on the thread of the
-// OpenGL context.
+// The posed models of a snapshot: creatures by species, hands, arms. Only on the OpenGL context's thread.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -96,8 +95,7 @@ class CreatureModels {
 
     float minRoughness() const { return minRoughness_; } // least roughness of all surfaces
 
-    // Poses every creature and visible hand of the snapshot, with the player's arms, and adds them to the
-    // pass.
+    // Poses every creature and visible hand of the snapshot, with the player's arms; adds them to the pass.
     void show(const game::Snapshot& snapshot, const Head& player, const AnimalLight& light,
               render::ObjectPass& pass);
 

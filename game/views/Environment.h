@@ -28,8 +28,7 @@ struct EnvironmentSetup {
 // Returns how reflectance is represented for this environment's light; needed before the environment is open.
 render::Reflectance reflectanceIn(const environment::Source& source);
 
-// Returns the file of a dive's film to play: the film itself, or NAME.small.mp4 beside NAME.mp4 if there is
-// one.
+// Returns the file of a dive's film to play: itself, or NAME.small.mp4 beside NAME.mp4 if there is one.
 Path filmFor(const Path& film, FilmChoice choice, bool slow);
 
 class Environment {
