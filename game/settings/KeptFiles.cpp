@@ -50,16 +50,15 @@ std::optional<int> scoreIn(const Json& entry) {
     return entry.is_number() ? parseNumber(entry.dump(), -kMaxScore, kMaxScore) : std::nullopt;
 }
 
-DiveScores scoresIn(const Json& entry) {
-    DiveScores scores;
+DiveScores scoresIn(const Json& kept) {
     // Earlier versions kept the best one alone.
-    for (const Json& score : entry.is_object() ? entry.value("top", Json::array()) : Json::array({entry}))
+    const Json entry = kept.is_object() ? kept : Json::object({{"top", Json::array({kept})}});
+    DiveScores scores;
+    for (const Json& score : entry.value("top", Json::array()))
         if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
             scores.top.push_back(*value);
     std::ranges::sort(scores.top, std::greater());
-    const auto count = [&](const char* key) {
-        return entry.is_object() ? scoreIn(entry.value(key, Json(0))).value_or(0) : 0;
-    };
+    const auto count = [&](const char* key) { return scoreIn(entry.value(key, Json(0))).value_or(0); };
     scores.last = count("last");
     scores.stars = std::max(count("stars"), 0);
     scores.allStars = std::max(count("all_stars"), scores.stars);
@@ -162,19 +161,18 @@ Status addScore(const std::string& dive, int score, int stars) {
 std::vector<MetAnimal> readGuide() {
     std::vector<MetAnimal> met;
     const Json guide = readOrWarn(guideFile());
-    for (const Json& entry : guide.value("met", Json::array())) {
+    for (const Json& kept : guide.value("met", Json::array())) {
+        const Json entry = kept.is_object() ? kept : Json::object({{"species", kept}});
         const auto text = [&](const char* key) {
-            const Json value = entry.is_object() ? entry.value(key, Json()) : Json();
+            const Json value = entry.value(key, Json());
             return value.is_string() ? value.get<std::string>() : "";
         };
-        MetAnimal animal{.species = entry.is_string() ? entry.get<std::string>() : text("species"),
+        MetAnimal animal{.species = text("species"),
+                         .caught = std::max(scoreIn(entry.value("caught", Json(0))).value_or(0), 0),
                          .dive = text("dive"),
                          .date = text("date")};
-        if (entry.is_object()) {
-            animal.caught = std::max(scoreIn(entry.value("caught", Json(0))).value_or(0), 0);
-            const Json largest = entry.value("largest_m", Json());
-            if (largest.is_number()) animal.largest_m = std::clamp(largest.get<float>(), 0.0f, 30.0f);
-        }
+        const Json largest = entry.value("largest_m", Json());
+        if (largest.is_number()) animal.largest_m = std::clamp(largest.get<float>(), 0.0f, 30.0f);
         if (!animal.species.empty()) met.push_back(std::move(animal));
     }
     return met;
