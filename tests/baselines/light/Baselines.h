@@ -8,7 +8,6 @@
 
 #include <glm/glm.hpp>
 
-#include <cassert>
 #include <functional>
 #include <span>
 #include <string>
@@ -69,14 +68,6 @@ struct InverseToneMapMethod {
     Label label;
     std::function<void(const ImageRgb8& frame, ImageRgbF& radianceLin)> expand;
 };
-
-// Finds the level of a pyramid by its width.
-inline const ImageRgbF& levelOfWidth(const RadiancePyramid& pyramid, int width) {
-    size_t k = 0;
-    while (pyramid.levels[k].width > width) ++k;
-    assert(pyramid.levels[k].width == width);
-    return pyramid.levels[k];
-}
 
 // --- Diffuse ---------------------------------------------------------------------------------------------
 

@@ -19,7 +19,7 @@ struct State {
 
     explicit State(int bands) : harmonics(bands), projection(kWidth, bands) {}
 
-    void update(const Input& input) { projection.project(levelOfWidth(*input.pyramid, kWidth), radiance); }
+    void update(const Input& input) { projection.project(input.pyramid->ofWidth(kWidth), radiance); }
 
     // The light after convolution with a lobe of these factors.
     void shade(const std::vector<double>& factors, std::span<const glm::vec3> dirs,

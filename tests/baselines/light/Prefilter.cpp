@@ -32,7 +32,7 @@ struct State {
                 filters.emplace_back(makeTaps(static_cast<float>(k) / (kMaps - 1), baseWidth),
                                      std::max(narrowest, kWidest >> k), baseWidth);
         }
-        maps[0] = levelOfWidth(pyramid, kWidest);
+        maps[0] = pyramid.ofWidth(kWidest);
         for (size_t k = 1; k < kMaps; ++k) filters[k - 1].apply(pyramid, maps[k]);
     }
 

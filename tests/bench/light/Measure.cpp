@@ -27,7 +27,7 @@ EnvironmentError pyramidError(const PyramidMethod& method, const Environment& en
     light::RadiancePyramid pyramid;
     method.make(environment.view(), pyramid);
     const light::Lobe lobe[] = {light::diffuseLobe()};
-    return errorOf(column(integrals(levelOfWidth(pyramid, 128), dirs, lobe), 0), column(truth, 0));
+    return errorOf(column(integrals(pyramid.ofWidth(128), dirs, lobe), 0), column(truth, 0));
 }
 
 } // namespace
