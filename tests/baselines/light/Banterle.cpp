@@ -1,6 +1,7 @@
 // Banterle, Ledda, Debattista and Chalmers 2006, "Inverse Tone Mapping": the inverse of Reinhard's operator
 // where the frame has much light, told by the density of the lights that a median cut finds (Debevec 2005, "A
 // Median Cut Algorithm for Light Probe Sampling"); the frame as decoded elsewhere.
+#include "engine/light/InverseToneMap.h"
 #include "tests/baselines/light/Baselines.h"
 #include "tests/baselines/light/Expand.h"
 
@@ -27,7 +28,7 @@ class LightMap {
             for (int x = 0; x < linear.width; ++x) {
                 const float* t = linear.at(x, y);
                 sums_[at(x * kWidth / linear.width, y * kHeight / linear.height)] +=
-                    luminance({t[0], t[1], t[2]});
+                    linearLuminance({t[0], t[1], t[2]});
             }
         cut({0, 0, kWidth, kHeight}, kCuts);
         const float most = *std::ranges::max_element(density_);
@@ -91,7 +92,7 @@ InverseToneMapMethod banterle() {
                 for (int y = 0; y < out.height; ++y)
                     for (int x = 0; x < out.width; ++x) {
                         float* texel = out.at(x, y);
-                        const float l = luminance({texel[0], texel[1], texel[2]});
+                        const float l = linearLuminance({texel[0], texel[1], texel[2]});
                         if (!(l > 0)) continue;
                         const float expanded =
                             0.5f * kWhiteRadiance * kWhiteRadiance *

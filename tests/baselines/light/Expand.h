@@ -8,21 +8,17 @@
 
 namespace shoal::light::baselines {
 
-inline float luminance(const glm::vec3& linear) {
-    return 0.2126f * linear.x + 0.7152f * linear.y + 0.0722f * linear.z; // Rec. 709
-}
-
 inline glm::vec3 decoded(const glm::vec3& coded) {
     return {math::linearFromSrgb(coded.x), math::linearFromSrgb(coded.y), math::linearFromSrgb(coded.z)};
 }
 
 // expand(coded colour): 0 to 1 in, linear radiance out.
 template <class Expand> void forEach(const ImageRgb8& frame, ImageRgbF& out, Expand&& expand) {
-    if (out.width != frame.width || out.height != frame.height) out = ImageRgbF(frame.width, frame.height);
+    out.fit(frame.width, frame.height);
     for (size_t i = 0; i < frame.pixels.size(); i += 3) {
         const uint8_t* coded = &frame.pixels[i];
         const glm::vec3 radiance = expand(glm::vec3(coded[0], coded[1], coded[2]) / 255.0f);
-        for (int c = 0; c < 3; ++c) out.pixels[i + static_cast<size_t>(c)] = radiance[c];
+        for (int c = 0; c < 3; ++c) out.pixels[i + c] = radiance[c];
     }
 }
 

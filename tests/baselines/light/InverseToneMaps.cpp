@@ -28,7 +28,7 @@ Statistics statisticsOf(const ImageRgbF& linear) {
     float least = std::numeric_limits<float>::max(), most = kNone;
     for (size_t i = 0; i < linear.pixels.size(); i += 3) {
         const float* texel = &linear.pixels[i];
-        const float l = luminance({texel[0], texel[1], texel[2]});
+        const float l = linearLuminance({texel[0], texel[1], texel[2]});
         sum += static_cast<double>(std::log(l + kNone));
         clipped += l * 255 >= 254;
         least = std::min(least, l + kNone), most = std::max(most, l + kNone);
@@ -46,7 +46,7 @@ template <class Gamma> InverseToneMapMethod masia(std::string year, Gamma gammaO
                 const float gamma = gammaOf(statisticsOf(out));
                 for (size_t i = 0; i < out.pixels.size(); i += 3) {
                     float* texel = &out.pixels[i];
-                    const float l = luminance({texel[0], texel[1], texel[2]});
+                    const float l = linearLuminance({texel[0], texel[1], texel[2]});
                     const float scale = l > 0 ? std::pow(l, gamma - 1) : 0.0f;
                     for (int c = 0; c < 3; ++c) texel[c] *= scale;
                 }
@@ -69,7 +69,7 @@ InverseToneMapMethod brightenedAround(Label label, int clippedFrom, float sigma_
                     const uint8_t* coded = &frame.pixels[i];
                     const size_t cell = cellOf(i / 3);
                     clipped[cell] += std::max({coded[0], coded[1], coded[2]}) >= clippedFrom;
-                    level[cell] += luminance(glm::vec3(coded[0], coded[1], coded[2]) / 255.0f);
+                    level[cell] += linearLuminance(glm::vec3(coded[0], coded[1], coded[2]) / 255.0f);
                     ++count[cell];
                 }
                 for (size_t i = 0; i < count.size(); ++i)
@@ -153,7 +153,7 @@ InverseToneMapMethod akyuz(float gamma) {
                 float minimum = std::numeric_limits<float>::max(), maximum = 0;
                 forEach(frame, out, [&](const glm::vec3& coded) {
                     const glm::vec3 linear = decoded(coded);
-                    const float l = luminance(linear);
+                    const float l = linearLuminance(linear);
                     minimum = std::min(minimum, l), maximum = std::max(maximum, l);
                     return linear;
                 });

@@ -1,5 +1,6 @@
 #include "tests/baselines/light/Baselines.h"
 
+#include "engine/light/InverseToneMap.h"
 #include "tests/baselines/light/Harmonics.h"
 
 #include <glm/geometric.hpp>
@@ -31,8 +32,7 @@ struct State {
         constant = radiance[0] * static_cast<float>(std::sqrt(1 / (4 * pi)));
         linearX = radiance[1] * first, linearY = radiance[2] * first, linearZ = radiance[3] * -first;
 
-        const glm::vec3 luminance(0.2126f, 0.7152f, 0.0722f);
-        axis = {glm::dot(linearX, luminance), glm::dot(linearY, luminance), glm::dot(linearZ, luminance)};
+        axis = {linearLuminance(linearX), linearLuminance(linearY), linearLuminance(linearZ)};
         const float length = glm::length(axis);
         axis = length > 1e-12f ? axis / length : glm::vec3(0, 1, 0);
 

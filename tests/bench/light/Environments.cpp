@@ -3,6 +3,7 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
+#include "tests/baselines/light/Expand.h"
 #include "tests/unit/light/Environments.h"
 
 namespace shoal::bench {
@@ -32,13 +33,7 @@ EnvironmentSource sun(const std::string& where, const glm::dvec2& centre) {
 
 Environment fromFrame(const std::string& name, ImageRgb8 frame) {
     Environment environment{name, std::move(frame), {}};
-    environment.radianceLin = ImageRgbF(environment.frame.width, environment.frame.height);
-    for (size_t i = 0; i < environment.frame.pixels.size(); i += 3) {
-        const uint8_t* coded = &environment.frame.pixels[i];
-        const glm::vec3 radiance =
-            light::radianceFromDisplay(glm::vec3(coded[0], coded[1], coded[2]) / 255.0f);
-        for (int c = 0; c < 3; ++c) environment.radianceLin.pixels[i + static_cast<size_t>(c)] = radiance[c];
-    }
+    light::baselines::forEach(environment.frame, environment.radianceLin, light::radianceFromDisplay);
     return environment;
 }
 

@@ -6,7 +6,6 @@
 #include "engine/math/LatLong.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
-#include "tests/baselines/light/Expand.h"
 #include "tests/bench/light/Measure.h"
 
 #include <fmt/format.h>
@@ -106,8 +105,8 @@ double shadowOf(const light::EnvironmentLight& light) {
     light::LightFinder().find(light.radiance, found);
     if (found.count == 0) return 0;
     const light::FoundLight& first = found.lights[0];
-    const float onGround = light::baselines::luminance(first.irradiance) * std::max(first.direction.y, 0.0f);
-    return static_cast<double>(onGround / light::baselines::luminance(found.groundIrradiance));
+    const float onGround = light::linearLuminance(first.irradiance) * std::max(first.direction.y, 0.0f);
+    return static_cast<double>(onGround / light::linearLuminance(found.groundIrradiance));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "engine/light/InverseToneMap.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
@@ -5,6 +6,8 @@
 #include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
 #include "tests/unit/media/CodedFrames.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 namespace shoal::bench {
 
@@ -20,10 +23,8 @@ struct Exposed {
 
 Exposed expose(const ImageRgbF& radianceLin) {
     std::vector<float> luminances;
-    for (size_t i = 0; i < radianceLin.pixels.size(); i += 3) {
-        const float* t = &radianceLin.pixels[i];
-        luminances.push_back(0.2126f * t[0] + 0.7152f * t[1] + 0.0722f * t[2]);
-    }
+    for (size_t i = 0; i < radianceLin.pixels.size(); i += 3)
+        luminances.push_back(light::linearLuminance(glm::make_vec3(&radianceLin.pixels[i])));
     const float exposure = 0.8f / math::quantile(luminances, 0.9);
 
     Exposed exposed{ImageRgb8(radianceLin.width, radianceLin.height), radianceLin};
