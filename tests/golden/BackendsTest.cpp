@@ -60,12 +60,12 @@ class Backends : public testing::Test {
             view.verticalFov = glm::radians(65.0f);
             view.aspect = static_cast<float>(kSize.x) / kSize.y;
             view.heightPixels = kSize.y;
-            return {eye, view, canvases[static_cast<size_t>(eye)]};
+            return {eye, view, canvases[eye]};
         };
         const std::array<SceneRenderer::Eye, 2> both = {seenBy(0), seenBy(1)};
         EXPECT_TRUE(renderer_->draw(std::span(both).first(static_cast<size_t>(eyes))));
         std::vector<ImageRgba8> pictures;
-        for (int eye = 0; eye < eyes; ++eye) pictures.push_back(canvases[static_cast<size_t>(eye)].read());
+        for (int eye = 0; eye < eyes; ++eye) pictures.push_back(canvases[eye].read());
         return pictures;
     }
 

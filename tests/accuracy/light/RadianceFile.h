@@ -39,10 +39,9 @@ inline std::optional<ImageRgbF> readRadianceFile(const Path& file) {
             at += run ? 1 : count;
         }
         for (int x = 0; x < width; ++x) {
-            const int exponent = row[static_cast<size_t>(3 * width + x)];
+            const int exponent = row[3 * width + x];
             const float scale = exponent ? std::ldexp(1.0f, exponent - 136) : 0.0f;
-            for (int c = 0; c < 3; ++c)
-                image.at(x, y)[c] = scale * static_cast<float>(row[static_cast<size_t>(c * width + x)]);
+            for (int c = 0; c < 3; ++c) image.at(x, y)[c] = scale * static_cast<float>(row[c * width + x]);
         }
     }
     return image;

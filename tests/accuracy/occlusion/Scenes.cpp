@@ -69,8 +69,7 @@ ModelInstance loadHand(const std::string& name) {
 
 void placeJoints(const hands::HandPose& pose, ModelInstance& hand) {
     for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint)
-        hand.pose
-            .modelFromNode[static_cast<size_t>(hand.model.findNode(std::string(hands::kJointNames[joint])))] =
+        hand.pose.modelFromNode[hand.model.findNode(std::string(hands::kJointNames[joint]))] =
             glm::translate(glm::mat4(1), pose.joints[joint].position) *
             glm::mat4_cast(pose.joints[joint].orientation);
 }

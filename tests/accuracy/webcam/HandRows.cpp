@@ -62,7 +62,7 @@ void drawSkinWall(cv::Mat& picture) {
 // Draws a striped sleeve of two colours over the hand's lower half.
 void drawSleeve(cv::Mat& picture, const HandPose& hand) {
     const auto at = [&](int joint) {
-        const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
+        const glm::vec3 p = hand.joints[joint].position;
         return cv::Point2f(static_cast<float>(picture.cols) / 2 - p.x / p.z * kFocal_px,
                            static_cast<float>(picture.rows) / 2 + p.y / p.z * kFocal_px);
     };
@@ -163,8 +163,7 @@ void judge(const std::array<std::optional<HandPose>, 2>& shown, const HandFrame&
             result.wristRatio.push_back(wrist_m(seen[as]) / wrist_m(*shown[side]));
             for (const FingerJoints& finger : kFingerJoints) {
                 const auto reach = [&](const HandPose& hand) {
-                    return hand.joints[static_cast<size_t>(finger.tip)].position -
-                           hand.joints[kWristJoint].position;
+                    return hand.joints[finger.tip].position - hand.joints[kWristJoint].position;
                 };
                 result.tips_mm.push_back(
                     1e3 * static_cast<double>(glm::distance(reach(*shown[side]), reach(seen[as]))));

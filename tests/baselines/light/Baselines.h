@@ -42,19 +42,19 @@ using Update = std::function<void(const Input&)>;
 // Radiance leaving a white matte surface by its normal: irradiance / pi.
 struct DiffuseMethod {
     Label label;
-    bool readsPyramid = true; // which somebody has to make for it; else it makes its own
     Update update;
     // Unit normals, env frame; out is as long.
     std::function<void(std::span<const glm::vec3> normals, std::span<glm::vec3> out)> shade;
+    bool readsPyramid = true; // which somebody has to make for it; else it makes its own
 };
 
 // Radiance filtered by a GGX lobe (EnvironmentLight.h, GlossyLevel).
 struct GlossyMethod {
     Label label;
-    bool readsPyramid = true;
     Update update;
     // Unit mirror directions, env frame; one roughness for all of them; out is as long.
     std::function<void(std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out)> shade;
+    bool readsPyramid = true;
 };
 
 // Way from a coded frame to the radiance pyramid.

@@ -16,7 +16,6 @@ DiffuseMethod bruteForce(int width) {
     const std::string size = std::to_string(width) + "x" + std::to_string(width / 2);
     return {{"brute force " + size, size, "brute force", "thesis, eq. 2.2",
              width == BruteForceDiffuse::kThesisWidth ? Role::Thesis : Role::Baseline},
-            true,
             [state](const Input& input) { state->method.make(*input.pyramid, state->map); },
             [state](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < normals.size(); ++i) out[i] = lookUp(state->map, normals[i]);

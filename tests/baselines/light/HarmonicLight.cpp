@@ -3,6 +3,7 @@
 #include "tests/baselines/light/Harmonics.h"
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 
@@ -28,8 +29,7 @@ struct State {
         const int bands = harmonics.bands();
         for (int l = 0; l < bands; ++l)
             for (int i = l * l; i < (l + 1) * (l + 1); ++i)
-                filtered[static_cast<size_t>(i)] =
-                    radiance[static_cast<size_t>(i)] * static_cast<float>(factors[static_cast<size_t>(l)]);
+                filtered[i] = radiance[i] * static_cast<float>(factors[l]);
         std::array<float, kMaxHarmonics> values;
         for (size_t k = 0; k < dirs.size(); ++k) {
             harmonics.evaluate(dirs[k], values);
@@ -47,12 +47,11 @@ DiffuseMethod harmonicDiffuse(int bands, bool windowed) {
     auto factors = zonalFactors(diffuseLobe(), bands);
     if (windowed)
         for (int l = 0; l < bands; ++l)
-            factors[static_cast<size_t>(l)] *= 0.5 * (1 + std::cos(std::numbers::pi * l / (2 * bands)));
+            factors[l] *= 0.5 * (1 + std::cos(std::numbers::pi * l / (2 * bands)));
     const std::string name = "harmonics, " + std::to_string(bands) + " bands";
     return {{windowed ? name + ", windowed" : name, "SH " + std::to_string(bands) + (windowed ? "w" : ""),
              windowed ? "spherical harmonics, windowed" : "spherical harmonics",
              windowed ? "Sloan 2008" : "Ramamoorthi and Hanrahan 2001"},
-            true,
             [state](const Input& input) { state->update(input); },
             [state, factors](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 state->shade(factors, normals, out);
@@ -61,27 +60,17 @@ DiffuseMethod harmonicDiffuse(int bands, bool windowed) {
 
 GlossyMethod harmonicGlossy(int bands) {
     auto state = std::make_shared<State>(bands);
-    struct Known {
-        float roughness = -1;
-        std::vector<double> factors;
-    };
-    auto known = std::make_shared<std::vector<Known>>(); // factors by roughness; a renderer has a table
+    // Factors by roughness; a renderer has a table.
+    auto known = std::make_shared<std::map<float, std::vector<double>>>();
     return {
         {"harmonics, " + std::to_string(bands) + " bands", "SH " + std::to_string(bands),
          "spherical harmonics",
          "Ramamoorthi and Hanrahan 2002, \"Frequency Space Environment Map Rendering\""},
-        true,
         [state](const Input& input) { state->update(input); },
         [state, known, bands](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
-            const Known* found = nullptr;
-            for (const Known& each : *known)
-                if (each.roughness == roughness) found = &each;
-            if (!found) {
-                known->push_back(
-                    {roughness, zonalFactors(glossyLobe(static_cast<double>(roughness)), bands)});
-                found = &known->back();
-            }
-            state->shade(found->factors, dirs, out);
+            auto& factors = (*known)[roughness];
+            if (factors.empty()) factors = zonalFactors(glossyLobe(static_cast<double>(roughness)), bands);
+            state->shade(factors, dirs, out);
         }};
 }
 

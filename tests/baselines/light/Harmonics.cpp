@@ -14,7 +14,7 @@ Harmonics::Harmonics(int bands) : bands_(bands) {
     double first = std::sqrt(0.25 / pi);
     for (int m = 0; m < kMaxBands; ++m) {
         if (m) first *= std::sqrt((2 * m + 1.0) / (2 * m));
-        first_[static_cast<size_t>(m)] = static_cast<float>(m ? std::numbers::sqrt2 * first : first);
+        first_[m] = static_cast<float>(m ? std::numbers::sqrt2 * first : first);
         for (int l = m + 1; l < kMaxBands; ++l) {
             const double l2 = l * l, m2 = m * m, before = (l - 1) * (l - 1);
             const auto at = static_cast<size_t>(l * kMaxBands + m);
@@ -27,10 +27,10 @@ Harmonics::Harmonics(int bands) : bands_(bands) {
 void Harmonics::evaluate(const glm::vec3& dir, std::array<float, kMaxHarmonics>& out) const {
     float cosine = 1, sine = 0; // times ring^m
     for (int m = 0; m < bands_; ++m) {
-        float before = 0, now = first_[static_cast<size_t>(m)];
+        float before = 0, now = first_[m];
         for (int l = m;;) {
-            out[static_cast<size_t>(l * (l + 1) + m)] = now * cosine;
-            if (m) out[static_cast<size_t>(l * (l + 1) - m)] = now * sine;
+            out[l * (l + 1) + m] = now * cosine;
+            if (m) out[l * (l + 1) - m] = now * sine;
             if (++l == bands_) break;
             const auto at = static_cast<size_t>(l * kMaxBands + m);
             const float next = raise_[at] * (dir.y * now - drop_[at] * before);
@@ -64,9 +64,8 @@ HarmonicProjection::HarmonicProjection(int width, int bands) : width_(width), ba
                                values);
             for (int l = 0; l < bands; ++l)
                 for (int m = 0; m <= l; ++m)
-                    sums[static_cast<size_t>(l * kMaxBands + m)] +=
-                        texelSolidAngle(part, width, height) *
-                        static_cast<double>(values[static_cast<size_t>(l * (l + 1) + m)]);
+                    sums[l * kMaxBands + m] +=
+                        texelSolidAngle(part, width, height) * static_cast<double>(values[l * (l + 1) + m]);
         }
         for (const double sum : sums) rows_.push_back(static_cast<float>(sum));
     }
@@ -102,9 +101,8 @@ void HarmonicProjection::project(const ImageRgbF& level, HarmonicRgb& out) {
         for (int l = 0; l < bands_; ++l)
             for (int m = -l; m <= l; ++m) {
                 const auto lane = static_cast<size_t>(m < 0 ? kMaxBands - m : m);
-                out[static_cast<size_t>(l * (l + 1) + m)] +=
-                    weights[l * kMaxBands + std::abs(m)] *
-                    glm::vec3(sums[lane], sums[kLanes + lane], sums[2 * kLanes + lane]);
+                out[l * (l + 1) + m] += weights[l * kMaxBands + std::abs(m)] *
+                                        glm::vec3(sums[lane], sums[kLanes + lane], sums[2 * kLanes + lane]);
             }
     }
 }
@@ -118,7 +116,7 @@ std::vector<double> zonalFactors(const std::function<double(double cosine)>& lob
         const double weight = lobe(cosine) * s * s;
         double before = 0, now = 1; // Legendre polynomials
         for (int l = 0; l < bands; ++l) {
-            sums[static_cast<size_t>(l)] += weight * now;
+            sums[l] += weight * now;
             const double next = ((2 * l + 1) * cosine * now - l * before) / (l + 1);
             before = now, now = next;
         }

@@ -11,7 +11,6 @@ GlossyMethod thesisRings() {
     auto pyramid = std::make_shared<const RadiancePyramid*>(nullptr);
     return {{"36 samples on Phong rings", "36 rings", "per pixel, Phong rings", "thesis, section 4.1",
              Role::Thesis},
-            true,
             [pyramid](const Input& input) { *pyramid = input.pyramid; },
             [pyramid](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < dirs.size(); ++i)
@@ -24,7 +23,6 @@ GlossyMethod filteredImportanceSampling(int samples) {
     const std::string count = std::to_string(samples);
     return {{"importance sampling, " + count + " a pixel", "FIS " + count, "per pixel, importance sampling",
              "Krivanek and Colbert 2008"},
-            true,
             [pyramid](const Input& input) { *pyramid = input.pyramid; },
             [pyramid, samples](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 const auto taps = ggxTaps(roughness, samples, (*pyramid)->levels[0].width);

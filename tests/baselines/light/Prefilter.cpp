@@ -46,7 +46,7 @@ struct State {
 
 GlossyMethod prefilter(Label label, int narrowest, MakeTaps makeTaps) {
     auto state = std::make_shared<State>(State{std::move(makeTaps), narrowest});
-    return {std::move(label), true, [state](const Input& input) { state->make(*input.pyramid); },
+    return {std::move(label), [state](const Input& input) { state->make(*input.pyramid); },
             [state](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < dirs.size(); ++i) out[i] = state->shade(dirs[i], roughness);
             }};

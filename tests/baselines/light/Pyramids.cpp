@@ -51,8 +51,6 @@ void addRow(const float* in, int inWidth, int width, float share, float* sum) {
         addNarrowed<1>(in, width, share, sum);
     else if (inWidth == 2 * width)
         addNarrowed<2>(in, width, share / 2, sum);
-    else if (inWidth == 4 * width)
-        addNarrowed<4>(in, width, share / 4, sum);
     else
         addAnyNarrowed(in, inWidth, width, share, sum);
 }
@@ -74,8 +72,7 @@ struct State {
     std::vector<float> row, scales;
 
     FrameView halved(const FrameView& frame, bool mean) {
-        if (half.width != frame.width / 2 || half.height != frame.height / 2)
-            half = ImageRgb8(frame.width / 2, frame.height / 2);
+        half.fit(frame.width / 2, frame.height / 2);
         for (int y = 0; y < half.height; ++y) {
             const uint8_t* top = frame.pixels + 2 * y * frame.rowStride;
             const uint8_t* bottom = top + frame.rowStride;
@@ -99,7 +96,7 @@ struct State {
         size_t k = 0;
         for (int width = baseWidthFor(frame.width, kAskedWidth); width >= 2; width /= 2, ++k) {
             if (out.levels.size() <= k) out.levels.emplace_back();
-            if (out.levels[k].width != width) out.levels[k] = ImageRgbF(width, width / 2);
+            out.levels[k].fit(width, width / 2);
             if (k == 0) {
                 shrink(frame.width, frame.height, expanded, out.levels[0]);
                 if (frame.bgr) // the blue ahead of the red

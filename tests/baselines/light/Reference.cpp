@@ -19,7 +19,7 @@ std::vector<glm::dvec3> referenceRadiance(const ImageRgbF& radianceLin, const gl
         const double up = axis.y * std::sin(latitude), level = std::cos(latitude);
         const double solidAngle = texelSolidAngle(row, radianceLin.width, radianceLin.height);
         for (int column = 0; column < radianceLin.width; ++column) {
-            const glm::dvec3& towards = equator[static_cast<size_t>(column)];
+            const glm::dvec3& towards = equator[column];
             const double cosine = up + level * (axis.x * towards.x + axis.z * towards.z);
             if (cosine <= 0) continue; // no lobe reaches there
             const float* texel = radianceLin.at(column, row);

@@ -36,19 +36,21 @@ Label label(bool videoOnly) {
 
 DiffuseMethod shoalDiffuse(bool videoOnly) {
     auto state = std::make_shared<State>(1.0f, videoOnly);
-    return {label(videoOnly), false, [state](const Input& input) { state->make(input); },
+    return {label(videoOnly), [state](const Input& input) { state->make(input); },
             [state](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < normals.size(); ++i) out[i] = lookUp(state->light.diffuse, normals[i]);
-            }};
+            },
+            false};
 }
 
 GlossyMethod shoalGlossy(bool videoOnly) {
     auto state = std::make_shared<State>(kMinFilteredRoughness, videoOnly);
-    return {label(videoOnly), false, [state](const Input& input) { state->make(input); },
+    return {label(videoOnly), [state](const Input& input) { state->make(input); },
             [state](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < dirs.size(); ++i)
                     out[i] = lookUpGlossy(state->light, dirs[i], roughness);
-            }};
+            },
+            false};
 }
 
 } // namespace shoal::light::baselines

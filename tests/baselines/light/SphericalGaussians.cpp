@@ -111,7 +111,6 @@ DiffuseMethod sphericalGaussians(int lobes) {
     const std::string count = std::to_string(lobes);
     return {
         {count + " spherical Gaussians", "SG " + count, "spherical Gaussians", "after Michiels et al. 2014"},
-        true,
         [state](const Input& input) { state->make(input.pyramid->ofWidth(kWidth)); },
         [state](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
             for (size_t i = 0; i < normals.size(); ++i) out[i] = state->shade(normals[i]);

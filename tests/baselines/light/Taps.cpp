@@ -122,14 +122,14 @@ void addSampled(const float* in, float column, float step, int inWidth, int widt
 } // namespace
 
 void TapFilter::apply(const RadiancePyramid& pyramid, ImageRgbF& out) {
-    if (out.width != width_) out = ImageRgbF(width_, width_ / 2);
+    out.fit(width_, width_ / 2);
     std::fill(out.pixels.begin(), out.pixels.end(), 0.0f);
     blended_.resize(static_cast<size_t>(pyramid.levels[0].width + 1) * 3);
     for (int row = 0; row < out.height; ++row)
         for (size_t i = 0; i < placesPerRow_; ++i) {
             const Place& place = places_[static_cast<size_t>(row) * placesPerRow_ + i];
             if (place.topWeight + place.bottomWeight == 0) continue;
-            const ImageRgbF& level = pyramid.levels[static_cast<size_t>(place.level)];
+            const ImageRgbF& level = pyramid.levels[place.level];
             blendRows(level.at(0, place.top), place.topWeight, level.at(0, place.bottom), place.bottomWeight,
                       level.width, blended_.data());
             const auto left = static_cast<int>(place.column);

@@ -58,7 +58,6 @@ struct State {
 DiffuseMethod zonalHarmonicsDiffuse() {
     auto state = std::make_shared<State>();
     return {{"ZH3: two bands and a zonal third", "ZH3", "ZH3", "Roughton et al. 2024"},
-            true,
             [state](const Input& input) { state->make(input.pyramid->ofWidth(kWidth)); },
             [state](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < normals.size(); ++i) out[i] = state->shade(normals[i]);

@@ -37,14 +37,14 @@ LayeredDepth::LayeredDepth(std::span<const Triangles> bodies, int size) {
         int enters = 0; // 1, or -1 where it leaves
     };
     for (int axis = 0; axis < 3; ++axis) {
-        View& out = views_[static_cast<size_t>(axis)];
+        View& out = views_[axis];
         glm::vec3 along(0);
         along[axis] = 1;
         out.view = viewAlong(along, sphere.centre, sphere.radius, size);
         std::vector<std::vector<Layer>> pixels(static_cast<size_t>(size) * size);
         for (const Triangles& body : bodies)
             rasterise(out.view, body, [&](int pixel, float depth, bool front) {
-                pixels[static_cast<size_t>(pixel)].push_back({depth, front ? 1 : -1});
+                pixels[pixel].push_back({depth, front ? 1 : -1});
             });
         for (auto& layers : pixels) {
             out.first.push_back(static_cast<uint32_t>(out.solid.size()));

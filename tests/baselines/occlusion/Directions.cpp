@@ -30,8 +30,7 @@ DirectedLight directedLight(const ImageRgbF& image, std::vector<glm::vec3> direc
             const auto nearest = std::ranges::max_element(
                 light.directions, {}, [&](const glm::vec3& d) { return glm::dot(d, to); });
             const float* texel = image.at(x, y);
-            sums[static_cast<size_t>(nearest - light.directions.begin())] +=
-                solidAngle * glm::dvec3(texel[0], texel[1], texel[2]);
+            sums[nearest - light.directions.begin()] += solidAngle * glm::dvec3(texel[0], texel[1], texel[2]);
         }
     }
     light.power.assign(sums.begin(), sums.end());

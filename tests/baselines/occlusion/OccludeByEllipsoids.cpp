@@ -48,7 +48,7 @@ OcclusionResult occlude(const glm::vec3& p, const glm::vec3& normal, std::span<c
             (light.dominantShare / 4 * std::max(glm::dot(normal, dominant[k]), 0.0f) * dominantHidden[k]);
     // An occluder in the shade of another shades it likewise.
     glm::vec3 sent = light.even[0] * moments.w;
-    for (int k = 0; k < 3; ++k) sent += kMeanBack * moments[k] * light.even[static_cast<size_t>(k + 1)];
+    for (int k = 0; k < 3; ++k) sent += kMeanBack * moments[k] * light.even[k + 1];
     result.radiance -= (1 - result.share) * glm::max(sent, 0.0f) * glm::vec3(albedo) / albedo.w;
     return result;
 }

@@ -29,7 +29,7 @@ std::optional<Hit> OllfbThesis::trace(const glm::vec3& origin, const glm::vec3& 
                                       float nearest) const {
     if (layers.empty()) return {};
     const int view = nearestCubeDirection(direction, views.cells);
-    const glm::mat3& viewFromBody = viewsFromBody_[static_cast<size_t>(view)];
+    const glm::mat3& viewFromBody = viewsFromBody_[view];
     const glm::vec3 from = views.pixelFromBody(viewFromBody, origin);
     const glm::vec3 along = viewFromBody * direction; // per pixel of the ray's length
     const float scale = views.pixelsPerMetre();

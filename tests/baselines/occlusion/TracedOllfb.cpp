@@ -202,13 +202,13 @@ int nearestAxis(const Axes& axes, const glm::vec3& direction) {
                             static_cast<float>(Axes::kTableWidth);
     const int x = std::clamp(static_cast<int>(place.x), 0, Axes::kTableWidth - 1);
     const int y = std::clamp(static_cast<int>(place.y), 0, Axes::kTableWidth - 1);
-    return axes.table[static_cast<size_t>(y * Axes::kTableWidth + x)];
+    return axes.table[y * Axes::kTableWidth + x];
 }
 
 std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& direction, float nearest,
                                       float farthest) const {
     if (layers.empty()) return {};
-    const OllfbView& view = views[static_cast<size_t>(nearestAxis(axes, direction))];
+    const OllfbView& view = views[nearestAxis(axes, direction)];
     Walk walk{OllfbPixels(*this, view),      closed, onlyOuter_, view.pixelFromBody(origin),
               view.viewFromBody * direction, true,   0,          false};
     walk.forwards = walk.along.z > 0;
@@ -255,7 +255,7 @@ std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& 
     float at = walk.metAt / view.pixelsPerMetre;
     glm::vec3 outwards = glm::transpose(view.viewFromBody) * OllfbPixels::normalOf(*walk.met);
     for (int pass = 0; pass < 2; ++pass) {
-        const OllfbView& straight = views[static_cast<size_t>(nearestAxis(axes, outwards))];
+        const OllfbView& straight = views[nearestAxis(axes, outwards)];
         const glm::vec3 place = straight.pixelFromBody(origin + at * direction);
         const auto surface =
             surfaceNear(OllfbPixels(*this, straight), place, straight.viewFromBody * outwards);

@@ -172,7 +172,7 @@ class Drawing {
         creature.species = game::findSpecies(plan_->species, posed.species);
         creature.position = posed.place;
         creature.worldFromBody = turnOf(posed);
-        creature.length = plan_->species[static_cast<size_t>(creature.species)].length_m;
+        creature.length = plan_->species[creature.species].length_m;
         snapshot.creatures.push_back(creature);
         const gl::Target target(kPicture, kPicture, alone ? 1 : 4);
         renderer_->set(snapshot, *environment_,
@@ -216,9 +216,8 @@ Status writeAnimals(const Path& folder) {
     const auto species = game::loadSpecies(dataRoot() / "content/species.toml");
     if (!species) return species.error();
     for (const Posed& posed : kPosed)
-        if (Status s =
-                writeMesh(posed, (*species)[static_cast<size_t>(game::findSpecies(*species, posed.species))],
-                          folder / (std::string(posed.species) + ".mesh"));
+        if (Status s = writeMesh(posed, (*species)[game::findSpecies(*species, posed.species)],
+                                 folder / (std::string(posed.species) + ".mesh"));
             !s)
             return s;
     return Done{};

@@ -115,8 +115,7 @@ double product(const math::ShRgb& a, const math::ShRgb& b) {
     double sum = 0;
     for (int l = 0; l < math::kShBands; ++l)
         for (int i = l * l; i < (l + 1) * (l + 1); ++i)
-            sum += math::kShCosine[static_cast<size_t>(l)] * math::kShCosine[static_cast<size_t>(l)] *
-                   glm::dot(a[static_cast<size_t>(i)], b[static_cast<size_t>(i)]);
+            sum += math::kShCosine[l] * math::kShCosine[l] * glm::dot(a[i], b[i]);
     return sum;
 }
 

@@ -165,7 +165,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
         const render::View wide = render::widened(view, 1.05f);
         if (Status s = drawObjectsAlone(renderers[0], wide, fine); !s) return s;
         const ImageRgba8 objects = fine.read();
-        const std::array takes = {&(*frames)[static_cast<size_t>(k)], &again[static_cast<size_t>(k)]};
+        const std::array takes = {&(*frames)[k], &again[k]};
         filmInto(takes, objects, wide, (*empty)->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
         if (k != kShown) continue;
         if (Status s = drawObjectsAlone(renderers[0], view, fine); !s) return s;

@@ -91,7 +91,7 @@ Result<std::vector<media::DepthFrame>> throughFile(const std::vector<media::Dept
     std::vector<media::DepthFrame> back(frames.size(), frames[0]);
     const double before = processor_ms();
     for (int i = 0; i < count; ++i)
-        if (!track->read(i, back[static_cast<size_t>(i)])) return Error{file.string(), "cannot be read"};
+        if (!track->read(i, back[i])) return Error{file.string(), "cannot be read"};
     figures.decode_ms += processor_ms() - before;
     figures.decoded += count;
     return back;

@@ -107,8 +107,8 @@ void Distance::add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr) {
                     around < kLowest ? -1 : static_cast<int>(kBandsAnOctave * std::log2(around / kLowest));
                 if (band < 0 || band >= kBands) continue;
                 const auto p = a.at<cv::Vec2f>(j, i), q = b.at<cv::Vec2f>(j, i);
-                cross_[static_cast<size_t>(band)] += static_cast<double>(p[0] * q[0] + p[1] * q[1]);
-                power_[static_cast<size_t>(band)] += static_cast<double>(p[0] * p[0] + p[1] * p[1]);
+                cross_[band] += static_cast<double>(p[0] * q[0] + p[1] * q[1]);
+                power_[band] += static_cast<double>(p[0] * p[0] + p[1] * p[1]);
             }
     }
 }
@@ -117,9 +117,7 @@ double Distance::errorLinear() const { return std::sqrt(squared_ / truthSquared_
 
 double Distance::psnrLuma_dB() const { return 10 * std::log10(255 * 255 / (lumaSquared_ / weights_)); }
 
-double Distance::gain(int band) const {
-    return cross_[static_cast<size_t>(band)] / power_[static_cast<size_t>(band)];
-}
+double Distance::gain(int band) const { return cross_[band] / power_[band]; }
 
 double Distance::detail() const {
     for (int band = 0; band < kBands; ++band) {
@@ -139,8 +137,7 @@ double blockiness(const ImageRgb8& bgr) {
     std::vector<double> steps(static_cast<size_t>(y.cols), 0);
     for (int row = top; row < bottom; ++row)
         for (int x = 0; x + 1 < y.cols; ++x)
-            steps[static_cast<size_t>(x)] +=
-                static_cast<double>(std::fabs(y.at<float>(row, x + 1) - y.at<float>(row, x)));
+            steps[x] += static_cast<double>(std::fabs(y.at<float>(row, x + 1) - y.at<float>(row, x)));
     double worst = 0;
     for (const size_t size : {size_t{8}, size_t{16}, size_t{32}, size_t{64}}) {
         double between = 0, within = 0;

@@ -43,8 +43,7 @@ In a frame of each second of the films, whose water content/make/video tells. Er
         if (!player) continue;
         const auto made = toml::parse_file((dataRoot() / "content/make/video" / scene).string());
         glm::vec3 truth_perM(0);
-        for (int c = 0; c < 3; ++c)
-            truth_perM[c] = made["water"]["attenuation"][static_cast<size_t>(c)].value_or(0.0f);
+        for (int c = 0; c < 3; ++c) truth_perM[c] = made["water"]["attenuation"][c].value_or(0.0f);
         std::array<std::vector<double>, 3> found;
         std::vector<double> times_us;
         double squares = 0;
@@ -56,8 +55,7 @@ In a frame of each second of the films, whose water content/make/video tells. Er
             times_us.push_back(
                 shortest_us(0, [&] { found_perM = water::estimateWater(view).water.attenuation_perM; }));
             squares += squareOff(found_perM, truth_perM);
-            for (int c = 0; c < 3; ++c)
-                found[static_cast<size_t>(c)].push_back(static_cast<double>(found_perM[c]));
+            for (int c = 0; c < 3; ++c) found[c].push_back(static_cast<double>(found_perM[c]));
         }
         std::string row = std::string("| ") + name + " |";
         for (int c = 0; c < 3; ++c) row += fmt::format(" {:.3f}", truth_perM[c]);

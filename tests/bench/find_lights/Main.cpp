@@ -74,7 +74,7 @@ class Finders {
             std::printf(" none | | |");
         } else {
             std::printf(" %.1f |", degreesBetween(*ours, truths[0].direction));
-            say(found.lights[static_cast<size_t>(ours - directions.begin())]);
+            say(found.lights[ours - directions.begin()]);
         }
         std::printf(" %.1f |\n", degreesBetween(main, truths[0].direction));
     }

@@ -138,8 +138,7 @@ OcclusionMethod transfer(int bands, bool ownBodyAtRest) {
                     for (int k = 0; k < 3; ++k)
                         sum += at[i].weights[k] *
                                state->bodies[at[i].body].radiance(
-                                   corner[k],
-                                   state->light[at[i].body][static_cast<size_t>(body.boneOf[corner[k]])]);
+                                   corner[k], state->light[at[i].body][body.boneOf[corner[k]]]);
                     out[i] = glm::max(sum, 0.0f);
                 }
             },

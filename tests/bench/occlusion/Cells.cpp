@@ -46,7 +46,7 @@ Fine fineOf(const ImageRgbF& image) {
 size_t Cells::cellTowards(const glm::vec3& direction) const {
     const glm::ivec2 at =
         glm::min(glm::ivec2(squareOfDirection(direction) * static_cast<float>(kFine)), kFine - 1);
-    return byPlace[static_cast<size_t>(at.y * kFine + at.x)];
+    return byPlace[at.y * kFine + at.x];
 }
 
 Cells cellsOf(std::span<const Fine> environments) {
@@ -65,8 +65,7 @@ Cells cellsOf(std::span<const Fine> environments) {
         for (size_t s = 0; s < environments.size(); ++s) {
             glm::dvec3 sum(0);
             for (int y = low.y; y < low.y + side; ++y)
-                for (int x = low.x; x < low.x + side; ++x)
-                    sum += environments[s][static_cast<size_t>(y * kFine + x)];
+                for (int x = low.x; x < low.x + side; ++x) sum += environments[s][y * kFine + x];
             power[s] = sum;
             bright = bright || power[s].x + power[s].y + power[s].z > kShare * whole[s];
         }
@@ -77,7 +76,7 @@ Cells cellsOf(std::span<const Fine> environments) {
         }
         for (int y = low.y; y < low.y + side; ++y)
             for (int x = low.x; x < low.x + side; ++x)
-                out.byPlace[static_cast<size_t>(y * kFine + x)] = static_cast<uint32_t>(out.cells.size());
+                out.byPlace[y * kFine + x] = static_cast<uint32_t>(out.cells.size());
         const glm::vec2 corner = glm::vec2(low) / static_cast<float>(kFine);
         const float width = static_cast<float>(side) / kFine;
         const glm::vec3 centre = directionOfSquare(corner + 0.5f * width);

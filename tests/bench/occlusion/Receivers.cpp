@@ -52,7 +52,7 @@ std::vector<Receiver> spreadReceivers(const Scene& scene, int count) {
         for (int i = 0; i < share; ++i) {
             const double place = (i + static_cast<double>(random.unit())) / share * upTo[group].back();
             const auto found = std::ranges::lower_bound(upTo[group], place) - upTo[group].begin();
-            const Facet& facet = facets[group][static_cast<size_t>(found)];
+            const Facet& facet = facets[group][found];
             const float root = std::sqrt(random.unit()), part = random.unit();
             receivers.push_back(
                 receiverAt(scene, facet.body, facet.triangle, {1 - root, root * (1 - part), root * part}));

@@ -48,16 +48,14 @@ Body bodyOf(const std::string& name, const ModelInstance& instance, const mat4& 
     Body body{.name = name};
     const float size = glm::length(vec3(worldFromModel[0]));
     for (const int index : instance.model.order) {
-        const scene::Node& node = instance.model.nodes[static_cast<size_t>(index)];
+        const scene::Node& node = instance.model.nodes[index];
         if (node.mesh < 0 || node.skin < 0) continue;
         std::vector<mat4> bones;
         scene::skinMatrices(instance.model, node.skin, instance.pose, bones);
         for (mat4& bone : bones) bone = worldFromModel * bone;
-        for (const scene::Primitive& part :
-             instance.model.meshes[static_cast<size_t>(node.mesh)].primitives) {
-            const auto blended = part.material >= 0 &&
-                                 instance.model.materials[static_cast<size_t>(part.material)].alphaMode !=
-                                     scene::AlphaMode::Opaque;
+        for (const scene::Primitive& part : instance.model.meshes[node.mesh].primitives) {
+            const auto blended = part.material >= 0 && instance.model.materials[part.material].alphaMode !=
+                                                           scene::AlphaMode::Opaque;
             if (blended && !fins) continue;
             const auto base = static_cast<uint32_t>(body.posed.positions.size());
             for (size_t i = 0; i < part.positions.size(); ++i) {
@@ -123,7 +121,7 @@ Result<Scene> fishScene() {
 void placeJoints(const hands::HandPose& pose, ModelInstance& hand) {
     for (size_t j = 0; j < hands::kJointNames.size(); ++j) {
         const int node = hand.model.findNode(std::string(hands::kJointNames[j]));
-        hand.pose.modelFromNode[static_cast<size_t>(node)] =
+        hand.pose.modelFromNode[node] =
             glm::translate(mat4(1), pose.joints[j].position) * glm::mat4_cast(pose.joints[j].orientation);
     }
 }
@@ -143,20 +141,19 @@ Result<Scene> handScene() {
     const vec3 hollow = palm.position + palm.orientation * vec3(0, -0.008f - kRadius, -0.030f);
     const vec3 along = palm.orientation * glm::normalize(vec3(-1, 0, -0.25f));
     for (int finger = 0; finger < hands::kFingerCount; ++finger) {
-        const int first = hands::kFingerJoints[static_cast<size_t>(finger)].metacarpal;
+        const int first = hands::kFingerJoints[finger].metacarpal;
         physics::Finger given;
-        given.count = hands::kFingerJoints[static_cast<size_t>(finger)].count();
+        given.count = hands::kFingerJoints[finger].count();
         for (int i = 0; i < given.count; ++i) {
-            given.joints[static_cast<size_t>(i)] = held.joints[static_cast<size_t>(first + i)].position;
-            given.radii[static_cast<size_t>(i)] = i ? held.joints[static_cast<size_t>(first + i)].radius : 0;
+            given.joints[i] = held.joints[first + i].position;
+            given.radii[i] = i ? held.joints[first + i].radius : 0;
         }
         const physics::Finger rests =
             physics::wrapped(given, {hollow - along * kHalf, hollow + along * kHalf, kRadius});
         for (int i = 1; i < given.count; ++i) {
-            hands::Joint& joint = held.joints[static_cast<size_t>(first + i)];
-            joint.position = rests.joints[static_cast<size_t>(i)];
-            joint.orientation =
-                rests.turned[static_cast<size_t>(std::min(i + 1, given.count - 1))] * joint.orientation;
+            hands::Joint& joint = held.joints[first + i];
+            joint.position = rests.joints[i];
+            joint.orientation = rests.turned[std::min(i + 1, given.count - 1)] * joint.orientation;
         }
     }
     const auto shade = shadeFor(*hand, "hand_right");

@@ -121,7 +121,7 @@ Status writeSheet(std::span<const Scene> scenes, const Path& folder) {
                         const size_t i = static_cast<size_t>(y * kSide + part / kSide) * kWidth * kSide +
                                          static_cast<size_t>(x * kSide + part % kSide);
                         const glm::vec3 radiance =
-                            samples[i].at ? columns[static_cast<size_t>(column)][i]
+                            samples[i].at ? columns[column][i]
                                           : light::lookUp(lit->light.radiance, samples[i].look, 1.0f);
                         sum += glm::clamp(light::displayFromRadiance(radiance), 0.0f, 1.0f);
                     }

@@ -107,8 +107,7 @@ Scene beach(int width, int height) {
         const Hit hit = nearestPost(posts, dir);
         if (hit.post >= 0) {
             const double grain = clouds(hit.across * 4 + hit.post * 7, hit.height * 1.5, 4, 40);
-            const double lit =
-                std::max(0.0, hit.across * (posts[static_cast<size_t>(hit.post)].longitude_deg < 9 ? 1 : -1));
+            const double lit = std::max(0.0, hit.across * (posts[hit.post].longitude_deg < 9 ? 1 : -1));
             return glm::dvec3(0.10, 0.065, 0.045) * (0.4 + 0.9 * grain) * (0.5 + 2.5 * lit * lit);
         }
         if (dir.y > 0) {

@@ -51,9 +51,9 @@ void Eyes::look(const game::Snapshot& shown, const game::SpeciesTable& species, 
         if (std::fabs(at.x) > kHalfScreen_px.x || std::fabs(at.y) > kHalfScreen_px.y) continue;
         sight.fish.push_back({static_cast<int>(creature.id), creature.species, at,
                               creature.length * kFocal_px / -view.z, creature.catchable > 0.5f,
-                              game::isFish(species[static_cast<size_t>(creature.species)]),
-                              species[static_cast<size_t>(creature.species)].thing == game::Thing::Mussel,
-                              creature.heldBy >= 0, glm::length(view)});
+                              game::isFish(species[creature.species]),
+                              species[creature.species].thing == game::Thing::Mussel, creature.heldBy >= 0,
+                              glm::length(view)});
     }
     const game::HandView& hand = shown.hands[1];
     const glm::vec3 view = viewFromWorld * (hands::graspCentre(hand.joints) - shown.headWorld);
@@ -139,7 +139,7 @@ Action Player::frame(const game::Snapshot& shown, double time_s) {
 // Returns the judged distance: by apparent size on a screen, else by stereo vision with an error.
 float Player::judgedDistance_m(const SeenFish& fish) const {
     if (device_ == Device::Hands) return fish.distance_m + misjudged_m_;
-    return length_m_[static_cast<size_t>(fish.species)] * kFocal_px / fish.size_px;
+    return length_m_[fish.species] * kFocal_px / fish.size_px;
 }
 
 // Returns the fish that is easiest to get: near the hand, near the eye, slow; -1: none.
