@@ -105,7 +105,7 @@ TEST_P(LightAccuracy, AgainstTheIntegral) {
     const auto environment = environmentNamed(name);
     if (!environment) GTEST_SKIP() << "needs the reference data in " << hdrFolder();
     std::vector<Lobe> lobes = {diffuseLobe()};
-    for (const float roughness : kRoughness) lobes.push_back(glossyLobe(static_cast<double>(roughness)));
+    for (const float roughness : kRoughness) lobes.push_back(glossyLobe(roughness));
 
     EnvironmentLight light;
     static LightMaker maker({1024, 0.1f, LightQuality::Still}); // its tables take half of a case's time
@@ -125,7 +125,7 @@ TEST_P(LightAccuracy, AgainstTheIntegral) {
                 100 * diffuse.relative(), 100 * diffuse.worst);
     const bool isSun = name.starts_with("sun");
     for (size_t i = 0; i < std::size(kRoughness); ++i)
-        std::printf(" %.2f: %.2f%s", static_cast<double>(kRoughness[i]), 100 * glossy[i].relative(),
+        std::printf(" %.2f: %.2f%s", kRoughness[i], 100 * glossy[i].relative(),
                     i + 1 < std::size(kRoughness) ? "," : " %\n");
     EXPECT_LT(diffuse.relative(), 0.005);
     EXPECT_LT(diffuse.worst, 0.02);

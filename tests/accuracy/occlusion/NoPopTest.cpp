@@ -111,9 +111,7 @@ TEST(ClosingHand, DarkensAFishWithoutAPop) {
     std::printf("[ BODIES ] closing hand: light on the fish from %.3f to %.3f; a tick changes it by %.4f at "
                 "most, a pop "
                 "by %.4f, at the worst point by %.3f; above %.2f %d times\n",
-                static_cast<double>(means.front()), static_cast<double>(means.back()),
-                static_cast<double>(steepest), static_cast<double>(jump), static_cast<double>(worst),
-                static_cast<double>(kPop), explained);
+                means.front(), means.back(), steepest, jump, worst, kPop, explained);
     EXPECT_LT(means.back(), 0.9f * means.front());
     EXPECT_LT(steepest, kPop);
     EXPECT_LT(jump, 0.01f);

@@ -66,10 +66,10 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
         for (int x = 0; x <= kSteps; ++x) {
             const glm::vec2 xz = low + step * glm::vec2(x, y);
             const glm::vec3 place(xz.x, kGround_m, xz.y);
-            const double form = static_cast<double>(render::covered(flat, light, place)),
-                         rays = static_cast<double>(tests::hiddenByRays(light, 600, [&](const glm::vec3&to) {
+            const double form = render::covered(flat, light, place),
+                         rays = tests::hiddenByRays(light, 600, [&](const glm::vec3&to) {
                              return bvh.blocked(place, to, 0, INFINITY);
-                         }));
+                         });
             sums.error2 += (form - rays) * (form - rays);
             sums.truth2 += rays * rays;
             sums.light += form;
@@ -97,8 +97,7 @@ TEST(ShadowAccuracy, BendingAnimals) {
                 const double off = std::sqrt(d.error2 / d.truth2), taken = d.light / d.truth - 1;
                 std::printf(
                     "%-10s bent by %.1f, light of %4.1f degrees: error %5.1f %%, light taken %+5.1f %%\n",
-                    animal.name, static_cast<double>(bend), static_cast<double>(radius_deg), 100 * off,
-                    100 * taken);
+                    animal.name, bend, radius_deg, 100 * off, 100 * taken);
                 if (radius_deg < 10) { // wider lights: the rays' noise hides the error
                     EXPECT_LT(off, error) << animal.name;
                 }

@@ -57,9 +57,8 @@ std::vector<SurfacePoint> scatter(const OcclusionScene& scene, size_t body, int 
     std::vector<double> areas = {0};
     for (size_t i = 0; i < s.indices.size(); i += 3) {
         const glm::vec3& a = s.positions[s.indices[i]];
-        areas.push_back(areas.back() +
-                        static_cast<double>(glm::length(glm::cross(s.positions[s.indices[i + 1]] - a,
-                                                                   s.positions[s.indices[i + 2]] - a))));
+        areas.push_back(areas.back() + glm::length(glm::cross(s.positions[s.indices[i + 1]] - a,
+                                                              s.positions[s.indices[i + 2]] - a)));
     }
     std::vector<SurfacePoint> points;
     uint64_t state = 1;

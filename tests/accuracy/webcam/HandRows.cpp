@@ -129,15 +129,14 @@ cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<Han
     if (row.light < 1) {
         cv::Mat noise(picture.size(), CV_16SC3);
         random.fill(noise, cv::RNG::NORMAL, 0, 5);
-        picture.convertTo(picture, -1, static_cast<double>(row.light));
+        picture.convertTo(picture, -1, row.light);
         cv::add(picture, noise, picture, {}, CV_8U);
     }
     return picture;
 }
 
 double apart_mm(const HandPose& a, const HandPose& b) { // of palms, across
-    return 1e3 * static_cast<double>(
-                     glm::distance(glm::vec2(a.joints[0].position), glm::vec2(b.joints[0].position)));
+    return 1e3 * glm::distance(glm::vec2(a.joints[0].position), glm::vec2(b.joints[0].position));
 }
 
 // Returns a hand of the rig's size that looks like one of another size, by moving it nearer or farther.
@@ -165,8 +164,7 @@ void judge(const std::array<std::optional<HandPose>, 2>& shown, const HandFrame&
                 const auto reach = [&](const HandPose& hand) {
                     return hand.joints[finger.tip].position - hand.joints[kWristJoint].position;
                 };
-                result.tips_mm.push_back(
-                    1e3 * static_cast<double>(glm::distance(reach(*shown[side]), reach(seen[as]))));
+                result.tips_mm.push_back(1e3 * glm::distance(reach(*shown[side]), reach(seen[as])));
             }
             break;
         }

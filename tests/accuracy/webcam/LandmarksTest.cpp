@@ -69,14 +69,14 @@ class LandmarkSizes : public WithClip<float> {};
 TEST_P(LandmarkSizes, OnceMeasuredTheWristIsAsFarAsItIs) {
     auto measuring = LandmarkFinder::load(handModelFolder(), rig());
     if (!measuring) GTEST_SKIP() << measuring.error().message();
-    const auto measured = static_cast<double>(test::measuredSize(*clip_, rig(), GetParam(), *measuring));
-    EXPECT_NEAR(measured / static_cast<double>(GetParam()), 1, 0.04);
+    const double measured = test::measuredSize(*clip_, rig(), GetParam(), *measuring);
+    EXPECT_NEAR(measured / GetParam(), 1, 0.04);
     for (const float distance_m : {0.3f, 0.9f}) {
         auto finder = tests::valueOf(LandmarkFinder::load(handModelFolder(), rig()));
         const test::Row row{.name = "of another size", .distance_m = distance_m, .size = GetParam()};
         const test::RowResult result = test::measure(*clip_, rig(), row, 40, finder);
         EXPECT_GE(result.found, 0.97 * result.shown);
-        const auto size = static_cast<double>(GetParam());
+        const double size = GetParam();
         EXPECT_NEAR(result.wristOff_percent(1), 100 * std::abs(1 / size - 1), 5) << distance_m;
         EXPECT_LT(result.wristOff_percent(measured), 6) << distance_m;
     }

@@ -146,7 +146,7 @@ class Fit {
 } // namespace
 
 std::vector<Tap> fittedTaps(float roughness, int baseWidth) {
-    const Rings rings = Fit(math::alphaFromRoughness(static_cast<double>(roughness)), baseWidth).best();
+    const Rings rings = Fit(math::alphaFromRoughness(roughness), baseWidth).best();
     std::vector<Tap> taps;
     for (size_t k = 0; k < kRings; ++k) {
         if (rings.weight[k] <= 0) continue;

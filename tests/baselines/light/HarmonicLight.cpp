@@ -69,7 +69,7 @@ GlossyMethod harmonicGlossy(int bands) {
         [state](const Input& input) { state->update(input); },
         [state, known, bands](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
             auto& factors = (*known)[roughness];
-            if (factors.empty()) factors = zonalFactors(glossyLobe(static_cast<double>(roughness)), bands);
+            if (factors.empty()) factors = zonalFactors(glossyLobe(roughness), bands);
             state->shade(factors, dirs, out);
         }};
 }

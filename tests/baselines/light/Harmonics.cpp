@@ -64,8 +64,7 @@ HarmonicProjection::HarmonicProjection(int width, int bands) : width_(width), ba
                                values);
             for (int l = 0; l < bands; ++l)
                 for (int m = 0; m <= l; ++m)
-                    sums[l * kMaxBands + m] +=
-                        texelSolidAngle(part, width, height) * static_cast<double>(values[l * (l + 1) + m]);
+                    sums[l * kMaxBands + m] += texelSolidAngle(part, width, height) * values[l * (l + 1) + m];
         }
         for (const double sum : sums) rows_.push_back(static_cast<float>(sum));
     }

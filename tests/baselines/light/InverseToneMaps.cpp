@@ -29,7 +29,7 @@ Statistics statisticsOf(const ImageRgbF& linear) {
     for (size_t i = 0; i < linear.pixels.size(); i += 3) {
         const float* texel = &linear.pixels[i];
         const float l = linearLuminance({texel[0], texel[1], texel[2]});
-        sum += static_cast<double>(std::log(l + kNone));
+        sum += std::log(l + kNone);
         clipped += l * 255 >= 254;
         least = std::min(least, l + kNone), most = std::max(most, l + kNone);
     }

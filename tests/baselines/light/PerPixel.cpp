@@ -14,7 +14,7 @@ GlossyMethod thesisRings() {
             [pyramid](const Input& input) { *pyramid = input.pyramid; },
             [pyramid](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < dirs.size(); ++i)
-                    out[i] = phongRingsRadiance(**pyramid, dirs[i], static_cast<double>(roughness));
+                    out[i] = phongRingsRadiance(**pyramid, dirs[i], roughness);
             }};
 }
 

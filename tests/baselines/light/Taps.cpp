@@ -23,7 +23,7 @@ double bitsReversed(unsigned i) {
 } // namespace
 
 std::vector<Tap> ggxTaps(float roughness, int samples, int baseWidth) {
-    const double alpha = math::alphaFromRoughness(static_cast<double>(roughness)), alpha2 = alpha * alpha;
+    const double alpha = math::alphaFromRoughness(roughness), alpha2 = alpha * alpha;
     const double texel = 4 * pi / (static_cast<double>(baseWidth) * (baseWidth / 2)); // mean, steradians
     std::vector<Tap> taps;
     double sum = 0;

@@ -127,7 +127,7 @@ ImageRgba8 seenIn(const ImageRgbF& traced, const render::View& view, const Image
 double meanOver(const ImageRgba8& picture, const ImageRgba8& animal) {
     double sum = 0, count = 0;
     for (size_t i = 0; i < animal.pixels.size(); i += 4)
-        if (animal.pixels[i + 3] == 255) sum += static_cast<double>(luminance(&picture.pixels[i])), ++count;
+        if (animal.pixels[i + 3] == 255) sum += luminance(&picture.pixels[i]), ++count;
     return sum / count;
 }
 

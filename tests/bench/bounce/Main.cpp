@@ -328,8 +328,7 @@ class Measuring {
             if (Status s = footage.measure(at); !s) return s;
             const double began_s = threadTime_s(); // decoding goes on beside
             for (size_t i = 0; i < places.size(); ++i)
-                found[i].push_back(
-                    static_cast<double>(caustics.changeAt(places[i].place, towards, kBody_m, footage.map())));
+                found[i].push_back(caustics.changeAt(places[i].place, towards, kBody_m, footage.map()));
             sum.spent_s += threadTime_s() - began_s;
         }
         for (size_t i = 0; i < places.size(); ++i) addFlicker(places[i], found[i], sum);

@@ -295,8 +295,7 @@ std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::Dep
             const int tx = x * truth.width / estimated.width, ty = y * truth.height / estimated.height;
             const auto sure = estimated.confidence[static_cast<size_t>(y / 2) * estimated.width / 2 +
                                                    static_cast<size_t>(x / 2)];
-            texels.push_back({static_cast<double>(truth.inverse_perM(tx, ty)),
-                              static_cast<double>(estimated.inverse_perM(x, y)), weight,
+            texels.push_back({truth.inverse_perM(tx, ty), estimated.inverse_perM(x, y), weight,
                               sure >= kConfident * media::kMaxDepthCode});
         }
     }

@@ -86,10 +86,10 @@ void Distance::add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr) {
             for (int c = 0; c < 3; ++c) {
                 const float a = linear[truth.at<cv::Vec3b>(y, x)[c]],
                             b = linear[decoded.at<cv::Vec3b>(y, x)[c]];
-                squared += static_cast<double>((a - b) * (a - b));
-                own += static_cast<double>(a * a);
+                squared += (a - b) * (a - b);
+                own += a * a;
             }
-            const double step = static_cast<double>(lumaTruth.at<float>(y, x) - lumaDecoded.at<float>(y, x));
+            const double step = lumaTruth.at<float>(y, x) - lumaDecoded.at<float>(y, x);
             steps += step * step;
         }
         squared_ += weight * squared, truthSquared_ += weight * own, lumaSquared_ += weight * steps;
@@ -107,8 +107,8 @@ void Distance::add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr) {
                     around < kLowest ? -1 : static_cast<int>(kBandsAnOctave * std::log2(around / kLowest));
                 if (band < 0 || band >= kBands) continue;
                 const auto p = a.at<cv::Vec2f>(j, i), q = b.at<cv::Vec2f>(j, i);
-                cross_[band] += static_cast<double>(p[0] * q[0] + p[1] * q[1]);
-                power_[band] += static_cast<double>(p[0] * p[0] + p[1] * p[1]);
+                cross_[band] += p[0] * q[0] + p[1] * q[1];
+                power_[band] += p[0] * p[0] + p[1] * p[1];
             }
     }
 }
@@ -137,7 +137,7 @@ double blockiness(const ImageRgb8& bgr) {
     std::vector<double> steps(static_cast<size_t>(y.cols), 0);
     for (int row = top; row < bottom; ++row)
         for (int x = 0; x + 1 < y.cols; ++x)
-            steps[x] += static_cast<double>(std::fabs(y.at<float>(row, x + 1) - y.at<float>(row, x)));
+            steps[x] += std::fabs(y.at<float>(row, x + 1) - y.at<float>(row, x));
     double worst = 0;
     for (const size_t size : {size_t{8}, size_t{16}, size_t{32}, size_t{64}}) {
         double between = 0, within = 0;

@@ -55,7 +55,7 @@ In a frame of each second of the films, whose water content/make/video tells. Er
             times_us.push_back(
                 shortest_us(0, [&] { found_perM = water::estimateWater(view).water.attenuation_perM; }));
             squares += squareOff(found_perM, truth_perM);
-            for (int c = 0; c < 3; ++c) found[c].push_back(static_cast<double>(found_perM[c]));
+            for (int c = 0; c < 3; ++c) found[c].push_back(found_perM[c]);
         }
         std::string row = std::string("| ") + name + " |";
         for (int c = 0; c < 3; ++c) row += fmt::format(" {:.3f}", truth_perM[c]);

@@ -98,7 +98,7 @@ floats.
 
   private:
     static void say(const FoundLight& light) {
-        std::printf(" %.1f | %.1f |", degreesOf(light.radius), 100 * static_cast<double>(light.share));
+        std::printf(" %.1f | %.1f |", degreesOf(light.radius), 100 * light.share);
     }
 
     LightWatcher eye_;

@@ -165,7 +165,7 @@ bool hasPointSun(const ImageRgbF& radianceLin) {
         const double solidAngle = texelSolidAngle(y, radianceLin.width, radianceLin.height);
         for (int x = 0; x < radianceLin.width; ++x) {
             const float* t = radianceLin.at(x, y);
-            const auto luminance = static_cast<double>(light::thesisLuminance({t[0], t[1], t[2]}));
+            const double luminance = light::thesisLuminance({t[0], t[1], t[2]});
             texels.push_back({luminance, solidAngle});
             whole += luminance * solidAngle;
         }

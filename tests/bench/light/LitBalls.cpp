@@ -80,7 +80,7 @@ glm::vec3 exposureOf(const Environment& filmed) {
                 const uint8_t coded = frame.at(x, y)[c];
                 const float light = lit.at(x * lit.width / frame.width, y * lit.height / frame.height)[c];
                 if (coded > 20 && coded < 235 && light > 0)
-                    ratios[c].push_back(static_cast<double>(math::linearOfByte()[coded] / light));
+                    ratios[c].push_back(math::linearOfByte()[coded] / light);
             }
     return {math::median(ratios[0]), math::median(ratios[1]), math::median(ratios[2])};
 }
@@ -106,7 +106,7 @@ double shadowOf(const light::EnvironmentLight& light) {
     if (found.count == 0) return 0;
     const light::FoundLight& first = found.lights[0];
     const float onGround = light::linearLuminance(first.irradiance) * std::max(first.direction.y, 0.0f);
-    return static_cast<double>(onGround / light::linearLuminance(found.groundIrradiance));
+    return onGround / light::linearLuminance(found.groundIrradiance);
 }
 
 } // namespace
@@ -142,7 +142,7 @@ Result<std::vector<BallErrors>> lightBalls(const Path& sheet) {
                 drawBall(lights[way], ball, kWays[way] == light::FrameRadiance::Thesis, *filmed, on, left,
                          top, [&](const glm::vec3& shown) {
                              const glm::vec3 off = shown - want[i++];
-                             sum += static_cast<double>(glm::dot(off, off));
+                             sum += glm::dot(off, off);
                          });
                 (ball == Ball::Matte ? errors.matte : errors.glossy)
                     .push_back(std::sqrt(sum / (3 * static_cast<double>(i))));

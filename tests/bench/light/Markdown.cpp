@@ -58,7 +58,7 @@ std::string glossyTable(const Chart& chart) {
 std::string roughnessTable(const Chart& chart) {
     std::string out = "| method |", rule = "|---|";
     for (const float roughness : kRoughnesses) {
-        out += fmt::format(" {:.1f} |", static_cast<double>(roughness));
+        out += fmt::format(" {:.1f} |", roughness);
         rule += "--:|";
     }
     out += "\n" + rule + "\n";
@@ -134,8 +134,8 @@ root mean square relative to that. An environment has a point sun where a ten-th
 twentieth of the light.
 
 )",
-        chart.read_us, chart.wideRead_us, chart.pyramid_us, static_cast<double>(kReefRoughness),
-        chart.reef_us, chart.reef_us / chart.read_us);
+        chart.read_us, chart.wideRead_us, chart.pyramid_us, kReefRoughness, chart.reef_us,
+        chart.reef_us / chart.read_us);
     md += "## Diffuse\n\n" + diffuseTable(chart);
     md += fmt::format(R"(
 ## Glossy

@@ -73,7 +73,7 @@ double exposureOf(const ImageRgb8& frame, const ImageRgbF& lit) {
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x)
             for (int c = 0; !isClipped(frame.at(x, y)) && c < 3; ++c) {
-                const auto light = static_cast<double>(litAt(frame, lit, x, y)[c]);
+                const double light = litAt(frame, lit, x, y)[c];
                 both += light * double{math::linearOfByte()[frame.at(x, y)[c]]}, own += light * light;
             }
     return both / own;

@@ -58,8 +58,7 @@ Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, co
     }
 
     std::vector<light::Lobe> lobes = {light::diffuseLobe()};
-    for (const float roughness : kRoughnesses)
-        lobes.push_back(light::glossyLobe(static_cast<double>(roughness)));
+    for (const float roughness : kRoughnesses) lobes.push_back(light::glossyLobe(roughness));
     truth = integrals(radianceLin, dirs, lobes);
     std::string bytes;
     for (const auto& row : truth) bytes.append(reinterpret_cast<const char*>(row.data()), rowBytes);

@@ -24,7 +24,7 @@ struct LobeRay {
 // Returns rays of the lobe of Lookup.h's glossy light: half vectors by GGX's distribution, weighted by the
 // cosine. Karis 2013.
 std::vector<LobeRay> lobeRays(int count, int turn) {
-    const double alpha = math::alphaFromRoughness(static_cast<double>(kGlossyRoughness));
+    const double alpha = math::alphaFromRoughness(kGlossyRoughness);
     std::vector<LobeRay> rays;
     for (int i = 0; i < count; ++i) {
         const double u = (i + 0.5) / count, phi = (i + 0.37 * turn) * std::numbers::pi * (3 - std::sqrt(5.0));
@@ -135,15 +135,15 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
         });
         double whole = 0, apart = 0;
         for (size_t i = 0; i < want.size(); ++i) {
-            whole += static_cast<double>(glm::dot(want[i], want[i]));
-            apart += static_cast<double>(glm::dot(half[i], half[i]));
+            whole += glm::dot(want[i], want[i]);
+            apart += glm::dot(half[i], half[i]);
         }
         noise = std::max(noise, std::sqrt(apart / whole));
         for (size_t m = 0; m < methods.size(); ++m) {
             double off = 0;
             for (size_t i = 0; i < want.size(); ++i) {
                 const glm::vec3 miss = open[i] * methods[m].share(i, lit) - want[i];
-                off += static_cast<double>(glm::dot(miss, miss));
+                off += glm::dot(miss, miss);
             }
             squares[m] += off / whole;
         }

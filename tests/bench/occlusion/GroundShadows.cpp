@@ -34,12 +34,11 @@ std::vector<Distant> lightsOf(const Cells& cells, size_t environment, int count)
         return std::max(cells.cells[c].centre.y, 0.0f) * cells.of(c)[environment];
     };
     double whole = 0, before = 0;
-    for (size_t c = 0; c < cells.cells.size(); ++c)
-        whole += static_cast<double>(light::thesisLuminance(broughtBy(c)));
+    for (size_t c = 0; c < cells.cells.size(); ++c) whole += light::thesisLuminance(broughtBy(c));
     std::vector<Distant> lights;
     for (size_t c = 0; c < cells.cells.size(); ++c) {
         const float luminance = light::thesisLuminance(broughtBy(c));
-        before += static_cast<double>(luminance);
+        before += luminance;
         while (before * count > (static_cast<double>(lights.size()) + 0.5) * whole)
             lights.push_back({cells.cells[c].centre, broughtBy(c) / luminance});
     }

@@ -101,7 +101,7 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick) {
         const OccludedLight truth = occludedLight(scene, rays, receivers, cells);
         chart.noise.push_back(truth.noise);
         double open = 0;
-        for (const float each : truth.open) open += static_cast<double>(each);
+        for (const float each : truth.open) open += each;
         chart.open.push_back(open / static_cast<double>(receivers.size()));
         std::vector<std::vector<glm::vec3>> unshaded;
         std::fprintf(stderr, ", methods\n");

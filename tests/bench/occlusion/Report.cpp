@@ -93,7 +93,7 @@ std::string glossyTable(const OcclusionChart& chart) {
         fmt::format("\n## Glossy light, roughness {:.2f}\n\nEnvironments without point suns; error in % "
                     "and ns a receiver, for "
                     "each scene. Noise of the truth:",
-                    static_cast<double>(kGlossyRoughness));
+                    kGlossyRoughness);
     for (const double noise : chart.glossy.noise) out += " " + percent(noise);
     out += " %.\n\n| method |";
     std::string rule = "|---|";

@@ -61,7 +61,7 @@ OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<cons
                 const glm::vec2 place = cell.low + cell.side * glm::vec2(random.unit(), random.unit());
                 const glm::vec3 direction = directionOfSquare(place);
                 const bool seen = !rays.occluded(at.position, direction, scene.nearest);
-                const double weight = static_cast<double>(cosine * cell.solidAngle);
+                const double weight = cosine * cell.solidAngle;
                 whole += weight;
                 if (!seen) {
                     if (!bounces) continue;

@@ -55,7 +55,7 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
         first += dive.firstCatch_s <= kind.firstBefore_s;
         closings += dive.closings, escapes += dive.escapes, lost += dive.lost, startles += dive.startles;
         for (size_t i = 0; i < misses.size(); ++i) misses[i] += dive.misses[i];
-        for (size_t i = 0; i < spent_s.size(); ++i) spent_s[i] += static_cast<double>(dive.spent_s[i]);
+        for (size_t i = 0; i < spent_s.size(); ++i) spent_s[i] += dive.spent_s[i];
     }
     std::sort(caught.begin(), caught.end());
     std::sort(firsts.begin(), firsts.end());

@@ -68,7 +68,7 @@ class UnderATracker {
             stream_.push(late_.front());
             late_.pop_front();
         }
-        hands_.advance(stream_, static_cast<double>(kFrame_s), now_);
+        hands_.advance(stream_, kFrame_s, now_);
     }
     void tick(game::TickInput& input, int ticksLeft) {
         choice_.tick(hands_, input.hands, static_cast<float>(ticksLeft - 1) * sim::kTick_s, sim::kTick_s);

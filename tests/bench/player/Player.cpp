@@ -62,7 +62,7 @@ void Eyes::look(const game::Snapshot& shown, const game::SpeciesTable& species, 
     sight.handDistance_m = glm::length(view);
     sight.holds = hand.holds >= 0;
     sights_.push_back(std::move(sight));
-    while (sights_.size() > 1 && sights_[1].time_s <= time_s - static_cast<double>(kReaction_s)) {
+    while (sights_.size() > 1 && sights_[1].time_s <= time_s - kReaction_s) {
         if (sights_.front().time_s - before_.time_s > kMotion_s) before_ = sights_.front();
         sights_.pop_front();
     }
@@ -80,7 +80,7 @@ void Movement::start(glm::vec3 from, glm::vec3 to, double now_s, float length_s)
     from_ = from;
     to_ = to;
     begin_s_ = now_s;
-    end_s_ = now_s + static_cast<double>(length_s);
+    end_s_ = now_s + length_s;
 }
 
 glm::vec3 Movement::at(double time_s) const {
@@ -177,13 +177,13 @@ void Player::look(double time_s) {
     // Waits a while for one to come, then looks elsewhere.
     if (time_s - since_s_ > 1.5 && time_s >= turnUntil_s_) {
         if (random_.unit() < 0.2f) turn_ = -turn_;
-        turnUntil_s_ = time_s + static_cast<double>(random_.between(0.4f, 0.9f));
+        turnUntil_s_ = time_s + random_.between(0.4f, 0.9f);
         since_s_ = turnUntil_s_ - 1.0;
     }
 }
 
 void Player::giveUp(double time_s) {
-    tiredOf_[target_] = time_s + static_cast<double>(kTiredFor_s);
+    tiredOf_[target_] = time_s + kTiredFor_s;
     doing_ = Doing::Waiting;
     since_s_ = time_s;
     target_ = -1;
@@ -203,7 +203,7 @@ void Player::wait(double time_s) {
             target_ = fish.id;
             return close(time_s);
         }
-    if (time_s - since_s_ < static_cast<double>(kWaits_s)) return;
+    if (time_s - since_s_ < kWaits_s) return;
     doing_ = Doing::Looking;
     since_s_ = time_s;
 }
@@ -253,13 +253,13 @@ bool Player::looksRight(const SeenFish& fish, double time_s) {
                       std::fabs(fish_m - hand_m) < (device_ == Device::Hands ? 0.06f : 0.25f * fish_m);
     if (!over) rightSince_s_ = -1;
     if (over && rightSince_s_ < 0) rightSince_s_ = time_s;
-    return fish.marked || (over && time_s - rightSince_s_ > static_cast<double>(kPatience_s));
+    return fish.marked || (over && time_s - rightSince_s_ > kPatience_s);
 }
 
 void Player::chase(double time_s) {
     const SeenFish* fish = find(eyes_.now(), target_);
     if (!fish || fish->held) return lookForAnother(time_s);
-    if (time_s - since_s_ > static_cast<double>(kTires_s)) return giveUp(time_s);
+    if (time_s - since_s_ > kTires_s) return giveUp(time_s);
     // Another that lights up beside it is as good.
     for (const SeenFish& other : eyes_.now().fish)
         if (other.marked && other.prey && !fish->marked) fish = &other, target_ = other.id;
@@ -289,7 +289,7 @@ void Player::hold(double time_s) {
     const double held_s = time_s - since_s_;
     // Sees that the hand is empty, and what became of it.
     const bool missed = held_s > 0.5 && !eyes_.now().holds;
-    if (held_s < static_cast<double>(holdFor_s_) && !missed) return;
+    if (held_s < holdFor_s_ && !missed) return;
     close_ = false;
     tiredOf_[target_] = time_s + 2;
     target_ = -1;

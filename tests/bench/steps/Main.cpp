@@ -36,7 +36,7 @@ double exposureOf(const ImageRgb8& bgr, const ImageRgbF& radianceLin) {
             const uint8_t green =
                 bgr.at(x * bgr.width / radianceLin.width, y * bgr.height / radianceLin.height)[1];
             if (green > 20 && green < 230)
-                ratios.push_back(static_cast<double>(math::linearOfByte()[green] / radianceLin.at(x, y)[1]));
+                ratios.push_back(math::linearOfByte()[green] / radianceLin.at(x, y)[1]);
         }
     return math::median(ratios);
 }
@@ -47,8 +47,7 @@ double stepBetween(const ImageRgbF& before, const ImageRgbF& after) {
     for (int y = 0; y < before.height; ++y) {
         const double weight = texelSolidAngle(y, before.width, before.height);
         for (int i = 0; i < 3 * before.width; ++i) {
-            const auto a = static_cast<double>(before.at(0, y)[i]),
-                       b = static_cast<double>(after.at(0, y)[i]);
+            const double a = before.at(0, y)[i], b = after.at(0, y)[i];
             off += weight * (b - a) * (b - a);
             whole += weight * a * a;
         }

@@ -38,15 +38,14 @@ void printSizes(test::HandClip& clip, const HandRig& rig) {
         "|\n|--:|--:|--:|--:|--:|--:|");
     for (const float size : {0.85f, 1.0f, 1.15f}) {
         LandmarkFinder measuring = landmarkFinder(rig);
-        const auto measured = static_cast<double>(test::measuredSize(clip, rig, size, measuring));
+        const double measured = test::measuredSize(clip, rig, size, measuring);
         for (const float distance_m : {0.3f, 0.5f, 0.9f}) {
             LandmarkFinder finder = landmarkFinder(rig);
             const test::Row row{.name = "size", .distance_m = distance_m, .size = size};
             const test::RowResult result = test::measure(clip, rig, row, pictures, finder);
-            std::printf("| %.0f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", 100 * static_cast<double>(size),
-                        100 * measured, static_cast<double>(distance_m),
-                        100.0 * result.found / std::max(result.shown, 1), result.wristOff_percent(1),
-                        result.wristOff_percent(measured));
+            std::printf("| %.0f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", 100 * size, 100 * measured,
+                        distance_m, 100.0 * result.found / std::max(result.shown, 1),
+                        result.wristOff_percent(1), result.wristOff_percent(measured));
             std::fflush(stdout);
         }
     }
