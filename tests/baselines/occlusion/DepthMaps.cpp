@@ -1,12 +1,15 @@
 #include "tests/baselines/occlusion/DepthMaps.h"
 
 #include "tests/baselines/occlusion/Directions.h"
+#include "tests/baselines/occlusion/PixelWalk.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace shoal::occlusion::baselines {
+
+constexpr float kFar = 1e30f;
 
 // right x up = along, so that a front, wound counter-clockwise for who looks at it, runs clockwise in x and
 // y.
@@ -15,22 +18,22 @@ OrthoView viewAlong(const glm::vec3& direction, const glm::vec3& centre, float r
     return {frame[0], frame[1], frame[2], centre, radius, size};
 }
 
-Sphere boundingSphereOf(std::span<const Triangles> bodies) {
+Sphere boundingSphereOf(std::span<const BodyMesh> bodies) {
     glm::vec3 low(1e30f), high(-1e30f);
-    for (const Triangles& body : bodies)
+    for (const BodyMesh& body : bodies)
         for (const glm::vec3& p : body.positions) {
             low = glm::min(low, p);
             high = glm::max(high, p);
         }
     Sphere sphere{0.5f * (low + high), 0};
-    for (const Triangles& body : bodies)
+    for (const BodyMesh& body : bodies)
         for (const glm::vec3& p : body.positions)
             sphere.radius = std::max(sphere.radius, glm::distance(p, sphere.centre));
     sphere.radius *= 1.001f;
     return sphere;
 }
 
-LayeredDepth::LayeredDepth(std::span<const Triangles> bodies, int size) {
+LayeredDepth::LayeredDepth(std::span<const BodyMesh> bodies, int size) {
     const Sphere sphere = boundingSphereOf(bodies);
     struct Layer {
         float depth = 0;
@@ -42,7 +45,7 @@ LayeredDepth::LayeredDepth(std::span<const Triangles> bodies, int size) {
         along[axis] = 1;
         out.view = viewAlong(along, sphere.centre, sphere.radius, size);
         std::vector<std::vector<Layer>> pixels(static_cast<size_t>(size) * size);
-        for (const Triangles& body : bodies)
+        for (const BodyMesh& body : bodies)
             rasterise(out.view, body, [&](int pixel, float depth, bool front) {
                 pixels[pixel].push_back({depth, front ? 1 : -1});
             });
@@ -64,41 +67,29 @@ LayeredDepth::LayeredDepth(std::span<const Triangles> bodies, int size) {
 bool LayeredDepth::occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest) const {
     const glm::vec3 size = glm::abs(direction);
     const View& at = views_[size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2)];
-    const float scale = at.view.pixelsPerMetre();
+    const float scale = at.view.pixelsPerMetre(), radius = at.view.radius;
     const glm::vec3 from = at.view.toView(origin + nearest * direction);
-    const glm::vec2 step =
-        scale * glm::vec2(glm::dot(direction, at.view.right), glm::dot(direction, at.view.up));
-    const float rise = glm::dot(direction, at.view.along);
-    glm::ivec2 pixel(glm::floor(glm::vec2(from)));
-    const glm::ivec2 turn(step.x < 0 ? -1 : 1, step.y < 0 ? -1 : 1);
-    const auto border = [&](int axis) { // distance along the ray at which it leaves the pixel
-        if (std::abs(step[axis]) < 1e-9f) return 1e30f;
-        return (static_cast<float>(pixel[axis] + (turn[axis] > 0)) - from[axis]) / step[axis];
-    };
-    for (float t = 0;;) {
-        if (pixel.x < 0 || pixel.y < 0 || pixel.x >= at.view.size || pixel.y >= at.view.size) return false;
-        const float tx = border(0), ty = border(1), end = std::min({tx, ty, 1e6f});
-        const float a = from.z + rise * t, b = from.z + rise * end;
-        const auto [low, high] = std::minmax(a, b);
-        const auto index = static_cast<size_t>(pixel.y) * at.view.size + pixel.x;
-        for (uint32_t i = at.first[index]; i < at.first[index + 1]; i += 2)
-            if (at.solid[i] <= high && at.solid[i + 1] >= low) return true;
-        if (end >= 1e6f) return false;
-        pixel[tx < ty ? 0 : 1] += turn[tx < ty ? 0 : 1];
-        t = end;
-        if (std::abs(from.z + rise * t) > at.view.radius * 1.5f && rise * (from.z + rise * t) > 0)
-            return false;
-    }
+    const glm::vec3 step(scale * glm::dot(direction, at.view.right), scale * glm::dot(direction, at.view.up),
+                         glm::dot(direction, at.view.along));
+    float begin = 0, end = kFar; // metres along the ray
+    for (int k = 0; k < 2; ++k)
+        if (!clipSlab(from[k], step[k], 0, static_cast<float>(at.view.size), begin, end)) return false;
+    if (!clipSlab(from.z, step.z, -radius, radius, begin, end)) return false;
+    return walkCells(from, step, begin, end, glm::ivec2(0), glm::ivec2(at.view.size),
+                     [&](const glm::ivec2& pixel, float in, float out) {
+                         const float a = from.z + step.z * in, b = from.z + step.z * out;
+                         const auto [low, high] = std::minmax(a, b);
+                         const auto index = static_cast<size_t>(pixel.y) * at.view.size + pixel.x;
+                         for (uint32_t i = at.first[index]; i < at.first[index + 1]; i += 2)
+                             if (at.solid[i] <= high && at.solid[i + 1] >= low) return true;
+                         return false;
+                     });
 }
 
 std::size_t LayeredDepth::bytes() const {
     std::size_t sum = 0;
     for (const View& view : views_) sum += (view.first.size() + view.solid.size()) * 4;
     return sum;
-}
-
-namespace {
-constexpr float kFar = 1e30f;
 }
 
 // Saff and Kuijlaars 1997, "Distributing Many Points on a Sphere", generalised spiral.
@@ -114,7 +105,7 @@ std::vector<glm::vec3> spiralDirections(int count) {
     return out;
 }
 
-CoherentShadowMaps::CoherentShadowMaps(std::span<const Triangles> bodies,
+CoherentShadowMaps::CoherentShadowMaps(std::span<const BodyMesh> bodies,
                                        std::span<const glm::vec3> directions, int size) {
     assert(directions.size() < 65536);
     const Sphere sphere = boundingSphereOf(bodies);
@@ -128,7 +119,7 @@ CoherentShadowMaps::CoherentShadowMaps(std::span<const Triangles> bodies,
         // Looks from the light, against the direction to it. Fixed axes keep a pixel's content alike from map
         // to map.
         views_.push_back(viewAlong(-directions[k], sphere.centre, sphere.radius, size));
-        for (const Triangles& body : bodies)
+        for (const BodyMesh& body : bodies)
             rasterise(views_[k], body, [&](int pixel, float depth, bool) {
                 Interval& at = seen[static_cast<size_t>(pixel) * directions.size() + k];
                 if (depth < at.first) {

@@ -31,19 +31,10 @@ struct OrthoView {
 
 OrthoView viewAlong(const glm::vec3& direction, const glm::vec3& centre, float radius, int size);
 
-struct Triangles {
-    std::span<const glm::vec3> positions; // world
-    std::span<const glm::uvec3> triangles;
-};
-
-struct Sphere {
-    glm::vec3 centre{0};
-    float radius = 0;
-};
-Sphere boundingSphereOf(std::span<const Triangles> bodies); // around their box
+Sphere boundingSphereOf(std::span<const BodyMesh> bodies); // around their box
 
 // visit(pixel index, depth, whether the triangle's front faces the viewer) for every covered pixel centre.
-template <class Visit> void rasterise(const OrthoView& view, const Triangles& body, const Visit& visit) {
+template <class Visit> void rasterise(const OrthoView& view, const BodyMesh& body, const Visit& visit) {
     for (const glm::uvec3& corner : body.triangles) {
         const glm::vec3 a = view.toView(body.positions[corner.x]), b = view.toView(body.positions[corner.y]),
                         c = view.toView(body.positions[corner.z]);
@@ -72,7 +63,7 @@ template <class Visit> void rasterise(const OrthoView& view, const Triangles& bo
 class LayeredDepth {
   public:
     // Closed bodies, in the world; they may overlap.
-    LayeredDepth(std::span<const Triangles> bodies, int size);
+    LayeredDepth(std::span<const BodyMesh> bodies, int size);
 
     // Counts what lies beyond `nearest`, which should be a pixel or two: depths are those at pixels' centres.
     bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
@@ -96,16 +87,15 @@ class CoherentShadowMaps {
   public:
     // Closed bodies, in the world. directions: light travels against them; any order, alike ones should
     // follow another.
-    CoherentShadowMaps(std::span<const Triangles> bodies, std::span<const glm::vec3> directions, int size);
+    CoherentShadowMaps(std::span<const BodyMesh> bodies, std::span<const glm::vec3> directions, int size);
 
     // Whether a point on the surface of a body is occluded in the direction of this index.
     bool occluded(const glm::vec3& position, size_t direction) const;
     std::size_t bytes() const {
         return runs_.size() * sizeof(Run) + first_.size() * sizeof(uint32_t) + views_.size() * 12;
     }
-    std::size_t plainBytes() const {
-        return first_.size() * views_.size() * sizeof(uint16_t);
-    } // uncompressed
+    // Uncompressed.
+    std::size_t plainBytes() const { return first_.size() * views_.size() * sizeof(uint16_t); }
 
   private:
     struct Run {

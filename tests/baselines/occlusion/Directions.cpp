@@ -24,9 +24,7 @@ DirectedLight directedLight(const ImageRgbF& image, std::vector<glm::vec3> direc
     for (int y = 0; y < image.height; ++y) {
         const double solidAngle = texelSolidAngle(y, image.width, image.height);
         for (int x = 0; x < image.width; ++x) {
-            const glm::vec2 uv((static_cast<float>(x) + 0.5f) / static_cast<float>(image.width),
-                               (static_cast<float>(y) + 0.5f) / static_cast<float>(image.height));
-            const glm::vec3 to = directionFromLatLong(uv);
+            const glm::vec3 to = texelDirection(x, y, image.width, image.height);
             const auto nearest = std::ranges::max_element(
                 light.directions, {}, [&](const glm::vec3& d) { return glm::dot(d, to); });
             const float* texel = image.at(x, y);

@@ -7,11 +7,7 @@
 
 namespace shoal::occlusion {
 
-namespace {
-
 constexpr float kMeanBack = -2 / 3.0f; // of directions in a cosine-weighted hemisphere, along its normal
-
-} // namespace
 
 OcclusionResult occlude(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> own,
                         const SelfOcclusion& selfOcclusion, std::span<const Occluder> others,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace shoal::occlusion {
 
@@ -13,26 +14,15 @@ namespace {
 
 // The layers of one view.
 struct OllfbPixels {
+    const Ollfb& all;
     const OllfbView& view;
-    const OllfbRow* rows; // the view's first
-    const uint16_t* starts;
-    const OllfbLayer* layers;
 
-    OllfbPixels(const Ollfb& all, const OllfbView& seen)
-        : view(seen), rows(all.rows.data() + seen.firstRow), starts(all.starts.data()),
-          layers(all.layers.data()) {}
-
-    struct Layers {
-        const OllfbLayer* begin;
-        const OllfbLayer* end;
-    };
     // Layers of a pixel within the view's size.
-    Layers layersOf(const glm::ivec2& pixel) const {
-        const OllfbRow& row = rows[pixel.y];
-        if (pixel.x < row.begin || pixel.x >= row.end) return {nullptr, nullptr};
-        const uint16_t* const start = starts + row.firstStart + (pixel.x - row.begin);
-        const OllfbLayer* const first = layers + row.firstLayer;
-        return {first + start[0], first + start[1]};
+    std::span<const OllfbLayer> layersOf(const glm::ivec2& pixel) const {
+        const OllfbRow& row = all.rows[view.firstRow + pixel.y];
+        if (pixel.x < row.begin || pixel.x >= row.end) return {};
+        const uint16_t* const start = &all.starts[row.firstStart + (pixel.x - row.begin)];
+        return std::span(all.layers).subspan(row.firstLayer + start[0], start[1] - start[0]);
     }
     // At the pixel's middle, pixels.
     float depthOf(const OllfbLayer& layer) const {
@@ -69,14 +59,13 @@ std::optional<OllfbSurface> surfaceNear(const OllfbPixels& pixels, const glm::ve
         const glm::ivec2 pixel = corner + glm::ivec2(k % 2, k / 2);
         if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) continue;
         const glm::vec2 aside = glm::vec2(place) - (glm::vec2(pixel) + 0.5f);
-        const OllfbPixels::Layers here = pixels.layersOf(pixel);
         float nearest = furthest;
         OllfbSurface best;
         bool any = false;
-        for (const OllfbLayer* layer = here.begin; layer != here.end; ++layer) {
-            const glm::vec3 other = OllfbPixels::normalOf(*layer);
+        for (const OllfbLayer& layer : pixels.layersOf(pixel)) {
+            const glm::vec3 other = OllfbPixels::normalOf(layer);
             const glm::vec2 slope = slopeOf(other);
-            const float depth = pixels.depthOf(*layer);
+            const float depth = pixels.depthOf(layer);
             const float off = std::abs(depth + glm::dot(slope, aside) - place.z);
             if (off > nearest || glm::dot(other, normal) < kAlike) continue;
             nearest = off, best = {depth, slope, other}, any = true;
@@ -119,7 +108,7 @@ struct Walk {
 
     // Follows the ray from `in` to `out` through the part of a pixel whose layers have `bit`; true if it met
     // one.
-    bool cross(const OllfbPixels::Layers& here, const glm::ivec2& pixel, unsigned bit, float in, float out,
+    bool cross(std::span<const OllfbLayer> here, const glm::ivec2& pixel, unsigned bit, float in, float out,
                bool started) {
         const glm::vec3 pIn = from + in * along, pOut = from + out * along;
         const glm::vec2 middle = glm::vec2(pixel) + 0.5f;
@@ -131,9 +120,8 @@ struct Walk {
         // How many surfaces the ray is behind. Counted and not read from the last one: where a body thins out
         // at its silhouette, planes of its two sides may change places.
         int deepIn = 0, deepOut = 0;
-        const std::ptrdiff_t count = here.end - here.begin;
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            const OllfbLayer& layer = forwards ? here.begin[i] : here.end[-1 - i];
+        for (size_t i = 0; i < here.size(); ++i) {
+            const OllfbLayer& layer = here[forwards ? i : here.size() - 1 - i];
             const float depth = pixels.depthOf(layer);
             if (forwards ? depth > beyond : depth < beyond) break; // all others lie further on
             if (!(layer.coverage & bit)) continue;
@@ -209,7 +197,7 @@ std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& 
                                       float farthest) const {
     if (layers.empty()) return {};
     const OllfbView& view = views[nearestAxis(axes, direction)];
-    Walk walk{OllfbPixels(*this, view),      closed, onlyOuter_, view.pixelFromBody(origin),
+    Walk walk{OllfbPixels{*this, view},      closed, onlyOuter_, view.pixelFromBody(origin),
               view.viewFromBody * direction, true,   0,          false};
     walk.forwards = walk.along.z > 0;
     const float first = nearest * view.pixelsPerMetre;
@@ -227,14 +215,14 @@ std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& 
     const bool met = walkCells(
         walk.from, walk.along, begin, end, glm::ivec2(0), view.size,
         [&](const glm::ivec2& pixel, float in, float out) {
-            const OllfbPixels::Layers here = walk.pixels.layersOf(pixel);
-            if (here.begin == here.end) {
+            const std::span<const OllfbLayer> here = walk.pixels.layersOf(pixel);
+            if (here.empty()) {
                 walk.inside = false;
                 walk.outside = started = true;
                 return false;
             }
             unsigned all = 0xffff;
-            for (const OllfbLayer* layer = here.begin; layer != here.end; ++layer) all &= layer->coverage;
+            for (const OllfbLayer& layer : here) all &= layer.coverage;
             if (all == 0xffff) {
                 const bool hit = walk.cross(here, pixel, 1, in, out, started);
                 started = true;
@@ -258,7 +246,7 @@ std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& 
         const OllfbView& straight = views[nearestAxis(axes, outwards)];
         const glm::vec3 place = straight.pixelFromBody(origin + at * direction);
         const auto surface =
-            surfaceNear(OllfbPixels(*this, straight), place, straight.viewFromBody * outwards);
+            surfaceNear(OllfbPixels{*this, straight}, place, straight.viewFromBody * outwards);
         if (!surface) break;
         const glm::vec3 along = straight.viewFromBody * direction;
         const float rate = along.z - glm::dot(surface->slope, glm::vec2(along));

@@ -13,9 +13,9 @@ using namespace occlusion::baselines;
 
 namespace {
 
-std::vector<Triangles> trianglesOf(const Scene& scene) {
-    std::vector<Triangles> all;
-    for (const Body& body : scene.bodies) all.push_back({body.posed.positions, body.posed.triangles});
+std::vector<occlusion::BodyMesh> meshesOf(const Scene& scene) {
+    std::vector<occlusion::BodyMesh> all;
+    for (const Body& body : scene.bodies) all.push_back(body.posed.view());
     return all;
 }
 
@@ -115,7 +115,7 @@ OcclusionMethod coherentShadowMaps(int directions, int size) {
          "CSM " + std::to_string(directions) + "x" + std::to_string(size), "coherent shadow maps",
          "Ritschel et al. 2007"},
         spiral, OcclusionMethod::Moves::Rebuilt,
-        [=](const Scene& scene, const Rays&) { return CoherentShadowMaps(trianglesOf(scene), spiral, size); },
+        [=](const Scene& scene, const Rays&) { return CoherentShadowMaps(meshesOf(scene), spiral, size); },
         [](const CoherentShadowMaps& maps, const Receiver& at, const glm::vec3&, size_t k) {
             return maps.occluded(at.position, k);
         });
@@ -126,7 +126,7 @@ OcclusionMethod layeredDepth(int directions, int size) {
         {"layered depth images 3x" + std::to_string(size) + ", " + std::to_string(directions) + " directions",
          "LDI " + std::to_string(directions), "layered depth images", "after Niessner et al. 2010"},
         evenDirections(directions), OcclusionMethod::Moves::Rebuilt,
-        [=](const Scene& scene, const Rays&) { return LayeredDepth(trianglesOf(scene), size); },
+        [=](const Scene& scene, const Rays&) { return LayeredDepth(meshesOf(scene), size); },
         [](const LayeredDepth& images, const Receiver& at, const glm::vec3& direction, size_t) {
             const glm::vec3 start = at.position + images.pixel_m() * at.normal;
             return images.occluded(start, direction, images.pixel_m());

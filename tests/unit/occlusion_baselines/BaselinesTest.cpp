@@ -90,8 +90,7 @@ const Body kLarge = sphere(1, 48, 24), kSmall = [] {
     for (vec3& position : small.positions) position += kTop - vec3(0, 0.3f, 0);
     return small;
 }();
-const std::vector<Triangles> kBoth{{kLarge.positions, kLarge.triangles},
-                                   {kSmall.positions, kSmall.triangles}};
+const std::vector<BodyMesh> kBoth{kLarge.mesh(), kSmall.mesh()};
 
 template <class Blocked> void seesASphere(const Blocked& blocked) {
     const auto directions = spiralDirections(512);
