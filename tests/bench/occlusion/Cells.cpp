@@ -5,16 +5,12 @@
 
 namespace shoal::bench {
 
-namespace {
-
 constexpr int kBase = 96, kFine = 768; // cells along the square's side: the widest, the narrowest
 constexpr float kShare = 1e-3f;        // share of an environment's light above which a cell is cut in four
 
-} // namespace
-
 glm::vec3 directionOfSquare(const glm::vec2& at) { return math::directionFromOctahedral(at * 2.0f - 1.0f); }
 
-glm::vec2 squareOfDirection(const glm::vec3& direction) {
+static glm::vec2 squareOfDirection(const glm::vec3& direction) {
     return math::octahedralFromDirection(direction) * 0.5f + 0.5f;
 }
 

@@ -28,7 +28,6 @@ struct Cells {
 };
 
 glm::vec3 directionOfSquare(const glm::vec2& at); // [0, 1]^2; math/Octahedron.h
-glm::vec2 squareOfDirection(const glm::vec3& direction);
 
 // Radiance summed on a fine square; one an environment.
 using Fine = std::vector<glm::vec3>;

@@ -60,7 +60,7 @@ struct Method {
 } // namespace
 
 void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std::span<const Receiver> all,
-                   std::span<const LitEnvironment> environments) {
+                   std::span<const Lit> environments) {
     std::vector<Receiver> receivers; // those whose mirror direction leaves the surface
     for (const Receiver& each : all)
         if (glm::dot(each.mirrored, each.normal) > 0.05f) receivers.push_back(each);
@@ -119,9 +119,8 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
     std::vector<double> squares(methods.size());
     double noise = 0;
     int count = 0;
-    for (const LitEnvironment& environment : environments) {
-        if (environment.lit.pointSun) continue;
-        const Lit& lit = environment.lit;
+    for (const Lit& lit : environments) {
+        if (lit.pointSun) continue;
         std::vector<glm::vec3> open(receivers.size()), want(receivers.size()), half(receivers.size());
         onAllCores(receivers.size(), [&](size_t i) {
             open[i] = light::lookUpGlossy(lit.light, receivers[i].mirrored, kGlossyRoughness);
@@ -156,9 +155,9 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
         chart.methods[m].receiver_ns.push_back(
             1e3 / static_cast<double>(receivers.size()) * shortest_us(10, [&] {
                 for (size_t i = 0; i < receivers.size(); ++i)
-                    out[i] = light::lookUpGlossy(environments[0].lit.light, receivers[i].mirrored,
-                                                 kGlossyRoughness) *
-                             methods[m].share(i, environments[0].lit);
+                    out[i] =
+                        light::lookUpGlossy(environments[0].light, receivers[i].mirrored, kGlossyRoughness) *
+                        methods[m].share(i, environments[0]);
             }));
     }
 }

@@ -47,7 +47,7 @@ std::vector<Distant> lightsOf(const Cells& cells, size_t environment, int count)
 
 } // namespace
 
-void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const LitEnvironment> environments,
+void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Lit> environments,
                    const Cells& cells, bool quick) {
     const depth::DepthMap map = tests::levelGround();
     const render::FilmSurface film{&map, glm::mat3(1), {0, 0.3f, 1.8f}};
@@ -82,7 +82,7 @@ void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Li
     std::vector<glm::vec3> left(ground.size()); // of the ground's light
     render::FilmShadows shadows;
     for (size_t s = 0; s < environments.size(); ++s) {
-        const Lit& lit = environments[s].lit;
+        const Lit& lit = environments[s];
         const render::CastingLight light = castingLight(lit.light.radiance);
         if (light.presence == 0) continue;
         ++chart.groundEnvironments;

@@ -27,8 +27,9 @@ SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, s
     return {std::sqrt(off[0] / whole[0]), std::sqrt(off[1] / whole[1])};
 }
 
-std::vector<LitEnvironment> litEnvironments(bool quick) {
-    std::vector<LitEnvironment> all;
+// fine: gets the form of each that the truth reads.
+std::vector<Lit> litEnvironments(bool quick, std::vector<Fine>& fine) {
+    std::vector<Lit> all;
     light::LightMaker video({.baseWidth = 512, .minRoughness = 0.25f});
     light::LightMaker still(
         {.baseWidth = 1024, .minRoughness = 0.25f, .quality = light::LightQuality::Still});
@@ -38,33 +39,30 @@ std::vector<LitEnvironment> litEnvironments(bool quick) {
             std::fprintf(stderr, "occlusion: left out, not at hand: %s\n", source.name.c_str());
             continue;
         }
-        LitEnvironment& lit = all.emplace_back();
-        lit.lit.name = source.name;
-        lit.lit.pointSun = hasPointSun(environment->radianceLin);
+        Lit& lit = all.emplace_back(source.name, hasPointSun(environment->radianceLin));
         if (environment->coded())
-            video.make(environment->view(), lit.lit.light);
+            video.make(environment->view(), lit.light);
         else
-            still.makeFromHdr(environment->radianceLin, lit.lit.light);
-        lit.lit.harmonics = math::shProject(lit.lit.light.radiance.levels[1]);
-        lit.fine = fineOf(environment->radianceLin);
+            still.makeFromHdr(environment->radianceLin, lit.light);
+        lit.harmonics = math::shProject(lit.light.radiance.levels[1]);
+        fine.push_back(fineOf(environment->radianceLin));
     }
     return all;
 }
 
 std::vector<OcclusionMethod> occlusionMethods(bool quick) {
-    std::vector<OcclusionMethod> all;
-    all.push_back(ignored()); // first
-    all.push_back(bakedOcclusion(true));
-    all.push_back(bakedOcclusion(false));
-    all.push_back(transfer(3, true));
-    all.push_back(transfer(4, true));
-    all.push_back(transfer(4, false));
-    all.push_back(coherentShadowMaps(256, 64));
-    all.push_back(coherentShadowMaps(512, 128));
-    all.push_back(layeredDepth(64, 128));
-    all.push_back(layeredDepth(256, 128));
-    all.push_back(thesisLayers(64));
-    all.push_back(curedLayers(64));
+    std::vector<OcclusionMethod> all = {ignored(), // first
+                                        bakedOcclusion(true),
+                                        bakedOcclusion(false),
+                                        transfer(3, true),
+                                        transfer(4, true),
+                                        transfer(4, false),
+                                        coherentShadowMaps(256, 64),
+                                        coherentShadowMaps(512, 128),
+                                        layeredDepth(64, 128),
+                                        layeredDepth(256, 128),
+                                        thesisLayers(64),
+                                        curedLayers(64)};
     for (const int pixels : {kUsualPixels / 2, kUsualPixels})
         for (const int cells : {3, kUsualCells, 9})
             if (!quick || cells < 9 || pixels < kUsualPixels) {
@@ -82,12 +80,11 @@ std::vector<OcclusionMethod> occlusionMethods(bool quick) {
 OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick) {
     OcclusionChart chart;
     std::fprintf(stderr, "occlusion: light of the environments\n");
-    const auto environments = litEnvironments(quick);
     std::vector<Fine> fine;
-    for (const LitEnvironment& each : environments) {
-        chart.environments.push_back(each.lit.name);
-        chart.pointSun.push_back(each.lit.pointSun);
-        fine.push_back(each.fine);
+    const auto environments = litEnvironments(quick, fine);
+    for (const Lit& each : environments) {
+        chart.environments.push_back(each.name);
+        chart.pointSun.push_back(each.pointSun);
     }
     const Cells cells = cellsOf(fine);
     auto methods = occlusionMethods(quick);
@@ -114,7 +111,7 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick) {
             chart.methods[m].errors.emplace_back();
             if (methods[m].foresee) methods[m].foresee(receivers);
             for (size_t s = 0; s < environments.size(); ++s) {
-                methods[m].relight(environments[s].lit);
+                methods[m].relight(environments[s]);
                 methods[m].shade(receivers, out);
                 if (m == 0) unshaded.push_back(out);
                 chart.methods[m].errors.back().push_back(errorOf(out, truth, s, unshaded[s]));

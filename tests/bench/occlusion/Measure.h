@@ -8,12 +8,6 @@
 
 namespace shoal::bench {
 
-// An environment of the light's chart, in the forms that methods and the truth read.
-struct LitEnvironment {
-    Lit lit;
-    Fine fine;
-};
-
 // Glossy light under occlusion.
 constexpr float kGlossyRoughness = 0.25f; // of the smoothest surface in the game's dive
 
@@ -30,7 +24,7 @@ struct GlossyChart {
 
 // Adds a scene to the chart.
 void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays,
-                   std::span<const Receiver> receivers, std::span<const LitEnvironment> environments);
+                   std::span<const Receiver> receivers, std::span<const Lit> environments);
 
 // Relative root mean square errors in one scene and environment; NaN: not measured.
 struct SceneError {
@@ -68,7 +62,7 @@ struct OcclusionChart {
     int groundEnvironments = 0;         // those with a light that casts shadows
 };
 
-void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const LitEnvironment> environments,
+void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Lit> environments,
                    const Cells& cells, bool quick);
 
 OcclusionChart measureOcclusion(std::span<const Scene> scenes, bool quick);
@@ -78,9 +72,8 @@ struct LayerQuality {
     std::string body, method;
     int views = 0, resolution = 0;
     size_t bytes = 0;
-    double gaps = 0; // share of rays that hit where they should not, or the reverse
-    double bounced[3] = {
-        0, 0, 0}; // relative RMS of the mirror's picture: 1, 2, 8 bounces allowed, as the truth has them
+    double gaps = 0;        // share of rays that hit where they should not, or the reverse
+    double bounced[3] = {}; // relative RMS of the mirror's picture: 1, 2, 8 bounces allowed, as in the truth
     double ray_ns = 0, build_ms = 0;
 };
 

@@ -24,8 +24,8 @@ Rays::Rays(const std::vector<const Mesh*>& meshes) : meshes_(meshes) {
     rtcReleaseDevice(device); // the scene keeps it
 }
 
-bool Rays::occluded(const glm::vec3& o, const glm::vec3& d, float nearest, float furthest) const {
-    RTCRay ray{o.x, o.y, o.z, nearest, d.x, d.y, d.z, 0, furthest, ~0u, 0, 0};
+bool Rays::occluded(const glm::vec3& o, const glm::vec3& d, float nearest) const {
+    RTCRay ray{o.x, o.y, o.z, nearest, d.x, d.y, d.z, 0, 1e30f, ~0u, 0, 0};
     occlude(scene_.get(), ray);
     return ray.tfar < 0;
 }

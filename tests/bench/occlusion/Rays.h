@@ -20,11 +20,10 @@ struct Touch {
 // Many threads may use it at once. Copies share their data.
 class Rays {
   public:
-    explicit Rays(
-        const std::vector<const Mesh*>& meshes); // kept by the caller; each at its place in the world
+    // meshes: kept by the caller; each at its place in the world.
+    explicit Rays(const std::vector<const Mesh*>& meshes);
 
-    bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest,
-                  float furthest = 1e30f) const;
+    bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
     std::optional<Touch> touch(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
     // Returns a hit as methods do, with the interpolated normal turned towards the origin.
     std::optional<occlusion::Hit> trace(glm::vec3 origin, glm::vec3 direction, float nearest) const;
