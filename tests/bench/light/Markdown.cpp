@@ -44,7 +44,7 @@ std::string glossyTable(const Chart& chart) {
     for (const Measured& each : chart.glossy) {
         const Pool all = pooled(chart, each, Suns::Without, 0, kGlossyLobes);
         const Pool suns = pooled(chart, each, Suns::Only, 0, kGlossyLobes);
-        const double both = frame_us(each.cost, kGlossyPixels);
+        const double both = each.cost.frame_us(kGlossyPixels);
         out += fmt::format(
             "| {} | {:.0f} | {:.0f} | {:.0f} | {:.1f} | {} | {} | {} | {} | {} | {} | {} |\n", nameOf(each),
             each.cost.update_us, each.cost.shade_ns, both, both / chart.read_us, percent(all.rms()),

@@ -107,6 +107,4 @@ double medianOfToneMap(const Chart& chart, const Measured& method, ToneMapped wh
     return (errors[(errors.size() - 1) / 2] + errors[errors.size() / 2]) / 2;
 }
 
-double frame_us(const Cost& cost, double pixels) { return cost.update_us + 1e-3 * cost.shade_ns * pixels; }
-
 } // namespace shoal::bench

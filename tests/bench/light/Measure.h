@@ -58,6 +58,8 @@ class Pool {
 struct Cost {
     double update_us = 0; // for each frame, with the pyramid if the method reads it
     double shade_ns = 0;  // a pixel
+
+    double frame_us(double pixels) const { return update_us + 1e-3 * shade_ns * pixels; }
 };
 
 struct Measured {
@@ -138,9 +140,6 @@ Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstL
 // pictures, those of them that are apart, or our film. NaN if nothing was measured.
 enum class ToneMapped { Clipped, Apart, Film };
 double medianOfToneMap(const Chart& chart, const Measured& method, ToneMapped which, size_t lobe);
-
-// Returns the microseconds for a frame with so many shaded pixels.
-double frame_us(const Cost& cost, double pixels);
 
 // Draws balls of known reflectance in frames of the game's own films, whose true light is known: in the light
 // made from the coded frame, and in the true light. sheet: a JPEG of five frames, a row each: thesis, linear,

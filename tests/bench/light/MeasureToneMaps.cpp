@@ -135,31 +135,26 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         std::fprintf(stderr, "chart: inverse tone mapping, %s\n", name.c_str());
         chart.toneMapEnvironments.push_back(name);
         const Truth truth = integrals(lit, dirs, lobes);
+        const auto add = [&](size_t row, const ImageRgbF& radianceLin) {
+            const Truth got = integrals(quartered(radianceLin), dirs, lobes);
+            auto& errors = chart.toneMaps[row].errors.emplace_back();
+            for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
+                errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
+        };
         ImageRgbF expanded;
         for (size_t i = 0; i < methods.size(); ++i) {
             methods[i].expand(frame, expanded);
-            const Truth got = integrals(quartered(expanded), dirs, lobes);
-            auto& errors = chart.toneMaps[i].errors.emplace_back();
-            for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
-                errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
+            add(i, expanded);
         }
-        for (size_t i = 0; i < std::size(kTransfers); ++i) {
-            const Truth got = integrals(
-                quartered(media::filmed(whole, AV_PIX_FMT_YUV420P10, kTransfers[i], exposure).light), dirs,
-                lobes);
-            auto& errors = chart.toneMaps[first + i].errors.emplace_back();
-            for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
-                errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
-        }
+        for (size_t i = 0; i < std::size(kTransfers); ++i)
+            add(first + i, media::filmed(whole, AV_PIX_FMT_YUV420P10, kTransfers[i], exposure).light);
+        add(trueRegions, withTrueRegions(frame, whole, exposure));
         const Parts parts = partsOf(frame);
         const Truth unclipped = integrals(quartered(parts.unclipped), dirs, lobes);
         const Truth clipped = integrals(quartered(parts.clipped), dirs, lobes);
-        const Truth regions = integrals(quartered(withTrueRegions(frame, whole, exposure)), dirs, lobes);
         auto& best = chart.toneMaps[oneGain].errors.emplace_back();
-        auto& known = chart.toneMaps[trueRegions].errors.emplace_back();
         for (size_t lobe = 0; lobe < std::size(lobes); ++lobe) {
             const auto want = column(truth, lobe);
-            known.push_back(errorAfterScaling(column(regions, lobe), want));
             best.push_back({1e30, 0});
             for (double gain = 1; gain < 2000; gain *= 1.1) {
                 auto got = column(unclipped, lobe);

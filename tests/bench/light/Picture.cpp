@@ -122,8 +122,8 @@ Status writePicture(const Chart& chart, const Path& folder) {
         const auto error = [&](Suns which) {
             return 100 * pooled(chart, each, which, 0, kGlossyLobes).rms();
         };
-        glossy.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Without)});
-        suns.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Only)});
+        glossy.push_back({&each, each.cost.frame_us(kGlossyPixels), error(Suns::Without)});
+        suns.push_back({&each, each.cost.frame_us(kGlossyPixels), error(Suns::Only)});
     }
     if (Status s = writeFileWhole(folder / "tonemaps.dat", toneMapPoints(chart)); !s) return s;
     return writeFileWhole(
