@@ -21,25 +21,6 @@ constexpr double kFilmFrames = 1440, kFilmKeys = 6;
 constexpr int kBands = 24;
 constexpr double kLowest = 128;
 
-// Sums over pictures. Both are lat-long; the decoded one is enlarged to the true one's size first.
-class Distance {
-  public:
-    void add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr);
-
-    // Root mean square error in linear light over the sphere, as a share of the truth's root mean square.
-    double errorLinear() const;
-    double psnrLuma_dB() const;
-    // Share of the truth's detail in a band that is found in the right place: the cross spectrum's real part
-    // over the truth's power.
-    double gain(int band) const;
-    // Highest frequency, in cycles around, up to which gain() is at least a half.
-    double detail() const;
-
-  private:
-    double squared_ = 0, truthSquared_ = 0, lumaSquared_ = 0, weights_ = 0;
-    std::array<double, kBands> cross_{}, power_{};
-};
-
 constexpr int kTile = 1024;
 constexpr double kBandsAnOctave = 6;
 
@@ -70,64 +51,74 @@ cv::Mat spectrum(const cv::Mat& luma, const cv::Rect& tile) {
 // Returns the middle of a band, cycles around.
 double bandFrequency(int band) { return kLowest * std::exp2((band + 0.5) / kBandsAnOctave); }
 
-void Distance::add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr) {
-    cv::Mat truth, decoded;
-    cv::cvtColor(asMat(truthRgb), truth, cv::COLOR_RGB2BGR);
-    if (decodedBgr.width == truthRgb.width)
-        decoded = asMat(decodedBgr);
-    else
-        cv::resize(asMat(decodedBgr), decoded, truth.size(), 0, 0, cv::INTER_CUBIC);
-    const cv::Mat lumaTruth = luma(truth), lumaDecoded = luma(decoded);
-    const auto& linear = math::linearOfByte();
-    for (int y = 0; y < truth.rows; ++y) {
-        const double weight = std::sin((y + 0.5) / truth.rows * std::numbers::pi);
-        double squared = 0, own = 0, steps = 0;
-        for (int x = 0; x < truth.cols; ++x) {
-            for (int c = 0; c < 3; ++c) {
-                const float a = linear[truth.at<cv::Vec3b>(y, x)[c]],
-                            b = linear[decoded.at<cv::Vec3b>(y, x)[c]];
-                squared += (a - b) * (a - b);
-                own += a * a;
+// Sums over pictures. Both are lat-long; the decoded one is enlarged to the true one's size first.
+class Distance {
+  public:
+    void add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr) {
+        cv::Mat truth, decoded;
+        cv::cvtColor(asMat(truthRgb), truth, cv::COLOR_RGB2BGR);
+        if (decodedBgr.width == truthRgb.width)
+            decoded = asMat(decodedBgr);
+        else
+            cv::resize(asMat(decodedBgr), decoded, truth.size(), 0, 0, cv::INTER_CUBIC);
+        const cv::Mat lumaTruth = luma(truth), lumaDecoded = luma(decoded);
+        const auto& linear = math::linearOfByte();
+        for (int y = 0; y < truth.rows; ++y) {
+            const double weight = std::sin((y + 0.5) / truth.rows * std::numbers::pi);
+            double squared = 0, own = 0, steps = 0;
+            for (int x = 0; x < truth.cols; ++x) {
+                for (int c = 0; c < 3; ++c) {
+                    const float a = linear[truth.at<cv::Vec3b>(y, x)[c]],
+                                b = linear[decoded.at<cv::Vec3b>(y, x)[c]];
+                    squared += (a - b) * (a - b);
+                    own += a * a;
+                }
+                const double step = lumaTruth.at<float>(y, x) - lumaDecoded.at<float>(y, x);
+                steps += step * step;
             }
-            const double step = lumaTruth.at<float>(y, x) - lumaDecoded.at<float>(y, x);
-            steps += step * step;
+            squared_ += weight * squared, truthSquared_ += weight * own, lumaSquared_ += weight * steps;
+            weights_ += weight * truth.cols;
         }
-        squared_ += weight * squared, truthSquared_ += weight * own, lumaSquared_ += weight * steps;
-        weights_ += weight * truth.cols;
+        // Around the horizon, where texels are square.
+        for (int x = 0; x + kTile <= truth.cols; x += kTile) {
+            const cv::Rect tile(x, (truth.rows - kTile) / 2, kTile, kTile);
+            const cv::Mat a = spectrum(lumaTruth, tile), b = spectrum(lumaDecoded, tile);
+            for (int j = 0; j < kTile; ++j)
+                for (int i = 0; i < kTile; ++i) {
+                    const double u = i <= kTile / 2 ? i : i - kTile, v = j <= kTile / 2 ? j : j - kTile;
+                    const double around = std::hypot(u, v) * truth.cols / kTile;
+                    const int band = around < kLowest
+                                         ? -1
+                                         : static_cast<int>(kBandsAnOctave * std::log2(around / kLowest));
+                    if (band < 0 || band >= kBands) continue;
+                    const auto p = a.at<cv::Vec2f>(j, i), q = b.at<cv::Vec2f>(j, i);
+                    cross_[band] += p[0] * q[0] + p[1] * q[1];
+                    power_[band] += p[0] * p[0] + p[1] * p[1];
+                }
+        }
     }
-    // Around the horizon, where texels are square.
-    for (int x = 0; x + kTile <= truth.cols; x += kTile) {
-        const cv::Rect tile(x, (truth.rows - kTile) / 2, kTile, kTile);
-        const cv::Mat a = spectrum(lumaTruth, tile), b = spectrum(lumaDecoded, tile);
-        for (int j = 0; j < kTile; ++j)
-            for (int i = 0; i < kTile; ++i) {
-                const double u = i <= kTile / 2 ? i : i - kTile, v = j <= kTile / 2 ? j : j - kTile;
-                const double around = std::hypot(u, v) * truth.cols / kTile;
-                const int band =
-                    around < kLowest ? -1 : static_cast<int>(kBandsAnOctave * std::log2(around / kLowest));
-                if (band < 0 || band >= kBands) continue;
-                const auto p = a.at<cv::Vec2f>(j, i), q = b.at<cv::Vec2f>(j, i);
-                cross_[band] += p[0] * q[0] + p[1] * q[1];
-                power_[band] += p[0] * p[0] + p[1] * p[1];
-            }
+
+    // Root mean square error in linear light over the sphere, as a share of the truth's root mean square.
+    double errorLinear() const { return std::sqrt(squared_ / truthSquared_); }
+    double psnrLuma_dB() const { return 10 * std::log10(255 * 255 / (lumaSquared_ / weights_)); }
+    // Share of the truth's detail in a band that is found in the right place: the cross spectrum's real part
+    // over the truth's power.
+    double gain(int band) const { return cross_[band] / power_[band]; }
+    // Highest frequency, in cycles around, up to which gain() is at least a half.
+    double detail() const {
+        for (int band = 0; band < kBands; ++band) {
+            if (gain(band) >= 0.5) continue;
+            if (band == 0) return bandFrequency(0);
+            const double share = (gain(band - 1) - 0.5) / (gain(band - 1) - gain(band));
+            return bandFrequency(band - 1) * std::pow(bandFrequency(band) / bandFrequency(band - 1), share);
+        }
+        return bandFrequency(kBands - 1);
     }
-}
 
-double Distance::errorLinear() const { return std::sqrt(squared_ / truthSquared_); }
-
-double Distance::psnrLuma_dB() const { return 10 * std::log10(255 * 255 / (lumaSquared_ / weights_)); }
-
-double Distance::gain(int band) const { return cross_[band] / power_[band]; }
-
-double Distance::detail() const {
-    for (int band = 0; band < kBands; ++band) {
-        if (gain(band) >= 0.5) continue;
-        if (band == 0) return bandFrequency(0);
-        const double share = (gain(band - 1) - 0.5) / (gain(band - 1) - gain(band));
-        return bandFrequency(band - 1) * std::pow(bandFrequency(band) / bandFrequency(band - 1), share);
-    }
-    return bandFrequency(kBands - 1);
-}
+  private:
+    double squared_ = 0, truthSquared_ = 0, lumaSquared_ = 0, weights_ = 0;
+    std::array<double, kBands> cross_{}, power_{};
+};
 
 // Steps of luma from column to column where blocks of 8, 16, 32 or 64 meet, over those elsewhere, in the
 // upper part of the picture (open water), for the worst of these sizes; 1: no blocks to be seen.
