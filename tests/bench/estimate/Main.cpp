@@ -34,11 +34,9 @@ enum class Hardship {
     SeamPoles,   // sideways, texture only at the seam and at both poles
     Stereo,      // omnidirectional stereo, 64 mm, left eye above right; the camera stands
 };
-
-struct NamedScene {
-    Hardship hardship;
-    const char* name;
-};
+// Names of the scenes, in this order.
+constexpr const char* kNames[] = {"sideways",    "forward",  "rotation", "still",      "caustics", "animal",
+                                  "featureless", "darkness", "exposure", "seam_poles", "stereo"};
 
 constexpr int kWidth = 1024, kHeight = 512; // of one eye
 constexpr int kFrames = 48, kFps = 24;
@@ -232,28 +230,15 @@ media::DepthFrame truthOf(const World& world, Hardship hardship, int frame) {
     return depth;
 }
 
-constexpr NamedScene kScenes[] = {{Hardship::Sideways, "sideways"},
-                                  {Hardship::Forward, "forward"},
-                                  {Hardship::Rotation, "rotation"},
-                                  {Hardship::Still, "still"},
-                                  {Hardship::Caustics, "caustics"},
-                                  {Hardship::Animal, "animal"},
-                                  {Hardship::Featureless, "featureless"},
-                                  {Hardship::Darkness, "darkness"},
-                                  {Hardship::Exposure, "exposure"},
-                                  {Hardship::SeamPoles, "seam_poles"},
-                                  {Hardship::Stereo, "stereo"}};
-
-Status makeScene(const NamedScene& scene, const Path& folder, const Path& truthFile) {
-    World world(scene.hardship);
+Status makeScene(Hardship hardship, const Path& film, const Path& truthFile) {
+    World world(hardship);
     std::vector<ImageRgb8> frames;
     std::vector<media::DepthFrame> truth;
     for (int frame = 0; frame < kFrames; ++frame) {
         world.moveTo(frame);
-        frames.push_back(filmed(world, scene.hardship, frame));
-        if (frame % kStep == 0) truth.push_back(truthOf(world, scene.hardship, frame));
+        frames.push_back(filmed(world, hardship, frame));
+        if (frame % kStep == 0) truth.push_back(truthOf(world, hardship, frame));
     }
-    const Path film = folder / (std::string(scene.name) + ".mp4");
     if (Status s = encode(film, frames, kFps); !s) return s;
     const auto identity = media::filmIdentity(film);
     if (!identity) return identity.error();
@@ -267,11 +252,12 @@ Status makeScene(const NamedScene& scene, const Path& folder, const Path& truthF
 
 // Writes NAME.mp4 and the truth, NAME.truth.mkv, of each scene to the folder, where they are not there yet.
 Status makeScenes(const Path& folder) {
-    for (const NamedScene& scene : kScenes) {
-        const Path truthFile = folder / (std::string(scene.name) + ".truth.mkv");
+    for (size_t i = 0; i < std::size(kNames); ++i) {
+        const std::string name = kNames[i];
+        const Path truthFile = folder / (name + ".truth.mkv");
         std::error_code ignored;
         if (std::filesystem::exists(truthFile, ignored)) continue;
-        if (Status s = makeScene(scene, folder, truthFile); !s) return s;
+        if (Status s = makeScene(static_cast<Hardship>(i), folder / (name + ".mp4"), truthFile); !s) return s;
     }
     return Done{};
 }
