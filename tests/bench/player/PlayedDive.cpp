@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numbers>
 
 namespace shoal::player {
 
@@ -58,8 +57,8 @@ class UnderATracker {
         seen.hands[1] = hands::reachingHand(rig_, hands::Side::Right, action.grasp, closed_);
         const float grip = seen.hands[1].grip;
         for (hands::Joint& joint : seen.hands[1].joints)
-            joint.position += kNoise_m * glm::vec3(gauss(), gauss(), gauss());
-        seen.hands[1].grip = std::clamp(grip + 0.02f * gauss(), 0.0f, 1.0f);
+            joint.position += kNoise_m * glm::vec3(gauss(random_), gauss(random_), gauss(random_));
+        seen.hands[1].grip = std::clamp(grip + 0.02f * gauss(random_), 0.0f, 1.0f);
         late_.push_back(seen);
         if (static_cast<int>(late_.size()) > kDelay_frames) {
             time_us_ += static_cast<int64_t>(1e6f * kFrame_s);
@@ -75,11 +74,6 @@ class UnderATracker {
     }
 
   private:
-    float gauss() {
-        const float a = 1 - random_.unit(), b = random_.unit();
-        return std::sqrt(-2 * std::log(a)) * std::cos(2 * std::numbers::pi_v<float> * b);
-    }
-
     const hands::HandRig& rig_;
     Random random_;
     float closed_ = 0;

@@ -94,14 +94,15 @@ Player::Player(Skill skill, Device device, float arm_m, uint64_t seed, const gam
     : skill_(skill), device_(device), arm_m_(arm_m), random_(seed, 77), species_(species),
       cracksMussels_(cracksMussels) {
     for (const game::Species& kind : species)
-        length_m_.push_back(kind.length_m * std::exp((skill == Skill::Novice ? 0.25f : 0.1f) * gauss()));
+        length_m_.push_back(kind.length_m *
+                            std::exp((skill == Skill::Novice ? 0.25f : 0.1f) * gauss(random_)));
     const glm::vec3 start = device == Device::Mouse ? glm::vec3(0) : kHandRests;
     movement_.start(start, start, 0, 0);
     turn_ = random_.unit() < 0.5f ? -1.0f : 1.0f;
 }
 
-float Player::gauss() { // Box & Muller 1958
-    const float a = 1 - random_.unit(), b = random_.unit();
+float gauss(Random& random) { // Box & Muller 1958
+    const float a = 1 - random.unit(), b = random.unit();
     return std::sqrt(-2 * std::log(a)) * std::cos(2 * std::numbers::pi_v<float> * b);
 }
 
@@ -110,8 +111,7 @@ Action Player::frame(const game::Snapshot& shown, double time_s) {
     if (time_s >= idleUntil_s_) {
         switch (doing_) {
         case Doing::Resting:
-            doing_ = Doing::Looking;
-            since_s_ = time_s;
+            begin(Doing::Looking, time_s);
             [[fallthrough]];
         case Doing::Looking:
             look(time_s);
@@ -166,12 +166,11 @@ int Player::choose(double time_s) const {
 void Player::look(double time_s) {
     target_ = choose(time_s);
     if (target_ >= 0) {
-        doing_ = Doing::Chasing;
-        since_s_ = time_s;
+        begin(Doing::Chasing, time_s);
         turnUntil_s_ = 0;
         rightSince_s_ = -1;
         judged_s_ = time_s;
-        misjudged_m_ = kJudgement_m * gauss();
+        misjudged_m_ = kJudgement_m * gauss(random_);
         return;
     }
     // Waits a while for one to come, then looks elsewhere.
@@ -184,16 +183,12 @@ void Player::look(double time_s) {
 
 void Player::giveUp(double time_s) {
     tiredOf_[target_] = time_s + kTiredFor_s;
-    doing_ = Doing::Waiting;
-    since_s_ = time_s;
-    target_ = -1;
+    begin(Doing::Waiting, time_s);
 }
 
-// Drops the target, for example once it has swum out of the picture.
-void Player::lookForAnother(double time_s) {
-    doing_ = Doing::Looking;
+void Player::begin(Doing what, double time_s) {
+    doing_ = what;
     since_s_ = time_s;
-    target_ = -1;
 }
 
 // Lets the hand rest where it is, in the path of fish that come.
@@ -203,9 +198,7 @@ void Player::wait(double time_s) {
             target_ = fish.id;
             return close(time_s);
         }
-    if (time_s - since_s_ < kWaits_s) return;
-    doing_ = Doing::Looking;
-    since_s_ = time_s;
+    if (time_s - since_s_ >= kWaits_s) begin(Doing::Looking, time_s);
 }
 
 // Returns the goal of the pointer or the hand. ahead_s: time since the picture, over which the practised
@@ -225,9 +218,9 @@ void Player::startMoving(glm::vec3 goal, float width, double time_s) {
     const float length_s = calm * (law.a_s + law.b_s * std::log2(way / width + 1));
     const float sd = (skill_ == Skill::Novice ? 0.05f : 0.035f) * way + 0.04f * width;
     glm::vec3 end = goal;
-    end.x += sd * gauss();
-    end.y += sd * gauss();
-    if (device_ == Device::Hands) end.z += sd * gauss();
+    end.x += sd * gauss(random_);
+    end.y += sd * gauss(random_);
+    if (device_ == Device::Hands) end.z += sd * gauss(random_);
     movement_.start(from, end, time_s, length_s);
 }
 
@@ -258,7 +251,7 @@ bool Player::looksRight(const SeenFish& fish, double time_s) {
 
 void Player::chase(double time_s) {
     const SeenFish* fish = find(eyes_.now(), target_);
-    if (!fish || fish->held) return lookForAnother(time_s);
+    if (!fish || fish->held) return begin(Doing::Looking, time_s);
     if (time_s - since_s_ > kTires_s) return giveUp(time_s);
     // Another that lights up beside it is as good.
     for (const SeenFish& other : eyes_.now().fish)
@@ -273,10 +266,9 @@ void Player::chase(double time_s) {
 
 void Player::close(double time_s) {
     close_ = true;
-    doing_ = Doing::Holding;
-    since_s_ = time_s;
+    begin(Doing::Holding, time_s);
     const bool novice = skill_ == Skill::Novice;
-    holdFor_s_ = std::max(1.25f, (novice ? 1.5f : 1.4f) + 0.12f * gauss());
+    holdFor_s_ = std::max(1.25f, (novice ? 1.5f : 1.4f) + 0.12f * gauss(random_));
     const SeenFish* held = find(eyes_.now(), target_);
     if (held) holdFor_s_ += species_[held->species].hold_s - 1; // until the ring is full
     if (held && held->mussel) {
@@ -292,10 +284,8 @@ void Player::hold(double time_s) {
     if (held_s < holdFor_s_ && !missed) return;
     close_ = false;
     tiredOf_[target_] = time_s + 2;
-    target_ = -1;
     // Fish come to its cracked mussel, so it waits for them.
-    doing_ = time_s < nextMussel_s_ ? Doing::Waiting : Doing::Resting;
-    since_s_ = time_s;
+    begin(time_s < nextMussel_s_ ? Doing::Waiting : Doing::Resting, time_s);
     const bool novice = skill_ == Skill::Novice;
     idleUntil_s_ =
         time_s + static_cast<double>(novice ? random_.between(0.5f, 1.0f) : random_.between(0.3f, 0.6f));

@@ -96,6 +96,8 @@ class Movement {
 enum class Doing { Looking, Waiting, Chasing, Holding, Resting };
 constexpr size_t kDoings = 5;
 
+float gauss(Random& random); // of mean 0 and deviation 1
+
 class Player {
   public:
     // arm_m: reach of tracked hands from the eyes; a mouse's hand gets as far as the help with reach takes
@@ -116,11 +118,10 @@ class Player {
     bool looksRight(const SeenFish&, double time_s);
     int choose(double time_s) const;
     void giveUp(double time_s);
-    void lookForAnother(double time_s);
+    void begin(Doing, double time_s);
     void startMoving(glm::vec3 goal, float width, double time_s);
     glm::vec3 goalFor(const SeenFish&, float ahead_s) const;
     float judgedDistance_m(const SeenFish&) const;
-    float gauss();
 
     Skill skill_;
     Device device_;
