@@ -1,6 +1,6 @@
 // The depth tracks of our films hide the same as the traced truth: fish at one to six metres in the fifteen
 // frames for which all true distances are stored.
-#include "engine/media/VideoSource.h"
+#include "engine/media/VideoPlayer.h"
 #include "tests/Test.h"
 #include "tests/bench/depth/Hiding.h"
 
@@ -19,11 +19,10 @@ class FilmDepth : public testing::TestWithParam<FilmFrames> {};
 TEST_P(FilmDepth, HidesWhatTheTruthHides) {
     const std::string name = GetParam().film;
     const Path film = dataRoot() / "content/video" / (name + ".mp4");
-    auto video = tests::valueOf(media::VideoSource::open(film, media::Layout::Mono));
+    auto player = tests::valueOf(media::VideoPlayer::open(film));
     auto track = tests::valueOf(media::DepthTrack::open(media::depthTrackOf(film), film));
     HidingError none, linear, refined;
     depth::DepthRefiner refiner;
-    ImageRgb8 shown(video.info().width, video.info().height);
     for (const int frame : GetParam().frames) {
         char file[64];
         std::snprintf(file, sizeof file, "%s_%04d.depth.mkv", name.c_str(), frame);
@@ -31,10 +30,7 @@ TEST_P(FilmDepth, HidesWhatTheTruthHides) {
         media::DepthFrame truth, coarse;
         ASSERT_TRUE(kept.read(0, truth));
         EXPECT_EQ(truth.width, 2048);
-        ASSERT_TRUE(track.read(track.frameAt(frame / video.info().fps), coarse));
-        ASSERT_TRUE(video.seek(frame));
-        while (video.position() <= frame) ASSERT_TRUE(video.grab());
-        ASSERT_TRUE(video.retrieve(shown));
+        ASSERT_TRUE(track.read(track.frameAt(frame / player.info().fps), coarse));
         HiddenTexels is, found;
         hiddenInTruth(truth, is);
         depth::DepthMap map;
@@ -43,7 +39,7 @@ TEST_P(FilmDepth, HidesWhatTheTruthHides) {
         refiner.enlarge(coarse, map);
         hiddenInMap(map, truth.width, found);
         linear.add(is, found);
-        refiner.refine(coarse, {shown.at(0, 0), shown.width, shown.height, ptrdiff_t{3} * shown.width, true},
+        refiner.refine(coarse, viewOf(player.waitFor((frame + 0.5) / player.info().fps)->pixelsBgr, true),
                        map);
         hiddenInMap(map, truth.width, found);
         refined.add(is, found);

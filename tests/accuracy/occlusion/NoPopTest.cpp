@@ -47,7 +47,7 @@ float trueChange(const ClosingHand& closing, const SurfacePoint& at, const Image
                  size_t last) {
     float maximum = 0, before = 0;
     for (size_t tick = first; tick <= last; ++tick) {
-        const OcclusionScene scene = closing.at(curlAt(tick));
+        const OcclusionScene scene = closing(curlAt(tick));
         const Truth truth(scene, light);
         constexpr int kBounces = 4, kRays = 1024;
         const double open = truth.unoccluded(at.normal).y;
@@ -67,9 +67,9 @@ TEST(ClosingHand, DarkensAFishWithoutAPop) {
     std::vector<std::vector<float>> shades(kTicks + 1);
     std::vector<float> means;
     std::vector<bool> swallowed; // by the hand, where nobody sees it
-    const ClosingHand closing;
+    const ClosingHand closing = closingHand();
     for (size_t tick = 0; tick <= kTicks; ++tick) {
-        const OcclusionScene scene = closing.at(curlAt(tick));
+        const OcclusionScene scene = closing(curlAt(tick));
         if (tick == 0) {
             points = scatter(scene, 0, 150);
             const Truth truth(scene, light);

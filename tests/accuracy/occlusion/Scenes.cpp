@@ -3,15 +3,11 @@
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/core/Files.h"
 #include "engine/light/InverseToneMap.h"
-#include "engine/media/VideoSource.h"
+#include "engine/media/VideoPlayer.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Model.h"
-#include "input/hands/HandRig.h"
-#include "tests/TestPaths.h"
-
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <stdexcept>
+#include "tests/Test.h"
+#include "tests/TestRig.h"
 
 namespace shoal {
 
@@ -29,14 +25,12 @@ struct ModelInstance {
 };
 
 // Returns the rotation from rest that a joint gives its vertices.
-glm::mat3 turned(const ModelInstance& instance, const scene::Pose& pose, size_t node) {
-    return glm::mat3(pose.modelFromNode[node] * glm::inverse(instance.rest.modelFromNode[node]));
+glm::mat3 turned(const ModelInstance& instance, size_t node) {
+    return glm::mat3(instance.pose.modelFromNode[node] * glm::inverse(instance.rest.modelFromNode[node]));
 }
 
 ModelInstance load(const std::string& name) {
-    auto model = scene::loadModel(content() / "models" / (name + ".glb"));
-    if (!model) throw std::runtime_error(model.error().message());
-    ModelInstance instance{std::move(*model), {}, {}, {}, {}};
+    ModelInstance instance{tests::valueOf(scene::loadModel(content() / "models" / (name + ".glb")))};
     scene::restPose(instance.model, instance.pose);
     scene::updateGlobals(instance.model, instance.pose);
     instance.rest = instance.pose;
@@ -45,9 +39,7 @@ ModelInstance load(const std::string& name) {
 
 // Reads the occlusion file of a model.
 render::BakedOcclusion bakedOf(const std::string& name) {
-    const auto baked = render::readBakedOcclusion(content() / "models" / (name + ".occlusion.json"));
-    if (!baked) throw std::runtime_error(baked.error().message());
-    return *baked;
+    return tests::valueOf(render::readBakedOcclusion(content() / "models" / (name + ".occlusion.json")));
 }
 
 ModelInstance loadAnimal(const std::string& name) {
@@ -80,10 +72,8 @@ SceneBody place(const ModelInstance& instance, const glm::mat4& worldFromModel) 
     for (glm::vec3& p : body.surface.positions) p = glm::vec3(worldFromModel * glm::vec4(p, 1));
     for (glm::vec3& n : body.surface.normals) n = glm::normalize(glm::mat3(worldFromModel) * n);
     body.albedo = instance.body.albedo;
-    body.onItself = instance.body.onItself;
     for (size_t v = 0; v < instance.selfOcclusion.size(); ++v) {
-        const glm::mat3 carried =
-            glm::mat3(worldFromModel) * turned(instance, instance.pose, body.surface.nodesOf[v]);
+        const glm::mat3 carried = glm::mat3(worldFromModel) * turned(instance, body.surface.nodesOf[v]);
         body.selfOcclusion.emplace_back(carried * glm::vec3(instance.selfOcclusion[v]) /
                                             std::cbrt(glm::determinant(carried)),
                                         instance.selfOcclusion[v].w);
@@ -95,37 +85,25 @@ SceneBody place(const ModelInstance& instance, const glm::mat4& worldFromModel) 
 
 } // namespace
 
-struct ClosingHand::ModelInstances {
-    ModelInstance hand = loadHand("hand_right");
-    ModelInstance fish = loadAnimal("clownfish");
-    hands::HandRig rig;
-};
-
-ClosingHand::ClosingHand() : instances_(std::make_shared<ModelInstances>()) {
-    auto rig = hands::HandRig::load(content() / "models" / "hand_skeleton.json");
-    if (!rig) throw std::runtime_error(rig.error().message());
-    instances_->rig = std::move(*rig);
-}
-
-OcclusionScene ClosingHand::at(float curl) const {
-    ModelInstance hand = instances_->hand;
+ClosingHand closingHand() {
     hands::HandShape shape;
     shape.curl.fill(0.45f);
-    // The fish lies where a hand that has closed on it holds it.
-    const glm::vec3 fishAt = hands::graspCentre(instances_->rig.pose(hands::Side::Right, shape, {}).joints);
-    shape.curl.fill(curl);
-    const hands::HandPose pose = instances_->rig.pose(hands::Side::Right, shape, {});
-    placeJoints(pose, hand);
-    // The fish lies across the palm, where fingers close around it.
-    const glm::mat4 held =
-        glm::rotate(glm::translate(glm::mat4(1), fishAt), glm::radians(80.0f), glm::vec3(0, 1, 0));
-    return {"hand on fish", {place(instances_->fish, held), place(hand, glm::mat4(1))}, {0, 1}};
+    // The fish lies across the palm, where a hand that has closed on it holds it.
+    const glm::vec3 fishAt = hands::graspCentre(tests::rig().pose(hands::Side::Right, shape, {}).joints);
+    const SceneBody fish =
+        place(loadAnimal("clownfish"),
+              glm::rotate(glm::translate(glm::mat4(1), fishAt), glm::radians(80.0f), glm::vec3(0, 1, 0)));
+    return [fish, hand = loadHand("hand_right"), shape](float curl) mutable -> OcclusionScene {
+        shape.curl.fill(curl);
+        placeJoints(tests::rig().pose(hands::Side::Right, shape, {}), hand);
+        return {{fish, place(hand, glm::mat4(1))}, {0, 1}};
+    };
 }
 
-OcclusionScene handOnFish(float curl) { return ClosingHand().at(curl); }
+OcclusionScene handOnFish(float curl) { return closingHand()(curl); }
 
 OcclusionScene handBySelf(float curl) {
-    OcclusionScene scene = ClosingHand().at(curl);
+    OcclusionScene scene = handOnFish(curl);
     scene.bodies.erase(scene.bodies.begin());
     scene.receivers = {0};
     return scene;
@@ -134,7 +112,7 @@ OcclusionScene handBySelf(float curl) {
 OcclusionScene sharkAboveShoal() {
     const ModelInstance shark = loadAnimal("shark");
     const ModelInstance fish = loadAnimal("sardine");
-    OcclusionScene scene{"shark above a shoal", {place(shark, glm::mat4(1))}, {}};
+    OcclusionScene scene{{place(shark, glm::mat4(1))}, {}};
     for (int i = 0; i < 8; ++i) {
         const auto k = static_cast<float>(i);
         const glm::vec3 at(0.10f * static_cast<float>(i % 3 - 1) + 0.03f * static_cast<float>(i % 2),
@@ -146,14 +124,9 @@ OcclusionScene sharkAboveShoal() {
     return scene;
 }
 
-ImageRgbF reefLight(int64_t number) {
-    auto video = media::VideoSource::open(content() / "video" / "reef.mp4", media::Layout::Mono);
-    if (!video) throw std::runtime_error(video.error().message());
-    video->seek(number);
-    ImageRgb8 frame(video->info().width, video->info().height);
-    while (video->position() <= number)
-        if (!video->grab()) throw std::runtime_error("the dive's video is too short");
-    if (!video->retrieve(frame)) throw std::runtime_error("the dive's video cannot be read");
+ImageRgbF reefLight(int number) {
+    auto player = tests::valueOf(media::VideoPlayer::open(content() / "video" / "reef.mp4"));
+    const ImageRgb8& frame = player.waitFor((number + 0.5) / player.info().fps)->pixelsBgr;
     ImageRgbF small(64, 32);
     const int step = frame.width / small.width;
     for (int y = 0; y < small.height; ++y)

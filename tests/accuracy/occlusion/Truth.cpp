@@ -28,26 +28,17 @@ glm::vec3 cosineDirection(const glm::vec3& normal, double u, double v) {
                           static_cast<float>(std::sqrt(std::max(0.0, 1 - u))) * normal);
 }
 
-struct Triangles {
+occlusion::Bvh treeOf(const OcclusionScene& scene, size_t leftOut) {
     std::vector<glm::vec3> positions;
     std::vector<uint32_t> indices;
-};
-
-Triangles gather(const OcclusionScene& scene, size_t leftOut) {
-    Triangles all;
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
         if (b == leftOut) continue;
-        const auto first = static_cast<uint32_t>(all.positions.size());
+        const auto first = static_cast<uint32_t>(positions.size());
         const scene::Surface& s = scene.bodies[b].surface;
-        all.positions.insert(all.positions.end(), s.positions.begin(), s.positions.end());
-        for (const uint32_t i : s.indices) all.indices.push_back(first + i);
+        positions.insert(positions.end(), s.positions.begin(), s.positions.end());
+        for (const uint32_t i : s.indices) indices.push_back(first + i);
     }
-    return all;
-}
-
-occlusion::Bvh treeOf(const OcclusionScene& scene, size_t leftOut) {
-    const Triangles all = gather(scene, leftOut);
-    return {all.positions, all.indices};
+    return {positions, indices};
 }
 
 } // namespace
