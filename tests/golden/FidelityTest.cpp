@@ -3,6 +3,7 @@
 #include "engine/core/Files.h"
 #include "tests/Test.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -114,16 +115,15 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
     const auto& orbit = scenario.at("orbit");
     const auto& target = scenario.at("target");
     const Path picture = tests::cacheFolder() / (name + ".png"); // the average wants it too
-    std::string command =
-        "XDG_CACHE_HOME='" + tests::cacheFolder().string() + "' '" + tests::program() + "' view '" +
-        (folder / scenario.at("model")).string() + "' --env '" + (folder / scenario.at("lighting")).string() +
-        "' --env-yaw 90 --tone aces --orbit=" + number(orbit.at("theta")) + "," + number(orbit.at("phi")) +
-        "," + number(orbit.at("radius")) + " --target=" + number(target.at("x")) + "," +
-        number(target.at("y")) + "," + number(target.at("z")) + " --fov " +
-        number(scenario.at("verticalFoV")) + " --size " +
-        std::to_string(scenario.at("dimensions").at("width").get<int>()) + "x" +
-        std::to_string(scenario.at("dimensions").at("height").get<int>()) + " --background " +
-        (scenario.at("renderSkybox").get<bool>() ? "env" : "none") + " --out '";
+    const std::string command = fmt::format(
+        "XDG_CACHE_HOME='{}' '{}' view '{}' --env '{}' --env-yaw 90 --tone aces --orbit={},{},{} "
+        "--target={},{},{} --fov {} --size {}x{} --background {} --out '",
+        tests::cacheFolder().string(), tests::program(), (folder / scenario.at("model")).string(),
+        (folder / scenario.at("lighting")).string(), number(orbit.at("theta")), number(orbit.at("phi")),
+        number(orbit.at("radius")), number(target.at("x")), number(target.at("y")), number(target.at("z")),
+        number(scenario.at("verticalFoV")), scenario.at("dimensions").at("width").get<int>(),
+        scenario.at("dimensions").at("height").get<int>(),
+        scenario.at("renderSkybox").get<bool>() ? "env" : "none");
     if (!std::filesystem::exists(picture)) {
         std::filesystem::create_directories(picture.parent_path());
         const Status drew = tests::writeWhole(picture, [&](const Path& out) -> Status {
