@@ -100,21 +100,16 @@ HandPose shownHand(const HandRig& rig, Side side, const Shown& shown) {
 
 Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
     HandClip clip;
-    auto context = platform::Headless::open();
-    if (!context) return context.error();
-    clip.context_ = std::move(*context);
-    auto cast = app::CreatureModels::load({}, {}, "", render::Reflectance::Coded, render::Detail::Full);
-    if (!cast) return cast.error();
-    clip.creatureModels_ = std::move(*cast);
-    auto pass = render::ObjectPass::make();
-    if (!pass) return pass.error();
-    clip.pass_ = std::move(*pass);
+    if (Status s = platform::Headless::open().moveTo(clip.context_); !s) return s.error();
+    if (Status s = app::CreatureModels::load({}, {}, "", render::Reflectance::Coded, render::Detail::Full)
+                       .moveTo(clip.creatureModels_);
+        !s)
+        return s.error();
+    if (Status s = render::ObjectPass::make().moveTo(clip.pass_); !s) return s.error();
     const ImageRgb8 light = room();
     light::EnvironmentLight made;
     light::LightMaker({256, clip.creatureModels_->minRoughness()})
-        .make(
-            {light.pixels.data(), light.width, light.height, static_cast<ptrdiff_t>(light.width) * 3, false},
-            made);
+        .make({light.at(0, 0), light.width, light.height, ptrdiff_t{3} * light.width, false}, made);
     light::PackedLight packed;
     light::packLight(made, light::MirrorMaps::Mirrors, packed);
     clip.environment_.emplace();
