@@ -3,9 +3,7 @@
 #include "engine/core/Hash.h"
 #include "engine/light/MakeLight.h"
 #include "engine/light/PackedLight.h"
-#include "engine/media/Pictures.h"
 
-#include <glm/geometric.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>

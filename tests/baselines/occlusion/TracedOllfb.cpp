@@ -1,6 +1,5 @@
 #include "tests/baselines/occlusion/TracedOllfb.h"
 #include "engine/occlusion/Directions.h"
-#include "engine/occlusion/Ollfb.h"
 #include "tests/baselines/occlusion/PixelWalk.h"
 
 #include <algorithm>

@@ -20,7 +20,6 @@
 
 #include <fmt/core.h>
 
-#include <ctime>
 #include <sstream>
 
 namespace {

@@ -9,15 +9,12 @@
 #include "game/session/GameSession.h"
 #include "game/views/Environment.h"
 #include "game/views/SceneRenderer.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/compose/Distance.h"
 #include "tests/bench/compose/Encode.h"
 #include "tests/bench/compose/Filmed.h"
 #include "tests/bench/compose/Report.h"
 
 #include <glm/gtc/quaternion.hpp>
-
-#include <chrono>
 
 namespace shoal::bench {
 

@@ -6,7 +6,6 @@
 #include "engine/depth/DepthMap.h"
 
 #include <array>
-#include <vector>
 
 namespace shoal::bench {
 

@@ -7,7 +7,6 @@
 #include "engine/math/LatLong.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/DepthTrack.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/compose/Encode.h"
 
 #include <random>

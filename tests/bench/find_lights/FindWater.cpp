@@ -1,5 +1,4 @@
 // How right the attenuation is that is estimated from films, whose water is known from what made them.
-#include "engine/core/Files.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/water/EstimateWater.h"

@@ -1,8 +1,6 @@
 // Prints tables of what is found in pictures: lights, the surroundings of a photo, water; errors and cost.
-#include "engine/core/Image.h"
 #include "engine/math/Quantile.h"
 #include "engine/panorama/Steps.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/find_lights/Tables.h"
 #include "tests/bench/light/Environments.h"
 #include "tests/unit/light/LightWatcher.h"

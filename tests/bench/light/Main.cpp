@@ -1,7 +1,5 @@
 // bench_chart FOLDER [--quick]: measures, writes tables and what the picture is drawn from. tests/bench/chart
 // builds it, starts it and draws.
-#include "tests/TestPaths.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
 
 int main(int argc, char** argv) {

@@ -3,7 +3,6 @@
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 #include "engine/math/Quantile.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
 #include "tests/unit/media/CodedFrames.h"
 

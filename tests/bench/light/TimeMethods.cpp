@@ -1,7 +1,6 @@
 #include "engine/core/Vectorise.h"
 #include "engine/light/MakeLight.h"
 #include "engine/light/Pyramid.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/light/Measure.h"
 
 namespace shoal::bench {

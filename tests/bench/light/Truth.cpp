@@ -1,7 +1,5 @@
 #include "tests/bench/light/Truth.h"
 #include "engine/core/Hash.h"
-#include "tests/baselines/light/Reference.h"
-#include "tests/bench/Bench.h"
 
 #include <fmt/format.h>
 

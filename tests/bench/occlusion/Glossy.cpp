@@ -4,7 +4,6 @@
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
 #include "tests/bench/occlusion/Measure.h"
 #include "tests/bench/occlusion/Truth.h"

@@ -5,7 +5,6 @@
 #include "engine/light/Lookup.h"
 #include "engine/math/LatLong.h"
 #include "engine/render/FilmShadows.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/Measure.h"
 #include "tests/unit/shadow/ShadowScene.h"
 

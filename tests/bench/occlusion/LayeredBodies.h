@@ -3,7 +3,6 @@
 
 #include "engine/occlusion/BodyMesh.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/Scene.h"
 
 namespace shoal::bench {

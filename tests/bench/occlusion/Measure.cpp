@@ -1,6 +1,5 @@
 #include "tests/bench/occlusion/Measure.h"
 #include "engine/light/MakeLight.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/light/Environments.h"
 
 namespace shoal::bench {

@@ -1,8 +1,6 @@
 #include "tests/bench/occlusion/Mesh.h"
 #include "tests/bench/Bench.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 namespace shoal::bench {
 
 namespace {

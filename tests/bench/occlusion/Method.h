@@ -4,7 +4,6 @@
 #include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/math/SphericalHarmonics.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/occlusion/Scene.h"
 
 namespace shoal::bench {

@@ -5,7 +5,6 @@
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
 #include "tests/baselines/occlusion/Visibility.h"
-#include "tests/bench/Bench.h"
 #include "tests/bench/light/Environments.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
 #include "tests/bench/occlusion/Measure.h"

@@ -1,6 +1,5 @@
 #include "tests/bench/occlusion/Truth.h"
 #include "engine/core/Random.h"
-#include "tests/bench/Bench.h"
 
 namespace shoal::bench {
 

@@ -7,7 +7,6 @@
 #include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
-#include "tests/TestPaths.h"
 #include "tests/bench/Bench.h"
 
 #include <fmt/core.h>
