@@ -60,10 +60,8 @@ InverseToneMapMethod brightenedAround(Label label, int clippedFrom, float sigma_
                 constexpr int kWidth = 128, kHeight = 64;
                 std::vector<float> clipped(kWidth * kHeight), level(clipped.size()), count(clipped.size());
                 const auto cellOf = [&](size_t pixel) {
-                    const size_t x = pixel % static_cast<size_t>(frame.width),
-                                 y = pixel / static_cast<size_t>(frame.width);
-                    return y * kHeight / static_cast<size_t>(frame.height) * kWidth +
-                           x * kWidth / static_cast<size_t>(frame.width);
+                    const size_t x = pixel % frame.width, y = pixel / frame.width;
+                    return y * kHeight / frame.height * kWidth + x * kWidth / frame.width;
                 };
                 for (size_t i = 0; i < frame.pixels.size(); i += 3) {
                     const uint8_t* coded = &frame.pixels[i];
@@ -137,11 +135,7 @@ InverseToneMapMethod clippedLight() {
                 // At the frame's own width, or the next power of two below.
                 PyramidMaker maker;
                 RadiancePyramid pyramid;
-                maker.make({.pixels = frame.pixels.data(),
-                            .width = frame.width,
-                            .height = frame.height,
-                            .rowStride = ptrdiff_t{3} * frame.width,
-                            .bgr = false},
+                maker.make({frame.at(0, 0), frame.width, frame.height, ptrdiff_t{3} * frame.width, false},
                            frame.width, pyramid, FrameRadiance::Auto);
                 out = std::move(pyramid.levels[0]);
             }};

@@ -42,7 +42,8 @@ struct Way {
 constexpr Way kWays[] = {{render::Composition::Plain, "plain"},
                          {render::Composition::MatchedResolution, "resolution"},
                          {render::Composition::VideoTexels, "texels"},
-                         {render::Composition::CameraResponse, "camera"}};
+                         {render::Composition::CameraResponse, "camera"},
+                         {render::Composition::BackgroundOnly, kBackgroundAlone}}; // last; timed only
 
 using namespace app;
 
@@ -92,7 +93,7 @@ Status drawObjectsAlone(SceneRenderer& sceneRenderer, const render::View& view, 
     return sceneRenderer.drawObjectsAlone({0, view, target});
 }
 
-using Renderers = std::vector<app::SceneRenderer>; // as kWays, and the background alone
+using Renderers = std::vector<app::SceneRenderer>; // as kWays
 
 // Reads the frames of the film around `shown`, which is the one that is compared.
 Result<std::vector<ImageRgb8>> readFilm(int shown) {
@@ -188,7 +189,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
         report.add(scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage),
                    look);
     }
-    for (size_t way = 0; way < std::size(kWays); ++way) {
+    for (size_t way = 0; way + 1 < std::size(kWays); ++way) {
         // A fresh frame for each: one of them paints it.
         (*empty)->update(timeOf(0), true);
         (*empty)->update(timeOf(kShown), true);
@@ -207,25 +208,19 @@ Status measureCost(const app::SessionConfig& plan, Renderers& renderers, int rou
     if (!environment) return environment.error();
     const gl::Target target(kPicture.x, kPicture.y, 1);
     app::GameSession run = runTo(plan, 10);
-    using Clock = std::chrono::steady_clock;
-    constexpr size_t kDrawn = std::size(kWays) + 1; // the last: the background alone
     for (int round = 0; round < rounds; ++round) {
         runOn(run, 1.0 / 48); // the film has a new frame every other time
         (*environment)->update(run.shown.time_s, true);
-        for (size_t turn = 0; turn < kDrawn; ++turn) {
-            const size_t way = (turn + static_cast<size_t>(round)) % kDrawn;
-            const bool backdropOnly = way == std::size(kWays);
+        for (size_t turn = 0; turn < std::size(kWays); ++turn) {
+            const size_t way = (turn + round) % std::size(kWays);
             app::SceneRenderer& sceneRenderer = renderers[way];
-            const Clock::time_point began = Clock::now();
-            const double processorBegan_ms = processor_ms();
+            const double began_us = now_us(), processorBegan_ms = processor_ms();
             sceneRenderer.set(run.shown, **environment,
                               {.exposure = (*environment)->exposure(app::Tone::Auto, 0), .particles = false});
             if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0), target); !s) return s;
             glFinish();
-            const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
-            if (round >= 5)
-                report.addTime(backdropOnly ? kBackgroundAlone : kWays[way].name,
-                               {wall_ms, processor_ms() - processorBegan_ms});
+            const double wall_ms = 1e-3 * (now_us() - began_us);
+            if (round >= 5) report.addTime(kWays[way].name, {wall_ms, processor_ms() - processorBegan_ms});
         }
     }
     return Done{};
@@ -244,12 +239,9 @@ Status run(const Path& folder, bool quick) {
                                      render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
     Renderers renderers;
-    std::vector<render::Composition> compositions;
-    for (const Way& way : kWays) compositions.push_back(way.composition);
-    compositions.push_back(render::Composition::BackgroundOnly);
-    for (const render::Composition composition : compositions) {
+    for (const Way& way : kWays) {
         auto sceneRenderer =
-            SceneRenderer::make(*cast, {.detail = detail, .compositor = {.composition = composition}});
+            SceneRenderer::make(*cast, {.detail = detail, .compositor = {.composition = way.composition}});
         if (!sceneRenderer) return sceneRenderer.error();
         renderers.push_back(std::move(*sceneRenderer));
     }

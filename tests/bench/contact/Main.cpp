@@ -2,6 +2,7 @@
 // Writes contact.tsv there: method, scene, bone's speed, ticks a second, measure, mean, worst, number of
 // values.
 #include "engine/core/Random.h"
+#include "engine/math/Quantile.h"
 #include "tests/LevelFloor.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/contact/Simulations.h"
@@ -210,9 +211,8 @@ class Measuring {
 
     std::string rows() {
         begin("forty fish", 0, 120);
-        for (auto* values : {&us_, &times_}) std::ranges::sort(*values);
-        note("us a tick", us_[us_.size() / 2]);
-        note("cost, times ours", times_[times_.size() / 2]);
+        note("us a tick", math::median(us_));
+        note("cost, times ours", math::median(times_));
         std::string tsv;
         for (const auto& [key, all] : found_)
             tsv += fmt::format("{}\t{}\t{:.6g}\t{:.6g}\t{}\n", method_.name, key, all.sum / all.count,
@@ -330,9 +330,8 @@ Status run(const Path& folder, int part) {
         }
         tsv += method.rows();
     }
-    std::ranges::sort(loose);
-    tsv += fmt::format("Shoal\tloose\t0\t120\tus a tick\t{:.6g}\t{:.6g}\t{}\n", loose[loose.size() / 2],
-                       loose.back(), loose.size());
+    tsv += fmt::format("Shoal\tloose\t0\t120\tus a tick\t{:.6g}\t{:.6g}\t{}\n", math::median(loose),
+                       *std::ranges::max_element(loose), loose.size());
     return writeFileWhole(folder / "contact.tsv", tsv);
 }
 

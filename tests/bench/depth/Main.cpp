@@ -1,6 +1,7 @@
 // bench_depth FOLDER : what depth tracks of several widths, rates and steps cost, and what they hide rightly.
 // FOLDER holds the truth, FILM_NNNN.depth.mkv: distances of frames of content/video/FILM.mp4, in runs of
 // frames that follow each other. Writes FOLDER/depth.tsv.
+#include "engine/math/Quantile.h"
 #include "engine/media/VideoSource.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/depth/Hiding.h"
@@ -155,8 +156,7 @@ std::string table(const std::vector<Figures>& all) {
     for (size_t i = 0; i < all.size(); ++i) {
         const Figures& f = all[i];
         const Format& format = kFormats[i];
-        std::vector<double> times = f.refine_ms;
-        std::ranges::sort(times);
+        std::vector<double> times_ms = f.refine_ms;
         const auto minute_MB = [&](const char* film) {
             const auto bytes = f.frameBytes.find(film);
             return bytes == f.frameBytes.end()
@@ -167,7 +167,7 @@ std::string table(const std::vector<Figures>& all) {
                             "{:.2f}\t{:.2f}\t{:.3f}\t{:.3f}\t{:.2f}\t{:.2f}\t{:.2f}\n",
                             nameOf(format.way), format.width, format.every, format.steps, format.mapWidth,
                             minute_MB("reef"), minute_MB("night"), minute_MB("kelp"), f.decode_ms / f.decoded,
-                            times[times.size() / 2], f.error.wronglyHidden(), f.error.wronglyShown(),
+                            math::median(times_ms), f.error.wronglyHidden(), f.error.wronglyShown(),
                             f.error.wronglyHiddenAnywhere(), f.error.wronglyShownAnywhere(),
                             f.error.boundary(), f.error.flicker(), f.error.trueChange());
     }

@@ -87,11 +87,6 @@ Result<std::vector<Lights>> lightsOf(const Path& folder, const std::string& film
     return lights;
 }
 
-// Quantile of sorted values.
-double share(const std::vector<double>& sorted, double of) {
-    return sorted[static_cast<size_t>(of * static_cast<double>(sorted.size() - 1))];
-}
-
 void printClip(const std::string& name, const std::vector<Lights>& lights) {
     for (size_t i = 0; i < std::size(kMethods); ++i) {
         std::vector<double> steps, trueSteps, excesses;
@@ -100,10 +95,9 @@ void printClip(const std::string& name, const std::vector<Lights>& lights) {
             trueSteps.push_back(100 * stepBetween(lights[frame - 1].back(), lights[frame].back()));
             excesses.push_back(steps.back() - trueSteps.back());
         }
-        for (auto* values : {&steps, &trueSteps, &excesses}) std::ranges::sort(*values);
         fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", name, kMethods[i].name,
-                   share(trueSteps, 0.5), share(steps, 0.5), share(excesses, 0.5), share(excesses, 0.9),
-                   excesses.back());
+                   math::median(trueSteps), math::median(steps), math::median(excesses),
+                   math::quantile(excesses, 0.9), *std::ranges::max_element(excesses));
     }
 }
 
