@@ -1,5 +1,7 @@
 #include "input/hands/OpenXrHands.h"
 
+#include "input/hands/HandFilter.h"
+
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
@@ -18,13 +20,7 @@ constexpr float kRelaxed = 0.12f; // bend of a finger that presses nothing
 
 HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead) {
     if (!inWorld.tracked) return {};
-    HandPose hand = inWorld;
-    const xr::Pose headFromWorld = xr::inverse(worldFromHead);
-    for (Joint& joint : hand.joints) {
-        const xr::Pose headFromJoint = headFromWorld * xr::Pose{joint.position, joint.orientation};
-        joint.position = headFromJoint.position;
-        joint.orientation = glm::normalize(headFromJoint.orientation);
-    }
+    HandPose hand = carried(inWorld, {worldFromHead.position, worldFromHead.orientation}, {});
     hand.grip = gripOf(hand.joints);
     hand.pinch = pinchOf(hand.joints);
     return hand;
