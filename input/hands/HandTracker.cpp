@@ -69,10 +69,8 @@ void resize(HandPose& hand, float size) {
 }
 
 void HandSizing::begin(State state, float rigDistance_m) {
+    *this = HandSizing();
     state_ = state;
-    held_s_ = 0;
-    seen_ = 0;
-    sum_m_ = 0;
     least_m_ = most_m_ = rigDistance_m;
 }
 
