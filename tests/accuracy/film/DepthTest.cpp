@@ -4,29 +4,29 @@
 #include "tests/Test.h"
 #include "tests/bench/depth/Hiding.h"
 
+#include <fmt/core.h>
+
 namespace shoal::bench {
 namespace {
 
 struct FilmFrames {
-    const char* film;
+    const char* name;
     std::array<int, 5> frames;
     double mostWrong; // percent of the area of fish that an edge crosses
-    friend void PrintTo(const FilmFrames& film, std::ostream* out) { *out << film.film; }
 };
 
 class FilmDepth : public testing::TestWithParam<FilmFrames> {};
 
 TEST_P(FilmDepth, HidesWhatTheTruthHides) {
-    const std::string name = GetParam().film;
+    const std::string name = GetParam().name;
     const Path film = dataRoot() / "content/video" / (name + ".mp4");
     auto player = tests::valueOf(media::VideoPlayer::open(film));
     auto track = tests::valueOf(media::DepthTrack::open(media::depthTrackOf(film), film));
     HidingError none, linear, refined;
     depth::DepthRefiner refiner;
     for (const int frame : GetParam().frames) {
-        char file[64];
-        std::snprintf(file, sizeof file, "%s_%04d.depth.mkv", name.c_str(), frame);
-        auto kept = tests::valueOf(media::DepthTrack::open(dataRoot() / "content/truth" / file));
+        auto kept = tests::valueOf(media::DepthTrack::open(
+            dataRoot() / fmt::format("content/truth/{}_{:04}.depth.mkv", name, frame)));
         media::DepthFrame truth, coarse;
         ASSERT_TRUE(kept.read(0, truth));
         EXPECT_EQ(truth.width, 2048);
@@ -57,7 +57,8 @@ TEST_P(FilmDepth, HidesWhatTheTruthHides) {
 INSTANTIATE_TEST_SUITE_P(Films, FilmDepth,
                          testing::Values(FilmFrames{"reef", {120, 560, 860, 1060, 1260}, 11.5},
                                          FilmFrames{"night", {60, 180, 320, 460, 620}, 15},
-                                         FilmFrames{"kelp", {60, 180, 320, 460, 620}, 20.5}));
+                                         FilmFrames{"kelp", {60, 180, 320, 460, 620}, 20.5}),
+                         tests::byName);
 
 } // namespace
 } // namespace shoal::bench

@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Picture{"kloppenheim_05", 0.41, 2}, Picture{"studio_small_03", 0.41, 2},
                     Picture{"st_fagans_interior", 0.21, 2}, Picture{"rainforest_trail", 0.11, 13},
                     Picture{"venice_sunset", 0.21, 6}, Picture{"dikhololo_night", 0.21, 8}),
-    [](const auto& each) { return std::string(each.param.name); });
+    tests::byName);
 
 } // namespace
 } // namespace shoal::light

@@ -54,8 +54,6 @@ struct Case {
     double black, bouncing;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-
 class Bodies : public testing::TestWithParam<Case> {};
 
 TEST_P(Bodies, LeaveNearlyTheLightThatRaysFind) {
@@ -81,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"hand_closed", [] { return handOnFish(0.65f); }, 0.052, 0.066},
                     Case{"hand_by_itself", [] { return handBySelf(0.6f); }, 0.041, 0.056},
                     Case{"shark_above_shoal", [] { return sharkAboveShoal(); }, 0.033, 0.03}),
-    [](const auto& each) { return std::string(each.param.name); });
+    tests::byName);
 
 } // namespace
 } // namespace shoal
