@@ -136,16 +136,6 @@ struct Error {
     double value;
 };
 
-// Returns the error that a share of the errors between two distances does not exceed.
-double quantile(const std::vector<Error>& errors, float from_m, float to_m, double share,
-                size_t* count = nullptr) {
-    std::vector<double> values;
-    for (const Error& e : errors)
-        if (e.nearest_m >= from_m && e.nearest_m < to_m) values.push_back(e.value);
-    if (count) *count = values.size();
-    return math::quantile(values, share);
-}
-
 struct SunlitPlace {
     glm::vec3 place{0};
     std::vector<double> sunlight; // by frame of the last second, of what a level sea lets through
@@ -290,10 +280,11 @@ class Measuring {
             table += key;
             for (const auto& [from_m, to_m] :
                  {std::pair{0.0f, 1e9f}, {0.0f, 1.0f}, {0.0f, 2.0f}, {2.0f, 1e9f}}) {
-                size_t count = 0;
-                const double median = quantile(errors, from_m, to_m, 0.5, &count);
-                table += fmt::format("\t{}\t{:.1f}\t{:.1f}", count, 100 * median,
-                                     100 * quantile(errors, from_m, to_m, 0.9));
+                std::vector<double> within;
+                for (const Error& e : errors)
+                    if (e.nearest_m >= from_m && e.nearest_m < to_m) within.push_back(e.value);
+                table += fmt::format("\t{}\t{:.1f}\t{:.1f}", within.size(), 100 * math::median(within),
+                                     100 * math::quantile(within, 0.9));
             }
             const auto spent = spent_s_.find(key);
             table += fmt::format(

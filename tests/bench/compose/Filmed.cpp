@@ -2,8 +2,10 @@
 
 #include "content/make/video/Tone.h"
 #include "engine/core/Random.h"
+#include "engine/light/InverseToneMap.h"
 #include "engine/math/LatLong.h"
 
+#include <glm/gtc/type_ptr.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace shoal::bench {
@@ -17,8 +19,8 @@ constexpr float kSharpening = 1.4f;
 
 using reef::toned;
 
-// Returns, for each display value, the signal that the camera shows as it.
-std::array<float, 256> signals() {
+// For each display value the signal that the camera shows as it.
+const std::array<float, 256> kSignals = [] {
     std::array<float, 256> table{};
     for (size_t i = 0; i < 256; ++i) {
         float low = 0, high = 1.18f; // high: the signal at which it clips; white may have been brighter
@@ -29,7 +31,7 @@ std::array<float, 256> signals() {
         table[i] = high;
     }
     return table;
-}
+}();
 
 using Layer = Image<float, 4>; // premultiplied, coverage last; no object stands across the seam
 
@@ -39,7 +41,6 @@ template <class Pixels> cv::Mat matOf(Pixels& image) {
 
 // Returns the objects in the film's texels, each the mean of kSamples^2 directions.
 Layer seenBy(const ImageRgba8& objects, const render::View& view, const glm::mat3& envFromWorld, int width) {
-    static const std::array<float, 256> signal = signals();
     constexpr int kSamples = 3;
     Layer out(width, width / 2);
     const glm::mat3 eyeFromEnv = glm::transpose(envFromWorld * glm::mat3_cast(view.worldFromEye));
@@ -66,7 +67,7 @@ Layer seenBy(const ImageRgba8& objects, const render::View& view, const glm::mat
                 for (int c = 0; c < 3; ++c)
                     to[c] +=
                         cover *
-                        signal[static_cast<size_t>(std::min(static_cast<float>(pixel[c]) / cover, 255.0f))];
+                        kSignals[static_cast<size_t>(std::min(static_cast<float>(pixel[c]) / cover, 255.0f))];
                 to[3] += cover;
             }
             for (int c = 0; c < 4; ++c) to[c] /= kSamples * kSamples;
@@ -74,12 +75,9 @@ Layer seenBy(const ImageRgba8& objects, const render::View& view, const glm::mat
     return out;
 }
 
-float lumaOf(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
-
 ImageRgbF signalOf(const ImageRgb8& frame) {
-    static const std::array<float, 256> signal = signals();
     ImageRgbF out(frame.width, frame.height);
-    std::ranges::transform(frame.pixels, out.pixels.begin(), [](uint8_t value) { return signal[value]; });
+    std::ranges::transform(frame.pixels, out.pixels.begin(), [](uint8_t value) { return kSignals[value]; });
     return out;
 }
 
@@ -122,9 +120,9 @@ void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
             const float* s = soft.at(x, y);
             if (l[3] == 0 && s[3] == 0) continue;
             uint8_t* to = frame.at(x, y);
-            const float was[3] = {static_cast<float>(to[0]) / 255, static_cast<float>(to[1]) / 255,
-                                  static_cast<float>(to[2]) / 255};
-            const float extra = kSharpening * (lumaOf(l) - lumaOf(s) - (l[3] - s[3]) * lumaOf(was));
+            const glm::vec3 was = glm::vec3(to[0], to[1], to[2]) / 255.0f;
+            const glm::vec3 finer = glm::make_vec3(l) - glm::make_vec3(s) - (l[3] - s[3]) * was;
+            const float extra = kSharpening * light::linearLuminance(finer);
             for (int c = 0; c < 3; ++c)
                 to[c] = static_cast<uint8_t>(
                     std::clamp(255 * (was[c] * (1 - l[3]) + l[c] + extra) + 0.5f, 0.0f, 255.0f));

@@ -31,18 +31,7 @@ std::string percent(double value) {
     return fmt::format("{:.{}f}", 100 * value, value < 0.0995 ? 2 : 1);
 }
 
-const char* movesOf(const OcclusionMeasured& method) {
-    using Moves = OcclusionMethod::Moves;
-    switch (method.moves) {
-    case Moves::Free:
-        return "free";
-    case Moves::Rigid:
-        return "bodies";
-    case Moves::Rebuilt:
-        return "rebuilt";
-    }
-    return "";
-}
+constexpr const char* kMoves[] = {"free", "bodies", "rebuilt"}; // by OcclusionMethod::Moves
 
 std::string sceneTable(const OcclusionChart& chart, size_t scene) {
     std::string out =
@@ -54,8 +43,8 @@ std::string sceneTable(const OcclusionChart& chart, size_t scene) {
                            percent(pooledError(chart, each, scene, Under::NoSuns)),
                            percent(pooledError(chart, each, scene, Under::NoSuns, &SceneError::shaded)),
                            percent(pooledError(chart, each, scene, Under::Suns)), each.receiver_ns[scene],
-                           static_cast<double>(each.bytes[scene]) * 1e-3, each.body_us[scene], movesOf(each),
-                           each.label.source);
+                           static_cast<double>(each.bytes[scene]) * 1e-3, each.body_us[scene],
+                           kMoves[static_cast<size_t>(each.moves)], each.label.source);
     return out;
 }
 
