@@ -9,6 +9,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <fstream>
+
 namespace {
 
 using namespace shoal;
@@ -152,13 +154,10 @@ struct Figures {
 
 bool readTruth(const Path& file, int frame, ImageRgb8& image) {
     image = ImageRgb8(kTruthWidth, kTruthWidth / 2);
-    std::FILE* from = std::fopen(file.c_str(), "rb");
-    if (!from) return false;
-    const auto bytes = image.pixels.size();
-    const bool read = std::fseek(from, static_cast<long>(bytes) * frame, SEEK_SET) == 0 &&
-                      std::fread(image.pixels.data(), 1, bytes, from) == bytes;
-    std::fclose(from);
-    return read;
+    const auto bytes = static_cast<std::streamsize>(image.pixels.size());
+    std::ifstream from(file, std::ios::binary);
+    from.seekg(bytes * frame);
+    return from.read(reinterpret_cast<char*>(image.pixels.data()), bytes).good();
 }
 
 // Decodes on one thread. Time is the processor's, so that other programs matter little.

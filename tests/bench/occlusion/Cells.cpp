@@ -10,8 +10,11 @@ constexpr float kShare = 1e-3f;        // share of an environment's light above 
 
 glm::vec3 directionOfSquare(const glm::vec2& at) { return math::directionFromOctahedral(at * 2.0f - 1.0f); }
 
-static glm::vec2 squareOfDirection(const glm::vec3& direction) {
-    return math::octahedralFromDirection(direction) * 0.5f + 0.5f;
+// Returns the place in the square at its finest, row by row.
+static size_t placeOf(const glm::vec3& direction) {
+    const glm::vec2 square = math::octahedralFromDirection(direction) * 0.5f + 0.5f;
+    const glm::ivec2 at = glm::min(glm::ivec2(square * static_cast<float>(kFine)), kFine - 1);
+    return at.y * kFine + at.x;
 }
 
 Fine fineOf(const ImageRgbF& image) {
@@ -23,27 +26,16 @@ Fine fineOf(const ImageRgbF& image) {
             const float* texel = image.at(x, y);
             const glm::dvec3 power = share * glm::dvec3(texel[0], texel[1], texel[2]);
             for (int part = 0; part < parts * parts; ++part) {
-                const glm::vec2 uv((static_cast<float>(x) +
-                                    (static_cast<float>(part % parts) + 0.5f) / static_cast<float>(parts)) /
-                                       static_cast<float>(image.width),
-                                   (static_cast<float>(y) +
-                                    (static_cast<float>(part / parts) + 0.5f) / static_cast<float>(parts)) /
-                                       static_cast<float>(image.height));
-                const glm::ivec2 at = glm::min(
-                    glm::ivec2(squareOfDirection(directionFromLatLong(uv)) * static_cast<float>(kFine)),
-                    kFine - 1);
-                sums[static_cast<size_t>(at.y) * kFine + static_cast<size_t>(at.x)] += power;
+                const glm::vec3 direction = texelDirection(x * parts + part % parts, y * parts + part / parts,
+                                                           image.width * parts, image.height * parts);
+                sums[placeOf(direction)] += power;
             }
         }
     }
     return {sums.begin(), sums.end()};
 }
 
-size_t Cells::cellTowards(const glm::vec3& direction) const {
-    const glm::ivec2 at =
-        glm::min(glm::ivec2(squareOfDirection(direction) * static_cast<float>(kFine)), kFine - 1);
-    return byPlace[at.y * kFine + at.x];
-}
+size_t Cells::cellTowards(const glm::vec3& direction) const { return byPlace[placeOf(direction)]; }
 
 Cells cellsOf(std::span<const Fine> environments) {
     Cells out;
