@@ -1,5 +1,6 @@
 #include "Scenes.h"
 
+#include "content/make/models/occlusion/HandOcclusion.h"
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/core/Files.h"
 #include "engine/light/InverseToneMap.h"
@@ -7,7 +8,6 @@
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Model.h"
 #include "tests/Test.h"
-#include "tests/TestRig.h"
 
 namespace shoal {
 
@@ -29,41 +29,21 @@ glm::mat3 turned(const ModelInstance& instance, size_t node) {
     return glm::mat3(instance.pose.modelFromNode[node] * glm::inverse(instance.rest.modelFromNode[node]));
 }
 
-ModelInstance load(const std::string& name) {
-    ModelInstance instance{tests::valueOf(scene::loadModel(content() / "models" / (name + ".glb")))};
-    scene::restPose(instance.model, instance.pose);
-    scene::updateGlobals(instance.model, instance.pose);
-    instance.rest = instance.pose;
-    return instance;
-}
-
 // Reads the occlusion file of a model.
 render::BakedOcclusion bakedOf(const std::string& name) {
     return tests::valueOf(render::readBakedOcclusion(content() / "models" / (name + ".occlusion.json")));
 }
 
 ModelInstance loadAnimal(const std::string& name) {
-    ModelInstance instance = load(name);
+    ModelInstance instance{tests::valueOf(scene::loadModel(content() / "models" / (name + ".glb")))};
+    scene::restPose(instance.model, instance.pose);
+    scene::updateGlobals(instance.model, instance.pose);
+    instance.rest = instance.pose;
     instance.body = render::makeBodyOccluders(instance.model, instance.pose, bakedOf(name).parts, false);
     const scene::Surface surface = scene::posedSurface(instance.model, instance.rest);
     instance.selfOcclusion = occlusion::traceSelfOcclusion(
         {surface.positions, surface.normals, surface.indices}, kSelfOcclusionRays);
     return instance;
-}
-
-ModelInstance loadHand(const std::string& name) {
-    ModelInstance instance = load(name);
-    const render::BakedOcclusion baked = bakedOf(name);
-    instance.body = render::makeBodyOccluders(instance.model, instance.pose, baked.parts, true);
-    instance.selfOcclusion = baked.besideOwn;
-    return instance;
-}
-
-void placeJoints(const hands::HandPose& pose, ModelInstance& hand) {
-    for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint)
-        hand.pose.modelFromNode[hand.model.findNode(std::string(hands::kJointNames[joint]))] =
-            glm::translate(glm::mat4(1), pose.joints[joint].position) *
-            glm::mat4_cast(pose.joints[joint].orientation);
 }
 
 SceneBody place(const ModelInstance& instance, const glm::mat4& worldFromModel) {
@@ -86,17 +66,21 @@ SceneBody place(const ModelInstance& instance, const glm::mat4& worldFromModel) 
 } // namespace
 
 ClosingHand closingHand() {
+    const make::Hand hand = tests::valueOf(make::loadHand(content() / "models", hands::Side::Right));
+    const render::BakedOcclusion baked = bakedOf("hand_right");
     hands::HandShape shape;
     shape.curl.fill(0.45f);
     // The fish lies across the palm, where a hand that has closed on it holds it.
-    const glm::vec3 fishAt = hands::graspCentre(tests::rig().pose(hands::Side::Right, shape, {}).joints);
+    const glm::vec3 fishAt = hands::graspCentre(hand.rig.pose(hand.side, shape, {}).joints);
     const SceneBody fish =
         place(loadAnimal("clownfish"),
               glm::rotate(glm::translate(glm::mat4(1), fishAt), glm::radians(80.0f), glm::vec3(0, 1, 0)));
-    return [fish, hand = loadHand("hand_right"), shape](float curl) mutable -> OcclusionScene {
+    ModelInstance posed{hand.model, hand.rest, hand.rest,
+                        render::makeBodyOccluders(hand.model, hand.rest, baked.parts, true), baked.besideOwn};
+    return [hand, fish, posed, shape](float curl) mutable -> OcclusionScene {
         shape.curl.fill(curl);
-        placeJoints(tests::rig().pose(hands::Side::Right, shape, {}), hand);
-        return {{fish, place(hand, glm::mat4(1))}, {0, 1}};
+        posed.pose = hand.closed(shape);
+        return {{fish, place(posed, glm::mat4(1))}, {0, 1}};
     };
 }
 
