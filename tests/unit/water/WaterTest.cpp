@@ -211,37 +211,7 @@ TEST(EstimateWater, TellsLandFromWater) {
     EXPECT_EQ(evidence("coral_underwater_360_overunder_2048.jpg", true), 1);
 }
 
-// The effect of water on an object's light, and its change with time.
-Water evenWater() {
-    Water water;
-    water.veil[0] = {0.04f, 0.25f, 0.49f}; // squared
-    water.attenuation_perM = {0.2f, 0.1f, 0.08f};
-    return water;
-}
-
-TEST(Water, NothingBetweenChangesNothingAndEndlessWaterIsAllVeil) {
-    const glm::vec3 display(0.5f, 0.9f, 0.1f), dir(0, 0, -1);
-    for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(seenThrough({}, display, dir, 100)[c], display[c]);
-    EXPECT_TRUE(Water{}.none());
-    const glm::vec3 near = seenThrough(evenWater(), display, dir, 0),
-                    far = seenThrough(evenWater(), display, dir, 1000);
-    for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(near[c], display[c], 1e-6f);
-        EXPECT_NEAR(far[c], std::sqrt(evenWater().veil[0][c]), 1e-6f);
-    }
-}
-
-// Light is about the square of display values: white at ln 2 / beta is half white, half veil.
-TEST(Water, HalfTheLightIsLeftAtHalfTheDistance) {
-    const glm::vec3 seen = seenThrough(evenWater(), glm::vec3(1), {0, 1, 0}, std::log(2.0f) / 0.1f);
-    EXPECT_NEAR(seen.y * seen.y, 0.5f * 1 + 0.5f * 0.25f, 1e-5f);
-}
-
-TEST(Water, AVeilIsNeverDarkerThanNothing) {
-    Water water = evenWater();
-    water.veil[2] = {-1, -1, -1}; // falls below zero straight up
-    EXPECT_EQ(veilTowards(water, {0, 1, 0}), glm::vec3(0));
-}
+// The change of water with time.
 
 WaterEstimate estimateOf(const glm::vec3& veil, float attenuation_perM) {
     WaterEstimate estimate;
