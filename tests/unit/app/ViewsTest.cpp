@@ -21,14 +21,10 @@ constexpr double kPicture_s = 1.0 / 60;
 struct HalfWhiteRoom {
     depth::LightDifference light;
     HalfWhiteRoom() {
-        depth::DepthMap map;
-        map.inverse = Image<uint8_t, 1>(256, 128);
-        std::ranges::fill(map.inverse.pixels,
-                          static_cast<uint8_t>(depth::DepthMap::kSteps * depth::kNearest_m));
         ImageRgbF radiance(64, 32);
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 64; ++x) std::fill_n(radiance.at(x, y), 3, x >= 16 && x < 48 ? 1.0f : 0.0f);
-        light.make(radiance, map);
+        light.make(radiance, depth::mapOf([](const glm::vec3&) { return 1.0f; }, 256));
     }
 };
 

@@ -1,20 +1,13 @@
 // The flicker of waves' light on animals is what the film's ground shows where the light's ray meets it.
 #include "engine/depth/Caustics.h"
 #include "tests/Test.h"
-#include "tests/unit/depth/MadeMap.h"
-
-#include <glm/geometric.hpp>
+#include "tests/unit/shadow/ShadowScene.h"
 
 namespace shoal::depth {
 namespace {
 
 constexpr float kPicture_s = 1 / 30.0f;
 const glm::vec3 kTowards = glm::normalize(glm::vec3(0.3f, 1, 0));
-
-// Level ground 1.5 m below the camera.
-DepthMap levelGround() {
-    return mapOf([](const glm::vec3& dir) { return std::max(-dir.y, 0.0f) / 1.5f; });
-}
 
 // A frame in which the ground to the right, x > 0, has this radiance, and all else has 1.
 ImageRgbF frameWith(float right) {
@@ -26,7 +19,7 @@ ImageRgbF frameWith(float right) {
 }
 
 struct Film {
-    DepthMap map = levelGround();
+    DepthMap map = tests::levelGround(-1.5f);
     Caustics caustics;
     void show(float right, float passed_s = kPicture_s) { caustics.follow(frameWith(right), passed_s); }
     float at(const glm::vec3& place, float length_m = 0.1f) const {

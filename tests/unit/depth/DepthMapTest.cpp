@@ -219,10 +219,10 @@ TEST(DepthRefiner, TakesFilmsAndTracksOfAllSizes) {
 
 // The view of a film with distances from beside its camera, against geometry.
 
-constexpr int kWidth = 1024;
 // A step of the map's codes is 1 / (255 * 0.6) = 0.0065 / m, so a distance is half that off; an eye 0.3 m
 // beside sees that by 0.001 rad. The search stops within 0.0015 rad.
 constexpr float kOff_rad = 2.5e-3f;
+constexpr float kPi = std::numbers::pi_v<float>, kTexel_rad = 2 * kPi / kMapWidth;
 
 const std::array<glm::vec3, 4> kEyes = {
     {{0.032f, 0, 0}, {-0.1f, 0.05f, 0.05f}, {0.3f, 0, 0}, {0, -0.2f, -0.2f}}};
@@ -236,9 +236,9 @@ TEST(Search, MeetsAWallWhereItIs) {
             for (float y = -0.5f; y <= 0.5f; y += 0.25f) {
                 const glm::vec3 ray = glm::normalize(glm::vec3(x, y, -1));
                 const glm::vec3 met = eye + ray * ((-2 - eye.z) / ray.z);
-                const glm::vec3 seen = searchAlong(map, eye, ray);
-                EXPECT_LT(angleBetween(seen, glm::normalize(met)), kOff_rad) << x << " " << y;
-                EXPECT_NEAR(map.inverse_perM(seen), 1 / glm::length(met), 0.004f);
+                const Seen seen = searchAlong(map, eye, ray);
+                EXPECT_LT(angleBetween(seen.dirEnv, glm::normalize(met)), kOff_rad) << x << " " << y;
+                EXPECT_NEAR(seen.inverse_perM, 1 / glm::length(met), 0.004f);
             }
 }
 
@@ -266,7 +266,7 @@ TEST(Search, MovesNothingThatIsEndlesslyFar) {
     const DepthMap map = mapOf([](const glm::vec3&) { return 0.0f; });
     for (const glm::vec3& eye : kEyes) {
         const glm::vec3 ray = glm::normalize(glm::vec3(0.4f, 0.2f, -1));
-        EXPECT_LT(angleBetween(searchAlong(map, eye, ray), ray), 1e-5f);
+        EXPECT_LT(angleBetween(searchAlong(map, eye, ray).dirEnv, ray), 1e-5f);
     }
 }
 
@@ -275,11 +275,10 @@ TEST(Search, MovesNothingThatIsEndlesslyFar) {
 TEST(Search, SeesPastAnEdge) {
     const DepthMap map = mapOf([](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : 0.0f; });
     const glm::vec3 eye(0.1f, 0, 0);
-    constexpr float kTexel = 2 * 3.1416f / kWidth;
     for (float x = -0.4f; x <= 0.3f; x += 0.01f) {
-        if (std::abs(x + 0.1f) < 2 * kTexel) continue; // the edge itself
-        const glm::vec3 seen = searchAlong(map, eye, glm::normalize(glm::vec3(x, 0, -1)));
-        EXPECT_EQ(map.inverse_perM(seen) > 0.5f, x < -0.1f) << x;
+        if (std::abs(x + 0.1f) < 2 * kTexel_rad) continue; // the edge itself
+        const Seen seen = searchAlong(map, eye, glm::normalize(glm::vec3(x, 0, -1)));
+        EXPECT_EQ(seen.inverse_perM > 0.5f, x < -0.1f) << x;
     }
 }
 
@@ -287,11 +286,10 @@ TEST(Search, SeesPastAnEdge) {
 TEST(Search, IsStoppedByAnEdgeThatComesBefore) {
     const DepthMap map = mapOf([](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : 0.1f; });
     const glm::vec3 eye(-0.1f, 0, 0);
-    constexpr float kTexel = 2 * 3.1416f / kWidth;
     for (float x = -0.4f; x <= 0.4f; x += 0.01f) {
-        if (std::abs(x - 0.1f) < 2 * kTexel) continue;
-        const glm::vec3 seen = searchAlong(map, eye, glm::normalize(glm::vec3(x, 0, -1)));
-        EXPECT_EQ(map.inverse_perM(seen) > 0.5f, x < 0.1f) << x;
+        if (std::abs(x - 0.1f) < 2 * kTexel_rad) continue;
+        const Seen seen = searchAlong(map, eye, glm::normalize(glm::vec3(x, 0, -1)));
+        EXPECT_EQ(seen.inverse_perM > 0.5f, x < 0.1f) << x;
     }
 }
 
@@ -303,11 +301,10 @@ TEST(Range, HoldsEveryTexelOfACap) {
          {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(0.6f, -0.8f, 0)})
         for (const float halfAngle : {0.02f, 0.3f, 1.2f}) {
             const DepthRange::Range found = range.around(middle, halfAngle);
-            for (int y = 0; y < kWidth / 2; y += 3)
-                for (int x = 0; x < kWidth; x += 3) {
-                    const glm::vec2 uv((static_cast<float>(x) + 0.5f) / kWidth,
-                                       (static_cast<float>(y) + 0.5f) / (kWidth / 2));
-                    if (glm::dot(directionFromLatLong(uv), middle) < std::cos(halfAngle)) continue;
+            for (int y = 0; y < kMapHeight; y += 3)
+                for (int x = 0; x < kMapWidth; x += 3) {
+                    const glm::vec3 dir = texelDirection(x, y, kMapWidth, kMapHeight);
+                    if (glm::dot(dir, middle) < std::cos(halfAngle)) continue;
                     ASSERT_GE(DepthMap::perM(*map.inverse.at(x, y)), found.min_perM);
                     ASSERT_LE(DepthMap::perM(*map.inverse.at(x, y)), found.max_perM);
                 }
@@ -317,32 +314,23 @@ TEST(Range, HoldsEveryTexelOfACap) {
     EXPECT_LT(small.max_perM - small.min_perM, 0.7f * 2 * 0.13f * 0.13f + 0.01f);
 }
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 // An infinite matte white wall across +X, at this distance from the camera, with a lit disc.
 struct Wall {
     float distance_m, litRadius_m;
     ImageRgbF radiance{64, 32};
     DepthMap map;
 
-    Wall(float distance, float litRadius) : distance_m(distance), litRadius_m(litRadius) {
-        map.inverse = Image<uint8_t, 1>(1024, 512);
-        for (int y = 0; y < 512; ++y)
-            for (int x = 0; x < 1024; ++x)
-                *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(std::clamp(
-                    std::max(direction(x, y, 1024).x, 0.0f) / distance * DepthMap::kSteps * kNearest_m, 0.0f,
-                    255.0f)));
+    Wall(float distance, float litRadius)
+        : distance_m(distance), litRadius_m(litRadius),
+          map(mapOf([&](const glm::vec3& d) { return std::max(d.x, 0.0f) / distance; })) {
         // Each texel is the mean of 16 x 16 looks, so that its edge is smooth.
         for (int y = 0; y < 512; ++y)
             for (int x = 0; x < 1024; ++x) {
-                const glm::vec3 dir = direction(x, y, 1024);
+                const glm::vec3 dir = texelDirection(x, y, 1024, 512);
                 const bool lit =
                     dir.x > 0 && glm::length(glm::vec2(dir.y, dir.z)) / dir.x * distance < litRadius;
                 for (int c = 0; lit && c < 3; ++c) radiance.at(x / 16, y / 16)[c] += 1 / 256.0f;
             }
-    }
-    static glm::vec3 direction(int x, int y, int width) {
-        return directionFromLatLong((glm::vec2(x, y) + 0.5f) / glm::vec2(width, width / 2));
     }
     // Over all directions, of a lit disc of radiance 1: its solid angle from its axis.
     float fluence(float away_m) const {

@@ -12,9 +12,7 @@ template <class Inverse> DepthMap mapOf(const Inverse& inverseOf, int width = kM
     DepthMap map{Image<uint8_t, 1>(width, width / 2)};
     for (int y = 0; y < width / 2; ++y)
         for (int x = 0; x < width; ++x) {
-            const glm::vec2 uv((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                               (static_cast<float>(y) + 0.5f) / static_cast<float>(width / 2));
-            const float steps = inverseOf(directionFromLatLong(uv)) / DepthMap::perM(1);
+            const float steps = inverseOf(texelDirection(x, y, width, width / 2)) / DepthMap::perM(1);
             *map.inverse.at(x, y) = static_cast<uint8_t>(std::clamp(steps + 0.5f, 0.0f, DepthMap::kSteps));
         }
     return map;
