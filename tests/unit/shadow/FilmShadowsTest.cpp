@@ -13,6 +13,12 @@ const water::Water kSea{.veil = {{{0.05f, 0.15f, 0.25f}}}, .attenuation_perM = {
 
 const occlusion::Ellipsoid kShark{{0.3f, -0.4f, -1.6f}, glm::mat3(1), {0.2f, 0.22f, 1.1f}};
 
+std::vector<FlatPiece> flat(std::span<const occlusion::Ellipsoid> body, const CastingLight& light) {
+    std::vector<FlatPiece> out;
+    flatten(body, light, out);
+    return out;
+}
+
 // Four eyes that see everything.
 std::vector<View> everywhere() {
     std::vector<View> eyes;
@@ -67,8 +73,7 @@ TEST(FilmShadows, OnPlanesAreTheClosedForm) {
         const Scene scene{.map = map, .water = kSea};
         const FilmShadows shadows = shadowsOf(kShark, scene);
         ASSERT_FALSE(shadows.empty());
-        std::vector<FlatPiece> pieces;
-        flatten({&kShark, 1}, scene.light, pieces);
+        const auto pieces = flat({&kShark, 1}, scene.light);
         const glm::vec3 share = scene.light.shareAt(glm::dot(normal, scene.light.towards));
         double error = 0, worst = 0, darkest = 0;
         int counted = 0;
@@ -156,8 +161,7 @@ TEST(FilmShadows, OverAStepFallOnBothSides) {
     const auto map = filmOf(distance);
     const CastingLight light = lightAt(90, 8);
     const FilmShadows shadows = shadowsOf(kShark, {.map = map, .light = light});
-    std::vector<FlatPiece> pieces;
-    flatten({&kShark, 1}, light, pieces);
+    const auto pieces = flat({&kShark, 1}, light);
     int onNear = 0, onFar = 0, wrong = 0;
     eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
         const float distance_m = distance(dir);
@@ -253,22 +257,18 @@ Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float 
     Steps steps;
     float before = 0;
     const std::vector<View> eyes = everywhere();
+    // Always at one texel: where the body's shadow is at the end.
+    const glm::vec3 under = glm::vec3(0, to_m, -1) - light.towards * ((to_m - ground_m) / light.towards.y);
+    const glm::vec2 uv = latLongFromDirection(glm::normalize(under));
     for (int step = 0; step <= 1000; ++step) {
         const float height = from_m + (to_m - from_m) * static_cast<float>(step) / 1000;
         const occlusion::Ellipsoid body{{0, height, -1}, glm::mat3(1), half};
-        // Always at one texel: where the body's shadow is at the end.
-        const glm::vec3 under =
-            glm::vec3(0, to_m, -1) - light.towards * ((to_m - ground_m) / light.towards.y);
         shadows.begin({&ground}, FrameCoding::Srgb, {});
         shadows.add({&body, 1}, light, eyes);
-        const glm::vec2 uv = latLongFromDirection(glm::normalize(under));
-        const float now =
-            1 - static_cast<float>(
-                    *(shadows.remaining().at(
-                          static_cast<int>(uv.x * static_cast<float>(shadows.remaining().width)),
-                          static_cast<int>(uv.y * static_cast<float>(shadows.remaining().height))) +
-                      2)) /
-                    255;
+        const Image<uint8_t, 4>& left = shadows.remaining();
+        const auto x = static_cast<int>(uv.x * static_cast<float>(left.width)),
+                   y = static_cast<int>(uv.y * static_cast<float>(left.height));
+        const float now = 1 - static_cast<float>(left.at(x, y)[2]) / 255;
         steps.ever = std::max(steps.ever, std::abs(now - before));
         if (before < 0.025f) steps.comingIn = steps.ever;
         steps.most = std::max(steps.most, now);
@@ -358,25 +358,12 @@ TEST(FilmShadows, LeaveNoMoreThanThereIs) {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-struct Ellipsoid {
-    glm::vec3 centre{0}, along{0, 0, 1}, aside{1, 0, 0}; // unit
-    glm::vec3 half{0.1f};                                // aside, up, along
-};
-
-bool meets(const Ellipsoid& body, const glm::vec3& from, const glm::vec3& dir) {
-    const glm::mat3 turn(body.aside, glm::cross(body.along, body.aside), body.along);
-    const glm::vec3 o = (glm::transpose(turn) * (from - body.centre)) / body.half;
-    const glm::vec3 d = (glm::transpose(turn) * dir) / body.half;
+bool meets(const occlusion::Ellipsoid& body, const glm::vec3& from, const glm::vec3& dir) {
+    const glm::mat3 axesFromWorld = glm::transpose(body.worldFromAxes);
+    const glm::vec3 o = (axesFromWorld * (from - body.centre)) / body.semiAxes;
+    const glm::vec3 d = (axesFromWorld * dir) / body.semiAxes;
     const float b = glm::dot(o, d), a = glm::dot(d, d), c = glm::dot(o, o) - 1;
     return b < 0 && b * b > a * c;
-}
-
-std::vector<FlatPiece> flat(const Ellipsoid& body, const CastingLight& light) {
-    const occlusion::Ellipsoid shape{
-        body.centre, glm::mat3(body.aside, glm::cross(body.along, body.aside), body.along), body.half};
-    std::vector<FlatPiece> out;
-    flatten({&shape, 1}, light, out);
-    return out;
 }
 
 // Level ground around what bodies shade there.
@@ -405,8 +392,8 @@ struct Difference {
     float light = 0, rays = 0; // hidden share by the closed form and by rays, summed over square metres
 };
 
-Difference compare(const Ellipsoid& body, const CastingLight& light) {
-    const std::vector<FlatPiece> seen = flat(body, light);
+Difference compare(const occlusion::Ellipsoid& body, const CastingLight& light) {
+    const auto seen = flat({&body, 1}, light);
     const Patch patch(seen, light);
     Difference all;
     constexpr int kSteps = 40;
@@ -427,11 +414,10 @@ Difference compare(const Ellipsoid& body, const CastingLight& light) {
 // The closed form takes the product of two strips' shares of the light's disc for a rectangle's share. The
 // error is largest for a sphere about as large as the light, and for a shark's slices under a narrow light.
 TEST(CastShadow, ASphereAndASharkUnderACapShadeAsRaysFindIt) {
-    const Ellipsoid sphere{.half = glm::vec3(0.12f)},
-        shark{.centre = {1, 0, -2},
-              .along = glm::normalize(glm::vec3(0.8f, 0.2f, 0.5f)),
-              .aside = glm::normalize(glm::vec3(0.5f, 0, -0.8f)),
-              .half = {0.2f, 0.22f, 1.1f}};
+    const glm::vec3 along = glm::normalize(glm::vec3(0.8f, 0.2f, 0.5f)),
+                    aside = glm::normalize(glm::vec3(0.5f, 0, -0.8f));
+    const occlusion::Ellipsoid sphere{.semiAxes = glm::vec3(0.12f)},
+        shark{{1, 0, -2}, glm::mat3(aside, glm::cross(along, aside), along), {0.2f, 0.22f, 1.1f}};
     for (const float radius_deg : {4.0f, 10.0f, 16.0f, 25.0f})
         for (const float elevation_deg : {90.0f, 66.0f})
             for (const bool isShark : {false, true}) {
@@ -453,7 +439,8 @@ TEST(CastShadow, AllOtherLightIsThatOfAnEvenSky) {
     EXPECT_EQ(rest.share, 1.0f - 0.5f * found.share);
     for (const float radius : {0.05f, 0.1f, 0.2f}) {
         const float height = 1, share = radius * radius / (height * height);
-        const std::vector<FlatPiece> seen = flat({.half = glm::vec3(radius)}, rest);
+        const occlusion::Ellipsoid sphere{.semiAxes = glm::vec3(radius)};
+        const auto seen = flat({&sphere, 1}, rest);
         const float below = covered(seen, rest, {0, -height, 0});
         EXPECT_GT(below, share);
         EXPECT_LT(below, 1.5f * share);
@@ -468,10 +455,8 @@ TEST(CastShadow, PartsShadeAsTheirUnion) {
         return occlusion::Ellipsoid{centre, glm::mat3(1), glm::vec3(radius)};
     };
     const auto taken = [&](const std::vector<occlusion::Ellipsoid>& body) {
-        std::vector<FlatPiece> seen;
-        flatten(body, light, seen);
         float area = 0;
-        for (const FlatPiece& piece : seen) area += 4 * piece.halfAlong_m * piece.halfAside_m;
+        for (const FlatPiece& piece : flat(body, light)) area += 4 * piece.halfAlong_m * piece.halfAside_m;
         return area;
     };
     const float one = taken({sphere({0, 0, 0}, 0.1f)});
