@@ -4,20 +4,11 @@
 #include "engine/media/Decoder.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/VideoSource.h"
+#include "tests/unit/media/CodedFrames.h"
 #include "tests/unit/media/TestFiles.h"
 
 namespace shoal::media {
 namespace {
-
-Frame picture(AVPixelFormat format, int width, int height) {
-    Frame frame = makeFrame();
-    frame->format = format;
-    frame->width = width, frame->height = height;
-    EXPECT_EQ(av_frame_get_buffer(frame.get(), 0), 0);
-    for (const AVBufferRef* buffer : frame->buf) // av_write_image_line2() sets bits
-        if (buffer) std::memset(buffer->data, 0, buffer->size);
-    return frame;
-}
 
 ImageRgb8 converted(const AVFrame& frame) {
     ImageRgb8 bgr;
@@ -33,7 +24,8 @@ TEST(CardPictures, AreThoseOfSoftwareInPlanes) {
     for (const auto& [semi, planar] :
          {std::pair{AV_PIX_FMT_NV12, AV_PIX_FMT_YUV420P}, {AV_PIX_FMT_P010, AV_PIX_FMT_YUV420P10}})
         for (const auto& [width, height] : {std::pair{64, 32}, {35, 21}, {64, 32}}) {
-            const Frame stored = picture(semi, width, height), expected = picture(planar, width, height);
+            const Frame stored = blankFrame(semi, width, height),
+                        expected = blankFrame(planar, width, height);
             for (int c = 0; c < 3; ++c)
                 for (int y = 0; y < (c ? (height + 1) / 2 : height); ++y) {
                     std::vector<uint16_t> codes(static_cast<size_t>(c ? (width + 1) / 2 : width));
@@ -55,8 +47,8 @@ TEST(CardPictures, AreThoseOfSoftwareInPlanes) {
 
 // Decoders in software take over pictures of any other form.
 TEST(CardPictures, OfOtherFormsAreRefused) {
-    const Frame other = picture(AV_PIX_FMT_YUV444P, 32, 16), inMemory = picture(AV_PIX_FMT_NV12, 32, 16);
-    const Frame copy = makeFrame();
+    const Frame other = blankFrame(AV_PIX_FMT_YUV444P, 32, 16),
+                inMemory = blankFrame(AV_PIX_FMT_NV12, 32, 16), copy = makeFrame();
     EXPECT_FALSE(CardPictures().copyInPlanes(*other, *copy));
     EXPECT_FALSE(CardPictures().bringBack(*inMemory)) << "is not on a card";
 }

@@ -41,6 +41,17 @@ inline glm::dvec3 codesOf(const glm::dvec3& light709, AVColorTransferCharacteris
     return glm::clamp(c, 0.0, 1.0);
 }
 
+// Returns a frame of zeros, since av_write_image_line2() sets bits.
+inline Frame blankFrame(AVPixelFormat format, int width, int height) {
+    Frame frame = makeFrame();
+    frame->format = format;
+    frame->width = width, frame->height = height;
+    if (av_frame_get_buffer(frame.get(), 0) != 0) std::abort();
+    for (const AVBufferRef* buffer : frame->buf)
+        if (buffer) std::memset(buffer->data, 0, buffer->size);
+    return frame;
+}
+
 struct Filmed {
     ImageRgb8 bgr;
     ImageRgbF light;
@@ -51,12 +62,7 @@ struct Filmed {
 inline Filmed filmed(const ImageRgbF& panorama, AVPixelFormat as, AVColorTransferCharacteristic transfer,
                      double exposure = 1) {
     const int width = panorama.width, height = panorama.height;
-    const Frame frame = makeFrame();
-    frame->format = as;
-    frame->width = width, frame->height = height;
-    if (av_frame_get_buffer(frame.get(), 0) != 0) std::abort();
-    for (const AVBufferRef* buffer : frame->buf) // av_write_image_line2() sets bits
-        if (buffer) std::memset(buffer->data, 0, buffer->size);
+    const Frame frame = blankFrame(as, width, height);
     const AVPixFmtDescriptor& format = *av_pix_fmt_desc_get(as);
     const bool isRgb = format.flags & AV_PIX_FMT_FLAG_RGB;
     std::vector<glm::dvec3> pixels;

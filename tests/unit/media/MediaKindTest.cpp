@@ -24,11 +24,8 @@ struct MediaKinds : testing::Test {
         return kindOf(folder / "name.mp4");
     }
     Path made(const std::string& how, const std::string& name) {
-        const Path file = folder / name;
-        const std::string command = "ffmpeg -v error -y -f lavfi -i testsrc=s=64x32:r=25:d=0.4 -f lavfi -i "
-                                    "sine=d=0.4 " +
-                                    how + " '" + file.string() + "' 2>/dev/null";
-        return std::system(command.c_str()) == 0 ? file : Path();
+        const std::string sources = "-f lavfi -i testsrc=s=64x32:r=25:d=0.4 -f lavfi -i sine=d=0.4 ";
+        return ffmpeg(sources + how, folder / name) ? folder / name : Path();
     }
 };
 

@@ -42,6 +42,13 @@ inline std::string number(uint64_t value, int bytes, bool little) {
     return text;
 }
 
+// Makes a file by the program; false where there is none or it lacks a coder.
+inline bool ffmpeg(const std::string& arguments, const Path& file) {
+    const std::string command =
+        "ffmpeg -v error -y " + arguments + " '" + file.string() + "' >/dev/null 2>&1";
+    return std::system(command.c_str()) == 0;
+}
+
 inline cv::Mat matOf(const cv::Mat& picture) { return picture; }
 inline cv::Mat matOf(const ImageRgb8& bgr) {
     return cv::Mat(bgr.height, bgr.width, CV_8UC3, const_cast<uint8_t*>(bgr.pixels.data())).clone();

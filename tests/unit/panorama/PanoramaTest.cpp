@@ -1,17 +1,13 @@
 // Photos grown to environments: the place of the light, straight lines, and how the ends meet.
 #include "engine/panorama/Panorama.h"
-#include "engine/core/Files.h"
 #include "engine/core/Random.h"
 #include "engine/math/Quantile.h"
-#include "engine/media/Pictures.h"
 #include "engine/panorama/Steps.h"
-#include "tests/Test.h"
 #include "tests/bench/panorama/Scenes.h"
+#include "tests/unit/media/TestFiles.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include <unistd.h>
 
 namespace shoal::panorama {
 namespace {
@@ -34,13 +30,17 @@ ImageRgb8 dusk(int width, int height, double lightX, double lightY, double radiu
     return picture;
 }
 
+// Returns the picture's values from 0 to 1.
+cv::Mat colours(const ImageRgb8& picture) {
+    cv::Mat coded;
+    media::matOf(picture).convertTo(coded, CV_32F, 1 / 255.0);
+    return coded;
+}
+
 TEST(FindLight, DiscIsFoundWithinATexel) {
     for (const glm::dvec2 at : {glm::dvec2(300, 200), {77.5, 40.25}, {560, 333.3}, {8, 8}}) {
         const ImageRgb8 photo = dusk(640, 480, at.x, at.y, 7, {}, 0);
-        cv::Mat coded;
-        cv::Mat(480, 640, CV_8UC3, const_cast<uint8_t*>(photo.pixels.data()))
-            .convertTo(coded, CV_32F, 1 / 255.0);
-        const MainLight found = findMainLight(coded);
+        const MainLight found = findMainLight(colours(photo));
         EXPECT_NEAR(found.place.x, at.x, 0.5);
         EXPECT_NEAR(found.place.y, at.y, 0.5);
         EXPECT_NEAR(found.radius_px, 7, 0.5);
@@ -179,9 +179,7 @@ TEST(WrapBlend, EndsMeet) {
 
 TEST(Panorama, WrapStepIsNoStrongerThanThePicturesOwnGradients) {
     for (const bench::Scene& scene : {bench::beach(480, 360), bench::forest(480, 360)}) {
-        cv::Mat ring;
-        cv::Mat(360, 480, CV_8UC3, const_cast<uint8_t*>(scene.photo.pixels.data()))
-            .convertTo(ring, CV_32F, 1 / 255.0);
+        cv::Mat ring = colours(scene.photo);
         blendWrapAround(ring);
         const WrapDiscontinuity seam = wrapDiscontinuity(ring);
         EXPECT_LE(seam.wrapStep, seam.usualStep);
@@ -314,7 +312,7 @@ TEST(Panorama, SixteenBitsGreyAndAlpha) {
         cv::rectangle(made, {20, 4, 4, 4}, cv::Scalar::all(CV_MAT_DEPTH(type) == CV_8U ? 255 : 65535),
                       cv::FILLED);
         ASSERT_TRUE(cv::imwrite((folder / "odd.png").string(), made));
-        const auto photo = tests::valueOf(media::readPhoto(folder / "odd.png")).picture;
+        const auto photo = tests::valueOf(media::readPicture(folder / "odd.png"));
         const auto grown = tests::valueOf(panoramaFromPhoto(photo, {}));
         EXPECT_NEAR(grown.lightInPhoto.x, 22, 0.5) << type;
         EXPECT_NEAR(grown.latLong.at(0, grown.latLong.height / 2)[0], 100, 12) << type;

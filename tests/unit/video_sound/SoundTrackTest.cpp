@@ -1,10 +1,9 @@
 // Tests of the samples that are read from a video's sound, and of their place in time.
 #include "engine/media/SoundTrack.h"
 #include "engine/audio/Audio.h"
-#include "engine/core/Files.h"
 #include "engine/media/Check.h"
-#include "tests/Test.h"
 #include "tests/unit/Wav.h"
+#include "tests/unit/media/TestFiles.h"
 
 #include <thread>
 
@@ -25,16 +24,17 @@ std::string numbered(int64_t frames) {
 }
 
 // Reads as many frames as asked for, however long the decoder takes.
-size_t readAll(SoundTrack& track, std::span<int16_t> stereo) {
-    for (size_t samples = 0; samples < stereo.size(); std::this_thread::yield())
-        samples += 2 * track.read(stereo.subspan(samples));
-    return stereo.size() / 2;
+size_t readAll(SoundTrack& track, std::span<int16_t> samples) {
+    const auto channels = static_cast<size_t>(track.channels());
+    for (size_t i = 0; i < samples.size(); std::this_thread::yield())
+        i += channels * track.read(samples.subspan(i));
+    return samples.size() / channels;
 }
 
 std::vector<int16_t> readAll(SoundTrack& track, size_t frames) {
-    std::vector<int16_t> stereo(2 * frames);
-    readAll(track, stereo);
-    return stereo;
+    std::vector<int16_t> samples(static_cast<size_t>(track.channels()) * frames);
+    readAll(track, samples);
+    return samples;
 }
 
 constexpr int64_t kSecond = kSoundRate_Hz;
@@ -122,14 +122,12 @@ TEST(SoundTrack, OtherRatesAndChannelsComeAtTheirTime) {
 }
 
 TEST(SoundTrack, AVideosSoundBeginsWithItsPicture) {
-    if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs ffmpeg to make a video";
     // AAC in MP4: codec delay, packets with time stamps, a picture beside it. The tone starts at 1 s.
     const TemporaryFile file("aac.mp4", "");
-    const std::string command =
-        "ffmpeg -v error -y -f lavfi -i color=c=blue:s=64x32:r=25:d=4 -f lavfi -i "
-        "\"aevalsrc='if(gte(t,1),0.5*sin(2*PI*1000*t),0)':s=44100:d=4\" -c:v mpeg4 -c:a aac -b:a 96k '" +
-        file.path.string() + "' 2>/dev/null";
-    if (std::system(command.c_str()) != 0) GTEST_SKIP() << "this ffmpeg cannot make the video";
+    if (!ffmpeg("-f lavfi -i color=c=blue:s=64x32:r=25:d=4 -f lavfi -i "
+                "\"aevalsrc='if(gte(t,1),0.5*sin(2*PI*1000*t),0)':s=44100:d=4\" -c:v mpeg4 -c:a aac -b:a 96k",
+                file.path))
+        GTEST_SKIP() << "needs ffmpeg to make a video";
     EXPECT_NE(tests::valueOf(checkVideo(file.path)).find("; sound in stereo"), std::string::npos);
     auto track = tests::valueOf(SoundTrack::open(file.path, 4));
     for (const int64_t from : {int64_t{0}, 3 * kSecond / 4}) {
@@ -143,11 +141,7 @@ TEST(SoundTrack, AVideosSoundBeginsWithItsPicture) {
     }
 }
 
-std::string big32(size_t value) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 255);
-    return bytes;
-}
+std::string big32(size_t value) { return number(value, 4, false); }
 
 // PCM in QuickTime, with Google's box SA3D (Spatial Audio RFC) in the order of ACN, at the end of the entry.
 TEST(SoundTrack, AmbisonicsComeAsFuMa) {
@@ -161,10 +155,9 @@ TEST(SoundTrack, AmbisonicsComeAsFuMa) {
         }
         box = big32(box.size() + 4) + box;
         const TemporaryFile file("pcm.mov", "");
-        const std::string command = "ffmpeg -v error -y -f lavfi -i \"aevalsrc='" + levels +
-                                    "':s=48000:d=1\" -c:a pcm_s16le '" + file.path.string() + "' 2>/dev/null";
-        if (std::system(command.c_str()) != 0) GTEST_SKIP() << "needs ffmpeg to make a sound";
-        auto bytes = tests::valueOf(readText(file.path));
+        if (!ffmpeg("-f lavfi -i \"aevalsrc='" + levels + "':s=48000:d=1\" -c:a pcm_s16le", file.path))
+            GTEST_SKIP() << "needs ffmpeg to make a sound";
+        std::string bytes = readBytes(file.path);
         const size_t table = bytes.find("stsd"), begin = bytes.rfind("moov", table);
         const auto grow = [&](size_t at) { // the box whose name is there
             const auto* size = reinterpret_cast<const uint8_t*>(&bytes[at - 4]);
@@ -175,14 +168,12 @@ TEST(SoundTrack, AmbisonicsComeAsFuMa) {
         for (const char* name : {"moov", "trak", "mdia", "minf", "stbl"}) grow(bytes.find(name, begin));
         grow(table + 16);
         bytes.insert(grow(table), box);
-        std::ofstream(file.path, std::ios::binary) << bytes;
+        writeBytes(file.path, bytes);
 
         auto track = tests::valueOf(SoundTrack::open(file.path, 1));
         ASSERT_EQ(track.channels(), 4);
         track.seek(kSecond / 2);
-        std::vector<int16_t> samples(4000);
-        for (size_t i = 0; i < samples.size(); std::this_thread::yield())
-            i += 4 * track.read(std::span(samples).subspan(i));
+        const auto samples = readAll(track, 1000);
         constexpr double kChannelLevels[] = {0.25 / std::numbers::sqrt2, 0.25 / 4, 0.25 / 2, 0.25 / 3};
         for (size_t i = 0; i < samples.size(); ++i)
             ASSERT_NEAR(samples[i] / 32768.0, kChannelLevels[i % 4], 1e-4) << i;
@@ -190,14 +181,12 @@ TEST(SoundTrack, AmbisonicsComeAsFuMa) {
 }
 
 TEST(SoundTrack, SharedOpusHasItsSoundOnTheLeft) {
-    const Path file = tests::sharedDataFolder() / "files/amb.mka";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no shared files/amb.mka";
+    const Path file = sharedData("files/amb.mka");
+    if (file.empty()) GTEST_SKIP() << "no shared files/amb.mka";
     auto track = tests::valueOf(SoundTrack::open(file, 0));
     ASSERT_EQ(track.channels(), 4);
     track.seek(kSecond);
-    std::vector<int16_t> samples(4000);
-    for (size_t i = 0; i < samples.size(); std::this_thread::yield())
-        i += 4 * track.read(std::span(samples).subspan(i));
+    const auto samples = readAll(track, 1000);
     double loudest = 0;
     for (size_t i = 0; i < samples.size(); i += 4) {
         loudest = std::max(loudest, std::abs(static_cast<double>(samples[i + 2])));
@@ -208,15 +197,11 @@ TEST(SoundTrack, SharedOpusHasItsSoundOnTheLeft) {
 }
 
 TEST(SoundTrack, SaysWhyThereIsNone) {
-    const auto reason = [](const auto& track) {
-        return track ? std::string("opened") : track.error().reason;
-    };
-    EXPECT_EQ(reason(SoundTrack::open("/nowhere/a.mp4", 1)), "there is no such file");
-    EXPECT_EQ(reason(SoundTrack::open("/", 1)), "there is no such file");
-    EXPECT_EQ(reason(SoundTrack::open(dataRoot() / "README.md", 1)),
-              "is not a file with sound that can be read");
-    const TemporaryFile empty("empty.mp4", "");
-    EXPECT_EQ(reason(SoundTrack::open(empty.path, 1)), "is not a file with sound that can be read");
+    const auto reason = [](const Path& file) { return tests::errorOf(SoundTrack::open(file, 1)).reason; };
+    EXPECT_EQ(reason("/nowhere/a.mp4"), "there is no such file");
+    EXPECT_EQ(reason("/"), "there is no such file");
+    EXPECT_EQ(reason(dataRoot() / "README.md"), "is not a file with sound that can be read");
+    EXPECT_EQ(reason(TemporaryFile("empty.mp4", "").path), "is not a file with sound that can be read");
 }
 
 // Damaged files: silence or rubbish, in bounded time, never a crash or a hang.
