@@ -40,6 +40,14 @@ inline light::FrameView viewOf(const ImageRgb8& frame, bool bgr = false) {
     return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, bgr};
 }
 
+// Returns a frame of one colour.
+inline ImageRgb8 evenFrame(int width, int height, uint8_t red, uint8_t green, uint8_t blue) {
+    ImageRgb8 frame(width, height);
+    for (size_t i = 0; i < frame.pixels.size(); i += 3)
+        frame.pixels[i] = red, frame.pixels[i + 1] = green, frame.pixels[i + 2] = blue;
+    return frame;
+}
+
 namespace tests {
 
 // Returns the result's value; without one the test fails with the reason and the place of the call.

@@ -161,9 +161,7 @@ TEST(EstimateCameraResponse, LevelsAreFoundAgain) {
 }
 
 TEST(EstimateCameraResponse, AnEvenFrameSaysNothing) {
-    ImageRgb8 frame(512, 256);
-    std::fill(frame.pixels.begin(), frame.pixels.end(), uint8_t{100});
-    const CameraResponseEstimate found = estimated(frame);
+    const CameraResponseEstimate found = estimated(evenFrame(512, 256, 100, 100, 100));
     EXPECT_EQ(found.edges, 0);
     EXPECT_EQ(found.response.blur_texels, 0);
     for (const float noise : found.response.fineNoise) EXPECT_EQ(noise, 0);

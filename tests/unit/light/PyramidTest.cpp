@@ -34,21 +34,15 @@ class BlockMeans : public testing::TestWithParam<BlockLoop> {
 // Whole frames of one colour, over all of them that share few digits: every value of luma that there is comes
 // near one of these.
 TEST_P(BlockMeans, OneColourGivesItsRadiance) {
-    const int width = 64, height = 4;
-    ImageRgb8 frame(width, height);
-    ImageRgbF out(width / 4, 1);
+    ImageRgbF out(16, 1);
     const std::vector<float> weights(4, 0.25f);
     double worst = 0;
     for (int red = 0; red < 256; red += 5)
         for (int green = 0; green < 256; green += 3)
             for (int blue = 0; blue < 256; blue += 15) {
-                for (size_t i = 0; i < frame.pixels.size(); i += 3) {
-                    frame.pixels[i] = static_cast<uint8_t>(red);
-                    frame.pixels[i + 1] = static_cast<uint8_t>(green);
-                    frame.pixels[i + 2] = static_cast<uint8_t>(blue);
-                }
-                makeBlockMeans({frame.pixels.data(), width, height, 3 * width, false}, FrameRadiance::Thesis,
-                               weights, out, GetParam());
+                const ImageRgb8 frame = evenFrame(64, 4, static_cast<uint8_t>(red),
+                                                  static_cast<uint8_t>(green), static_cast<uint8_t>(blue));
+                makeBlockMeans(viewOf(frame), FrameRadiance::Thesis, weights, out, GetParam());
                 const glm::dvec3 want = radianceOf(red, green, blue);
                 for (int x = 0; x < out.width; ++x)
                     for (int c = 0; c < 3; ++c)
@@ -107,17 +101,15 @@ double allowed(int coded) { return std::min(2e-4, (coded < 10 ? 0.06 : 0.01) * l
 
 // Every value, in each channel beside others.
 TEST_P(BlockMeans, OneColourGivesDecodedSrgb) {
-    const int width = 64, height = 4;
-    ImageRgb8 frame(width, height);
-    ImageRgbF out(width / 4, 1);
+    ImageRgbF out(16, 1);
     const std::vector<float> weights(4, 0.25f);
     for (int value = 0; value < 256; ++value)
         for (const bool bgr : {true, false}) {
             const std::array<int, 3> colour = {value, 255 - value, value / 2};
-            for (size_t i = 0; i < frame.pixels.size(); ++i)
-                frame.pixels[i] = static_cast<uint8_t>(colour[bgr ? 2 - i % 3 : i % 3]);
-            makeBlockMeans({frame.pixels.data(), width, height, 3 * width, bgr}, FrameRadiance::Linear,
-                           weights, out, GetParam());
+            const ImageRgb8 frame =
+                evenFrame(64, 4, static_cast<uint8_t>(colour[bgr ? 2 : 0]), static_cast<uint8_t>(colour[1]),
+                          static_cast<uint8_t>(colour[bgr ? 0 : 2]));
+            makeBlockMeans(viewOf(frame, bgr), FrameRadiance::Linear, weights, out, GetParam());
             for (int x = 0; x < out.width; ++x)
                 for (size_t c = 0; c < 3; ++c)
                     ASSERT_NEAR(out.at(x, 0)[c], linearOf(colour[c]), allowed(colour[c])) << colour[c];

@@ -265,19 +265,12 @@ TEST(Harmonics, CosineLobesFactors) {
 
 // Baselines of pyramids and of inverse tone mapping.
 
-ImageRgb8 filled(int width, int height, uint8_t red, uint8_t green, uint8_t blue) {
-    ImageRgb8 frame(width, height);
-    for (size_t i = 0; i < frame.pixels.size(); i += 3)
-        frame.pixels[i] = red, frame.pixels[i + 1] = green, frame.pixels[i + 2] = blue;
-    return frame;
-}
-
 TEST(PyramidBaselines, UniformFrameStaysInEveryLevel) {
     const glm::vec3 want = radianceFromDisplay(glm::vec3(200, 120, 40) / 255.0f);
     for (const auto& [width, height, bgr] :
          {std::tuple(2048, 1024, false), {2048, 1024, true}, {600, 300, true}}) {
         const ImageRgb8 frame =
-            bgr ? filled(width, height, 40, 120, 200) : filled(width, height, 200, 120, 40);
+            bgr ? evenFrame(width, height, 40, 120, 200) : evenFrame(width, height, 200, 120, 40);
         for (const PyramidMethod& method : pyramidMethods()) {
             RadiancePyramid pyramid;
             method.make(viewOf(frame, bgr), pyramid);
@@ -293,7 +286,7 @@ TEST(PyramidBaselines, UniformFrameStaysInEveryLevel) {
 // means take it for 16.7 %. Where the frame is resampled, the
 // edge moves by up to a row of 512.
 TEST(PyramidBaselines, PlainMeansGiveTheZenithTooMuch) {
-    ImageRgb8 frame = filled(2048, 1020, 0, 0, 0);
+    ImageRgb8 frame = evenFrame(2048, 1020, 0, 0, 0);
     for (int y = 0; y < 170; ++y) std::fill(frame.at(0, y), frame.at(0, y) + 3 * 2048, uint8_t{255});
     for (const PyramidMethod& method : pyramidMethods()) {
         RadiancePyramid pyramid;
@@ -305,7 +298,7 @@ TEST(PyramidBaselines, PlainMeansGiveTheZenithTooMuch) {
 }
 
 float expanded(const InverseToneMapMethod& method, uint8_t value) {
-    ImageRgb8 frame = filled(8, 4, value, value, value);
+    ImageRgb8 frame = evenFrame(8, 4, value, value, value);
     frame.pixels[0] = frame.pixels[1] = frame.pixels[2] = 0; // the range of the picture: black to white
     frame.pixels[3] = frame.pixels[4] = frame.pixels[5] = 255;
     ImageRgbF out;
@@ -340,7 +333,7 @@ TEST(InverseToneMapBaselines, BrighterStaysBrighter) {
 
 // Computed by hand: 30 grey pixels, a black and a white one.
 TEST(InverseToneMapBaselines, MasiasPowers) {
-    ImageRgb8 frame = filled(8, 4, 188, 188, 188);
+    ImageRgb8 frame = evenFrame(8, 4, 188, 188, 188);
     frame.pixels[0] = frame.pixels[1] = frame.pixels[2] = 0;
     frame.pixels[3] = frame.pixels[4] = frame.pixels[5] = 255;
     const float l = 0.5029f, least = std::log(1e-6f);
@@ -356,7 +349,7 @@ TEST(InverseToneMapBaselines, MasiasPowers) {
 // A white disc in grey: white there becomes 10, the formula's (10 * 10 / 2) * (2 / 10), and far from it a
 // grey stays. Half as much light as white, expanded wholly, would be 50 (-0.5 + sqrt(0.25 + 0.02)) = 0.98.
 TEST(InverseToneMapBaselines, ExpandsWhereThereIsMuchLight) {
-    ImageRgb8 frame = filled(256, 128, 20, 20, 20);
+    ImageRgb8 frame = evenFrame(256, 128, 20, 20, 20);
     for (int y = 52; y < 76; ++y) std::fill_n(frame.at(116, y), 3 * 24, uint8_t{255});
     ImageRgbF out;
     banterle().expand(frame, out);
@@ -365,7 +358,7 @@ TEST(InverseToneMapBaselines, ExpandsWhereThereIsMuchLight) {
 }
 
 TEST(InverseToneMapBaselines, BrightensAroundWhatIsClipped) {
-    ImageRgb8 frame = filled(256, 128, 128, 128, 128);
+    ImageRgb8 frame = evenFrame(256, 128, 128, 128, 128);
     for (int y = 60; y < 68; ++y)
         for (int x = 120; x < 136; ++x)
             for (int c = 0; c < 3; ++c) frame.at(x, y)[c] = 255;

@@ -3,6 +3,7 @@
 #include "tests/Test.h"
 #include "tests/baselines/occlusion/Baked.h"
 #include "tests/baselines/occlusion/DepthMaps.h"
+#include "tests/unit/light/Environments.h"
 #include "tests/unit/occlusion/Bodies.h"
 
 namespace shoal::occlusion::baselines {
@@ -26,11 +27,7 @@ const std::vector<vec3> kFloorUp(3, kUp);
 const std::vector<glm::uvec3> kFloorTriangle{{0, 1, 2}};
 const BodyMesh kFloorMesh{kFloor, kFloorUp, kFloorTriangle};
 
-ImageRgbF white() {
-    ImageRgbF image(64, 32);
-    for (float& value : image.pixels) value = 1;
-    return image;
-}
+const ImageRgbF kWhite = light::uniform(64, glm::dvec3(1));
 
 TEST(AmbientOcclusion, IsOneInTheOpen) {
     for (const float free : bakeAmbientOcclusion(kFloorMesh, kOpen, 64, 0)) EXPECT_EQ(free, 1);
@@ -54,7 +51,7 @@ TEST(AmbientOcclusion, BuriedPartsDoNotCount) {
 // White furnace: radiance 1 from everywhere. Bands 1 to 4 of an even environment vanish, so nothing is cut
 // off.
 TEST(Transfer, WhiteEnvironmentGivesWhatIsFree) {
-    const math::ShRgb environment = math::shProject(white());
+    const math::ShRgb environment = math::shProject(kWhite);
     EXPECT_NEAR(bakeTransfer(kFloorMesh, kOpen, 4, 256, 0).radiance(0, environment).x, 1, 1e-3f);
     const vec3 centre(0, 2, 0);
     const auto shadowed = bakeTransfer(
@@ -75,7 +72,7 @@ TEST(Transfer, OpenIsTheCosineLobe) {
 }
 
 TEST(DirectedLight, SharesOutAllOfTheLight) {
-    const DirectedLight light = directedLight(white(), evenDirections(32));
+    const DirectedLight light = directedLight(kWhite, evenDirections(32));
     vec3 sum(0);
     for (const vec3& power : light.power) sum += power;
     EXPECT_NEAR(sum.x, 4 * std::numbers::pi_v<float>, 1e-4f);

@@ -6,6 +6,7 @@
 #include "engine/occlusion/SmoothLight.h"
 #include "tests/Test.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
+#include "tests/unit/light/Environments.h"
 
 namespace shoal::occlusion {
 namespace {
@@ -438,16 +439,11 @@ TEST(Bvh, MeetsWhatEveryTriangleTriedInTurnMeets) {
 }
 
 TEST(SmoothLight, FindsTheDominantLightAndKeepsTheMean) {
-    ImageRgbF map(64, 32);
     const glm::vec3 dominant = glm::normalize(glm::vec3(0.3f, 0.8f, -0.4f));
-    double mean = 0;
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 64; ++x) {
-            const glm::vec3 d = texelDirection(x, y, 64, 32);
-            const float value = glm::dot(d, dominant) > 0.95f ? 20.0f : 1.0f;
-            for (int c = 0; c < 3; ++c) map.at(x, y)[c] = value;
-            mean += static_cast<double>(value) * texelSolidAngle(y, 64, 32) / (4 * std::numbers::pi);
-        }
+    const ImageRgbF map = light::paint(64, 32, [&](const glm::dvec3& d) {
+        return glm::dvec3(glm::dot(glm::vec3(d), dominant) > 0.95f ? 20 : 1);
+    });
+    const double mean = light::meanOf(map).x;
     const SmoothLight light = smoothLight(map);
     EXPECT_GT(glm::dot(light.dominantTowards, dominant), 0.999f);
     EXPECT_NEAR(light.dominantShare, 1 - 0.95f * 0.95f, 0.02f);
@@ -461,9 +457,7 @@ TEST(SmoothLight, FindsTheDominantLightAndKeepsTheMean) {
 }
 
 TEST(SmoothLight, EvenLightHasNoDominantLight) {
-    ImageRgbF map(64, 32);
-    std::fill(map.pixels.begin(), map.pixels.end(), 2.0f);
-    const SmoothLight light = smoothLight(map);
+    const SmoothLight light = smoothLight(light::uniform(64, glm::dvec3(2)));
     for (size_t k = 0; k < kAxisCount; ++k) {
         EXPECT_NEAR(light.ahead[k].y, 2, 1e-4f);
         EXPECT_NEAR(light.behind[k].y, 2, 1e-4f);

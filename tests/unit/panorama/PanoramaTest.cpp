@@ -348,8 +348,7 @@ TEST(PartialPanorama, PartLiesWhereItSays) {
         EXPECT_NEAR(placed.at(x, 256)[1], 200, 1);
     }
     for (const int y : {0, 511}) EXPECT_NEAR(placed.at(100, y)[1], 200, 4); // sky and ground are filled
-    ImageRgb8 lit(256, 128); // one light, and no second one in the gap
-    std::fill(lit.pixels.begin(), lit.pixels.end(), uint8_t{60});
+    ImageRgb8 lit = evenFrame(256, 128, 60, 60, 60); // one light, and no second one in the gap
     for (int y = 50; y < 60; ++y) std::fill_n(lit.at(120, y), 30, uint8_t{255});
     const auto one = tests::valueOf(completePanorama(lit, {0.25, 0.25, 0.75, 0.75}));
     for (int y = 0; y < one.height; ++y)

@@ -77,14 +77,7 @@ ImageRgb8 filmed(const Sea& sea, uint64_t seed = 1) {
     return frame;
 }
 
-ImageRgb8 evenFrame(uint8_t red, uint8_t green, uint8_t blue) {
-    ImageRgb8 frame(256, 128);
-    for (size_t i = 0; i < frame.pixels.size(); i += 3)
-        frame.pixels[i] = red, frame.pixels[i + 1] = green, frame.pixels[i + 2] = blue;
-    return frame;
-}
-
-WaterEstimate estimated(const ImageRgb8& frame) { return estimateWater(viewOf(frame)); }
+WaterEstimate estimated(const ImageRgb8& frame) { return WaterEstimator().estimate(viewOf(frame)); }
 
 glm::vec3 coded(const glm::vec3& lin) {
     return {math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y), math::srgbFromLinear(lin.z)};
@@ -143,7 +136,7 @@ TEST_P(ClearCoast, AThingDrawnLooksAsAThingFilmed) {
 INSTANTIATE_TEST_SUITE_P(Seas, ClearCoast, kClearCoasts);
 
 TEST(EstimateWater, AnEvenFrameIsAllVeil) {
-    const auto estimate = estimated(evenFrame(40, 110, 150));
+    const auto estimate = estimated(evenFrame(256, 128, 40, 110, 150));
     const glm::vec3 prior = estimate.water.attenuation_perM;
     EXPECT_GT(prior.x, prior.y);
     EXPECT_GT(prior.y, prior.z); // bluer water takes less blue
@@ -158,7 +151,8 @@ TEST(EstimateWater, StaysWithinTheSeasBoundsWhateverComes) {
     Random random(7, 1);
     ImageRgb8 noise(256, 128);
     for (uint8_t& value : noise.pixels) value = static_cast<uint8_t>(random.between(0, 255.9f));
-    for (const ImageRgb8& frame : {evenFrame(0, 0, 0), evenFrame(255, 255, 255), evenFrame(255, 0, 0), noise})
+    for (const ImageRgb8& frame : {evenFrame(256, 128, 0, 0, 0), evenFrame(256, 128, 255, 255, 255),
+                                   evenFrame(256, 128, 255, 0, 0), noise})
         for (int c = 0; c < 3; ++c) {
             const Water water = estimated(frame).water;
             EXPECT_GE(water.attenuation_perM[c], 0.015f); // clearest ocean, in blue
@@ -169,29 +163,29 @@ TEST(EstimateWater, StaysWithinTheSeasBoundsWhateverComes) {
 
 TEST(EstimateWater, TheSameFrameGivesTheSameWater) {
     const ImageRgb8 frame = filmed({.texture = 0.4f});
-    const WaterEstimate first = estimateWater(viewOf(frame));
-    estimateWater(viewOf(evenFrame(9, 90, 120)));
-    const WaterEstimate second = estimateWater(viewOf(frame));
+    WaterEstimator estimator;
+    const WaterEstimate first = estimator.estimate(viewOf(frame));
+    estimator.estimate(viewOf(evenFrame(256, 128, 9, 90, 120)));
+    const WaterEstimate second = estimator.estimate(viewOf(frame));
     EXPECT_EQ(first.water.attenuation_perM, second.water.attenuation_perM);
     EXPECT_EQ(first.water.veil, second.water.veil);
 }
 
 TEST(EstimateWater, ReadsBlueFirstFramesAndPartsOfFrames) {
     const ImageRgb8 frame = filmed({});
-    ImageRgb8 other(frame.width + 10, frame.height + 4); // with a margin of another colour
-    std::fill(other.pixels.begin(), other.pixels.end(), uint8_t{200});
+    ImageRgb8 other = evenFrame(frame.width + 10, frame.height + 4, 200, 200, 200); // has a margin
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x)
             for (int c = 0; c < 3; ++c) other.at(x + 5, y + 2)[c] = frame.at(x, y)[2 - c];
     const light::FrameView part{other.at(5, 2), frame.width, frame.height, 3 * other.width, true};
-    EXPECT_EQ(estimateWater(part).water.attenuation_perM,
-              estimateWater(viewOf(frame)).water.attenuation_perM);
+    EXPECT_EQ(WaterEstimator().estimate(part).water.attenuation_perM,
+              WaterEstimator().estimate(viewOf(frame)).water.attenuation_perM);
 }
 
 // Leaves keep less blue than red; water keeps more, of whatever colour it is.
 TEST(EstimateWater, AMeadowAndTreesAroundItAreNoWater) {
-    EXPECT_EQ(estimated(evenFrame(70, 130, 40)).evidence, 0);
-    EXPECT_EQ(estimated(evenFrame(70, 130, 90)).evidence, 1) << "a green coast";
+    EXPECT_EQ(estimated(evenFrame(256, 128, 70, 130, 40)).evidence, 0);
+    EXPECT_EQ(estimated(evenFrame(256, 128, 70, 130, 90)).evidence, 1) << "a green coast";
 }
 
 // Photographs of dry land and of a cave under water.
@@ -202,8 +196,9 @@ TEST(EstimateWater, TellsLandFromWater) {
         const auto photo = media::readPhoto(photos / name);
         if (!photo) return -1.0f;
         const ImageRgb8& picture = photo->picture;
-        return estimateWater({picture.pixels.data(), picture.width, picture.height / (upperHalf ? 2 : 1),
-                              3 * picture.width, false})
+        return WaterEstimator()
+            .estimate({picture.pixels.data(), picture.width, picture.height / (upperHalf ? 2 : 1),
+                       3 * picture.width, false})
             .evidence;
     };
     EXPECT_EQ(evidence("petra_360_2048x1024.jpg", false), 0);
