@@ -18,9 +18,14 @@ constexpr float kTol = 1e-5f;
 Mover still(Capsule c, int tag = 0) { return {c, c, glm::vec3(0), glm::vec3(0), 0, tag}; }
 
 // Contacts of one tick in a world of its own.
-void collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
-             std::span<const Contact> last, std::vector<Contact>& out) {
-    World().touch(bodies, movers, dt_s, last, out);
+std::vector<Contact> collide(std::span<const Body> bodies, std::span<const Mover> movers,
+                             std::span<const Contact> last = {}) {
+    std::vector<Contact> out;
+    World().touch(bodies, movers, kDt, last, out);
+    return out;
+}
+std::vector<Contact> collide(const Body& body, const Mover& mover, std::span<const Contact> last = {}) {
+    return collide({&body, 1}, {&mover, 1}, last);
 }
 
 // A sphere that pushes as fast as it goes.
@@ -39,8 +44,7 @@ TEST(Contact, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {0, 0, 0}, 5);
     // A sphere of 1 cm, 3.5 cm left of the axis: 5 mm deep.
     const Mover tip = still({{-0.035f, 0, 0.02f}, {-0.035f, 0, 0.02f}, 0.01f}, 7);
-    std::vector<Contact> contacts;
-    collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+    const auto contacts = collide(fish, tip);
     ASSERT_EQ(contacts.size(), 1u);
     const Contact& c = contacts[0];
     EXPECT_EQ(c.body, 5u);
@@ -54,8 +58,7 @@ TEST(Contact, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
 TEST(Contact, ClosingSpeedIsRelative) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {-0.5f, 0, 0});
     const Mover tip = sphere({-0.06f, 0, 0}, {-0.03f, 0, 0}, 0.01f); // 3.6 m/s towards it
-    std::vector<Contact> contacts;
-    collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+    const auto contacts = collide(fish, tip);
     ASSERT_EQ(contacts.size(), 1u);
     EXPECT_NEAR(contacts[0].closingSpeed, 4.1f, 1e-3f);
     // The gap is 60 mm, and 4.17 mm that the body comes, less 40 mm of radii: 24.17 mm, of which 34.17 mm
@@ -65,7 +68,6 @@ TEST(Contact, ClosingSpeedIsRelative) {
 }
 
 TEST(Contact, NothingTunnelsAtAnySpeedBelowATeleport) {
-    std::vector<Contact> contacts;
     const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
     for (float speed : {1.0f, 5.0f, 20.0f, 60.0f, 150.0f})
         for (float offset : {0.1f, 0.35f, 0.5f, 0.77f, 0.9f}) // where in the tick it passes
@@ -73,17 +75,13 @@ TEST(Contact, NothingTunnelsAtAnySpeedBelowATeleport) {
                 const float way = speed * kDt;
                 const Mover tip =
                     sphere({-way * offset - 0.0f, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
-                collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
-                EXPECT_EQ(contacts.size(), 1u) << speed << " m/s, offset " << offset << ", aside " << aside;
+                EXPECT_EQ(collide(fish, tip).size(), 1u)
+                    << speed << " m/s, offset " << offset << ", aside " << aside;
             }
 }
 
 TEST(Contact, ATeleportTouchesNothingOnItsWay) {
-    std::vector<Contact> contacts;
-    const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
-    const Mover tip = sphere({-1, 0, 0}, {1, 0, 0}, 0.006f);
-    collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
-    EXPECT_TRUE(contacts.empty());
+    EXPECT_TRUE(collide(fishAt({0, 0, 0}, 0.02f, 0.03f), sphere({-1, 0, 0}, {1, 0, 0}, 0.006f)).empty());
 }
 
 TEST(Contact, ResultIsSortedAndIndependentOfOrderAndHistory) {
@@ -101,13 +99,13 @@ TEST(Contact, ResultIsSortedAndIndependentOfOrderAndHistory) {
     const auto same = [&](const Contact& a, const Contact& b) {
         return key(a) == key(b) && a.point == b.point && a.normal == b.normal && a.depth == b.depth;
     };
-    std::vector<Contact> forwards, backwards;
-    collide(bodies, movers, kDt, {}, forwards);
+    const auto forwards = collide(bodies, movers);
     ASSERT_GT(forwards.size(), 10u);
     for (size_t i = 1; i < forwards.size(); ++i) EXPECT_LT(key(forwards[i - 1]), key(forwards[i]));
     std::reverse(bodies.begin(), bodies.end());
     std::reverse(movers.begin(), movers.end());
-    for (int round = 0; round < 3; ++round) collide(bodies, movers, kDt, {}, backwards);
+    std::vector<Contact> backwards;
+    for (int round = 0; round < 3; ++round) World().touch(bodies, movers, kDt, {}, backwards);
     ASSERT_EQ(forwards.size(), backwards.size());
     for (size_t i = 0; i < forwards.size(); ++i) EXPECT_TRUE(same(forwards[i], backwards[i])) << i;
 }
@@ -115,12 +113,12 @@ TEST(Contact, ResultIsSortedAndIndependentOfOrderAndHistory) {
 // A finger that presses on past the axis keeps pushing the way it came from.
 TEST(Contact, ALastingContactNeverFlipsHoweverDeepItGoes) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
-    std::vector<Contact> last, now;
+    std::vector<Contact> last;
     float depth = 0;
     for (int i = 0; i < 60; ++i) {
         const auto x = [](int step) { return -0.045f + 0.001f * static_cast<float>(step); };
         const Mover tip = sphere({x(i), 0.002f, 0.01f}, {x(i + 1), 0.002f, 0.01f}, 0.008f);
-        collide({&fish, 1}, {&tip, 1}, kDt, last, now);
+        auto now = collide(fish, tip, last);
         if (!now.empty()) {
             EXPECT_GT(now[0].normal.x, 0.7f) << "step " << i;
             EXPECT_GE(now[0].depth, depth);
@@ -131,21 +129,20 @@ TEST(Contact, ALastingContactNeverFlipsHoweverDeepItGoes) {
             EXPECT_GT(glm::dot(now[0].normal, was), 0.97f);
         } else
             EXPECT_LT(i, 7) << "contact lost";
-        std::swap(last, now);
+        last = std::move(now);
     }
     EXPECT_NEAR(depth, 0.038f + 0.015f, 0.002f); // both radii, and 15 mm past the axis
 }
 
 TEST(Contact, ABoneThatHasGoneRightThroughIsFree) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
-    std::vector<Contact> last, now;
+    std::vector<Contact> last;
     int touching = 0;
     for (int i = 0; i < 40; ++i) {
         const float a = -0.1f + 0.005f * static_cast<float>(i);
         const Mover tip = sphere({a, 0.002f, 0}, {a + 0.005f, 0.002f, 0}, 0.008f);
-        collide({&fish, 1}, {&tip, 1}, kDt, last, now);
-        touching += !now.empty();
-        std::swap(last, now);
+        last = collide(fish, tip, last);
+        touching += !last.empty();
     }
     EXPECT_TRUE(last.empty());
     EXPECT_GT(touching, 10);
@@ -154,10 +151,8 @@ TEST(Contact, ABoneThatHasGoneRightThroughIsFree) {
 // A hand that appears inside a fish has no earlier position; even crossing core segments are separated.
 TEST(Contact, ABodyThatAppearsInsideGetsAWayOut) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
-    std::vector<Contact> contacts;
     for (glm::vec3 across : {glm::vec3(0.03f, 0, 0), glm::vec3(0, 0.03f, 0), glm::vec3(0.01f, 0, 0.03f)}) {
-        const Mover tip = still({-across, across, 0.008f});
-        collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+        const auto contacts = collide(fish, still({-across, across, 0.008f}));
         ASSERT_EQ(contacts.size(), 1u);
         EXPECT_NEAR(glm::length(contacts[0].normal), 1, kTol);
         // Crossed at the middles, the shortest way is across both.
@@ -172,14 +167,13 @@ TEST(Contact, TheWayOutOfCrossedAxesIsTheShortest) {
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     const glm::vec3 along = fish.after.b - fish.after.a;
     Random random(9, 1);
-    std::vector<Contact> contacts;
     for (int round = 0; round < 100; ++round) {
         glm::vec3 reach(random.between(-0.05f, 0.05f), random.between(-0.05f, 0.05f),
                         random.between(-0.05f, 0.05f));
         if (round % 10 == 0) reach = along * random.between(-0.6f, 0.6f);
         if (round % 10 == 1) reach = glm::vec3(0);
         const Mover bone = still({-reach, reach, 0.008f});
-        collide({&fish, 1}, {&bone, 1}, kDt, {}, contacts);
+        const auto contacts = collide(fish, bone);
         ASSERT_EQ(contacts.size(), 1u);
         ASSERT_NEAR(glm::length(contacts[0].normal), 1, kTol) << round;
         const auto movedBy = [&](glm::vec3 way) {
@@ -266,20 +260,17 @@ TEST(Separating, ResolvesAnOverlapWithoutPopping) {
     EXPECT_GT(depth, 0);
 }
 
-// Single precision on lengths below 1 m, a handful of operations.
-constexpr float kCapsuleTol = 1e-5f;
-
 TEST(Separation, MatchesClosedForms) {
     const auto point = [](glm::vec3 p, float r) { return Capsule{p, p, r}; };
-    EXPECT_NEAR(separation(point({0, 0, 0}, 0.1f), point({1, 0, 0}, 0.2f)), 0.7f, kCapsuleTol);
+    EXPECT_NEAR(separation(point({0, 0, 0}, 0.1f), point({1, 0, 0}, 0.2f)), 0.7f, kTol);
     // A point beside the middle of a segment, and beyond its end.
     const Capsule bar{{-1, 0, 0}, {1, 0, 0}, 0.1f};
-    EXPECT_NEAR(separation(point({0.3f, 0.5f, 0}, 0.1f), bar), 0.3f, kCapsuleTol);
-    EXPECT_NEAR(separation(point({4, 4, 0}, 0.1f), bar), 5 - 0.2f, kCapsuleTol);
+    EXPECT_NEAR(separation(point({0.3f, 0.5f, 0}, 0.1f), bar), 0.3f, kTol);
+    EXPECT_NEAR(separation(point({4, 4, 0}, 0.1f), bar), 5 - 0.2f, kTol);
     // Crossed bars, parallel bars, crossing bars.
-    EXPECT_NEAR(separation(bar, {{0, 0.7f, -1}, {0, 0.7f, 1}, 0.1f}), 0.5f, kCapsuleTol);
-    EXPECT_NEAR(separation(bar, {{-1, 0.4f, 0}, {1, 0.4f, 0}, 0.1f}), 0.2f, kCapsuleTol);
-    EXPECT_NEAR(separation(bar, {{0, -1, 0}, {0, 1, 0}, 0.1f}), -0.2f, kCapsuleTol);
+    EXPECT_NEAR(separation(bar, {{0, 0.7f, -1}, {0, 0.7f, 1}, 0.1f}), 0.5f, kTol);
+    EXPECT_NEAR(separation(bar, {{-1, 0.4f, 0}, {1, 0.4f, 0}, 0.1f}), 0.2f, kTol);
+    EXPECT_NEAR(separation(bar, {{0, -1, 0}, {0, 1, 0}, 0.1f}), -0.2f, kTol);
 }
 
 struct BulletCapsule {
@@ -363,7 +354,7 @@ TEST(FirstTouch, AgreesWithFineSteps) {
         ++hits;
         ASSERT_LE(found, 1) << "round " << round << ": passed through";
         const float gap = separation(between(from, to, found), between(fishFrom, fishTo, found));
-        EXPECT_GT(gap, -2 * kCapsuleTol) << "round " << round << ": too late";
+        EXPECT_GT(gap, -2 * kTol) << "round " << round << ": too late";
         EXPECT_LT(gap, 2 * kTouchGap_m) << "round " << round << ": too early";
     }
     EXPECT_GT(hits, 800);
