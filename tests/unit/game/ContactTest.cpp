@@ -273,9 +273,7 @@ TEST(Contact, AFishIsTornFromAHandThatGoesTooFast) {
         one.takeFish();
         for (int i = 0; i < 40 && one.held() == 0; ++i) {
             const float eased = std::min(1.0f, static_cast<float>(i) / 20); // share of the speed
-            one.input.hands[1] =
-                handAt(kPlace + glm::vec3(0, 0.5f * eased * speed * static_cast<float>(i) / 120, 0), 1);
-            one.step();
+            one.hand(kPlace + glm::vec3(0, 0.5f * eased * speed * static_cast<float>(i) / 120, 0), 1);
             checkAll(one.world, "torn");
         }
         return one.held() == 0;

@@ -1,22 +1,9 @@
 // Animals in the space of a film: made walls, a tunnel, a wall that comes nearer, a pillar.
-#include "game/rules/FilmSpace.h"
 #include "Fixture.h"
 #include "game/rules/Intent.h"
 
 namespace shoal::game {
 namespace {
-
-// Returns a synthetic space. distance_m: float(glm::vec3 dir, double time_s), positive.
-template <class Distance>
-std::shared_ptr<const FilmSpace> madeSpace(double length_s, int steps, const Distance& distance_m) {
-    std::vector<uint16_t> surface_mm;
-    for (int step = 0; step < steps; ++step)
-        for (int cell = 0; cell < FilmSpace::kCells; ++cell)
-            surface_mm.push_back(static_cast<uint16_t>(
-                1000 * std::min(distance_m(FilmSpace::directionOf(cell), step * length_s / steps),
-                                FilmSpace::kFar_m)));
-    return std::make_shared<const FilmSpace>(length_s, std::move(surface_mm));
-}
 
 // Returns the distance to a wall ahead, 1.6 m from the eyes.
 float toWall_m(glm::vec3 dir, double = 0) { return dir.z < -0.05f ? 1.6f / -dir.z : FilmSpace::kFar_m; }
@@ -215,9 +202,7 @@ TEST(FilmSpace, AHiddenFishIsNeitherShownNorHelpedToNorTaken) {
                      .change = [&](DiveFile& file) { file.space = hidden ? near : nullptr; }});
         for (int i = 0; i < 60; ++i) {
             one.rest(behind);
-            one.input.hands[1] =
-                handAt(behind, i < 30 ? 0.0f : std::min(1.0f, static_cast<float>(i - 30) / 15));
-            one.step();
+            one.hand(behind, i < 30 ? 0.0f : std::min(1.0f, static_cast<float>(i - 30) / 15));
         }
         Snapshot now = one.shown();
         EXPECT_EQ(one.world.hands[1].intent.fish >= 0 || one.fish().heldBy >= 0, !hidden);

@@ -1,7 +1,5 @@
 // How fish and shark swim: their bodies, whole dives, shoals, and visits to a hand that rests.
 #include "Fixture.h"
-#include "game/rules/FishBehaviour.h"
-#include "game/rules/Swimmer.h"
 
 namespace shoal::game {
 namespace {

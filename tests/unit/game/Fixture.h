@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/rules/Dive.h"
+#include "game/rules/FilmSpace.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Grasping.h"
 #include "game/rules/Swimmer.h"
@@ -28,14 +29,12 @@ inline hands::HandPose handAt(glm::vec3 grasp, float closed = 0, int side = 1) {
 }
 
 template <EventKind K> int count(const Events& events) {
-    return static_cast<int>(
-        std::ranges::count_if(events, [](const Event& event) { return event.kind == K; }));
+    return static_cast<int>(std::ranges::count(events, K, &Event::kind));
 }
 
 template <EventKind K> const Event* first(const Events& events) {
-    for (const Event& event : events)
-        if (event.kind == K) return &event;
-    return nullptr;
+    const auto found = std::ranges::find(events, K, &Event::kind);
+    return found == events.end() ? nullptr : &*found;
 }
 
 // A dive whose state is open to tests, with the input of its next ticks and all events.
@@ -158,6 +157,18 @@ struct OneFish {
         for (int i = 1; i <= 15; ++i) hand(at, from + (to - from) * static_cast<float>(i) / 15);
     }
 };
+
+// Returns a synthetic space. distance_m: float(glm::vec3 dir, double time_s), positive.
+template <class Distance>
+std::shared_ptr<const FilmSpace> madeSpace(double length_s, int steps, const Distance& distance_m) {
+    std::vector<uint16_t> surface_mm;
+    for (int step = 0; step < steps; ++step)
+        for (int cell = 0; cell < FilmSpace::kCells; ++cell)
+            surface_mm.push_back(static_cast<uint16_t>(
+                1000 * std::min(distance_m(FilmSpace::directionOf(cell), step * length_s / steps),
+                                FilmSpace::kFar_m)));
+    return std::make_shared<const FilmSpace>(length_s, std::move(surface_mm));
+}
 
 // Returns the distance from a school's middle to the fish farthest from it, body lengths.
 inline float spreadOf(const OpenDive& dive, int school) {

@@ -1,7 +1,6 @@
 // Hands that nearly reach a fish: the fish that they aim at, the help that they get, and why they missed.
-#include "Fixture.h"
-
 #include "game/rules/Intent.h"
+#include "Fixture.h"
 
 namespace shoal::game {
 namespace {
@@ -66,9 +65,7 @@ TEST(Intent, TheHelpMovesNothingByMuchOrFast) {
     EXPECT_GT(farthest, 0.02f);
     EXPECT_LE(farthest, 0.05f + 1e-4f);
     // Open and empty again, it goes back to where the player has it.
-    for (int i = 0; i < 60; ++i) {
-        one.hand(kPlace);
-    }
+    for (int i = 0; i < 60; ++i) one.hand(kPlace);
     EXPECT_LT(glm::distance(one.world.hands[1].graspCentre, alone), 1e-4f);
 }
 
@@ -140,9 +137,7 @@ TEST(Misses, AFastHandIsTold) {
     for (int i = 0; i < 60; ++i) { // 1.5 m/s past the fish, closing on the way
         one.rest(kPlace + glm::vec3(0, 0, -0.1f));
         const float way = 1.5f * static_cast<float>(i - 30) / 120;
-        one.input.hands[1] =
-            handAt(kPlace + glm::vec3(way, 0, 0), std::clamp(static_cast<float>(i - 25) / 15, 0.0f, 1.0f));
-        one.step();
+        one.hand(kPlace + glm::vec3(way, 0, 0), std::clamp(static_cast<float>(i - 25) / 15, 0.0f, 1.0f));
     }
     EXPECT_EQ(count<EventKind::MissTooFast>(one.events), 1);
 }

@@ -263,14 +263,9 @@ TEST(Things, AMusselThatComesBackIsWholeAndLevel) {
 
 // A film of level sand 0.9 m below the camera, above the dive's own floor.
 TEST(Things, ComeToRestOnTheFilmsSand) {
-    std::vector<uint16_t> surface;
-    for (int step = 0; step < 8; ++step)
-        for (int cell = 0; cell < FilmSpace::kCells; ++cell) {
-            const float down = -FilmSpace::directionOf(cell).y;
-            surface.push_back(static_cast<uint16_t>(down > 0.12f ? 900 / down : 7500));
-        }
     DiveFile file = OneThing("stone").world.file();
-    file.space = std::make_shared<const FilmSpace>(4.0, surface);
+    file.space = madeSpace(
+        4, 8, [](glm::vec3 dir, double) { return dir.y < -0.12f ? -0.9f / dir.y : FilmSpace::kFar_m; });
     OpenDive dive(bay().species, file, 5, {});
     Fish& stone = dive.fish[0];
     stone.position = {0.1f, -0.3f, -0.7f};
@@ -299,11 +294,8 @@ TEST(Things, TheEndOfTheDiveThrowsNothing) {
 TEST(Things, ComeBackFromTheFilmsRock) {
     for (const glm::vec3 way :
          {glm::vec3(0, 0, -1), glm::vec3(0.6f, 0.64f, 0.48f), glm::vec3(-0.8f, 0.6f, 0)}) {
-        OneThing one("stone");
-        const auto space = std::make_shared<const FilmSpace>(
-            4.0, std::vector<uint16_t>(8 * FilmSpace::kCells, uint16_t{1500}));
-        DiveFile file = one.world.file();
-        file.space = space;
+        DiveFile file = OneThing("stone").world.file();
+        file.space = madeSpace(4, 8, [](glm::vec3, double) { return 1.5f; });
         OpenDive dive(bay().species, file, 5, {});
         Fish& stone = dive.fish[0];
         stone.position = 0.9f * way;
