@@ -1,22 +1,11 @@
 // The game's models hold the nodes and clips that the game finds by name.
-#include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 #include "engine/scene/Vertices.h"
-#include "input/hands/HandRig.h"
-#include "tests/Test.h"
+#include "tests/TestRig.h"
+#include "tests/unit/scene/Fixture.h"
 
 namespace shoal::scene {
 namespace {
-
-Model load(const std::string& name) {
-    return tests::valueOf(loadModel(dataRoot() / "content" / "models" / (name + ".glb")));
-}
-
-Pose restOf(const Model& model) {
-    Pose pose;
-    restPose(model, pose);
-    return pose;
-}
 
 // The clips that the game plays last as long as it expects.
 void expectClips(const Model& model, const std::vector<std::string>& clips) {
@@ -46,7 +35,7 @@ struct AnimalCase {
 class Animals : public testing::TestWithParam<AnimalCase> {
   protected:
     const AnimalCase& animal = GetParam();
-    const Model model = load(animal.name);
+    const Model model = shipped(animal.name);
 };
 
 TEST_P(Animals, FaceForwardAtTheirRealSizeCentredOnTheBody) {
@@ -184,7 +173,7 @@ TEST(AnimalModels, AreSmallFilesTogether) {
 }
 
 TEST(SharkModel, OpensItsJawToBite) {
-    const Model model = load("shark");
+    const Model model = shipped("shark");
     const int clip = model.findAnimation("bite"), jaw = model.findNode("jaw");
     ASSERT_GE(clip, 0);
     ASSERT_GE(jaw, 0);
@@ -195,10 +184,12 @@ TEST(SharkModel, OpensItsJawToBite) {
     EXPECT_GT(glm::axis(pose.local[static_cast<size_t>(jaw)].rotation).x, 0.9f);
 }
 
-class Hands : public testing::TestWithParam<const char*> {};
+class Hands : public testing::TestWithParam<const char*> {
+  protected:
+    const Model model = shipped(GetParam());
+};
 
 TEST_P(Hands, HaveTheJointsOfOpenXrInOrder) {
-    const Model model = load(GetParam());
     ASSERT_EQ(model.skins.size(), 1u);
     ASSERT_EQ(model.skins[0].joints.size(), hands::kJointNames.size());
     for (size_t i = 0; i < hands::kJointNames.size(); ++i) {
@@ -214,7 +205,6 @@ TEST_P(Hands, HaveTheJointsOfOpenXrInOrder) {
 // A joint set to its rest pose leaves the skin where it is: the game sets joints in the world, so the inverse
 // bind matrices must undo the rest pose.
 TEST_P(Hands, RestPoseUndoesTheBindMatrices) {
-    const Model model = load(GetParam());
     std::vector<glm::mat4> matrices;
     skinMatrices(model, 0, restOf(model), matrices);
     for (const glm::mat4& m : matrices)
@@ -225,11 +215,9 @@ TEST_P(Hands, RestPoseUndoesTheBindMatrices) {
 }
 
 TEST_P(Hands, CanWearThreeComplexionsAndAGlove) {
-    const Model model = load(GetParam());
     EXPECT_EQ(model.variants, (std::vector<std::string>{"light", "medium", "dark", "glove"}));
     for (const std::string& look : model.variants) {
-        const Model dressed = tests::valueOf(
-            loadModel(dataRoot() / "content" / "models" / (std::string(GetParam()) + ".glb"), look));
+        const Model dressed = shipped(GetParam(), look);
         const Material& material = dressed.materialOf(dressed.meshes[0].primitives[0]);
         EXPECT_EQ(material.name, look);
         ASSERT_TRUE(dressed.imageOf(material.baseColour));
@@ -242,7 +230,6 @@ TEST_P(Hands, CanWearThreeComplexionsAndAGlove) {
 
 // Hands are drawn nearest of all models, in every frame, on two cores.
 TEST_P(Hands, AreOneLeanDraw) {
-    const Model model = load(GetParam());
     ASSERT_EQ(model.meshes.size(), 1u);
     ASSERT_EQ(model.meshes[0].primitives.size(), 1u);
     EXPECT_LE(triangles(model), 6000u);
@@ -252,7 +239,6 @@ TEST_P(Hands, AreOneLeanDraw) {
 // A hand ends in a wrist of three quarters of the palm's breadth, which the sleeve hides
 // (content/make/models/arms.py).
 TEST_P(Hands, EndInAWrist) {
-    const Model model = load(GetParam());
     ASSERT_FALSE(model.meshes.empty());
     const Primitive& skin = model.meshes[0].primitives[0];
     const auto breadth = [&](float from_m, float to_m) { // across, of what lies between, without the thumb
@@ -282,7 +268,7 @@ TEST(OtherAnimals, AreAsLargeAsInLifeAndHoldTheClipsThatTheGamePlays) {
         glm::vec3 size_m; // across, high, long
     };
     for (const Case& animal : {Case{"jellyfish", {0.2f, 0.42f, 0.2f}}, Case{"humpback", {7.1f, 3.0f, 12}}}) {
-        const Model model = load(animal.name);
+        const Model model = shipped(animal.name);
         const Bounds bounds = posedBounds(model, restOf(model));
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_NEAR((bounds.high - bounds.low)[axis] / animal.size_m[axis], 1, 0.15f)
@@ -303,7 +289,7 @@ TEST(Things, AreCentredAtTheirRealSizeAndLoseTheirWeed) {
                               Case{"stone", {0.064f, 0.046f, 0.085f}, {"loose", "drift"}},
                               Case{"bottle", {0.068f, 0.068f, 0.24f}, {}}}) {
         SCOPED_TRACE(thing.name);
-        const Model model = load(thing.name);
+        const Model model = shipped(thing.name);
         const auto boundsIn = [&](const std::string& clip) { // at rest if there is none of this name
             Pose pose = restOf(model);
             if (const int index = model.findAnimation(clip); index >= 0) animate(model, index, 0, pose);
@@ -335,9 +321,8 @@ class HandPoses : public testing::TestWithParam<HandPoseCase> {};
 // bends. Few edges may shrink below a quarter of their length or stretch beyond twice it. In these poses at
 // most 0.22 and 0.32 % did, and the volume was 0.948 (fist) to 1.024 (fanned) of that at rest.
 TEST_P(HandPoses, KeepTheFleshOnTheBones) {
-    const Model model = load("hand_right");
-    const auto rig = tests::valueOf(hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json"));
-    const hands::HandPose hand = rig.pose(hands::Side::Right, GetParam().shape, {});
+    const Model model = shipped("hand_right");
+    const hands::HandPose hand = tests::rig().pose(hands::Side::Right, GetParam().shape, {});
     Pose pose = restOf(model);
     for (size_t i = 0; i < hands::kJointNames.size(); ++i)
         pose.modelFromNode[static_cast<size_t>(model.skins[0].joints[i])] =
@@ -382,7 +367,7 @@ INSTANTIATE_TEST_SUITE_P(Content, HandPoses,
                          tests::byName);
 
 TEST(HandModels, AreMirrorImages) {
-    const Model left = load("hand_left"), right = load("hand_right");
+    const Model left = shipped("hand_left"), right = shipped("hand_right");
     ASSERT_FALSE(left.meshes.empty());
     ASSERT_FALSE(right.meshes.empty());
     const Primitive &l = left.meshes[0].primitives[0], &r = right.meshes[0].primitives[0];
@@ -408,7 +393,7 @@ INSTANTIATE_TEST_SUITE_P(Content, Hands, testing::Values("hand_left", "hand_righ
 // However its fingers bend, a hand stays in the sphere around it, and the sphere is little larger than a
 // hand.
 TEST(Hands, StayWithinTheirReach) {
-    const Model model = load("hand_left");
+    const Model model = shipped("hand_left");
     Pose pose = restOf(model);
     const std::vector<NodeSphere> reach = boundingSpheresOf(model, pose);
     const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), {3, -1, 2}), glm::vec3(1.5f));

@@ -91,6 +91,17 @@ struct Gltf {
     Model model() const { return tests::valueOf(load()); }
 };
 
+// Loads one of the game's models.
+inline Model shipped(const std::string& name, const std::string& variant = {}) {
+    return tests::valueOf(loadModel(dataRoot() / "content/models" / (name + ".glb"), variant));
+}
+
+inline Pose restOf(const Model& model) {
+    Pose pose;
+    restPose(model, pose);
+    return pose;
+}
+
 inline const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 // Returns the reason for which the document is refused; "" if it is accepted.

@@ -125,8 +125,7 @@ TEST(Hostile, ADeepChainOfNodesLoads) {
         file.root["nodes"].push_back(std::move(node));
     }
     const auto model = file.model();
-    Pose pose;
-    restPose(model, pose);
+    const Pose pose = restOf(model);
     EXPECT_EQ(pose.modelFromNode.back()[3][1], kNodes); // whole numbers below 2^24: exact
     LoadLimits limits;
     limits.maxNodes = 100;

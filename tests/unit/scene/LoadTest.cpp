@@ -15,8 +15,7 @@ TEST(Load, ReferenceModels) {
             if (extension != ".gltf" && extension != ".glb") continue;
             ++count;
             const auto model = tests::valueOf(loadModel(entry.path()));
-            Pose pose;
-            restPose(model, pose);
+            const Pose pose = restOf(model);
             const Bounds bounds = posedBounds(model, pose);
             EXPECT_GT(glm::distance(bounds.low, bounds.high), 0) << entry.path();
             for (const Material& material : model.materials)
@@ -150,8 +149,7 @@ TEST(Load, MatricesAreSplitWhereTheyCanBe) {
     EXPECT_EQ(model.nodes[0].parentFromNode.translation, glm::vec3(5, 6, 7));
     EXPECT_EQ(glm::abs(model.nodes[0].parentFromNode.scale), glm::vec3(2, 3, 4));
     ASSERT_TRUE(model.nodes[1].matrix);
-    Pose pose;
-    restPose(model, pose);
+    const Pose pose = restOf(model);
     const glm::mat4 expected(0, 2, 0, 0, -3, 0, 0, 0, 0, 0, -4, 0, 5, 6, 7, 1);
     for (int i = 0; i < 16; ++i)
         EXPECT_NEAR(pose.modelFromNode[0][i / 4][i % 4], expected[i / 4][i % 4],

@@ -25,8 +25,7 @@ TEST_P(Normals, StandOnTheEllipsoid) {
     model.nodes.push_back({.mesh = 0});
     model.order = {0};
     GetParam().transform(model);
-    Pose pose;
-    restPose(model, pose);
+    const Pose pose = restOf(model);
     const Surface surface = posedSurface(model, pose);
     ASSERT_EQ(surface.positions.size(), primitive.positions.size());
     for (size_t i = 0; i < surface.positions.size(); ++i) {

@@ -1,11 +1,10 @@
-#include "engine/scene/Model.h"
 #include "tests/unit/scene/Fixture.h"
 
 namespace shoal::scene {
 namespace {
 
 // Few float operations on numbers near 1: a few units in the last place.
-constexpr float kAnimateTol = 1e-6f;
+constexpr float kTol = 1e-6f;
 
 Model withChannel(Channel channel) {
     Model model;
@@ -16,13 +15,18 @@ Model withChannel(Channel channel) {
     return model;
 }
 
-glm::vec3 translationAt(Channel::Interpolation interpolation, std::vector<float> values, float time_s) {
-    const Model model =
-        withChannel({Channel::Target::Translation, interpolation, 0, {1, 3}, std::move(values)});
-    Pose pose;
-    restPose(model, pose);
+// Returns the pose of withChannel() at this time.
+Pose poseAt(const Channel& channel, float time_s) {
+    const Model model = withChannel(channel);
+    Pose pose = restOf(model);
     animate(model, 0, time_s, pose);
-    return pose.local[0].translation;
+    return pose;
+}
+
+glm::vec3 translationAt(Channel::Interpolation interpolation, std::vector<float> values, float time_s) {
+    return poseAt({Channel::Target::Translation, interpolation, 0, {1, 3}, std::move(values)}, time_s)
+        .local[0]
+        .translation;
 }
 
 glm::quat about(const glm::vec3& axis, float angle) { return glm::angleAxis(angle, axis); }
@@ -34,12 +38,10 @@ std::vector<float> xyzw(std::initializer_list<glm::quat> quats) {
 }
 
 glm::quat rotationAt(std::vector<float> values, float time_s) {
-    const Model model = withChannel(
-        {Channel::Target::Rotation, Channel::Interpolation::Linear, 0, {0, 1}, std::move(values)});
-    Pose pose;
-    restPose(model, pose);
-    animate(model, 0, time_s, pose);
-    return pose.local[0].rotation;
+    return poseAt({Channel::Target::Rotation, Channel::Interpolation::Linear, 0, {0, 1}, std::move(values)},
+                  time_s)
+        .local[0]
+        .rotation;
 }
 
 float distance(const glm::quat& a, const glm::quat& b) { // q and -q are one rotation
@@ -67,7 +69,7 @@ TEST(Animate, CubicSplineFollowsACubic) {
     // x(t) = t^3 between t = 1 and 3 is its own Hermite spline: values 1 and 27, slopes 3 and 27.
     const std::vector<float> values = {9, 9, 9, 1, 0, 0, 3, 0, 0, 27, 0, 0, 27, 0, 0, 9, 9, 9};
     for (const float t : {1.0f, 1.25f, 2.0f, 2.5f, 3.0f})
-        EXPECT_NEAR(translationAt(I::CubicSpline, values, t).x, t * t * t, 27 * kAnimateTol) << t;
+        EXPECT_NEAR(translationAt(I::CubicSpline, values, t).x, t * t * t, 27 * kTol) << t;
     EXPECT_EQ(translationAt(I::CubicSpline, values, 0), glm::vec3(1, 0, 0));
     EXPECT_EQ(translationAt(I::CubicSpline, values, 4), glm::vec3(27, 0, 0));
 }
@@ -75,28 +77,24 @@ TEST(Animate, CubicSplineFollowsACubic) {
 TEST(Animate, RotationsTurnEvenlyByTheShorterWay) {
     const float quarter = glm::half_pi<float>();
     const glm::quat a(1, 0, 0, 0), b = about({0, 1, 0}, quarter);
-    EXPECT_LT(distance(rotationAt(xyzw({a, b}), 0.25f), about({0, 1, 0}, quarter / 4)), kAnimateTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, b}), 0.25f), about({0, 1, 0}, quarter / 4)), kTol);
     // -b is the same rotation by the longer way round: it must not be taken.
-    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 0.25f), about({0, 1, 0}, quarter / 4)), kAnimateTol);
-    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 1), b), kAnimateTol);
-    EXPECT_LT(distance(rotationAt(xyzw({a, -a}), 0.5f), a), kAnimateTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 0.25f), about({0, 1, 0}, quarter / 4)), kTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 1), b), kTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, -a}), 0.5f), a), kTol);
 }
 
 TEST(Animate, CubicRotationsStayOfLengthOne) {
     const glm::quat a(1, 0, 0, 0), b = about({1, 0, 0}, 2), zero(0, 0, 0, 0);
-    const Model model = withChannel(
-        {Channel::Target::Rotation, I::CubicSpline, 0, {0, 1}, xyzw({zero, a, zero, zero, b, zero})});
-    Pose pose;
-    restPose(model, pose);
-    animate(model, 0, 0.5f, pose);
-    EXPECT_NEAR(glm::length(pose.local[0].rotation), 1, kAnimateTol);
-    EXPECT_LT(distance(pose.local[0].rotation, about({1, 0, 0}, 1)), kAnimateTol); // halfway by symmetry
+    const Pose pose = poseAt(
+        {Channel::Target::Rotation, I::CubicSpline, 0, {0, 1}, xyzw({zero, a, zero, zero, b, zero})}, 0.5f);
+    EXPECT_NEAR(glm::length(pose.local[0].rotation), 1, kTol);
+    EXPECT_LT(distance(pose.local[0].rotation, about({1, 0, 0}, 1)), kTol); // halfway by symmetry
 }
 
 TEST(Animate, WeightBlendsBetweenPoseAndAnimation) {
     const Model model = withChannel({Channel::Target::Scale, I::Linear, 0, {0, 1}, {3, 3, 3, 3, 3, 3}});
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     animate(model, 0, 0.5f, pose, 0);
     EXPECT_EQ(pose.local[0].scale, glm::vec3(1));
     animate(model, 0, 0.5f, pose, 0.5f);
@@ -109,8 +107,7 @@ TEST(Animate, MorphWeightsMoveTogetherAndNothingAllocates) {
     Model model = withChannel({Channel::Target::Weights, I::Linear, 0, {0, 1}, {0, 1, 1, 0}});
     model.meshes.emplace_back().morphWeights = {0.25f, 0.5f};
     model.nodes[0].mesh = 0;
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     EXPECT_EQ(pose.morphWeights[0], (std::vector<float>{0.25f, 0.5f}));
     const float* weights = pose.morphWeights[0].data();
     const Transform* local = pose.local.data();
@@ -120,8 +117,6 @@ TEST(Animate, MorphWeightsMoveTogetherAndNothingAllocates) {
     EXPECT_EQ(pose.morphWeights[0].data(), weights);
     EXPECT_EQ(pose.local.data(), local);
 }
-
-constexpr float kPoseTol = 1e-6f; // a few float operations on numbers near 1
 
 void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
@@ -153,8 +148,7 @@ Model bar() {
 
 TEST(Skin, AtRestMovesNothing) {
     const Model model = bar();
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     std::vector<glm::mat4> matrices;
     skinMatrices(model, 0, pose, matrices);
     ASSERT_EQ(matrices.size(), 2u);
@@ -167,16 +161,15 @@ TEST(Skin, AtRestMovesNothing) {
 
 TEST(Skin, ABentJointCarriesItsVertices) {
     const Model model = bar();
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     pose.local[2].rotation = glm::angleAxis(glm::half_pi<float>(), glm::vec3(0, 0, 1)); // up turns to -X
     updateGlobals(model, pose);
     std::vector<glm::mat4> matrices;
     skinMatrices(model, 0, pose, matrices);
-    expectNear(matrices[1] * glm::vec4(0, 2, 0, 1), {-1, 1, 0}, kPoseTol);
+    expectNear(matrices[1] * glm::vec4(0, 2, 0, 1), {-1, 1, 0}, kTol);
     const Bounds bounds = posedBounds(model, pose);
-    expectNear(bounds.low, {-1, 0, 0}, kPoseTol);
-    expectNear(bounds.high, {0, 1, 0}, kPoseTol);
+    expectNear(bounds.low, {-1, 0, 0}, kTol);
+    expectNear(bounds.high, {0, 1, 0}, kTol);
     const glm::mat4* data = matrices.data();
     skinMatrices(model, 0, pose, matrices);
     EXPECT_EQ(matrices.data(), data);
@@ -191,10 +184,9 @@ TEST(Globals, AreTranslationAfterRotationAfterScaleDownTheTree) {
         {1, 0, 0}, glm::angleAxis(glm::half_pi<float>(), glm::vec3(0, 0, 1)), {2, 3, 4}};
     model.nodes[1].matrix = glm::translate(glm::mat4(1), {1, 1, 1});
     model.order = {0, 1};
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     // (1,1,1) scaled to (2,3,4), turned to (-3,2,4), moved to (-2,2,4).
-    expectNear(pose.modelFromNode[1] * glm::vec4(0, 0, 0, 1), {-2, 2, 4}, 4 * kPoseTol);
+    expectNear(pose.modelFromNode[1] * glm::vec4(0, 0, 0, 1), {-2, 2, 4}, 4 * kTol);
 }
 
 TEST(Bounds, FollowMorphs) {
@@ -207,8 +199,7 @@ TEST(Bounds, FollowMorphs) {
     primitive.normals.resize(3, {0, 0, 1});
     primitive.morphTargets.push_back({{{0, 0, 0}, {4, 0, 0}, {0, 0, -2}}, {}});
     model.meshes.push_back({{primitive}, {0.5f}});
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     EXPECT_EQ(posedBounds(model, pose).high, glm::vec3(3, 1, 0));
     EXPECT_EQ(posedBounds(model, pose).low, glm::vec3(0, 0, -1));
 }
@@ -221,8 +212,7 @@ TEST(SimpleSkin, BendsAsItsKeysSay) {
     ASSERT_EQ(model.skins.size(), 1u);
     ASSERT_EQ(model.skins[0].joints.size(), 2u);
     ASSERT_EQ(model.animations.size(), 1u);
-    Pose pose;
-    restPose(model, pose);
+    Pose pose = restOf(model);
     animate(model, 0, 1.0f, pose);
     const glm::quat turned = pose.local[static_cast<size_t>(model.skins[0].joints[1])].rotation;
     // The file holds 0.707 for the root of 1/2: an angle off by 1.5e-4 at most.

@@ -48,10 +48,10 @@ TEST_P(Chains, BendToAnArcAboutTheMiddle) {
     const Model model = chain(kJoints, fromTail, turned);
     const Spine spine = findSpine(model, 2, -1);
     ASSERT_EQ(spine.joints.size(), static_cast<size_t>(kJoints));
-    Pose pose;
+    const Pose rest = restOf(model);
     for (const glm::vec2 by :
          {glm::vec2(1, 0), glm::vec2(-0.6f, 0), glm::vec2(0, 0.8f), glm::vec2(0.7f, -0.5f)}) {
-        restPose(model, pose);
+        Pose pose = rest;
         const size_t middle = static_cast<size_t>(spine.joints[spine.middle].node);
         const glm::mat4 before = pose.modelFromNode[middle];
         bend(spine, by.x, by.y, pose);
@@ -62,8 +62,6 @@ TEST_P(Chains, BendToAnArcAboutTheMiddle) {
         const glm::vec2 side = by / angle;
         for (const Spine::Joint& joint : spine.joints) {
             const auto node = static_cast<size_t>(joint.node);
-            Pose rest;
-            restPose(model, rest);
             const float s = placeOf(rest, node).z - placeOf(rest, middle).z;
             const float off = radius * (1 - std::cos(s / radius));
             const glm::vec3 arc(side.x * off, side.y * off,
@@ -86,9 +84,8 @@ TEST(Spine, IsNotFoundWhereThereIsNone) {
     model.skins.clear();
     const Spine none = findSpine(model, 2, -1);
     EXPECT_TRUE(none.joints.empty());
-    Pose pose, same;
-    restPose(model, pose);
-    restPose(model, same);
+    const Pose same = restOf(model);
+    Pose pose = same;
     bend(none, 1, 1, pose);
     scaleWave(none, 0, pose);
     for (size_t i = 0; i < pose.local.size(); ++i) {
@@ -104,9 +101,7 @@ struct Animal {
 class ShippedSpines : public testing::TestWithParam<Animal> {
   protected:
     void SetUp() override {
-        auto loaded = tests::valueOf(
-            loadModel(dataRoot() / "content/models" / (std::string(GetParam().name) + ".glb")));
-        model_ = std::move(loaded);
+        model_ = shipped(GetParam().name);
         restPose(model_, pose_);
         const Bounds bounds = posedBounds(model_, pose_);
         spine_ = findSpine(model_, bounds.high.z - bounds.low.z, bounds.low.z);
