@@ -1,7 +1,6 @@
 #include "engine/core/WriteFile.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/scene/Model.h"
-#include "engine/scene/Surface.h"
 #include "game/app/ContentLoader.h"
 #include "game/app/GuideAnimal.h"
 #include "game/views/ArmPose.h"

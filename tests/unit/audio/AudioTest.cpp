@@ -1,7 +1,5 @@
 // Sound rendered to memory, so it can be measured.
-#include "engine/audio/Audio.h"
 #include "Heard.h"
-#include "engine/core/Files.h"
 #include "tests/unit/Wav.h"
 
 namespace shoal::audio {

@@ -1,9 +1,7 @@
 // Maps of distances are linear where there is no edge, have their edges at the film's, and are far away where
 // the track is not sure.
-#include "engine/depth/DepthMap.h"
 #include "content/make/depth/DepthTrackWriter.h"
 #include "engine/depth/LightDifference.h"
-#include "engine/math/LatLong.h"
 #include "tests/Test.h"
 #include "tests/unit/depth/MadeMap.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "game/rules/Dive.h"
-#include "game/rules/FilmSpace.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Grasping.h"
 #include "game/rules/Swimmer.h"

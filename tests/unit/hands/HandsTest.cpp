@@ -1,6 +1,5 @@
 #include "engine/core/WriteFile.h"
 #include "input/hands/CompleteHand.h"
-#include "input/hands/HandRig.h"
 #include "input/hands/HandTracker.h"
 #include "input/hands/MouseHands.h"
 #include "tests/Test.h"

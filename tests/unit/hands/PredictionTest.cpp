@@ -1,8 +1,6 @@
 // Measures the prediction of hands: how late they are, how far they go beyond a stop, and how they tremble at
 // rest. Prints tables.
 #include "input/hands/HandFilter.h"
-#include "input/hands/HandRig.h"
-#include "input/hands/HandSourceSelector.h"
 #include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/unit/hands/SimulatedTracker.h"

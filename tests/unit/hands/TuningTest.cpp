@@ -1,6 +1,5 @@
 // Tests of the constants of HandFilter.h.
 #include "input/hands/HandFilter.h"
-#include "input/hands/HandRig.h"
 #include "input/hands/HandSourceSelector.h"
 #include "tests/Test.h"
 #include "tests/TestRig.h"

@@ -1,10 +1,8 @@
 // Tests of the table of devices and of the drivers' arithmetic. reports.txt has the bytes of whole reports.
-#include "input/haptics/DeviceTable.h"
 #include "FakeBus.h"
 #include "content/glove/GloveCore.h"
 #include "engine/core/Files.h"
 #include "input/haptics/HapticDevices.h"
-#include "input/haptics/HapticFrame.h"
 #include "tests/Test.h"
 
 namespace shoal::haptics {

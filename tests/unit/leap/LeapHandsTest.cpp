@@ -8,8 +8,6 @@
 #include "tests/unit/leap_service/Server.h"
 #include "tests/unit/live_server/HttpServer.h"
 
-#include <nlohmann/json.hpp>
-
 namespace shoal::hands {
 namespace {
 

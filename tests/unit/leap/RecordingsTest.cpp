@@ -2,7 +2,6 @@
 #include "tests/unit/leap_service/Recordings.h"
 #include "engine/math/Quantile.h"
 #include "input/hands/HandFilter.h"
-#include "input/hands/HandSourceSelector.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "tests/Test.h"
 #include "tests/TestRig.h"

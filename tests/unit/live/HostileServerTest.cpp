@@ -3,9 +3,7 @@
 #include "tests/Test.h"
 #include "tests/unit/live_server/HttpServer.h"
 
-#include <arpa/inet.h>
 #include <atomic>
-#include <sys/socket.h>
 #include <thread>
 
 namespace shoal::media {

@@ -1,6 +1,5 @@
 #include "engine/media/live/PacketQueue.h"
 #include "engine/media/live/LivePlayer.h"
-#include "tests/Test.h"
 #include "tests/unit/media/TestFiles.h"
 
 #include <sys/stat.h>

@@ -10,7 +10,6 @@ extern "C" {
 }
 #include <opencv2/imgcodecs.hpp>
 
-#include <chrono>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <thread>

@@ -1,6 +1,5 @@
 // The kind of a file is that of its content, whatever its name; and its reason, if it cannot be shown.
 #include "engine/media/Check.h"
-#include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
 #include "tests/unit/Wav.h"
 #include "tests/unit/media/TestFiles.h"

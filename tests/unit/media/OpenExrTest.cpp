@@ -1,6 +1,5 @@
 // OpenEXR pictures as renderers and editors write them, made by OpenEXR's own library.
 #include "engine/media/Check.h"
-#include "engine/media/Pictures.h"
 #include "tests/unit/media/TestFiles.h"
 
 #include <ImfChannelList.h>

@@ -1,8 +1,6 @@
-#include "engine/core/Random.h"
 #include "engine/environment/PhotoEnvironment.h"
 #include "engine/media/Check.h"
 #include "engine/media/PictureHeader.h"
-#include "engine/media/Pictures.h"
 #include "tests/unit/media/TestFiles.h"
 
 #include <lcms2.h>

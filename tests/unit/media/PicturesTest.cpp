@@ -1,4 +1,3 @@
-#include "engine/media/Pictures.h"
 #include "engine/core/Random.h"
 #include "engine/media/Check.h"
 #include "engine/media/PictureHeader.h"

@@ -2,7 +2,6 @@
 #include "engine/core/Hash.h"
 #include "engine/media/Check.h"
 #include "engine/media/Ffmpeg.h"
-#include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
 #include "tests/unit/media/TestFiles.h"
 

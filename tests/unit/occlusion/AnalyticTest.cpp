@@ -4,7 +4,6 @@
 #include "tests/Test.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
-#include "tests/baselines/occlusion/Visibility.h"
 
 namespace shoal::occlusion {
 namespace {

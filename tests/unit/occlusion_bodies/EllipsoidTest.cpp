@@ -2,7 +2,6 @@
 #include "content/make/models/occlusion/Bvh.h"
 #include "content/make/models/occlusion/FitEllipsoids.h"
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
-#include "engine/math/LatLong.h"
 #include "engine/occlusion/SmoothLight.h"
 #include "tests/Test.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"

@@ -5,8 +5,6 @@
 #include "engine/scene/Vertices.h"
 #include "tests/unit/scene/Fixture.h"
 
-#include <glm/gtc/matrix_inverse.hpp>
-
 namespace shoal::scene {
 namespace {
 

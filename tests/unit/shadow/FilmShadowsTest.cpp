@@ -1,6 +1,5 @@
 // Shadows on a film, against the closed form at the places that the film shows.
 #include "engine/render/FilmShadows.h"
-#include "engine/render/CastShadow.h"
 #include "tests/Test.h"
 #include "tests/unit/shadow/ShadowScene.h"
 

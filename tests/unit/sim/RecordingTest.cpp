@@ -1,4 +1,3 @@
-#include "engine/sim/Recording.h"
 #include "engine/core/Random.h"
 #include "engine/sim/FixedStep.h"
 #include "tests/Recorded.h"
@@ -6,7 +5,6 @@
 
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 #include <zlib.h>
 
 namespace shoal::sim {
