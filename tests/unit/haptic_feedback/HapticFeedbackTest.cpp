@@ -21,11 +21,6 @@ void expectOthersStill(const haptics::HapticFrame& frame, int hand = -1, int fin
         }
 }
 
-TEST(HapticFeedback, NothingHappensNothingIsFelt) {
-    HapticFeedback feel;
-    expectOthersStill(feel.frame({}, {}, kTick_s, 1));
-}
-
 TEST(HapticFeedback, ATouchIsFeltByTheFingerThatTouchedAndFades) {
     HapticFeedback feel;
     const Event event = touch(1, 2, 10);

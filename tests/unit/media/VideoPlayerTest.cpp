@@ -218,7 +218,8 @@ TEST_F(VideoPlayers, AClipIsTurnedUpright) {
         EXPECT_EQ(player.waitFor(0)->planes.codes[0] != nullptr, isUpright);
         const std::string checked = tests::valueOf(checkVideo(file));
         EXPECT_EQ(checked.find("turned upright") == checked.npos, isUpright) << checked;
-        EXPECT_NE(checked.find("; has no sound"), checked.npos) << checked;
+        EXPECT_THAT(checked,
+                    testing::AllOf(testing::HasSubstr(", 0.1 s, "), testing::HasSubstr("; has no sound")));
         const ImageRgb8& picture = player.waitFor(0)->pixelsBgr;
         const std::string what = fmt::format("{}", fmt::join(m, " "));
         ASSERT_EQ(std::pair(picture.width, picture.height), m[0] ? std::pair(96, 32) : std::pair(32, 96))
@@ -357,13 +358,6 @@ TEST_F(VideoPlayers, TheIndexTellsKeyFrames) {
 
 TEST_F(VideoPlayers, EndsWhileBusy) {
     for (int i = 0; i < 20; ++i) greyFilm(40).newest(i);
-}
-
-TEST_F(VideoPlayers, CheckPassesFilmsOfLessThanASecond) {
-    const Path file = folder.path() / "short.avi";
-    writeGreyVideo(file, 5);
-    const auto checked = tests::valueOf(checkVideo(file));
-    EXPECT_NE(checked.find("0.2 s"), std::string::npos) << checked;
 }
 
 TEST_F(VideoPlayers, RefusesWhatIsNoVideo) {

@@ -119,12 +119,6 @@ TEST(SoundCues, EachSoundHasAFileAndEachEventItsName) {
     EXPECT_EQ(files.size(), kSounds.size());
     for (const EventRow& row : kEventRows) names.insert(row.name);
     EXPECT_EQ(names.size(), kEventRows.size());
-    // Playthrough files use these.
-    for (const char* name : {"touch", "startle", "grab", "catch", "release", "escape", "miss", "shark_near",
-                             "shark_bump", "shark_steal", "dive_start", "dive_over"})
-        EXPECT_TRUE(enumNamed<EventKind>(name)) << name;
-    EXPECT_EQ(enumNamed<EventKind>("catch"), EventKind::Catch);
-    EXPECT_FALSE(enumNamed<EventKind>("dinner"));
 }
 
 TEST(SoundCues, AHarderTouchIsLouderAndAllBonesAreOneTouch) {
