@@ -195,8 +195,6 @@ TEST_F(KeptFiles, AGuideOfEarlierVersionsIsReadAndWrongValuesAreNot) {
               (std::vector<MetAnimal>{{.species = "snapper"}, {.species = "ray", .largest_m = 30}}));
 }
 
-// Suggestions for mistyped words.
-
 TEST(NearestWord, DistancesAreKnown) {
     EXPECT_EQ(editDistance("", ""), 0);
     EXPECT_EQ(editDistance("", "abc"), 3);

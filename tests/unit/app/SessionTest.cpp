@@ -131,8 +131,6 @@ TEST(PanelPlacement, HangsAheadAndStaysWhileTheHeadLooksAround) {
               (PanelPlacement::kSettled_rad + 0.01f) * PanelPlacement::kDistance_m);
 }
 
-// Turning the view by hand: right and up, around without end, and never over the top.
-
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kNear = 1e-5f; // of single precision
 

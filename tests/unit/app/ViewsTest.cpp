@@ -396,8 +396,6 @@ TEST(DynamicQuality, OneSlowFrameChangesNothing) {
     }
 }
 
-// Slow machines play the small version of a film where there is one.
-
 TEST(FilmChoice, SlowMachinesPlayTheSmallVersionIfThereIsOne) {
     const tests::ScratchFolder folder;
     const Path best = folder / "sea.mp4", small = folder / "sea.small.mp4";

@@ -332,8 +332,6 @@ TEST(AudioDeathTest, WithoutADeviceThereIsAReason) {
     setenv("ALSOFT_DRIVERS", "null", 1);
 }
 
-// Sound files, good and bad.
-
 Result<Clip> read(const std::string& bytes) { return readClip(TemporaryFile("clip.bin", bytes).path); }
 
 TEST(Clip, ReadsWhatWasWritten) {

@@ -180,8 +180,6 @@ TEST(VoicePool, MoreThanFitAreLeftOut) {
     EXPECT_EQ(scene.audio.sounding(), 3);
 }
 
-// An update in steady state takes no memory from the heap.
-
 TEST(Allocation, AnUpdateTakesNoMemory) {
     auto audio = tests::valueOf(Audio::open({.loopback = true}));
     audio.add(tone(300, 0.2f));

@@ -87,8 +87,6 @@ ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
     return frame;
 }
 
-// Tests that a known camera is found again in frames made with it.
-
 CameraResponseEstimate estimated(const ImageRgb8& frame) {
     return CameraResponseEstimator().estimate(viewOf(frame));
 }
@@ -214,8 +212,6 @@ TEST(CameraResponseOverTime, TakesTheFirstAndFollowsSlowly) {
     over.follow(CameraResponseEstimate{}, 1000); // an even frame
     EXPECT_NEAR(over.response().blur_texels, 1.1f, 0.01f) << "no edges: no news";
 }
-
-// Tests that a known share of scattered light is found again.
 
 constexpr float kSigma = 0.082f; // radians: 4.7 degrees
 

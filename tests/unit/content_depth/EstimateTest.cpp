@@ -187,8 +187,6 @@ TEST(TrackFilter, BelievedShareIsCountedBySolidAngle) {
     EXPECT_NEAR(believedShare(frame), 0.1464, 0.001);
 }
 
-// The ground is continued from where it is seen to where it is not.
-
 // A plane 1.6 m below the camera that falls to one side by 6 degrees; the inverse distance in a direction is
 // its dot product with this.
 const glm::vec3 kPlane = glm::normalize(glm::vec3(0.1f, -1, 0.03f)) / 1.6f;
@@ -281,8 +279,6 @@ TEST(Ground, IsMissingWhereNothingIsKnown) {
     EXPECT_EQ(findGround(twice(nothing)).trust, 0);
     EXPECT_EQ(findGround({}).trust, 0);
 }
-
-// Whole films of a room of known size.
 
 constexpr int kFrames = 8;
 

@@ -50,7 +50,6 @@ TEST(FitToHidden, FindsTheEllipsoidThatASkinIs) {
     EXPECT_EQ(parts[0].joint, 0);
 }
 
-// The fit accepts empty input.
 TEST(FitToHidden, NothingHiddenFitsToNothing) {
     std::vector<occlusion::BodyPart> none;
     fitToHidden(none, {});

@@ -81,9 +81,7 @@ TEST(DepthMap, IsLinearBetweenTexels) {
     }
 }
 
-TEST(DepthMap, AnUnknownPlaceIsInfinitelyFar) {
-    EXPECT_EQ(DepthMap().inverse_perM({0, 0, -1}), 0);
-}
+TEST(DepthMap, AnUnknownPlaceIsInfinitelyFar) { EXPECT_EQ(DepthMap().inverse_perM({0, 0, -1}), 0); }
 
 // Half a code of the map and half a code of the track: 1 / 510 / 0.6 and 4 / 2046 per metre.
 TEST(DepthMap, KeepsDistancesToItsStep) {
@@ -212,8 +210,6 @@ TEST(DepthRefiner, TakesFilmsAndTracksOfAllSizes) {
         }
     }
 }
-
-// The view of a film with distances from beside its camera, against geometry.
 
 // A step of the map's codes is 1 / (255 * 0.6) = 0.0065 / m, so a distance is half that off; an eye 0.3 m
 // beside sees that by 0.001 rad. The search stops within 0.0015 rad.

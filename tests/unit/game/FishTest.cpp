@@ -4,8 +4,6 @@
 namespace shoal::game {
 namespace {
 
-// Bending and tail beats of bodies, compared with what is known of fish.
-
 // A beat carries a body on by its stride, whatever its speed (Bainbridge 1958); some kinds glide between
 // beats.
 TEST(Tail, BeatsOnceForEachStrideAndRestsWhileItsKindGlides) {
@@ -146,8 +144,6 @@ TEST(Held, CurlsAwayFromThePalmAndStrugglesInBouts) {
     EXPECT_GE(bouts, 1);
     EXPECT_GT(away, 0.8 * ticks);
 }
-
-// How fish and shark swim when nobody disturbs them, over whole dives.
 
 struct Statistics {
     float nearestPair = 10; // least gap between bodies of fish, m
@@ -401,8 +397,6 @@ TEST(Shoal, SevenKindsAndFortyFishKeepApart) {
     }
     EXPECT_LT(touching, pairs / 5000);
 }
-
-// Fish that come to look at a hand that rests.
 
 // The cove without its shark, and a right hand that rests in view from the start.
 struct RestingHand : OpenDive {

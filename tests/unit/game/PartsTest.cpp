@@ -111,8 +111,6 @@ TEST(Script, NamesADiveFileBesideIt) {
         << "by which a recording finds it again";
 }
 
-// Equal inputs give equal states in all runs and recordings.
-
 TEST(Determinism, TwoDivesWithTheSameSeedAgreeAtEveryTickAndOthersDoNot) {
     Dive a(cove().species, cove().dive, 11), b(cove().species, cove().dive, 11),
         c(cove().species, cove().dive, 12);
@@ -221,8 +219,6 @@ TEST(ReachHelp, FindsTheFishUnderTheCursor) {
     EXPECT_FALSE(reachHelp(now, cove().species, {-1, 0, 0}, 0.5f, target));
 }
 
-// A tick takes no memory from the heap once its scratch memory has its size.
-
 TEST(Allocation, ATickTakesNoMemory) {
     Dive dive(cove().species, cove().dive, 2);
     Snapshot a, b, shown;
@@ -233,7 +229,7 @@ TEST(Allocation, ATickTakesNoMemory) {
     dive.snapshot(b);
     interpolate(a, b, 0.5f, shown);
     for (int i = 0; i < 6000; ++i) {
-        if (i == 120) heap::counting = true;
+        if (i == 120) heap::counting = true; // scratch memory has its size
         events.clear();
         // Hands that swing and close, so that contacts and grabs happen; one of them gets lost at times.
         const float x = static_cast<float>(i % 240) / 240 - 0.5f;

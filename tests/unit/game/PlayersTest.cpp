@@ -7,8 +7,6 @@
 namespace shoal::player {
 namespace {
 
-// People at a mouse or with tracked hands catch what a game should let them catch.
-
 struct Case {
     const char* name;
     PlayerSetup setup;

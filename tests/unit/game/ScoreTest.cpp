@@ -295,8 +295,6 @@ TEST(Replays, CarryTheirRules) {
     EXPECT_EQ(tests::valueOf(rulesOf(header)).stars, 0);
 }
 
-// Enclosure of the video's places over the dive's time.
-
 const std::vector<VideoMark> kEnclosures = {{10, 14, 0.5f}, {14, 20, 1}};
 
 TEST(Enclosure, RisesBeforeAMarkStaysAndFades) {
@@ -357,8 +355,6 @@ TEST(Enclosure, TheShippedDiveHasATunnel) {
     for (const VideoMark& mark : reef.dive.enclosure) maximum = std::max(maximum, mark.amount);
     EXPECT_EQ(maximum, 1); // else its bed is never heard
 }
-
-// A giant passes once, whatever the player does.
 
 constexpr glm::vec3 kFrom{-20, 5, -6}, kTo{20, 5, -6};
 constexpr float kAt_s = 2, kSpeed_mps = 2;

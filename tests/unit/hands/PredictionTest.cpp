@@ -169,8 +169,6 @@ TEST(Prediction, AHandThatTurnsIsTurnedOn) {
             1e-5f);
 }
 
-// Tests of devices that come and go beside the mouse.
-
 constexpr float kStep_s = 1.0f / 120;
 
 HandPose handAt(float x) { return rig().pose(Side::Right, {}, {{x, 0, -0.5f}, {1, 0, 0, 0}}); }

@@ -264,8 +264,6 @@ TEST(Glove, AnActuatorSwingsAsOftenAndAsFarAsTold) {
         EXPECT_NEAR(glove::kWave[i], 255 * std::pow(std::sin(std::numbers::pi * i / 64), 2), 0.51) << i;
 }
 
-// One motor for each hand, which is sent no more commands than it needs.
-
 TEST(Vibration, TheStrongestFingerOfEachHandCounts) {
     HapticFrame frame;
     frame.actuators[1] = {0.3f, 140};

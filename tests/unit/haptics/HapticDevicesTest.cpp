@@ -189,8 +189,6 @@ TEST(HapticDevices, APadIsMovedThroughOneOfItsTwoPaths) {
     EXPECT_EQ(refused.written["event"][0], (std::vector<uint8_t>{0xFF, 0xFF, 0, 0})); // all on the strong one
 }
 
-// Tests of the thread that writes to the devices.
-
 // A DualSense on USB that keeps the values of its strong motor, and that can be slow to write to.
 struct Watched : FakeBus {
     std::mutex mutex;

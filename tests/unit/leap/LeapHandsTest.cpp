@@ -37,7 +37,6 @@ std::string frameAt(int64_t time_us, int64_t id = 1) {
     return test::madeFrame(6, time_us, time_us, {hand});
 }
 
-// A client and its service.
 class LeapSession : public testing::Test {
   protected:
     Server server;

@@ -153,8 +153,6 @@ TEST(SharedRecording, HandsBeforeAWebcamAreHardlyAPictureLate) {
     }
 }
 
-// ---- hands come and go
-
 TEST(MadeRecording, ShortLossesOfARealKindAreBridgedAndTheFistKept) {
     auto hands = test::closingHand(rig(), 300);
     std::vector<std::string> messages;

@@ -149,8 +149,6 @@ TEST(FindLights, GroundIsLitByTheUpperHalf) {
         EXPECT_NEAR(found.groundIrradiance[c], std::numbers::pi * glm::dvec3(2, 1, 0.5)[c], 0.01);
 }
 
-// The light that throws shadows does not jump in a film, and follows a cut at once.
-
 constexpr float kFrame_s = 1 / 24.0f;
 
 struct Watcher : LightWatcher {

@@ -183,8 +183,6 @@ TEST(PhongRings, StandForTheWholeLobe) {
     }
 }
 
-// The light follows the environment: it does not jump as a sun moves slowly, and turns with the environment.
-
 EnvironmentLight lightOf(const ImageRgbF& environment, LightMaker& maker) {
     EnvironmentLight light;
     maker.makeFromHdr(environment, light);

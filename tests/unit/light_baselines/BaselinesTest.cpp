@@ -126,8 +126,6 @@ TEST(Taps, FilteredMapIsWhatGatheringGives) {
         }
 }
 
-// Diffuse methods against light whose answer has a closed form.
-
 const std::vector<glm::vec3> kNormals = directionsAt({-0.8f, -0.3f, 0.4f, 0.9f}, {0.3f, 1.9f, 3.1f, 5.0f});
 
 // Largest difference of the red light from what is wanted of each normal.
@@ -262,8 +260,6 @@ TEST(Harmonics, CosineLobesFactors) {
     const double want[] = {1, 2.0 / 3, 1.0 / 4, 0, -1.0 / 24, 0};
     for (size_t l = 0; l < factors.size(); ++l) EXPECT_NEAR(factors[l], want[l], 1e-6) << "band " << l;
 }
-
-// Baselines of pyramids and of inverse tone mapping.
 
 TEST(PyramidBaselines, UniformFrameStaysInEveryLevel) {
     const glm::vec3 want = radianceFromDisplay(glm::vec3(200, 120, 40) / 255.0f);

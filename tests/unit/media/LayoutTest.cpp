@@ -352,8 +352,6 @@ TEST(SphericalMetadata, BoundsAreSharesOfTheSphere) {
     EXPECT_TRUE(thin.boundsIgnored && thin.bounds.isWhole());
 }
 
-// --- Films that obey their boxes
-
 // Appends a box to the innermost of these boxes, which are found one in another.
 std::string with(std::string film, std::initializer_list<const char*> boxes, const std::string& added) {
     size_t at = 0, end = 0;

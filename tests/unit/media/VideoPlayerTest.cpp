@@ -376,8 +376,6 @@ TEST_F(VideoPlayers, RefusesWhatIsNoVideo) {
     }
 }
 
-// The reference videos have the facts that their description states, and seeking agrees with playing.
-
 struct Facts {
     const char* name;
     int width, height;

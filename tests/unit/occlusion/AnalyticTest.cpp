@@ -96,8 +96,6 @@ TEST(Analytic, LayersOfAConvexBodyPairUp) {
     }
 }
 
-// Rays that are reflected from mirror to mirror.
-
 // The planes y = 0 and y = 1, mirrors that face each other.
 struct Corridor {
     std::optional<Hit> trace(const glm::vec3& o, const glm::vec3& d, float) const {

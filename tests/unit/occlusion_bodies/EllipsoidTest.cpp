@@ -146,8 +146,6 @@ TEST(OpenLobe, IsWholeWhereItLooksOutOfASkin) {
     }
 }
 
-// Self-occlusion of surfaces where it is known in closed form, and how several occluders join.
-
 // Adds columns x rows cells at place(u, v), u and v from 0 to 1.
 template <class Place>
 void addCells(std::vector<glm::vec3>& positions, std::vector<uint32_t>& indices, uint32_t columns,
@@ -352,8 +350,6 @@ TEST(Joining, ManyNeverTakeMoreThanAll) {
     }
     EXPECT_GT(occlusionMoments(axisOcclusion({}, {0, 1, 0}, many), {0, 1, 0}).w, 0.9f);
 }
-
-// Fits to bodies made of ellipsoids return these ellipsoids.
 
 struct Skin {
     std::vector<glm::vec3> positions;

@@ -362,8 +362,6 @@ TEST(PartialPanorama, PartLiesWhereItSays) {
     EXPECT_FALSE(completePanorama(ImageRgb8(1, 1), {0.5, 0.5, 0.5001, 0.5001}));
 }
 
-// The seam search against an exhaustive one.
-
 struct Case {
     cv::Mat colours, weight;
     Case(int width, int height)

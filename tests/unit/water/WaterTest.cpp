@@ -206,8 +206,6 @@ TEST(EstimateWater, TellsLandFromWater) {
     EXPECT_EQ(evidence("coral_underwater_360_overunder_2048.jpg", true), 1);
 }
 
-// The change of water with time.
-
 WaterEstimate estimateOf(const glm::vec3& veil, float attenuation_perM) {
     WaterEstimate estimate;
     estimate.water.veil[0] = veil;
