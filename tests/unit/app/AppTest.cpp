@@ -177,8 +177,8 @@ TEST(MouseSource, ShowsTheHandsThatDoSomething) {
     EXPECT_TRUE(session.after.hands[0].visible) << "to the rules it is there";
     EXPECT_EQ(shown(3, true), (std::array{true, true})) << "the right hand sinks";
     EXPECT_EQ(shown(60), (std::array{true, false}));
-    game::Snapshot marked;
-    marked.creatures = {{.catchable = 1, .catchableBy = 0}, {.catchable = 1, .catchableBy = 1}};
+    game::Snapshot marked{
+        .creatures = {{.catchable = 1, .catchableBy = 0}, {.catchable = 1, .catchableBy = 1}}};
     mouse.show(marked);
     EXPECT_GT(marked.creatures[0].catchable, 0.95f);
     EXPECT_LT(marked.creatures[1].catchable, 0.05f) << "no mark says what a hand can take that is not there";
@@ -334,8 +334,7 @@ TEST(Hints, StopOnceTheyAreUnderstood) {
     const game::Events tooFast{{.kind = game::EventKind::MissTooFast}};
     const auto timesSaid = [&](int caught) {
         Tutorial hints(Mode::Dive, {}, {});
-        game::Snapshot shown;
-        shown.caught = caught;
+        const game::Snapshot shown{.caught = caught};
         int said = 0;
         for (int i = 0; i < 10; ++i) {
             hints.follow(shown, tooFast, 0.1f);

@@ -161,10 +161,8 @@ TEST(LookAngles, AreThoseOfTheViewThatTheyMake) {
 uint64_t seedOf(const PlayOptions& options) { return tests::valueOf(makeSessionConfig(options)).seed; }
 
 TEST(Seed, IsDrawnForADiveInAWindow) {
-    PlayOptions options;
-    options.hands.source = "mouse";
     std::set<uint64_t> seeds;
-    for (int i = 0; i < 4; ++i) seeds.insert(seedOf(options));
+    for (int i = 0; i < 4; ++i) seeds.insert(seedOf({.hands = {.source = "mouse"}}));
     EXPECT_GT(seeds.size(), 1u); // all equal once in 10^18 runs
     EXPECT_GE(*seeds.begin(), 100'000u);
     EXPECT_LE(*seeds.rbegin(), 999'999u);

@@ -99,8 +99,7 @@ TEST(AnimalLight, WavesLightBacksByWhatTheGroundGains) {
     caustics.follow(now, 0.048f); // the mean follows by a share of 1 - exp(-0.096)
     const float gain = caustics.changeAt(kAhead, {0, 1, 0}, 0.2f, map);
     EXPECT_NEAR(gain, 1.22f / (1 + 0.22f * 0.0915f) - 1, 1e-3f);
-    light::ShadowLight from;
-    from.groundIrradiance = glm::vec3(glm::pi<float>());
+    light::ShadowLight from{.groundIrradiance = glm::vec3(glm::pi<float>())};
     AnimalLight light;
     game::Snapshot shown;
     shown.creatures.resize(1);
@@ -441,10 +440,9 @@ TEST(Rooms, AreWhatTheProgramMakesOfTheFilms) {
 
 TEST(GuideAnimal, TurnsOnItsOwnToTheRightOfTheMiddle) {
     GuideAnimal guide;
-    game::Snapshot viewer;
-    viewer.headWorld = {1, 2, 3};
-    viewer.worldFromView = glm::angleAxis(0.7f, glm::vec3(0, 1, 0));
-    viewer.creatures.resize(5);
+    const game::Snapshot viewer{.worldFromView = glm::angleAxis(0.7f, glm::vec3(0, 1, 0)),
+                                .headWorld = {1, 2, 3},
+                                .creatures = std::vector<game::CreatureView>(5)};
     const auto ahead = [&](const glm::vec2& tanHalf, float dt_s, bool turns) {
         const game::Snapshot& shown = guide.show(viewer, 3, {}, 2, tanHalf, dt_s, turns);
         EXPECT_EQ(shown.creatures.size(), 1u);

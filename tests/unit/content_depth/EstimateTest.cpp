@@ -316,11 +316,9 @@ struct Interrupted {};
 
 // Ends the run by an exception after that many of its reports, as if the program had been killed.
 FilmDepthOptions interruptedAfter(int reports) {
-    FilmDepthOptions options;
-    options.progress = [reports, count = 0](double) mutable {
+    return {.progress = [reports, count = 0](double) mutable {
         if (++count == reports) throw Interrupted{};
-    };
-    return options;
+    }};
 }
 
 // The film's texture has a deviation of a grey value or two, like its noise: enough to find a movement, but
@@ -328,12 +326,11 @@ FilmDepthOptions interruptedAfter(int reports) {
 TEST_F(FilmDepths, AFilmDarkerThanItsNoiseIsNotKnownAndWritesNothing) {
     film({0.04f, 0, 0}, 0.05, 1.5);
     int reports = 0;
-    FilmDepthOptions options;
-    options.preview = folder_ / "film.png";
-    options.progress = [&](double) { ++reports; };
-    EXPECT_EQ(tests::valueOf(make(options)), FilmDepth::CannotBeKnown);
+    const Path preview = folder_ / "film.png";
+    EXPECT_EQ(tests::valueOf(make({.preview = preview, .progress = [&](double) { ++reports; }})),
+              FilmDepth::CannotBeKnown);
     EXPECT_EQ(reports, 2 * kFrames / 2) << "a movement was found";
-    for (const Path& file : {out_, part_, options.preview}) EXPECT_FALSE(fs::exists(file)) << file;
+    for (const Path& file : {out_, part_, preview}) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 // The run is interrupted in either pass, and in the middle of a record.
@@ -348,9 +345,7 @@ TEST_F(FilmDepths, AnInterruptedRunGoesOnToTheSameTrack) {
         EXPECT_FALSE(fs::exists(out_));
         fs::resize_file(part_, fs::file_size(part_) - 1000); // half of the last record
         int more = 0;
-        FilmDepthOptions counting;
-        counting.progress = [&](double) { ++more; };
-        ASSERT_TRUE(make(counting));
+        ASSERT_TRUE(make({.progress = [&](double) { ++more; }}));
         EXPECT_EQ(more, 2 * kFrames / 2 - (reports - 1)) << "what is there is not made again";
         EXPECT_FALSE(fs::exists(part_));
         EXPECT_TRUE(media::readBytes(out_) == whole);
@@ -363,10 +358,7 @@ TEST_F(FilmDepths, RecordsOfOtherOptionsAreNotUsed) {
     film({0.04f, 0, 0});
     EXPECT_THROW((void)make(interruptedAfter(3)), Interrupted);
     int reports = 0;
-    FilmDepthOptions other;
-    other.height_m = 2;
-    other.progress = [&](double) { ++reports; };
-    ASSERT_TRUE(make(other));
+    ASSERT_TRUE(make({.height_m = 2, .progress = [&](double) { ++reports; }}));
     EXPECT_EQ(reports, 2 * kFrames / 2);
 }
 

@@ -107,12 +107,13 @@ TEST(HandOcclusion, OneHandMirrorsTheOther) {
 }
 
 TEST(BakedOcclusion, IsReadAsItWasWritten) {
-    BakedOcclusion baked;
-    baked.skin = 0x0123456789abcdef;
     const glm::mat3 turned(glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1));
-    baked.parts = {{{{0.01f, -0.02f, 0.03f}, turned, {0.01f, 0.02f, 0.04f}}, 5}};
-    baked.selfOcclusion = {{0, 0.5f, -0.252f, 1}, {-1, 0, 0, 0.004f}};
-    baked.besideOwn = {{0.1f, 0, 0, -0.1f}, {0, 0, 0, 0}};
+    const BakedOcclusion baked{
+        .skin = 0x0123456789abcdef,
+        .parts = {{{{0.01f, -0.02f, 0.03f}, turned, {0.01f, 0.02f, 0.04f}}, 5}},
+        .selfOcclusion = {{0, 0.5f, -0.252f, 1}, {-1, 0, 0, 0.004f}},
+        .besideOwn = {{0.1f, 0, 0, -0.1f}, {0, 0, 0, 0}},
+    };
     const auto read = parseBakedOcclusion(make::written(baked));
     ASSERT_TRUE(read.ok()) << read.error().reason;
     EXPECT_EQ(read->skin, baked.skin);

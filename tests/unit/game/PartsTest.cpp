@@ -170,12 +170,10 @@ TEST(Determinism, TheHashDependsOnSmallPartsOfTheState) {
 }
 
 TEST(TickInput, ComesBackFromBytesExactly) {
-    TickInput in;
-    in.hands[0] = handAt({0.1f, 0.2f, -0.5f}, 0.3f, 0);
-    in.hands[1] = handAt({-0.1f, -0.2f, -0.9f}, 0.9f);
-    in.worldFromView = {0.5f, -0.5f, 0.5f, 0.5f};
-    in.headWorld = {0.1f, -0.2f, 0.3f};
-    in.restart = true;
+    const TickInput in{.hands = {handAt({0.1f, 0.2f, -0.5f}, 0.3f, 0), handAt({-0.1f, -0.2f, -0.9f}, 0.9f)},
+                       .worldFromView = {0.5f, -0.5f, 0.5f, 0.5f},
+                       .headWorld = {0.1f, -0.2f, 0.3f},
+                       .restart = true};
     std::array<uint8_t, kTickInputBytes> bytes{}, again{};
     toBytes(in, bytes);
     const TickInput out = fromBytes(bytes);

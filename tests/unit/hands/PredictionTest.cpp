@@ -176,12 +176,10 @@ HandPose handAt(float x) { return rig().pose(Side::Right, {}, {{x, 0, -0.5f}, {1
 Clock::time_point clockAt(int64_t time_us) { return Clock::time_point(std::chrono::microseconds(time_us)); }
 
 HandFrame frameAt(int64_t time_us, float x, int64_t identity = 1) {
-    HandFrame frame;
-    frame.time_us = time_us;
-    frame.seenAt = clockAt(time_us);
-    frame.hands[1] = handAt(x);
-    frame.identity[1] = identity;
-    return frame;
+    return {.time_us = time_us,
+            .seenAt = clockAt(time_us),
+            .hands = {HandPose{}, handAt(x)},
+            .identity = {0, identity}};
 }
 
 float xOf(const HandPose& hand) { return hand.joints[1].position.x; }

@@ -110,9 +110,7 @@ TEST(Switch, TonesAreThoseOfTheTable) {
 }
 
 TEST(Switch, TheBodyIsFeltInBothHands) {
-    HapticFrame frame;
-    frame.body = {1, 41};
-    const Report report = driverNamed("Switch Pro Controller", Transport::Usb).encode(frame);
+    const Report report = driverNamed("Switch Pro Controller", Transport::Usb).encode({.body = {1, 41}});
     EXPECT_EQ(report.bytes[5], 0x72);
     EXPECT_EQ(report.bytes[9], 0x72);
 }

@@ -34,9 +34,7 @@ template <class Serve> std::string refusalOf(HttpServer& server, const std::stri
         if (server.accept(scheme != "tcp")) serve();
         server.hangUp();
     });
-    LiveOptions options;
-    options.firstPicture_s = 60;
-    const auto player = LivePlayer::open(feedFrom(**address, {20, 20}), options);
+    const auto player = LivePlayer::open(feedFrom(**address, {20, 20}), {.firstPicture_s = 60});
     serving.join();
     return player ? "" : player.error().message();
 }
@@ -160,10 +158,8 @@ TEST(HostileServer, RubbishByTcpAndUdpIsLeftToo) {
         while (!over)
             ::sendto(socket, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&to), size);
     });
-    LiveOptions options;
-    options.firstPicture_s = 60;
     const auto address = liveAddress("udp://127.0.0.1:" + std::to_string(port));
-    const auto player = LivePlayer::open(feedFrom(**address, {20, 20}), options);
+    const auto player = LivePlayer::open(feedFrom(**address, {20, 20}), {.firstPicture_s = 60});
     over = true;
     sending.join();
     ::close(socket);

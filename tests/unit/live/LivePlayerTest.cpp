@@ -94,10 +94,7 @@ struct Played {
         if (begins) begin(options());
     }
     LiveOptions options() {
-        LiveOptions options;
-        options.retryFirst_s = options.retryMax_s = 0;
-        options.now_s = [this] { return now_s.load(); };
-        return options;
+        return {.retryFirst_s = 0, .retryMax_s = 0, .now_s = [this] { return now_s.load(); }};
     }
     // Plays, with picture 0 shown.
     void begin(LiveOptions with) {

@@ -34,10 +34,8 @@ std::shared_ptr<LiveFeed> feedOf(const std::string& address, const FeedTimeouts&
 }
 
 LiveOptions eager() {
-    LiveOptions options;
-    options.firstPicture_s = 60; // a busy machine; nothing here takes that long
-    options.retryFirst_s = options.retryMax_s = 0.01;
-    return options;
+    // A minute for a busy machine; nothing here takes that long.
+    return {.firstPicture_s = 60, .retryFirst_s = 0.01, .retryMax_s = 0.01};
 }
 
 // Sends picture `number` until the player shows it.
@@ -82,10 +80,10 @@ TEST(Stream, ItCanBeLeftWhileTheServerIsSilent) {
     HttpServer server;
     const FeedTimeouts endless{1e6, 1e6};
     // Neither answered nor accepted, then accepted, then begun, then playing.
-    EXPECT_FALSE(LivePlayer::open(feedOf(server.url(), endless), eager(), [] { return false; }));
-    EXPECT_FALSE(LivePlayer::open(feedOf(server.url(), endless), eager(), [&] { return !server.accept(); }));
-    EXPECT_FALSE(LivePlayer::open(feedOf(server.url(), endless), eager(),
-                                  [&] { return !server.accept() || !server.beginPictures(); }));
+    const std::function<bool()> stays[] = {[] { return false; }, [&] { return !server.accept(); },
+                                           [&] { return !server.accept() || !server.beginPictures(); }};
+    for (const auto& stay : stays)
+        EXPECT_FALSE(LivePlayer::open(feedOf(server.url(), endless), eager(), stay));
     HttpServer other;
     auto player = openedBy(other, endless);
     EXPECT_TRUE(player);

@@ -75,9 +75,7 @@ TEST_F(VideoPlayers, NewestReachesTheDueFrameAfterAHangAndSkipsTheRest) {
     const Path file = folder / "grey.avi";
     writeGreyVideo(file, 45);
     std::atomic<int> prepared{0};
-    PlayerOptions options;
-    options.prepare = [&](const VideoFrame&) { ++prepared; };
-    auto player = opened(file, std::move(options));
+    auto player = opened(file, {.prepare = [&](const VideoFrame&) { ++prepared; }});
     // As if the game had hung for half a minute. The clock goes on: a decoder that takes longer than a frame
     // makes one that is due when it is ready.
     int64_t shown = 0;

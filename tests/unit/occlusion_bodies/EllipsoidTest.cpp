@@ -115,9 +115,7 @@ TEST(Take, WhiteBodiesInEvenLightTakeLittle) {
 
 // A dominant light is fully hidden behind a sphere, fully visible beside it, and fades in between.
 TEST(Take, ADominantLightRunsFromAllToNoneAcrossTheEdge) {
-    SmoothLight light;
-    light.dominantShare = 0.02f;
-    light.dominantRadiance = glm::vec3(1 / light.dominantShare);
+    SmoothLight light{.dominantShare = 0.02f, .dominantRadiance = glm::vec3(50)};
     float before = 2;
     for (float angle = 0; angle < 0.8f; angle += 0.02f) {
         light.dominantTowards = {std::sin(angle), std::cos(angle), 0};
@@ -249,9 +247,8 @@ TEST(TraceSelfOcclusion, GiveBackSomeOfTheDominantLightThatOwnEllipsoidsHide) {
     const std::vector<Occluder> own = {{{{0.5f, -0.2f, 0}, glm::mat3(1), {0.5f, 0.4f, 0.5f}}, 1, {}}};
     auto selfOcclusion = traceSelfOcclusion(skin.body(), 8);
     completeOwn(skin.body(), own, selfOcclusion);
-    SmoothLight light;
-    light.dominantTowards = glm::normalize(glm::vec3(1, 0.2f, 0));
-    light.dominantRadiance = glm::vec3(10);
+    const SmoothLight light{.dominantTowards = glm::normalize(glm::vec3(1, 0.2f, 0)),
+                            .dominantRadiance = glm::vec3(10)};
     const size_t before = 4 * 17 + 8; // it, as seen from the dominant light: x = -0.5, z = 0
     for (const size_t v : {before, before + 2 * 17, before + 3 * 17}) {
         const glm::vec3 p = skin.positions[v];

@@ -188,12 +188,8 @@ TEST(Contact, TheWayOutOfCrossedAxesIsTheShortest) {
 }
 
 Contact against(glm::vec3 normal, glm::vec3 moverVelocity = glm::vec3(0), float depth = 0) {
-    Contact c;
-    c.normal = glm::normalize(normal);
-    c.moverVelocity = moverVelocity;
-    c.depth = depth;
-    c.lasting = true;
-    return c;
+    return {
+        .lasting = true, .normal = glm::normalize(normal), .depth = depth, .moverVelocity = moverVelocity};
 }
 
 TEST(Push, ABoneTakesAlongWhatItMeetsAndDoesNotBounceIt) {

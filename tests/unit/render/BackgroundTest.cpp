@@ -10,12 +10,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(640, 480);
 
-View ahead() {
-    View view;
-    view.verticalFov = 1.2f;
-    view.aspect = static_cast<float>(kSize.x) / kSize.y;
-    return view;
-}
+View ahead() { return {.verticalFov = 1.2f, .aspect = static_cast<float>(kSize.x) / kSize.y}; }
 
 // Returns a map of a wall that is 1 m ahead to the left of the middle and 4 m ahead to the right of it.
 depth::DepthMap step() {

@@ -127,9 +127,7 @@ TEST(Hostile, ADeepChainOfNodesLoads) {
     const auto model = file.model();
     const Pose pose = restOf(model);
     EXPECT_EQ(pose.modelFromNode.back()[3][1], kNodes); // whole numbers below 2^24: exact
-    LoadLimits limits;
-    limits.maxNodes = 100;
-    EXPECT_EQ(refusal(file.load(limits)), "nodes has 60000 elements, more than the limit of 100");
+    EXPECT_EQ(refusal(file.load({.maxNodes = 100})), "nodes has 60000 elements, more than the limit of 100");
 }
 
 TEST(Hostile, DeepAndWideJson) {
@@ -204,21 +202,13 @@ TEST(Hostile, FilesAndLimits) {
     file.root["buffers"] = {buffer};
     const Path path = folder.write("a.gltf", file.text());
     EXPECT_EQ(refusal(loadModel(path)), "");
-    LoadLimits limits;
-    limits.maxFileBytes = 4000;
-    EXPECT_THAT(refusal(loadModel(path, {}, limits)),
+    EXPECT_THAT(refusal(loadModel(path, {}, {.maxFileBytes = 4000})),
                 HasSubstr("buffers[0].uri (big.bin): is larger than the limit"));
-    limits = {};
-    limits.maxTotalBytes = 20'000;
     for (int i = 0; i < 10; ++i) file.root["buffers"].push_back(buffer);
-    EXPECT_THAT(refusal(loadModel(folder.write("a.gltf", file.text()), {}, limits)),
+    EXPECT_THAT(refusal(loadModel(folder.write("a.gltf", file.text()), {}, {.maxTotalBytes = 20'000})),
                 HasSubstr("more than the limit of 20000 bytes"));
-    limits = {};
-    limits.maxVertices = 2;
-    EXPECT_THAT(refusal(triangle().load(limits)), HasSubstr("limit of 2 vertices"));
-    limits = {};
-    limits.maxIndices = 2;
-    EXPECT_THAT(refusal(triangle().load(limits)), HasSubstr("limit of 2 indices"));
+    EXPECT_THAT(refusal(triangle().load({.maxVertices = 2})), HasSubstr("limit of 2 vertices"));
+    EXPECT_THAT(refusal(triangle().load({.maxIndices = 2})), HasSubstr("limit of 2 indices"));
     EXPECT_EQ(refusal(loadModel(folder.path() / "none.glb")), "there is no such file");
 }
 
@@ -274,9 +264,7 @@ TEST(Hostile, Skins) {
     file.root["scenes"] = {{{"nodes", {0}}}};
     file.root["skins"] = {{{"joints", {1}}}};
     EXPECT_EQ(refusal(file.load()), "nodes[0] uses skins[0], whose joint nodes[1] is not in the scene");
-    LoadLimits limits;
-    limits.maxJoints = 0;
-    EXPECT_EQ(refusal(file.load(limits)), "skins[0] has 1 joints, more than the limit of 0");
+    EXPECT_EQ(refusal(file.load({.maxJoints = 0})), "skins[0] has 1 joints, more than the limit of 0");
 }
 
 TEST(Hostile, Animations) {
@@ -296,10 +284,8 @@ TEST(Hostile, Animations) {
     EXPECT_THAT(reason(times, values, 0, "rotation"), HasSubstr("has a type that its channel cannot take"));
     EXPECT_THAT(reason(times, 0, 0, "scale"), HasSubstr("has 9 numbers instead of 6"));
     EXPECT_THAT(reason(times, values, 0, "weights"), HasSubstr("which has no morph targets"));
-    LoadLimits limits;
-    limits.maxKeyValues = 7;
     reason(times, values, 0, "scale");
-    EXPECT_THAT(refusal(file.load(limits)), HasSubstr("limit of 7 key values"));
+    EXPECT_THAT(refusal(file.load({.maxKeyValues = 7})), HasSubstr("limit of 7 key values"));
 }
 
 TEST(Hostile, Extensions) {

@@ -23,10 +23,9 @@ Model chain(int joints, bool fromTail = false, glm::quat turned = {1, 0, 0, 0}) 
         skin.joints.push_back(i);
         skin.jointFromMesh.emplace_back(1);
     }
-    Node fin;
-    fin.name = "fin";
-    fin.parent = 1;
-    fin.parentFromNode.translation = glm::conjugate(turned) * glm::vec3(0.3f, 0, 0);
+    const Node fin{.name = "fin",
+                   .parentFromNode = {.translation = glm::conjugate(turned) * glm::vec3(0.3f, 0, 0)},
+                   .parent = 1};
     model.nodes[1].children.insert(model.nodes[1].children.begin(), joints);
     model.nodes.push_back(fin);
     model.order.push_back(joints);

@@ -16,11 +16,7 @@ using tests::Recorded;
 constexpr size_t kBlockTicks = 120, kInputBytes = 37;
 
 Recorded sample(size_t ticks) {
-    RecordingHeader header;
-    header.seed = 0xffffffffffffffffull;
-    header.dive = "reef";
-    header.inputBytes = kInputBytes;
-    Recorded recorded(header);
+    Recorded recorded({.seed = 0xffffffffffffffffull, .dive = "reef", .inputBytes = kInputBytes});
     Random random(3);
     std::vector<uint8_t> input(kInputBytes);
     for (size_t i = 0; i < ticks; ++i) {

@@ -261,11 +261,8 @@ TEST(SoundCues, EachEventThatMattersHasACaption) {
           rowOf(EventKind::SharkSteal), rowOf(EventKind::SharkBump), rowOf(EventKind::DiveOver)})
         EXPECT_TRUE(row.caption) << row.name;
     EXPECT_FALSE(rowOf(EventKind::Release).caption); // the catch before it had one
-    Snapshot shown;
-    shown.creatures.resize(1);
-    shown.creatures[0].heldBy = 0;
     SoundCues held;
-    held.listen(shown, {}, kFrame_s);
+    held.listen({.creatures = {{.heldBy = 0}}}, {}, kFrame_s);
     ASSERT_EQ(held.captions().size(), 1u);
     EXPECT_EQ(held.captions()[0].text, Text("it struggles"));
     SoundCues late;

@@ -207,11 +207,7 @@ TEST(EstimateWater, TellsLandFromWater) {
 }
 
 WaterEstimate estimateOf(const glm::vec3& veil, float attenuation_perM) {
-    WaterEstimate estimate;
-    estimate.water.veil[0] = veil;
-    estimate.water.attenuation_perM = glm::vec3(attenuation_perM);
-    estimate.evidence = 1;
-    return estimate;
+    return {{.veil = {veil}, .attenuation_perM = glm::vec3(attenuation_perM)}, 1};
 }
 
 TEST(WaterOverTime, IsThereAtOnceAndStaysAsItIs) {
