@@ -106,11 +106,8 @@ TEST_F(KeptFiles, OneSettingIsWrittenAndAllElseInTheFileStays) {
     const Path file = folder_ / "shoal/settings.json";
     ASSERT_TRUE(writeFileWhole(file, R"({"of-a-later-version": [1, 2], "volume": 17, "fov": 80})"));
     PlayOptions set{.record = "a.replay", .volume = 0.25f, .snow = false};
-    for (const Setting& row : settingsOf(set).rows) {
-        if (row.key() == "snow") {
-            ASSERT_TRUE(saveSetting(row));
-        }
-    }
+    const auto rows = settingsOf(set).rows;
+    ASSERT_TRUE(saveSetting(*std::ranges::find(rows, "snow", &Setting::key)));
     const auto json = nlohmann::json::parse(readText(file).value());
     EXPECT_EQ(json, nlohmann::json::parse(
                         R"({"of-a-later-version": [1, 2], "volume": 17, "fov": 80, "snow": false})"));

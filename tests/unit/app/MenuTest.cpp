@@ -376,9 +376,8 @@ TEST_F(MenuTest, EachKindOfGoalHasItsWords) {
 
 TEST(FieldGuide, EachAnimalHasItsPicture) {
     const auto species = tests::valueOf(game::loadSpecies(dataRoot() / "content/species.toml"));
-    for (const game::Species& kind : species) {
+    for (const game::Species& kind : species)
         EXPECT_TRUE(tests::succeeded(readSmallPicture(dataRoot() / "content/guide" / (kind.name + ".png"))));
-    }
 }
 
 TEST(Bindings, MalformedTextChangesNothing) {

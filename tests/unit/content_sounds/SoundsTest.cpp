@@ -42,16 +42,16 @@ double loudness(const audio::Clip& clip, size_t window) {
     return -0.691 + 10 * std::log10(loudest / static_cast<double>(window));
 }
 
+audio::Clip clipOf(const std::string& file) {
+    return tests::valueOf(audio::readClip(dataRoot() / "content" / "sounds" / (file + ".flac")));
+}
+
 class Sounds : public testing::TestWithParam<SoundRow> {
   protected:
-    void SetUp() override {
-        clip = tests::valueOf(
-            audio::readClip(dataRoot() / "content" / "sounds" / (std::string(GetParam().file) + ".flac")));
-    }
     bool bed() const { return std::string_view(GetParam().file).starts_with("bed"); }
     bool loops() const { return bed() || std::string_view(GetParam().file) == "struggle"; }
 
-    audio::Clip clip;
+    const audio::Clip clip = clipOf(GetParam().file);
 };
 
 TEST_P(Sounds, HasTheFormatOfTheGame) {
@@ -94,10 +94,6 @@ TEST_P(Sounds, NeitherStartsNorEndsWithAClick) {
     if (loops()) return expectNoClickAtSeam(clip);
     EXPECT_LE(std::abs(clip.samples.front()), 33); // -60 dB
     EXPECT_LE(std::abs(clip.samples.back()), 33);
-}
-
-audio::Clip clipOf(const std::string& file) {
-    return tests::valueOf(audio::readClip(dataRoot() / "content" / "sounds" / (file + ".flac")));
 }
 
 // Returns the themes of all dives.

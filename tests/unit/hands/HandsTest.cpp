@@ -10,16 +10,10 @@ namespace {
 
 using testing::HasSubstr;
 using tests::rig;
+using tests::shape;
 
 // Chains of five float rotations on lengths below 0.2 m.
 constexpr float kTol = 2e-6f;
-
-HandShape shape(float curl, float spread = 0) {
-    HandShape s;
-    s.curl.fill(curl);
-    s.spread = spread;
-    return s;
-}
 
 TEST(HandRig, RestIsTheFilesOwnPose) {
     // The wrist's -Z points to middle_proximal in the file.
@@ -139,12 +133,6 @@ TEST(ReachingHand, PutsTheGraspWhereAsked) {
     EXPECT_GT(reachingHand(hand, Side::Right, {0, 0, -0.7f}, 1).grip, 0.9f);
 }
 
-MouseInput pointing(float x, float y) {
-    MouseInput input;
-    input.cursor = {x, y};
-    return input;
-}
-
 const std::array<HandPose, 2>& settle(MouseHands& mouse, const MouseInput& input, float seconds = 1) {
     for (float t = 0; t < seconds; t += 1.0f / 60) mouse.update(input, 1.0f / 60);
     return mouse.update(input, 1.0f / 60);
@@ -155,8 +143,7 @@ TEST(MouseHands, TheActiveHandLiesOnTheCursorsRay) {
         for (float x : {-1.0f, -0.3f, 0.0f, 0.8f})
             for (float y : {-0.9f, 0.0f, 1.0f}) {
                 MouseHands mouse(rig());
-                MouseInput input = pointing(x, y);
-                input.aspect = aspect;
+                const MouseInput input{.cursor = {x, y}, .aspect = aspect};
                 const auto& poses = settle(mouse, input);
                 const glm::vec3 at = graspCentre(poses[1].joints);
                 const float tanY = std::tan(0.5f * input.fovY);
@@ -168,8 +155,7 @@ TEST(MouseHands, TheActiveHandLiesOnTheCursorsRay) {
 
 TEST(MouseHands, TheWheelReachesBetweenTheLimits) {
     MouseHands mouse(rig());
-    MouseInput input = pointing(0, 0);
-    input.wheel = 3;
+    MouseInput input{.wheel = 3};
     settle(mouse, input);
     EXPECT_FLOAT_EQ(mouse.distance_m(), kReachMax_m);
     input.wheel = -3;
@@ -180,7 +166,7 @@ TEST(MouseHands, TheWheelReachesBetweenTheLimits) {
 TEST(MouseHands, ClosesInAboutTheSameTimeAtAnyFrameRate) {
     for (int fps : {30, 60, 144}) {
         MouseHands mouse(rig());
-        MouseInput input = pointing(0, 0);
+        MouseInput input;
         settle(mouse, input);
         input.close = 1;
         float elapsed = 0;
@@ -195,7 +181,7 @@ TEST(MouseHands, ClosesInAboutTheSameTimeAtAnyFrameRate) {
 
 TEST(MouseHands, SwapsHands) {
     MouseHands mouse(rig());
-    MouseInput input = pointing(0.2f, 0.1f);
+    MouseInput input{.cursor = {0.2f, 0.1f}};
     const glm::vec3 before = graspCentre(settle(mouse, input)[1].joints);
     input.swapHands = true;
     mouse.update(input, 1.0f / 60);
@@ -210,8 +196,7 @@ TEST(MouseHands, SwapsHands) {
 
 TEST(MouseHands, HelpWithDepthIsTakenWhileOpenAndOverruledByTheWheel) {
     MouseHands mouse(rig());
-    MouseInput input = pointing(0, 0);
-    input.reach_m = 1.1f;
+    MouseInput input{.reach_m = 1.1f};
     settle(mouse, input); // 0.4 m at 0.55 m/s at most, then by 1/e in 0.12 s: to a millimetre in 1.4 s
     settle(mouse, input);
     EXPECT_NEAR(mouse.distance_m(), 1.1f, 1e-3f);
@@ -231,10 +216,7 @@ TEST(MouseHands, HelpWithDepthIsTakenWhileOpenAndOverruledByTheWheel) {
 
 TEST(MouseHands, OddInputStaysPlausible) {
     MouseHands mouse(rig());
-    MouseInput input = pointing(9, -9);
-    input.wheel = 1e9f;
-    input.aspect = 0;
-    input.fovY = 100;
+    const MouseInput input{.cursor = {9, -9}, .wheel = 1e9f, .aspect = 0, .fovY = 100};
     for (float dt : {0.0f, -1.0f, 1e9f, std::numeric_limits<float>::quiet_NaN()})
         for (const HandPose& hand : mouse.update(input, dt)) EXPECT_TRUE(plausible(hand));
 }
@@ -257,9 +239,7 @@ PartialHand partial(const HandPose& pose, Sent sent) {
 }
 
 HandPose posed(Side side, float curl, glm::quat turn = {1, 0, 0, 0}) {
-    HandShape shape;
-    shape.curl.fill(curl);
-    return rig().pose(side, shape, {{0.1f, 0.2f, -0.3f}, turn});
+    return rig().pose(side, shape(curl), {{0.1f, 0.2f, -0.3f}, turn});
 }
 
 TEST(CompleteHand, JointsSentStayAndTheRestIsWhereTheRigHasIt) {

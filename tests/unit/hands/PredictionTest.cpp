@@ -13,9 +13,10 @@ using test::Motion;
 using test::TrackerModel;
 using tests::rig;
 
+HandPose handAt(float x) { return rig().pose(Side::Right, {}, {{x, 0, -0.5f}, {1, 0, 0, 0}}); }
+
 std::vector<Moment> played(const Motion& motion, double length_s, const TrackerModel& tracker) {
-    return test::played(motion, length_s, tests::rig().pose(Side::Right, {}, {{0, 0, -0.5f}, {1, 0, 0, 0}}),
-                        tracker);
+    return test::played(motion, length_s, handAt(0), tracker);
 }
 
 // Moves along x from 1 s on with the least jerk (Flash & Hogan 1985), as people reach.
@@ -121,7 +122,7 @@ TEST(Prediction, AHandThatStopsIsNotSeenFarBeyondAndAStillOneHardlyTremblesMore)
 // A lost hand goes half as far as its velocity would take it in kStops_s, however long it is awaited.
 TEST(Prediction, AHandNotSeenAnyMoreGoesOnAndStops) {
     HandFilter filter;
-    HandPose hand = tests::rig().pose(Side::Right, {}, {{0, 0, -0.5f}, {1, 0, 0, 0}});
+    HandPose hand = handAt(0);
     for (int i = 0; i < 60; ++i) {
         filter.step(hand, 1, i * 10'000);
         for (Joint& joint : hand.joints) joint.position.x += 0.005f; // 0.5 m/s
@@ -134,7 +135,7 @@ TEST(Prediction, AHandNotSeenAnyMoreGoesOnAndStops) {
 
 TEST(Prediction, NothingIsThrownFartherThanFarthest) {
     HandFilter filter;
-    HandPose hand = tests::rig().pose(Side::Right, {}, {{-2, 0, -0.5f}, {1, 0, 0, 0}});
+    HandPose hand = handAt(-2);
     for (int i = 0; i < 20; ++i) {
         filter.step(hand, 1, i * 10'000);
         for (Joint& joint : hand.joints) joint.position.x += 0.2f; // 20 m/s
@@ -150,8 +151,7 @@ TEST(Prediction, AHandThatTurnsIsTurnedOn) {
     HandFilter filter;
     float angle = 0;
     const auto at = [](float radians) {
-        return tests::rig().pose(Side::Right, {},
-                                 {{0, 0, -0.5f}, glm::angleAxis(radians, glm::vec3(0, 0, 1))});
+        return rig().pose(Side::Right, {}, {{0, 0, -0.5f}, glm::angleAxis(radians, glm::vec3(0, 0, 1))});
     };
     for (int i = 0; i < 60; ++i) filter.step(at(angle += kSpin_radps * kInterval_s), 1, i * 10'000);
     const JointPose now = filter.palm(0), ahead = filter.palm(0.03f);
@@ -170,8 +170,6 @@ TEST(Prediction, AHandThatTurnsIsTurnedOn) {
 }
 
 constexpr float kStep_s = 1.0f / 120;
-
-HandPose handAt(float x) { return rig().pose(Side::Right, {}, {{x, 0, -0.5f}, {1, 0, 0, 0}}); }
 
 Clock::time_point clockAt(int64_t time_us) { return Clock::time_point(std::chrono::microseconds(time_us)); }
 

@@ -26,7 +26,6 @@ struct Moment {
     double t_s = 0;         // of the tick
     glm::dvec3 palm{0};     // palm in the simulation
     glm::dvec3 filtered{0}; // palm as it was seen last
-    bool solid = false;
 };
 
 // Simulates 120 ticks and a display of 60 frames a second. hand: any pose, whose palm is moved.
@@ -55,15 +54,14 @@ inline std::vector<Moment> played(const Motion& motion, double length_s, const H
     bool seen = false;
     for (double now_s = 0; now_s < length_s; now_s += kFrame_s) {
         for (; picture_s + tracker.late_s <= now_s; picture_s += 1 / tracker.rate_Hz) {
-            HandFrame frame;
-            frame.time_us = static_cast<int64_t>(picture_s * 1e6);
-            frame.seenAt = clockAt(picture_s);
-            frame.hands[1] = hand;
+            HandFrame frame{.time_us = static_cast<int64_t>(picture_s * 1e6),
+                            .seenAt = clockAt(picture_s),
+                            .hands = {HandPose{}, hand},
+                            .identity = {0, 1}};
             const glm::vec3 by =
                 glm::vec3(motion(picture_s) + tracker.noise_m * glm::dvec3(gauss(), gauss(), gauss())) -
                 hand.joints[kPalmJoint].position;
             for (Joint& joint : frame.hands[1].joints) joint.position += by;
-            frame.identity[1] = 1;
             stream.push(frame);
             seen = true;
         }
@@ -73,7 +71,7 @@ inline std::vector<Moment> played(const Motion& motion, double length_s, const H
             selector.tick(device, hands, static_cast<float>(ago_s), static_cast<float>(kTick_s));
             if (!seen) continue;
             moments.push_back({now_s - ago_s, hands[1].joints[kPalmJoint].position,
-                               device.hand(1).pose().joints[kPalmJoint].position, hands[1].solid});
+                               device.hand(1).pose().joints[kPalmJoint].position});
         }
     }
     return moments;

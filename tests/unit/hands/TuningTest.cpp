@@ -15,9 +15,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kTick_s = 1.0f / 120;
 
 HandPose handAt(glm::vec3 wrist, float curl = 0) {
-    HandShape shape;
-    shape.curl.fill(curl);
-    return rig().pose(Side::Right, shape, {wrist, {1, 0, 0, 0}});
+    return rig().pose(Side::Right, tests::shape(curl), {wrist, {1, 0, 0, 0}});
 }
 
 HandPose strengths(float grip, float pinch) {

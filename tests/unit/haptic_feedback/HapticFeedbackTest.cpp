@@ -122,10 +122,7 @@ TEST(HapticFeedback, TheSharkIsFeltByTheBody) {
 TEST(HapticFeedback, PausedHandsAreStill) {
     HapticFeedback feel;
     const Event event = touch(0, 0, 1);
-    Snapshot shown;
-    shown.paused = true;
-    shown.hands[0].holds = 1;
-    expectOthersStill(feel.frame(shown, {&event, 1}, kTick_s, 1));
+    expectOthersStill(feel.frame({.paused = true, .hands = {{{.holds = 1}}}}, {&event, 1}, kTick_s, 1));
 }
 
 TEST(HapticFeedback, WrongFingersAreIgnored) {

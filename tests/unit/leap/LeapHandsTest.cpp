@@ -282,11 +282,9 @@ TEST_F(LeapSession, ASecondHandThatComesOrGoesLetsTheFirstNotLeap) {
         const bool second = i >= 50 && i < 100;
         server.say(test::madeFrame(6, i, i * 10000, second ? both : std::vector{both[1]}));
         const glm::vec3 palm = next(hands).hands[1].joints[kPalmJoint].position;
-        if (i == 0) alone = palm;
+        if (i == 0) alone = before = palm;
         // 0.3 of the 0.1 m between them, within kEase_s.
-        if (i > 0) {
-            EXPECT_LT(glm::distance(palm, before), 1.01f * 0.03f * 0.01f / HandPlacement::kEase_s) << i;
-        }
+        EXPECT_LT(glm::distance(palm, before), 1.01f * 0.03f * 0.01f / HandPlacement::kEase_s) << i;
         if (i == 99) {
             EXPECT_NEAR(glm::distance(palm, alone), 0.03f, 1e-5f);
         }
@@ -312,10 +310,9 @@ TEST_F(LeapSession, AWrongLabelOrNormalIsCorrectedByTheJoints) {
         for (const float curl : {0.0f, 0.3f, 0.6f, 0.9f})
             for (const int wrong : {1, 2, 3}) {          // label, normal, both
                 if (wrong == 3 && curl < 0.3f) continue; // a flat hand looks like the other hand's back
-                HandShape shape;
-                shape.curl.fill(curl);
                 const glm::quat turn = glm::normalize(glm::quat(0.8f, 0.3f, -0.4f, 0.2f));
-                const test::MadeHand made{side, ++id, rig().pose(side, shape, {{0.05f, 0.2f, 0.1f}, turn})};
+                const test::MadeHand made{side, ++id,
+                                          rig().pose(side, tests::shape(curl), {{0.05f, 0.2f, 0.1f}, turn})};
                 server.say(test::madeFrame(6, id, id * 500'000, {made}));
                 server.say(changed(test::madeFrame(6, id, id * 500'000, {made}), wrong & 1, wrong & 2));
                 const HandFrame right = next(hands), seen = next(hands);

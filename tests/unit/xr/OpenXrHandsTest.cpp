@@ -26,9 +26,7 @@ HandPose reported(const HandPose& inView, const xr::Pose& head) {
 }
 
 HandPose some(Side side, float curl) {
-    HandShape shape;
-    shape.curl.fill(curl);
-    return rig().pose(side, shape,
+    return rig().pose(side, tests::shape(curl),
                       {{0.1f, -0.2f, -0.5f}, glm::normalize(glm::quat(0.9f, 0.3f, 0.1f, -0.2f))});
 }
 
