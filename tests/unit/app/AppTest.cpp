@@ -57,8 +57,7 @@ TEST_F(ProgramStatesTest, PauseOpensItsPageAndBackGoesOn) {
     press(Action::Pause);
     EXPECT_TRUE(session_.paused);
     EXPECT_EQ(screens_.top(), Screen::Paused);
-    const auto request = tests::valueOf(back());
-    EXPECT_EQ(request.kind, Request::Kind::Resume);
+    EXPECT_EQ(tests::valueOf(back()).kind, Request::Kind::Resume);
     session_.paused = false; // as the program answers
     states_->update();
     EXPECT_FALSE(screens_.isOpen());
@@ -79,8 +78,7 @@ TEST_F(ProgramStatesTest, ResultsKeepTheScoreAndLeadToTheTitle) {
     EXPECT_EQ(readScores()["reef"].top, std::vector<int>{120});
     states_->update(); // counts once
     EXPECT_EQ(readScores()["reef"].top, std::vector<int>{120});
-    const auto request = tests::valueOf(back());
-    EXPECT_EQ(request.kind, Request::Kind::Title);
+    EXPECT_EQ(tests::valueOf(back()).kind, Request::Kind::Title);
     session_.after.phase = game::Phase::Diving; // dives again
     states_->update();
     EXPECT_FALSE(screens_.isOpen());

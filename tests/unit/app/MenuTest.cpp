@@ -375,8 +375,7 @@ TEST_F(MenuTest, EachKindOfGoalHasItsWords) {
 }
 
 TEST(FieldGuide, EachAnimalHasItsPicture) {
-    const auto species = tests::valueOf(game::loadSpecies(dataRoot() / "content/species.toml"));
-    for (const game::Species& kind : species)
+    for (const game::Species& kind : tests::valueOf(game::loadSpecies(dataRoot() / "content/species.toml")))
         EXPECT_TRUE(tests::succeeded(readSmallPicture(dataRoot() / "content/guide" / (kind.name + ".png"))));
 }
 
@@ -486,8 +485,7 @@ TEST(Colours, TextOnPanelsIsReadableOverWhiteAndBlack) {
     for (const double behind : {0.0, 128.0, 255.0})
         for (const uint32_t text :
              {colour::kWhite, colour::kGrey, colour::kGold, colour::kOrange, colour::kAccent}) {
-            const double panel = luminance(colour::kPanel, behind);
-            const double contrast = (luminance(text, 0) + 0.05) / (panel + 0.05);
+            const double contrast = (luminance(text, 0) + 0.05) / (luminance(colour::kPanel, behind) + 0.05);
             EXPECT_GE(contrast, 4.5) << std::hex << text << " over " << behind;
         }
     for (const uint32_t text : {colour::kWhite, colour::kAccent})

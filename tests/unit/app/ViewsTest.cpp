@@ -321,8 +321,7 @@ Ride ride(DynamicQuality& dynamicQuality, const Machine& machine, int frames) {
         result.last_ms = machine.frame_ms(dynamicQuality.quality());
         dynamicQuality.frame(result.last_ms);
         const Quality now = dynamicQuality.quality();
-        const bool changed = now.scale != before.scale || now.lightEvery != before.lightEvery;
-        result.changes += changed;
+        result.changes += now.scale != before.scale || now.lightEvery != before.lightEvery;
         result.ups += now.scale > before.scale || now.lightEvery < before.lightEvery;
         result.largestStep = std::max(result.largestStep, std::abs(now.scale - before.scale));
         before = now;
@@ -371,8 +370,7 @@ TEST(DynamicQuality, ThenMakesLightLessOften) {
 TEST(DynamicQuality, TakesItBackWhenTheLoadIsGone) {
     DynamicQuality dynamicQuality(kBudget_ms);
     ride(dynamicQuality, {}, 600);
-    const Ride loaded = ride(dynamicQuality, {4, 30, 1}, 1200);
-    EXPECT_LT(loaded.end.scale, 0.7f);
+    EXPECT_LT(ride(dynamicQuality, {4, 30, 1}, 1200).end.scale, 0.7f);
     const Ride after = ride(dynamicQuality, {}, 60 * 40);
     EXPECT_EQ(after.end.scale, 1.0f);
     EXPECT_EQ(after.end.lightEvery, 1);

@@ -171,8 +171,7 @@ TEST(VoicePool, MoreThanFitAreLeftOut) {
     LoopbackScene scene;
     std::vector<Sound> emitters;
     for (uint32_t i = 0; i < 60; ++i) emitters.push_back({.id = i, .position = {0, 0, -1}});
-    const std::vector<Sound> shots(100);
-    scene.frame(emitters, shots);
+    scene.frame(emitters, std::vector<Sound>(100));
     EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
     for (const float sample : scene.samples) ASSERT_TRUE(std::isfinite(sample));
     emitters.resize(3);

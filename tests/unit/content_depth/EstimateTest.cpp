@@ -147,8 +147,7 @@ TEST(TrackFilter, DepthThatOtherFramesContradictIsNotBelieved) {
     DepthEstimate depth;
     for (size_t i = 0; i < kEstimateTexels; ++i) {
         const glm::vec3 dir = estimateDirection(i);
-        const bool isWrong = i % 2 == 0;
-        depth.inverse.push_back((isWrong ? 2.0f : 1.0f) / room.distance({0, 0, 0}, dir));
+        depth.inverse.push_back((i % 2 == 0 ? 2.0f : 1.0f) / room.distance({0, 0, 0}, dir));
         depth.confidence.push_back(0.9f);
         other.depth.inverse.push_back(1 / room.distance(beside, dir));
         other.depth.confidence.push_back(1);
@@ -219,8 +218,7 @@ DepthEstimate ballBelow() {
     const float radius = 1;
     DepthEstimate depth;
     for (size_t i = 0; i < kEstimateTexels; ++i) {
-        const glm::vec3 dir = estimateDirection(i);
-        const float along = glm::dot(dir, middle),
+        const float along = glm::dot(estimateDirection(i), middle),
                     square = along * along - glm::dot(middle, middle) + radius * radius;
         const bool isSeen = along > 0 && square > 0;
         depth.inverse.push_back(isSeen ? 1 / (along - std::sqrt(square)) : 0.2f);

@@ -76,8 +76,7 @@ TEST_P(ContentVideo, StatesItsProjectionInBothVersions) {
         ASSERT_NE(at, std::string::npos) << box;
         bytes.replace(at, 4, "free");
     }
-    const SphericalMetadata first = metadataOf(bytes);
-    EXPECT_EQ(first.projection, Projection::Equirect);
+    EXPECT_EQ(metadataOf(bytes).projection, Projection::Equirect);
 }
 
 double meanDifference(const ImageRgb8& a, const ImageRgb8& b) {

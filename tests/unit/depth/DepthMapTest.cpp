@@ -118,8 +118,7 @@ TEST(DepthRefiner, LeavesSlopesAsTheyAre) {
 }
 
 TEST(DepthRefiner, ColoursAloneMakeNoEdges) {
-    const auto track = trackOf([](int, int) { return 100.0f; });
-    const DepthMap map = refined(track, checkerboard());
+    const DepthMap map = refined(trackOf([](int, int) { return 100.0f; }), checkerboard());
     EXPECT_TRUE(std::ranges::all_of(map.inverse.pixels, [](uint8_t code) { return code == 100; }));
 }
 
@@ -139,8 +138,7 @@ TEST_P(DepthEdges, LieWithinATexelOfTheFilmsAcross) {
         return ((x - begin) % kMapWidth + kMapWidth) % kMapWidth < kMapWidth / 4;
     };
     const auto track = trackOf([&](int x, int) { return within(x * kScale, byTrack) ? kNear : kFar; });
-    const ImageRgb8 film = filmOf([&](int x, int) { return within(x, byFilm); });
-    const DepthMap map = refined(track, film);
+    const DepthMap map = refined(track, filmOf([&](int x, int) { return within(x, byFilm); }));
     for (const int y : {0, 1, 100, 256, kMapHeight - 2, kMapHeight - 1})
         for (int x = 0; x < kMapWidth; ++x) {
             // Texels beside the edge may be either.

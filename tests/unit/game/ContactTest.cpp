@@ -381,8 +381,7 @@ TEST(Contact, EnergyNeverGrowsFromNothingInTenMinutesOfThrashing) {
         if (tick % 4 == 0) checkAll(world, "thrashing");
         minutes[tick / 7200] += static_cast<float>(energy() / 7200);
     }
-    const float later = *std::max_element(minutes.begin() + 2, minutes.end());
-    EXPECT_LT(later, 2 * minutes[1]);
+    EXPECT_LT(*std::max_element(minutes.begin() + 2, minutes.end()), 2 * minutes[1]);
     world.input.hands[0].tracked = world.input.hands[1].tracked = false;
     world.run(8);
     EXPECT_LT(energy(), 2 * calm);

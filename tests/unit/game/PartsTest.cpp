@@ -24,8 +24,7 @@ TEST(Swimmer, CirclesAtRightAnglesToTheWayOutward) {
     startCircling(swimmer, {2, 0.3f, 0}, {1, 0, 0}, 1, 0.5f);
     EXPECT_EQ(swimmer.velocity, 0.5f * swimmer.forward);
     EXPECT_NEAR(glm::dot(swimmer.forward, glm::vec3(1, 0, 0)), 0, 1e-6f);
-    const glm::vec3 looks = swimmer.worldFromBody * glm::vec3(0, 0, 1);
-    EXPECT_NEAR(glm::distance(looks, swimmer.forward), 0, 1e-6f);
+    EXPECT_NEAR(glm::distance(swimmer.worldFromBody * glm::vec3(0, 0, 1), swimmer.forward), 0, 1e-6f);
     swimmer.spin = {0, 2, 0}; // to the left
     for (int i = 0; i < 240; ++i) bankIntoTurn(swimmer, 0.35f, 0.7f, 5);
     EXPECT_NEAR(swimmer.bank, 0.7f, 1e-3f);

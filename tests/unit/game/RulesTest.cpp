@@ -235,8 +235,7 @@ TEST(Seated, FishCircleWhereTheyAreReached) {
 
 TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {
     OneFish one;
-    const int ticks = static_cast<int>(one.world.file().duration_s * 120);
-    one.step(ticks - 1);
+    one.step(static_cast<int>(one.world.file().duration_s * 120) - 1);
     EXPECT_EQ(one.world.state().phase, Phase::Diving);
     EXPECT_EQ(count<EventKind::DiveStart>(one.events), 1);
     one.step(2);

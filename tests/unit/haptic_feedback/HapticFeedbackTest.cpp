@@ -24,8 +24,7 @@ void expectOthersStill(const haptics::HapticFrame& frame, int hand = -1, int fin
 TEST(HapticFeedback, ATouchIsFeltByTheFingerThatTouchedAndFades) {
     HapticFeedback feel;
     const Event event = touch(1, 2, 10);
-    const float first = amplitude(feel.frame({}, {&event, 1}, kTick_s, 1), 1, 2);
-    EXPECT_EQ(first, 1);
+    EXPECT_EQ(amplitude(feel.frame({}, {&event, 1}, kTick_s, 1), 1, 2), 1);
     haptics::HapticFrame later;
     for (int i = 0; i < 24; ++i) later = feel.frame({}, {}, kTick_s, 1);
     EXPECT_NEAR(amplitude(later, 1, 2), std::exp(-0.2f / 0.08f), 1e-3f); // 0.2 s at a decay of 0.08 s

@@ -18,10 +18,8 @@ uint8_t coded(float linear) {
 ImageRgb8 filmed(const std::function<float(const glm::vec3&)>& radianceIn) {
     ImageRgb8 frame(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const glm::vec3 towards = texelDirection(x, y, kWidth, kHeight);
-            std::fill_n(frame.at(x, y), 3, coded(radianceIn(towards)));
-        }
+        for (int x = 0; x < kWidth; ++x)
+            std::fill_n(frame.at(x, y), 3, coded(radianceIn(texelDirection(x, y, kWidth, kHeight))));
     return frame;
 }
 
@@ -34,8 +32,7 @@ float gainOf(const FrameView& frame, int askedWidth = 512) {
 }
 
 float gainOf(const std::function<float(const glm::vec3&)>& radianceIn) {
-    const ImageRgb8 frame = filmed(radianceIn);
-    return gainOf(viewOf(frame));
+    return gainOf(viewOf(filmed(radianceIn)));
 }
 
 constexpr float kSky = 0.1f;

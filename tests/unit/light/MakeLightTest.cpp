@@ -96,8 +96,7 @@ TEST(MakeLight, HalfTheSphereLit) {
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 64; ++x) {
                 const glm::dvec3 n = texelDirection<double>(x, y, 64, 32);
-                const double got = light.diffuse.at(x, y)[0];
-                worst = std::max(worst, std::abs(got - 0.5 - 0.5 * glm::dot(n, axis)));
+                worst = std::max(worst, std::abs(light.diffuse.at(x, y)[0] - 0.5 - 0.5 * glm::dot(n, axis)));
                 EXPECT_EQ(lookUp(light.glossy.back().radianceLin, glm::vec3(n)).x, // the same integral
                           lookUp(light.diffuse, glm::vec3(n)).x);
             }

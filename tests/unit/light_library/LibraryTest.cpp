@@ -163,8 +163,7 @@ TEST(LightLibrary, EveryLayoutOfAFrameGivesTheSameLight) {
     for (const auto& [format, channels, bgr] : {std::tuple{SHOAL_LIGHT_BGR8, 3, true},
                                                 {SHOAL_LIGHT_RGB8, 3, false},
                                                 {SHOAL_LIGHT_BGRA8, 4, true}}) {
-        const std::vector<uint8_t> pixels = reordered(rgba, channels, bgr);
-        maker.make({pixels.data(), kWidth, kHeight, 0, format}, light);
+        maker.make({reordered(rgba, channels, bgr).data(), kWidth, kHeight, 0, format}, light);
         EXPECT_EQ(halvesOf(light), wanted) << format;
     }
     // Rows may have gaps and run upwards.

@@ -238,8 +238,7 @@ TEST(LivePlayer, ItCanBeLeftWhileTheFeedHangs) {
     for (const bool deaf : {false, true}) {
         const auto opening = std::make_shared<FakeFeed>();
         opening->block(deaf);
-        const auto left = LivePlayer::open(opening, {}, [] { return false; });
-        EXPECT_FALSE(left);
+        EXPECT_FALSE(LivePlayer::open(opening, {}, [] { return false; }));
         opening->unblock();
 
         Played p;

@@ -129,8 +129,7 @@ TEST(LatLong, RoughTexelsAreOffByLittle) {
     for (int row = 0; row <= 200; ++row)
         for (int column = 0; column < 400; ++column) {
             const glm::vec2 uv((static_cast<float>(column) + 0.5f) / 400, static_cast<float>(row) / 200);
-            const glm::vec3 dir = directionFromLatLong(uv);
-            const glm::vec2 rough = latLongRoughly(dir);
+            const glm::vec2 rough = latLongRoughly(directionFromLatLong(uv));
             EXPECT_NEAR(rough.y, uv.y, 4e-6f) << uv.x << ", " << uv.y;
             if (row == 0 || row == 200) continue; // at the poles there is no longitude
             EXPECT_NEAR(rough.x, uv.x, 4e-6f) << uv.x << ", " << uv.y;

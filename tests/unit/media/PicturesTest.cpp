@@ -44,8 +44,7 @@ TEST_F(Pictures, PngRoundTripIsExactAndRedStaysRed) {
     ImageRgb8 red(1, 1);
     red.pixels = {255, 0, 7};
     ASSERT_TRUE(writePng(folder / "red.png", red));
-    const cv::Mat bgr = cv::imread((folder / "red.png").string());
-    EXPECT_EQ(bgr.at<cv::Vec3b>(0, 0), cv::Vec3b(7, 0, 255));
+    EXPECT_EQ(cv::imread((folder / "red.png").string()).at<cv::Vec3b>(0, 0), cv::Vec3b(7, 0, 255));
 }
 
 TEST_F(Pictures, PngKeepsAlpha) {

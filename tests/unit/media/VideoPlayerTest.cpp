@@ -285,8 +285,7 @@ TEST_F(VideoPlayers, ThePictureThatIsDueIsShown) {
             EXPECT_EQ(numberOf(jumper.waitFor(time_ms * 1e-3 + 1e-4)->pixelsBgr), due(time_ms)) << time_ms;
         EXPECT_EQ(player.status() + jumper.status(), "");
         const auto check = tests::valueOf(checkVideo(file));
-        const std::string stated = fmt::format(" {:.4g} frames/s", av_q2d(film.rate));
-        EXPECT_NE(check.find(stated), std::string::npos) << check;
+        EXPECT_NE(check.find(fmt::format(" {:.4g} frames/s", av_q2d(film.rate))), std::string::npos) << check;
     }
 }
 

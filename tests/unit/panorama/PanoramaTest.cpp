@@ -39,8 +39,7 @@ cv::Mat colours(const ImageRgb8& picture) {
 
 TEST(FindLight, DiscIsFoundWithinATexel) {
     for (const glm::dvec2 at : {glm::dvec2(300, 200), {77.5, 40.25}, {560, 333.3}, {8, 8}}) {
-        const ImageRgb8 photo = dusk(640, 480, at.x, at.y, 7, {}, 0);
-        const MainLight found = findMainLight(colours(photo));
+        const MainLight found = findMainLight(colours(dusk(640, 480, at.x, at.y, 7, {}, 0)));
         EXPECT_NEAR(found.place.x, at.x, 0.5);
         EXPECT_NEAR(found.place.y, at.y, 0.5);
         EXPECT_NEAR(found.radius_px, 7, 0.5);

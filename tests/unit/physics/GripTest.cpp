@@ -164,8 +164,7 @@ TEST(Finger, AFistsTipComesRoundToTheFarSide) {
 TEST(Finger, ClosesSteadily) {
     float before = 0;
     for (float angle = 0; angle < 1.5f; angle += 0.02f) {
-        const Finger out = wrapped(bent(angle), fish(0.024f));
-        const float closed = glm::distance(out.joints[4], bent(0).joints[4]);
+        const float closed = glm::distance(wrapped(bent(angle), fish(0.024f)).joints[4], bent(0).joints[4]);
         EXPECT_GT(closed, before - 1e-3f) << angle; // tolerance where the next knuckle takes over
         EXPECT_LT(closed - before, 0.02f) << "no jump at " << angle;
         before = closed;

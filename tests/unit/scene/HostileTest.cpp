@@ -124,9 +124,7 @@ TEST(Hostile, ADeepChainOfNodesLoads) {
         if (i + 1 < kNodes) node["children"] = {i + 1};
         file.root["nodes"].push_back(std::move(node));
     }
-    const auto model = file.model();
-    const Pose pose = restOf(model);
-    EXPECT_EQ(pose.modelFromNode.back()[3][1], kNodes); // whole numbers below 2^24: exact
+    EXPECT_EQ(restOf(file.model()).modelFromNode.back()[3][1], kNodes); // whole numbers below 2^24: exact
     EXPECT_EQ(refusal(file.load({.maxNodes = 100})), "nodes has 60000 elements, more than the limit of 100");
 }
 
@@ -326,8 +324,7 @@ TEST(Hostile, ManyTangentsAtOneVertex) {
     file.root["images"] = {
         {{"uri", "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4"
                  "nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="}}};
-    const auto model = file.model();
-    EXPECT_EQ(model.meshes[0].primitives[0].positions.size(), 2 * kTriangles + 1);
+    EXPECT_EQ(file.model().meshes[0].primitives[0].positions.size(), 2 * kTriangles + 1);
 }
 
 } // namespace

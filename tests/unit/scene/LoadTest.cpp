@@ -15,8 +15,7 @@ TEST(Load, ReferenceModels) {
             if (extension != ".gltf" && extension != ".glb") continue;
             ++count;
             const auto model = tests::valueOf(loadModel(entry.path()));
-            const Pose pose = restOf(model);
-            const Bounds bounds = posedBounds(model, pose);
+            const Bounds bounds = posedBounds(model, restOf(model));
             EXPECT_GT(glm::distance(bounds.low, bounds.high), 0) << entry.path();
             for (const Material& material : model.materials)
                 if (material.baseColour.texture >= 0) {
@@ -73,8 +72,7 @@ TEST(Load, PointsAndLinesAreLeftOut) {
     for (int mode = 0; mode < 4; ++mode) {
         Gltf file;
         file.addTriangles(file.addFloats(kTriangle, "VEC3"))["mode"] = mode;
-        const auto model = file.model();
-        EXPECT_TRUE(model.meshes[0].primitives.empty());
+        EXPECT_TRUE(file.model().meshes[0].primitives.empty());
     }
 }
 

@@ -23,8 +23,7 @@ TEST_P(Normals, StandOnTheEllipsoid) {
     model.nodes.push_back({.mesh = 0});
     model.order = {0};
     GetParam().transform(model);
-    const Pose pose = restOf(model);
-    const Surface surface = posedSurface(model, pose);
+    const Surface surface = posedSurface(model, restOf(model));
     ASSERT_EQ(surface.positions.size(), primitive.positions.size());
     for (size_t i = 0; i < surface.positions.size(); ++i) {
         const glm::vec3 expected = ellipsoidNormal(GetParam().modelFromSphere, surface.positions[i]);

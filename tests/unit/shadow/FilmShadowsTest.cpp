@@ -100,8 +100,7 @@ TEST(FilmShadows, OnPlanesAreTheClosedForm) {
 
 TEST(FilmShadows, FollowTheFilmsFrameAndItsCamera) {
     const auto ground = levelGround();
-    const Scene plain{.map = ground};
-    const FilmShadows straight = shadowsOf(kShark, plain);
+    const FilmShadows straight = shadowsOf(kShark, {.map = ground});
     // The film turned by a quarter about the vertical: so is the shadow on its map.
     const Scene turned{.map = ground,
                        .envFromWorld = glm::mat3(

@@ -74,8 +74,7 @@ TEST_F(RecordingFile, OneThatIsCutIsReadUpToItsLastWholeBlock) {
         EXPECT_TRUE(reader->ticks() % kBlockTicks == 0 || reader->ticks() == out.ticks()) << length;
         EXPECT_GE(reader->ticks(), before);
         before = reader->ticks();
-        const auto in = tests::valueOf(tests::readAll(*reader));
-        expectBeginOf(out, in);
+        expectBeginOf(out, tests::valueOf(tests::readAll(*reader)));
     }
     EXPECT_EQ(before, out.ticks()); // the mark of its end alone was missing
     write(whole + "x");
@@ -94,8 +93,7 @@ TEST_F(RecordingFile, NoFlippedBitGoesUnseen) {
         const auto reader = RecordingReader::open(file_);
         if (!reader) continue;
         EXPECT_FALSE(reader->complete()) << "byte " << at;
-        const auto in = tests::valueOf(tests::readAll(*reader));
-        expectBeginOf(out, in);
+        expectBeginOf(out, tests::valueOf(tests::readAll(*reader)));
     }
 }
 

@@ -93,8 +93,7 @@ TEST_P(KnownSea, TheVeilIsFoundAgain) {
         for (const float yaw_deg : {0.0f, 90.0f, 150.0f}) { // walls stand to the left
             const float e = glm::radians(elevation_deg), a = glm::radians(yaw_deg);
             const glm::vec3 dir(std::cos(e) * std::sin(a), std::sin(e), -std::cos(e) * std::cos(a));
-            const glm::vec3 lin = rayThrough(sea, dir.y, kFar_m).glowLin;
-            const glm::vec3 truth = coded(lin);
+            const glm::vec3 truth = coded(rayThrough(sea, dir.y, kFar_m).glowLin);
             const glm::vec3 found = glm::sqrt(veilTowards(water, dir));
             // 14 of 255: the quadratic in direction is no better fit to a wall's edge than that.
             for (int c = 0; c < 3; ++c)

@@ -79,8 +79,7 @@ TEST(OriginAt, IsUprightBelowEveryHead) {
                 glm::angleAxis(yaw, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch, glm::vec3(1, 0, 0));
             const Pose origin = originAt({{1, 1.7f, -2}, turn * glm::angleAxis(0.2f, glm::vec3(0, 0, -1))});
             EXPECT_EQ(origin.position, glm::vec3(1, 1.7f, -2));
-            const glm::vec3 up = origin.orientation * glm::vec3(0, 1, 0);
-            EXPECT_NEAR(up.y, 1, 1e-6f);
+            EXPECT_NEAR((origin.orientation * glm::vec3(0, 1, 0)).y, 1, 1e-6f);
             const glm::vec3 ahead = origin.orientation * glm::vec3(0, 0, -1);
             // A head that is tilted sideways and looks steeply has its top a little aside: 0.2 at most.
             EXPECT_GT(glm::dot(ahead, glm::vec3(-std::sin(yaw), 0, -std::cos(yaw))), std::cos(0.21f))
