@@ -190,9 +190,6 @@ TEST(TrackFilter, BelievedShareIsCountedBySolidAngle) {
 // its dot product with this.
 const glm::vec3 kPlane = glm::normalize(glm::vec3(0.1f, -1, 0.03f)) / 1.6f;
 
-bool isClearlyBelow(const glm::vec3& dir) {
-    return glm::dot(kPlane, dir) > std::sin(0.22f) * glm::length(kPlane);
-}
 bool isBoulder(const glm::vec3& dir) {
     return glm::dot(dir, glm::normalize(glm::vec3(0, -0.6f, -1))) > 0.96f;
 }
@@ -253,7 +250,7 @@ TEST(Ground, GoesOnWhereTooLittleIsKnown) {
         if (isBoulder(dir) || dir.y > 0) {
             EXPECT_EQ(depth.inverse[i], before.inverse[i]);
             EXPECT_EQ(depth.confidence[i], before.confidence[i]);
-        } else if (isClearlyBelow(dir)) {
+        } else if (glm::dot(kPlane, dir) > std::sin(0.22f) * glm::length(kPlane)) { // clearly below
             EXPECT_NEAR(depth.inverse[i] / glm::dot(kPlane, dir), 1, 0.02f);
             EXPECT_GE(depth.confidence[i], 0.6f);
         }

@@ -19,12 +19,6 @@ float toPillar_m(glm::vec3 dir, double = 0) {
     return (along - std::sqrt(0.09f - squared)) / level;
 }
 
-// Returns the radius of a sphere around the viewer that shrinks by 4 m to least_m in 8 s, and grows again.
-float toShrinking_m(double time_s, float least_m) {
-    const double share = time_s < 8 ? time_s / 8 : 2 - time_s / 8;
-    return least_m + 4 * (1 - static_cast<float>(share));
-}
-
 std::vector<glm::vec3> directions() {
     Random random(3, 1);
     std::vector<glm::vec3> all = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -151,8 +145,10 @@ TEST(FilmSpace, AWallThatComesNearerPushesThemAsideWithoutAJump) {
     // A shark that looks at the eyes from 0.55 m off takes up to 2.49 m: half of 0.92 of its length of 2.2 m,
     // half its core and its radius beyond that. Where there is less, the room around the eyes comes first.
     for (const bool shark : {true, false}) {
+        // A sphere around the viewer that shrinks by 4 m in 8 s, and grows again.
         const auto surface_m = [&](glm::vec3, double time_s) {
-            return toShrinking_m(time_s, shark ? 2.5f : 1.4f);
+            const double share = time_s < 8 ? time_s / 8 : 2 - time_s / 8;
+            return (shark ? 2.5f : 1.4f) + 4 * (1 - static_cast<float>(share));
         };
         expectKept(watch(madeSpace(16, 64, surface_m), 16, surface_m, 5, shark), shark ? "shark" : "fish");
     }

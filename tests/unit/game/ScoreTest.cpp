@@ -359,14 +359,6 @@ TEST(Enclosure, TheShippedDiveHasATunnel) {
 constexpr glm::vec3 kFrom{-20, 5, -6}, kTo{20, 5, -6};
 constexpr float kAt_s = 2, kSpeed_mps = 2;
 
-Dive diveWithWhale() {
-    DiveFiles files = cove();
-    Species whale{.name = "whale", .giant = true, .length_m = 12, .cruise_mps = kSpeed_mps, .stride = 1};
-    files.species.push_back(whale);
-    files.dive.encounter = {static_cast<int>(files.species.size()) - 1, kAt_s, kFrom, kTo};
-    return {files.species, files.dive, 1};
-}
-
 const CreatureView* whaleOf(const Dive& dive, const Snapshot& shown) {
     for (const CreatureView& creature : shown.creatures)
         if (dive.species()[static_cast<size_t>(creature.species)].giant) return &creature;
@@ -374,8 +366,12 @@ const CreatureView* whaleOf(const Dive& dive, const Snapshot& shown) {
 }
 
 TEST(Encounter, PassesOnceFromOnePlaceToTheOther) {
-    Dive dive = diveWithWhale();
-    const size_t whale = dive.species().size() - 1;
+    DiveFiles files = cove();
+    const size_t whale = files.species.size();
+    files.species.push_back(
+        {.name = "whale", .giant = true, .length_m = 12, .cruise_mps = kSpeed_mps, .stride = 1});
+    files.dive.encounter = {static_cast<int>(whale), kAt_s, kFrom, kTo};
+    Dive dive(files.species, files.dive, 1);
     Snapshot shown;
     int events = 0;
     for (int tick = 1; tick <= 30 * 120; ++tick) {

@@ -270,20 +270,13 @@ TEST(ClippedLight, ReadsAnyFrame) {
         EXPECT_TRUE(std::isfinite(gainOf({frame.pixels.data(), width, height, 3 * kWidth, false})));
 }
 
-// An even sky over even ground, of coded values, with a white square of `size` pixels from (left, top) on.
-ImageRgb8 skyWithSun(int width, int size, int left, int top) {
-    ImageRgb8 frame(width, width / 2);
-    std::fill(frame.pixels.begin(), frame.pixels.begin() + std::ssize(frame.pixels) / 2, uint8_t{120});
-    std::fill(frame.pixels.begin() + std::ssize(frame.pixels) / 2, frame.pixels.end(), uint8_t{100});
-    for (int y = top; y < top + size; ++y) std::fill_n(frame.at(left, y), 3 * size, uint8_t{255});
-    return frame;
-}
-
 // Averaged over blocks first, or pixel by pixel: noise and a sun across edges of blocks. Where it is clipped
 // a block has the gain of its middle, at most 1.5 rows of 512 away: 0.009 radians, at 54 degrees 0.0054 of
 // the sine and 0.014 of the exponent, of a gain of at most 30 times the usual one 5 %.
 TEST(ClippedLight, BlocksAgreeWithPixels) {
-    ImageRgb8 frame = skyWithSun(1024, 13, 700, 101);
+    ImageRgb8 frame = evenFrame(1024, 512, 120, 120, 120);       // sky
+    std::fill_n(frame.at(0, 256), 3 * 1024 * 256, uint8_t{100}); // ground
+    for (int y = 101; y < 114; ++y) std::fill_n(frame.at(700, y), 3 * 13, uint8_t{255});
     uint32_t seed = 3;
     for (uint8_t& value : frame.pixels) {
         seed = seed * 1664525u + 1013904223u;

@@ -7,11 +7,6 @@ namespace {
 
 template <class Picture> FoundLights lightsIn(const Picture& picture) { return LightWatcher().look(picture); }
 
-// Returns the middle of a square of two texels by two whose top left one this is.
-glm::dvec3 middleOf(int column, int row) {
-    return directionFromLatLong(glm::dvec2((column + 1.0) / 1024, (row + 1.0) / 512));
-}
-
 constexpr std::array<std::array<int, 2>, 6> kSuns = {
     {{300, 0}, {511, 255}, {1023, 255}, {200, 4}, {700, 509}, {130, 77}}}; // column, row
 
@@ -24,7 +19,8 @@ TEST(FindLights, FourTexelSunsAreFoundWhereTheyStand) {
         const FoundLights found = lightsIn(sky);
         ASSERT_EQ(found.count, 1u) << column << ", " << row;
         const FoundLight& light = found.lights[0];
-        EXPECT_LT(degreesBetween(light.direction, middleOf(column, row)), 0.6) << column << ", " << row;
+        const glm::dvec3 middle = directionFromLatLong(glm::dvec2((column + 1.0) / 1024, (row + 1.0) / 512));
+        EXPECT_LT(degreesBetween(light.direction, middle), 0.6) << column << ", " << row;
         EXPECT_LT(light.radius, 0.03f); // about a texel of the level that is looked at
         const double flux =
             2 * (1e4 - 1) * (texelSolidAngle(row, 1024, 512) + texelSolidAngle(row + 1, 1024, 512));

@@ -165,14 +165,11 @@ std::string fixed(float degrees) {
 
 const std::string kHandler = fullBox("hdlr", be(0, 4) + "vide" + be(0, 12) + "v" + be(0, 1));
 
-std::string sampleEntry(const std::string& children, int width = 2048, int height = 1024) {
-    return box("avc1", be(0, 6) + be(1, 2) + be(0, 16) + be(static_cast<uint64_t>(width), 2) +
-                           be(static_cast<uint64_t>(height), 2) + be(0, 50) + children);
-}
-
 std::string movie(const std::string& inEntry, const std::string& inTrack = "",
                   const std::string& inMovie = "") {
-    const std::string table = box("stbl", fullBox("stsd", be(1, 4) + sampleEntry(inEntry)));
+    const std::string sample =
+        box("avc1", be(0, 6) + be(1, 2) + be(0, 16) + be(2048, 2) + be(1024, 2) + be(0, 50) + inEntry);
+    const std::string table = box("stbl", fullBox("stsd", be(1, 4) + sample));
     return box("ftyp", "isom" + be(0, 4)) +
            box("moov", inMovie + box("trak", box("mdia", kHandler + box("minf", table)) + inTrack));
 }

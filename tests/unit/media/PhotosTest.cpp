@@ -37,10 +37,6 @@ std::string tiff(bool little, std::vector<std::pair<int, std::string>> entries, 
            data;
 }
 
-std::string exif(int orientation, bool little) {
-    return tiff(little, {{274, number(static_cast<uint64_t>(orientation), 2, little)}}, "");
-}
-
 std::string tiffOf(const cv::Mat& bgr, const Metadata& m, bool little) {
     std::string pixels;
     for (const cv::Vec3b& p : cv::Mat_<cv::Vec3b>(bgr))
@@ -68,7 +64,8 @@ std::string fileOf(const std::string& kind, const cv::Mat& bgr, const Metadata& 
     std::vector<uint8_t> coded;
     cv::imencode(kind, bgr, coded, {cv::IMWRITE_WEBP_QUALITY, 101, cv::IMWRITE_JPEG_QUALITY, 100});
     std::string file(coded.begin(), coded.end());
-    const std::string oriented = exif(m.orientation, packed);
+    const std::string oriented =
+        tiff(packed, {{274, number(static_cast<uint64_t>(m.orientation), 2, packed)}}, "");
     const auto zip = [](const std::string& text) {
         std::string zipped(compressBound(text.size()), '\0');
         uLongf size = zipped.size();

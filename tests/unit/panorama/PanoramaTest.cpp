@@ -419,24 +419,18 @@ double cheapestOfAll(const Case& of) {
     return minimum;
 }
 
-void expectOnePixelARow(const std::vector<int>& seam, const cv::Mat& colours) {
-    ASSERT_EQ(static_cast<int>(seam.size()), colours.rows);
-    for (size_t y = 0; y < seam.size(); ++y) {
-        EXPECT_GE(seam[y], 0);
-        EXPECT_LT(seam[y], colours.cols);
-        if (y > 0) {
-            EXPECT_LE(std::abs(seam[y] - seam[y - 1]), 1) << "row " << y;
-        }
-    }
-}
-
 TEST(SeamSearch, CheapestOfAllSeams) {
     uint64_t seed = 0;
     for (const auto& [width, height] : {std::pair{6, 7}, {5, 8}, {2, 9}, {1, 5}, {7, 1}, {3, 2}})
         for (int k = 0; k < 12; ++k) {
             const Case made = noise(width, height, ++seed);
             const std::vector<int> seam = minSeam(made.colours, made.weight);
-            expectOnePixelARow(seam, made.colours);
+            ASSERT_EQ(static_cast<int>(seam.size()), height);
+            for (size_t y = 0; y < seam.size(); ++y) {
+                EXPECT_GE(seam[y], 0);
+                EXPECT_LT(seam[y], width);
+                EXPECT_LE(std::abs(seam[y] - seam[y ? y - 1 : 0]), 1) << "row " << y;
+            }
             // Sums of at most 9 rows of numbers below 7 in single precision.
             EXPECT_NEAR(costOf(made, seam), cheapestOfAll(made), 1e-5)
                 << width << "x" << height << " seed " << seed;

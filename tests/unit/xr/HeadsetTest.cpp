@@ -8,11 +8,6 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-glm::vec2 ndc(const glm::mat4& clipFromWorld, const glm::vec3& world) {
-    const glm::vec4 clip = clipFromWorld * glm::vec4(world, 1);
-    return {clip.x / clip.w, clip.y / clip.w};
-}
-
 // A point at the angle of an edge is drawn at that edge, whatever the eye's pose.
 TEST(ViewOf, EdgesLieAtTheAnglesGiven) {
     for (const Fov fov : {Fov{-0.85f, 0.75f, 0.8f, -0.9f}, Fov{-0.5f, 0.5f, 0.5f, -0.5f},
@@ -20,10 +15,12 @@ TEST(ViewOf, EdgesLieAtTheAnglesGiven) {
         const Eye eye{{{0.03f, 1.2f, -0.4f}, glm::normalize(glm::quat(0.9f, 0.1f, -0.3f, 0.2f))}, fov};
         const render::View view = viewOf(eye);
         EXPECT_EQ(view.eyeWorld, eye.worldFromEye.position);
-        const glm::mat4 clip = view.clipFromWorld();
         const auto at = [&](float x, float y) {
             const glm::vec3 inEye = 3.0f * glm::vec3(std::tan(x), std::tan(y), -1);
-            return ndc(clip, eye.worldFromEye.position + eye.worldFromEye.orientation * inEye);
+            const glm::vec4 clip =
+                view.clipFromWorld() *
+                glm::vec4(eye.worldFromEye.position + eye.worldFromEye.orientation * inEye, 1);
+            return glm::vec2(clip) / clip.w;
         };
         // Floats through a dozen products near 1; tangents up to 2.
         constexpr float kTol = 1e-5f;
