@@ -77,7 +77,7 @@ ImageRgb8 filmed(const Sea& sea, uint64_t seed = 1) {
     return frame;
 }
 
-WaterEstimate estimated(const ImageRgb8& frame) { return WaterEstimator().estimate(viewOf(frame)); }
+WaterEstimate estimated(const ImageRgb8& frame) { return estimateWater(viewOf(frame)); }
 
 glm::vec3 coded(const glm::vec3& lin) {
     return {math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y), math::srgbFromLinear(lin.z)};
@@ -162,10 +162,9 @@ TEST(EstimateWater, StaysWithinTheSeasBoundsWhateverComes) {
 
 TEST(EstimateWater, TheSameFrameGivesTheSameWater) {
     const ImageRgb8 frame = filmed({.texture = 0.4f});
-    WaterEstimator estimator;
-    const WaterEstimate first = estimator.estimate(viewOf(frame));
-    estimator.estimate(viewOf(evenFrame(256, 128, 9, 90, 120)));
-    const WaterEstimate second = estimator.estimate(viewOf(frame));
+    const WaterEstimate first = estimateWater(viewOf(frame));
+    estimateWater(viewOf(evenFrame(256, 128, 9, 90, 120)));
+    const WaterEstimate second = estimateWater(viewOf(frame));
     EXPECT_EQ(first.water.attenuation_perM, second.water.attenuation_perM);
     EXPECT_EQ(first.water.veil, second.water.veil);
 }
@@ -177,8 +176,8 @@ TEST(EstimateWater, ReadsBlueFirstFramesAndPartsOfFrames) {
         for (int x = 0; x < frame.width; ++x)
             for (int c = 0; c < 3; ++c) other.at(x + 5, y + 2)[c] = frame.at(x, y)[2 - c];
     const light::FrameView part{other.at(5, 2), frame.width, frame.height, 3 * other.width, true};
-    EXPECT_EQ(WaterEstimator().estimate(part).water.attenuation_perM,
-              WaterEstimator().estimate(viewOf(frame)).water.attenuation_perM);
+    EXPECT_EQ(estimateWater(part).water.attenuation_perM,
+              estimateWater(viewOf(frame)).water.attenuation_perM);
 }
 
 // Leaves keep less blue than red; water keeps more, of whatever colour it is.
@@ -195,9 +194,8 @@ TEST(EstimateWater, TellsLandFromWater) {
         const auto photo = media::readPhoto(photos / name);
         if (!photo) return -1.0f;
         const ImageRgb8& picture = photo->picture;
-        return WaterEstimator()
-            .estimate({picture.pixels.data(), picture.width, picture.height / (upperHalf ? 2 : 1),
-                       3 * picture.width, false})
+        return estimateWater({picture.pixels.data(), picture.width, picture.height / (upperHalf ? 2 : 1),
+                              3 * picture.width, false})
             .evidence;
     };
     EXPECT_EQ(evidence("petra_360_2048x1024.jpg", false), 0);
