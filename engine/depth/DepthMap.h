@@ -57,12 +57,13 @@ class DepthRange {
     // Returns the range within this angle of a direction, and a little around it. dirEnv: unit length.
     Range around(const glm::vec3& dirEnv, float halfAngle) const;
 
-  private:
-    static constexpr glm::ivec2 kCells{64, 32};
-
+    static constexpr glm::ivec2 kCells{128, 64}; // of equal size, row by row
     struct Codes {
         uint8_t min = 255, max = 0;
     };
+    const Codes& codesIn(size_t cell) const { return cells_[cell]; }
+
+  private:
     std::vector<Codes> cells_;
     std::vector<uint8_t> columnMin_, columnMax_; // scratch: extremes over the rows of a cell
 };

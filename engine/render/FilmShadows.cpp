@@ -104,7 +104,8 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
     std::ranges::fill(remaining_.pixels, uint8_t{255});
     empty_ = true;
     tiles_.clear(size);
-    codes_.fill({});
+    static_assert(depth::DepthRange::kCells == FrameTiles::kCount);
+    range_.make(*film.map);
     for (size_t code = 0; code < distance_m_.size(); ++code) {
         distance_m_[code] = code == 0 ? kFar_m : 1 / depth::DepthMap::perM(static_cast<int>(code));
         surface_[code] = surfaceShare(water, distance_m_[code]);
@@ -235,20 +236,14 @@ float FilmShadows::findOccluders(const CastingLight& light) {
 
 // Uses the nearest and the farthest of the tile's texels: most tiles that a spot's sphere reaches lie before
 // or behind it.
-scene::Bounds FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& range) const {
-    const Image<uint8_t, 1>& codes = film_.map->inverse;
-    auto& [least, most] = range;
-    if (least > most)
-        for (int y = low.y; y < high.y; ++y)
-            for (int x = low.x; x < high.x; ++x) {
-                least = std::min(least, *codes.at(x, y));
-                most = std::max(most, *codes.at(x, y));
-            }
+scene::Bounds FilmShadows::extentOf(const glm::ivec2& tile, const glm::ivec2& low,
+                                    const glm::ivec2& high) const {
+    const auto [least, most] = range_.codesIn(FrameTiles::indexOf(tile.x, tile.y));
     const float furthest = distance_m_[static_cast<size_t>(std::max(least - kSame, 0))];
     const float nearest = most == 0 ? kFar_m : distance_m_[static_cast<size_t>(std::min(most + kSame, 255))];
     const glm::ivec2 middle = (low + high) / 2;
     const glm::vec3 towards = lightFromEnv_ * directionAt(middle.x, middle.y);
-    const float texel = std::numbers::pi_v<float> / static_cast<float>(codes.height);
+    const float texel = std::numbers::pi_v<float> / static_cast<float>(film_.map->inverse.height);
     const float beside = furthest * texel * (0.5f * glm::length(glm::vec2(high - low)) + 1);
     const glm::vec3 near = nearest * towards, far = furthest * towards;
     return {glm::min(near, far) - beside, glm::max(near, far) + beside};
@@ -267,7 +262,7 @@ bool FilmShadows::reaches(const Occluder& piece, const scene::Bounds& extent, fl
 
 void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile) {
     const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
-    const scene::Bounds extent = extentOf(low, high, codes_[FrameTiles::indexOf(tile.x, tile.y)]);
+    const scene::Bounds extent = extentOf(tile, low, high);
     const int step = light.isWide() ? 2 : 1; // its shadows change little from texel to texel
     hidden_.clear();
     for (const Occluder& piece : occluders_) {

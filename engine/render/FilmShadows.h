@@ -65,12 +65,8 @@ class FilmShadows {
     // darkest.
     float findOccluders(const CastingLight& light);
     void findTiles(std::span<const View> eyes);
-    // Least and greatest code in a tile of the map; least > most: not looked for yet.
-    struct Codes {
-        uint8_t least = 255, most = 0;
-    };
-    // Returns a box in the light's frame around all places of a tile. codes: the tile's, found if need be.
-    scene::Bounds extentOf(const glm::ivec2& low, const glm::ivec2& high, Codes& codes) const;
+    // Returns a box in the light's frame around all places of a tile, whose texels are low to high - 1.
+    scene::Bounds extentOf(const glm::ivec2& tile, const glm::ivec2& low, const glm::ivec2& high) const;
     static bool reaches(const Occluder& piece, const scene::Bounds& extent, float discTangent);
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high, int step);
@@ -81,6 +77,7 @@ class FilmShadows {
     float cosineAt(int x, int y, const glm::vec3& towardsEnv) const;
 
     FilmSurface film_;
+    depth::DepthRange range_; // of the film's map, a cell for each tile
     FrameCoding frames_ = FrameCoding::Srgb;
     bool empty_ = true;
     uint64_t number_ = 0;
@@ -92,8 +89,7 @@ class FilmShadows {
     glm::mat3 lightFromEnv_{1};             // for the body being added: along, aside, up
     std::vector<FlatPiece> pieces_;         // scratch: of one body
     std::vector<Occluder> occluders_;
-    std::array<Codes, FrameTiles::kAll> codes_; // by tile
-    std::vector<size_t> reached_;               // tiles that the shadow of the body being added may reach
+    std::vector<size_t> reached_; // tiles that the shadow of the body being added may reach
     std::array<bool, FrameTiles::kAll> isReached_{}; // scratch: whether a tile is in reached_
     std::vector<float> along_, aside_, up_, hidden_; // of a tile's texels, in the light's frame
 };

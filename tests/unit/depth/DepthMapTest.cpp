@@ -299,9 +299,9 @@ TEST(Range, HoldsEveryTexelOfACap) {
                     ASSERT_LE(DepthMap::perM(*map.inverse.at(x, y)), found.max_perM);
                 }
         }
-    // Not more than a cell around: the map changes by 0.7 of its sine a radian, a cell is 0.1 wide.
+    // Not more than a cell around: the map changes by 0.7 of its sine a radian, a cell is 0.05 wide.
     const DepthRange::Range small = range.around({0, 0, -1}, 0.02f);
-    EXPECT_LT(small.max_perM - small.min_perM, 0.7f * 2 * 0.13f * 0.13f + 0.01f);
+    EXPECT_LT(small.max_perM - small.min_perM, 0.7f * 2 * 0.08f * 0.08f + 0.01f);
 }
 
 // An infinite matte white wall across +X, at this distance from the camera, with a lit disc.
