@@ -41,7 +41,6 @@ class LiveProgram : public tests::Program {
         }
     }
 
-    Path stats() const { return folder_ / "stats.json"; }
     int finish() { return end(std::exchange(child_, -1)); }
     std::string valueOf(const std::string& name) const { return statisticIn("stats.json", name); }
 };
@@ -59,12 +58,12 @@ int stream(HttpServer& server, int first, int count, cv::Size size = {256, 128})
 TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     const std::string script = tests::sourceFolder().string() + "/tests/robustness/live/stream.toml";
     const std::vector<std::string> play = {
-        "play", "--headless", "--no-depth",       "--size",  "64x36",         "--fps",
-        "30",   "--hands",    "script:" + script, "--stats", stats().string()};
+        "play", "--headless", "--no-depth",       "--size",  "64x36",     "--fps",
+        "30",   "--hands",    "script:" + script, "--stats", "stats.json"};
     ASSERT_EQ(statusOf(play), 0) << err();
     const std::string undisturbed = valueOf("state_hash");
     ASSERT_EQ(undisturbed.size(), 18u);
-    fs::remove(stats());
+    fs::remove(folder_ / "stats.json");
 
     HttpServer server;
     std::vector<std::string> live = play;
@@ -88,8 +87,8 @@ TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     EXPECT_EQ(valueOf("losses"), "2");
     EXPECT_EQ(valueOf("resized"), "2");
     EXPECT_GE(std::stoi(valueOf("shown")), 60);
-    const std::string said =
-        err(); // a frame may be slower than the stream is lost: LivePlayerTest has the rest
+    // A frame may be slower than the stream is lost: LivePlayerTest has the rest.
+    const std::string said = err();
     EXPECT_NE(said.find(lost), std::string::npos) << said;
     EXPECT_NE(said.find("pictures come again"), std::string::npos) << said;
 }

@@ -22,13 +22,12 @@ class Faults : public tests::Program {
     }
     // Returns the words of a run that also draws pictures.
     std::vector<std::string> draw(std::vector<std::string> more) const {
-        more.insert(more.end(), {"--screenshot", file("picture.png")});
+        more.insert(more.end(), {"--screenshot", "picture.png"});
         return play(std::move(more));
     }
     std::string script() const {
         return "script:" + (tests::sourceFolder() / "tests/bench/looking_around.toml").string();
     }
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
     // Waits until the child has recorded so many seconds of play.
     void awaitRecording(pid_t child, uint64_t seconds) const {
@@ -50,35 +49,34 @@ void limitFiles(uint64_t bytes) {
 // A session that a signal stops writes all its output files, and the recording is whole.
 TEST_F(Faults, SignalsEndADiveInOrder) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        const pid_t child = start(draw(
-            {"--hands", script(), "--fps", "10", "--record", file("a.replay"), "--stats", file("s.json")}));
+        const pid_t child =
+            start(draw({"--hands", script(), "--fps", "10", "--record", "a.replay", "--stats", "s.json"}));
         awaitRecording(child, 2);
         ::kill(child, signal);
         EXPECT_EQ(end(child), 128 + signal) << err();
         const auto recorded = tests::valueOf(tests::readRecorded(folder_ / "a.replay"));
         EXPECT_THAT(readText(folder_ / "s.json").value(),
                     HasSubstr("\"ticks\": " + std::to_string(recorded.ticks()) + ","));
-        EXPECT_EQ(statusOf(play({"--hands", "replay:" + file("a.replay")})), 0) << err();
+        EXPECT_EQ(statusOf(play({"--hands", "replay:a.replay"})), 0) << err();
         fs::remove(folder_ / "a.replay");
     }
 }
 
 // A recording up to a crash shows the way to it.
 TEST_F(Faults, AKilledDiveLeavesItsRecording) {
-    const pid_t child = start(draw({"--hands", script(), "--fps", "10", "--record", file("a.replay")}));
+    const pid_t child = start(draw({"--hands", script(), "--fps", "10", "--record", "a.replay"}));
     awaitRecording(child, 3);
     ::kill(child, SIGKILL);
     EXPECT_EQ(end(child), -SIGKILL);
-    EXPECT_EQ(statusOf({"check", file("a.replay")}), 0) << err();
-    EXPECT_EQ(statusOf(play({"--hands", "replay:" + file("a.replay")})), 1);
+    EXPECT_EQ(statusOf({"check", "a.replay"}), 0) << err();
+    EXPECT_EQ(statusOf(play({"--hands", "replay:a.replay"})), 1);
     EXPECT_THAT(err(), HasSubstr("cut short"));
     EXPECT_THAT(err(), HasSubstr("up to there the states are the same"));
 }
 
 TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
-    const std::vector<std::string> words =
-        play({"--hands", script(), "--at", "4", "--fps", "5", "--screenshot", file("a.png"), "--record",
-              file("a.replay")});
+    const std::vector<std::string> words = play(
+        {"--hands", script(), "--at", "4", "--fps", "5", "--screenshot", "a.png", "--record", "a.replay"});
     EXPECT_EQ(statusOf(words, [] { limitFiles(8192); }), 1);
     EXPECT_THAT(err(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
     EXPECT_TRUE(fs::exists(folder_ / "a.png")) << "it was played to its end";
@@ -89,20 +87,18 @@ TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
 TEST_F(Faults, AFullDiskLeavesOldLightAndPicturesAlone) {
     const std::string film = (tests::sourceFolder() / "content/truth/reef_0120.hdr").string();
     for (const std::string format : {"hdr", "exr"}) {
-        EXPECT_EQ(
-            statusOf({"light", film, "--out", file("new"), "--format", format}, [] { limitFiles(4096); }), 1);
+        EXPECT_EQ(statusOf({"light", film, "--out", "new", "--format", format}, [] { limitFiles(4096); }), 1);
         EXPECT_THAT(err(), HasSubstr("cannot be"));
         EXPECT_FALSE(fs::exists(folder_ / "new"));
         fs::create_directory(folder_ / "old");
         write("old/diffuse." + format, "old");
-        EXPECT_EQ(
-            statusOf({"light", film, "--out", file("old"), "--format", format}, [] { limitFiles(4096); }), 1);
+        EXPECT_EQ(statusOf({"light", film, "--out", "old", "--format", format}, [] { limitFiles(4096); }), 1);
         EXPECT_EQ(readText(folder_ / ("old/diffuse." + format)).value(), "old");
         EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "old"), {}), 1);
         fs::remove_all(folder_ / "old");
     }
     write("out.hdr", "old");
-    EXPECT_EQ(statusOf({"panorama", film, "--out", file("out.hdr")}, [] { limitFiles(65536); }), 1);
+    EXPECT_EQ(statusOf({"panorama", film, "--out", "out.hdr"}, [] { limitFiles(65536); }), 1);
     EXPECT_EQ(readText(folder_ / "out.hdr").value(), "old");
 }
 
@@ -113,20 +109,20 @@ TEST_F(Faults, StatisticsThatCannotBeWrittenAreSaid) {
 }
 
 TEST_F(Faults, OutputsAreNeitherOneFileNorAnInput) {
-    EXPECT_EQ(statusOf(play({"--stats", file("a"), "--record", file("a")})), 1);
+    EXPECT_EQ(statusOf(play({"--stats", "a", "--record", "a"})), 1);
     EXPECT_THAT(err(), HasSubstr("--record and --stats name the same file"));
     write("a.replay", "precious");
-    EXPECT_EQ(statusOf(play({"--hands", "replay:" + file("a.replay"), "--record", file("a.replay")})), 1);
+    EXPECT_EQ(statusOf(play({"--hands", "replay:a.replay", "--record", "a.replay"})), 1);
     EXPECT_THAT(err(), HasSubstr("--record would overwrite what --hands reads"));
     EXPECT_EQ(readText(folder_ / "a.replay").value(), "precious");
-    EXPECT_EQ(statusOf({"panorama", file("a.png"), "--out", file("a.png")}), 1);
+    EXPECT_EQ(statusOf({"panorama", "a.png", "--out", "a.png"}), 1);
     EXPECT_THAT(err(), HasSubstr("would overwrite"));
 }
 
 // With few files that may be open at once, the program plays or says what is missing.
 TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
     for (const rlim_t files : {8, 12, 16, 20, 40}) {
-        const int status = statusOf(draw({"--at", "0.5", "--stats", file("s.json")}), [&] {
+        const int status = statusOf(draw({"--at", "0.5", "--stats", "s.json"}), [&] {
             const rlimit limit{files, files};
             ::setrlimit(RLIMIT_NOFILE, &limit);
         });
@@ -174,7 +170,7 @@ TEST_F(Faults, SharedMemoryIsNotNeeded) {
         GTEST_SKIP() << "this user may not unmount";
     const std::string command = tests::program() +
                                 " play --headless --skip objects --size 32x18 --at 0.5 --screenshot " +
-                                file("s.png");
+                                (folder_ / "s.png").string();
     EXPECT_EQ(std::system(("unshare -rm sh -c 'umount /dev/shm && " + command + "'").c_str()), 0);
 }
 

@@ -1,4 +1,5 @@
-// Runs the program as a person would, by a command line, and returns its output and exit status.
+// Runs the program as a person would, by a command line in a folder of its own, and returns its output and
+// exit status.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -46,9 +47,8 @@ class Program : public testing::Test {
             ::setenv(name, folder_.c_str(), 1);
         ::unsetenv("DISPLAY");
         ::unsetenv("WAYLAND_DISPLAY");
-        const auto opened = [&](const char* name) {
-            return ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        };
+        if (::chdir(folder_.c_str()) != 0) ::_exit(126);
+        const auto opened = [](const char* name) { return ::open(name, O_WRONLY | O_CREAT | O_TRUNC, 0600); };
         ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
         ::dup2(opened("stdout.txt"), STDOUT_FILENO);
         ::dup2(opened("stderr.txt"), STDERR_FILENO);
@@ -83,9 +83,10 @@ class Program : public testing::Test {
         return text.substr(from, text.find_first_of(",\n", from) - from);
     }
 
-    Path write(const std::string& name, const std::string& content) const {
+    // Writes a file of the folder, and returns its name.
+    std::string write(const std::string& name, const std::string& content) const {
         std::ofstream(folder_ / name, std::ios::binary) << content;
-        return folder_ / name;
+        return name;
     }
 
     static long lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }

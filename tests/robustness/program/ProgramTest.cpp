@@ -26,21 +26,20 @@ std::string pnm(int width, int height, const char* kind = "P5") {
 
 class Program : public tests::Program {
   protected:
-    const Path picture_ = folder_ / "out.png";
+    const std::string angelfish_ = tests::sourceFolder() / "content/models/angelfish.glb";
 
-    // Draws a model before a photo.
-    Outcome view(const Path& model, const std::string& options) const {
-        return run("view " + model.string() + " --photo " + write("photo.ppm", pnm(256, 128, "P6")).string() +
-                   " --out " + picture_.string() + " " + options);
+    // Draws a model before a photo, to out.png.
+    Outcome view(const std::string& model, const std::string& options) const {
+        return run("view " + model + " --photo " + write("photo.ppm", pnm(256, 128, "P6")) +
+                   " --out out.png " + options);
     }
 
-    // Files that `light` writes, by name.
-    std::map<std::string, std::string> lightFiles(const Path& picture, const Path& out,
-                                                  const std::string& how) const {
-        const Outcome made = run("light " + picture.string() + " -o " + out.string() + " " + how);
+    // Files that `light` makes of photo.ppm and writes to the folder `out`, by name.
+    std::map<std::string, std::string> lightFiles(const std::string& out, const std::string& how) const {
+        const Outcome made = run("light photo.ppm -o " + out + " " + how);
         if (made.status != 0) throw std::runtime_error(made.err);
         std::map<std::string, std::string> files;
-        for (const auto& each : fs::directory_iterator(out))
+        for (const auto& each : fs::directory_iterator(folder_ / out))
             files[each.path().filename().string()] = readText(each.path()).value();
         return files;
     }
@@ -104,78 +103,72 @@ TEST_F(Program, AMistypedWordIsMetWithTheOneThatMayBeMeant) {
 
 // A picture of another kind under a PNG's name, or a mistyped folder, is found before anything is played.
 TEST_F(Program, AFileToBeWrittenMustHaveAPlace) {
-    const std::string play = "play --headless --at 0.1 --size 64x36 ", file = folder_.string() + "/none/out";
-    expectOneMessage(run(play + "--screenshot " + folder_.string() + "/x.gif"), "x.gif");
-    expectOneMessage(run(play + "--screenshot " + file + ".png"), "/none");
-    expectOneMessage(run(play + "--record " + file + ".replay"), "/none");
-    expectOneMessage(run(play + "--stats " + file + ".json"), "/none");
-    expectOneMessage(run("view m.glb --out " + folder_.string() + "/x.gif"), "x.gif");
-    expectOneMessage(run("view m.glb --out " + file + ".png"), "/none");
-    expectOneMessage(run("panorama p.jpg -o " + file + ".png"), "/none");
-    EXPECT_FALSE(fs::exists(folder_ / "none"));
+    const std::string play = "play --headless --at 0.1 --size 64x36 ";
+    expectOneMessage(run(play + "--screenshot x.gif"), "x.gif");
+    expectOneMessage(run(play + "--screenshot nowhere/out.png"), "nowhere");
+    expectOneMessage(run(play + "--record nowhere/out.replay"), "nowhere");
+    expectOneMessage(run(play + "--stats nowhere/out.json"), "nowhere");
+    expectOneMessage(run("view m.glb --out x.gif"), "x.gif");
+    expectOneMessage(run("view m.glb --out nowhere/out.png"), "nowhere");
+    expectOneMessage(run("panorama p.jpg -o nowhere/out.png"), "nowhere");
+    EXPECT_FALSE(fs::exists(folder_ / "nowhere"));
 }
 
 TEST_F(Program, DepthOfAStillCameraCannotBeKnown) {
-    const Path film = folder_ / "still.avi", out = folder_ / "still.depth.mkv";
     cv::Mat picture(128, 256, CV_8UC3);
     cv::RNG(3).fill(picture, cv::RNG::UNIFORM, 0, 255);
     media::writeFilm(
-        film, "MJPG", 12, [&](int) { return picture; }, 24);
-    expectOneMessage(run(film.string() + " -o " + out.string(), depthProgram()), "cannot be known", 3);
-    EXPECT_FALSE(fs::exists(out));
-    EXPECT_FALSE(fs::exists(out.string() + ".part"));
+        folder_ / "still.avi", "MJPG", 12, [&](int) { return picture; }, 24);
+    expectOneMessage(run("still.avi -o still.depth.mkv", depthProgram()), "cannot be known", 3);
+    EXPECT_FALSE(fs::exists(folder_ / "still.depth.mkv"));
+    EXPECT_FALSE(fs::exists(folder_ / "still.depth.mkv.part"));
 }
 
 // The output is checked before a frame is read: of two errors here, the message names the output.
 TEST_F(Program, DepthIsMadeOfFilesAndHasToHaveAPlace) {
-    const std::string out = " -o " + folder_.string() + "/out.mkv";
-    expectOneMessage(run("rtsp://localhost/live" + out, depthProgram()), "depth is made of files");
-    expectOneMessage(run("camera:0" + out, depthProgram()), "depth is made of files");
-    expectOneMessage(run(folder_.string() + out, depthProgram()), "depth is made of files");
-    expectOneMessage(run((folder_ / "none.mp4").string() + out, depthProgram()), "none.mp4");
-    const Path text = write("film.mp4", "no film, but text");
-    expectOneMessage(run(text.string() + out, depthProgram()), "film.mp4");
-    const std::string nowhere = folder_.string() + "/none/out.mkv";
-    expectOneMessage(run(text.string() + " -o " + nowhere, depthProgram()), "/none");
-    expectOneMessage(run(text.string() + " -o " + folder_.string(), depthProgram()), "it is a folder");
-    expectOneMessage(run(text.string() + " -o " + text.string(), depthProgram()), "film.mp4");
-    expectOneMessage(run(text.string() + out + " --preview " + folder_.string() + "/x.gif", depthProgram()),
-                     "x.gif");
-    EXPECT_FALSE(fs::exists(folder_ / "none"));
-    EXPECT_FALSE(fs::exists(folder_ / "out.mkv"));
-    EXPECT_FALSE(fs::exists(folder_ / "out.mkv.part"));
-    EXPECT_EQ(readText(text).value(), "no film, but text");
+    write("film.mp4", "no film, but text");
+    for (const auto& [arguments, about] :
+         {std::pair("rtsp://localhost/live -o out.mkv", "depth is made of files"),
+          {"camera:0 -o out.mkv", "depth is made of files"},
+          {". -o out.mkv", "depth is made of files"},
+          {"none.mp4 -o out.mkv", "none.mp4"},
+          {"film.mp4 -o out.mkv", "film.mp4"},
+          {"film.mp4 -o nowhere/out.mkv", "nowhere"},
+          {"film.mp4 -o .", "it is a folder"},
+          {"film.mp4 -o film.mp4", "film.mp4"},
+          {"film.mp4 -o out.mkv --preview x.gif", "x.gif"}})
+        expectOneMessage(run(arguments, depthProgram()), about);
+    for (const char* name : {"nowhere", "out.mkv", "out.mkv.part"})
+        EXPECT_FALSE(fs::exists(folder_ / name)) << name;
+    EXPECT_EQ(textOf("film.mp4"), "no film, but text");
 }
 
 // A model without an occlusion file gets one, once, with the same content as the stored file of the same
 // model.
 TEST_F(Program, OcclusionOfAModelIsMadeOnceAndKept) {
-    const Path stored = tests::sourceFolder() / "content/models/angelfish.glb", copy = folder_ / "copy.glb";
-    fs::copy_file(stored, copy);
-    const auto draw = [&](const Path& model, const std::string& about = "") {
+    fs::copy_file(angelfish_, folder_ / "copy.glb");
+    const auto draw = [&](const std::string& model, const std::string& about = "") {
         const Outcome outcome = view(model, "--size 64x64");
         EXPECT_EQ(outcome.status, 0);
         EXPECT_NE(outcome.err.find(about), std::string::npos) << outcome.err;
         EXPECT_EQ(lines(outcome.err), about.empty() ? 0 : 1) << outcome.err;
-        return readText(picture_).value();
+        return tests::valueOf(readText(folder_ / "out.png"));
     };
-    const std::string shaded = draw(stored);
-    const Path cache = folder_ / "shoal";
+    const std::string shaded = draw(angelfish_);
     write("shoal", "no folder"); // so that nothing can be kept
-    EXPECT_NE(draw(copy, "copy.glb: is shown without"), shaded);
-    fs::remove(cache);
-    EXPECT_EQ(draw(copy), shaded);
-    const fs::directory_iterator kept(cache / "occlusion");
+    EXPECT_NE(draw("copy.glb", "copy.glb: is shown without"), shaded);
+    fs::remove(folder_ / "shoal");
+    EXPECT_EQ(draw("copy.glb"), shaded);
+    const fs::directory_iterator kept(folder_ / "shoal/occlusion");
     const auto made = fs::last_write_time(kept->path());
-    EXPECT_EQ(draw(copy), shaded);
+    EXPECT_EQ(draw("copy.glb"), shaded);
     EXPECT_EQ(fs::last_write_time(kept->path()), made);
 }
 
 // Each choice changes the picture, and its older name means the same.
 TEST_F(Program, WaysOfLightingCanBeChosen) {
-    const Path model = tests::sourceFolder() / "content/models/angelfish.glb";
     const auto draw = [&](const std::string& options) {
-        const Outcome outcome = view(model, "--size 64x64 " + options);
+        const Outcome outcome = view(angelfish_, "--size 64x64 " + options);
         EXPECT_EQ(outcome.status, 0) << options << outcome.err;
         return textOf("out.png");
     };
@@ -194,21 +187,20 @@ TEST_F(Program, WaysOfLightingCanBeChosen) {
 
 // Below OpenGL 4.3 one sentence says so. If the driver cannot lower its version, a picture is drawn.
 TEST_F(Program, LayersNeedANewerOpenGl) {
-    const Path model = tests::sourceFolder() / "content/models/angelfish.glb";
     setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
-    const Outcome old = view(model, "--size 32x32 --occlusion ollfb"),
-                  thesis = view(model, "--size 32x32 --occlusion ollfb-thesis");
+    const Outcome old = view(angelfish_, "--size 32x32 --occlusion ollfb"),
+                  thesis = view(angelfish_, "--size 32x32 --occlusion ollfb-thesis");
     unsetenv("MESA_GL_VERSION_OVERRIDE");
     if (old.status == 0 && thesis.status == 0) GTEST_SKIP() << "this driver cannot be made old";
     expectOneMessage(old, "layers need OpenGL 4.3; this is 3.3");
     expectOneMessage(thesis, "layers need OpenGL 4.3; this is 3.3");
-    EXPECT_FALSE(fs::exists(picture_));
+    EXPECT_FALSE(fs::exists(folder_ / "out.png"));
 }
 
 TEST_F(Program, LightByTheThesisHasTheSameFiles) {
-    const Path photo = write("photo.ppm", pnm(256, 128, "P6"));
-    const auto ours = lightFiles(photo, folder_ / "default", "--method default --light thesis"),
-               thesis = lightFiles(photo, folder_ / "thesis", "--method thesis");
+    write("photo.ppm", pnm(256, 128, "P6"));
+    const auto ours = lightFiles("default", "--method default --light thesis"),
+               thesis = lightFiles("thesis", "--method thesis");
     ASSERT_GT(ours.size(), 3u);
     ASSERT_EQ(ours.size(), thesis.size());
     for (const auto& [name, bytes] : ours) {
@@ -223,11 +215,10 @@ TEST_F(Program, LightByTheThesisHasTheSameFiles) {
 // Grey all around, of sRGB 188: each map is that, in its own size; only the sum over 16 x 8 texels is a
 // little off.
 TEST_F(Program, LightHasTheMapsThatAreAskedFor) {
-    std::string grey = "P6 256 128 255\n" + std::string(256 * 128 * 3, '\xbc');
-    const Path photo = write("photo.ppm", grey);
+    write("photo.ppm", "P6 256 128 255\n" + std::string(256 * 128 * 3, '\xbc'));
     for (const std::string method : {"default", "thesis"})
         for (const int width : {16, 32, 64, 128, 256}) {
-            const auto files = lightFiles(photo, folder_ / (method + std::to_string(width)),
+            const auto files = lightFiles(method + std::to_string(width),
                                           "--light linear --roughness 0.5,0.01,0.055 --diffuse-size " +
                                               std::to_string(width) + " --method " + method);
             ASSERT_EQ(files.size(), 5u);
@@ -249,21 +240,19 @@ TEST_F(Program, LightHasTheMapsThatAreAskedFor) {
 // White above, dark grey below: clipped light is estimated by auto alone, and the thesis' operator scales
 // all.
 TEST_F(Program, LightOfCodedValuesAsAsked) {
-    std::string picture =
-        "P6 256 128 255\n" + std::string(256 * 64 * 3, '\xff') + std::string(256 * 64 * 3, '\x40');
-    const Path photo = write("photo.ppm", picture);
+    write("photo.ppm",
+          "P6 256 128 255\n" + std::string(256 * 64 * 3, '\xff') + std::string(256 * 64 * 3, '\x40'));
     const auto of = [&](const std::string& how) {
-        return lightFiles(photo, folder_ / how, "--light " + how).at("diffuse.pfm");
+        return lightFiles(how, "--light " + how).at("diffuse.pfm");
     };
     const std::string automatic = of("auto"), thesis = of("thesis"), linear = of("linear");
-    EXPECT_EQ(lightFiles(photo, folder_ / "unsaid", "").at("diffuse.pfm"), automatic);
+    EXPECT_EQ(lightFiles("unsaid", "").at("diffuse.pfm"), automatic);
     EXPECT_NE(automatic, linear);
     EXPECT_NE(automatic, thesis);
     EXPECT_NE(thesis, linear);
     EXPECT_NE(of("akyuz"), of("landis"));
     EXPECT_NE(of("landis"), linear);
-    EXPECT_EQ(run("light " + photo.string() + " -o " + (folder_ / "none").string() + " --light ours").status,
-              2);
+    EXPECT_EQ(run("light photo.ppm -o none --light ours").status, 2);
 }
 
 TEST_F(Program, CheckSaysThatNothingOfAModelWillBeSeen) {
@@ -278,9 +267,7 @@ TEST_F(Program, CheckSaysThatNothingOfAModelWillBeSeen) {
             R"("scenes":[{"nodes":[0]}],"scene":0,"materials":[)" +
                 material + "]}");
     };
-    const auto said = [&](const std::string& material) {
-        return run("check " + triangle(material).string()).out;
-    };
+    const auto said = [&](const std::string& material) { return run("check " + triangle(material)).out; };
     const std::string clear = R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0]})";
     EXPECT_THAT(said(R"({"alphaMode":"BLEND",)" + clear + "}"), HasSubstr("wholly transparent"));
     EXPECT_THAT(said(R"({"alphaMode":"MASK",)" + clear + "}"), HasSubstr("wholly transparent"));
@@ -289,12 +276,11 @@ TEST_F(Program, CheckSaysThatNothingOfAModelWillBeSeen) {
 }
 
 TEST_F(Program, LayersOfWhatHasNoneAreRefused) {
-    const std::string photo = write("photo.ppm", "P6\n2 1\n255\n" + std::string(6, 'x')).string();
-    for (const std::string& words :
-         {"check " + photo, std::string("check camera:0"), "play --headless --video " + photo,
-          "play --headless --photo " + photo, "panorama " + photo + " -o " + photo + ".png",
-          "light " + photo + " -o " + photo + ".light",
-          "check " + (dataRoot() / "content/species.toml").string()})
+    write("photo.ppm", "P6\n2 1\n255\n" + std::string(6, 'x'));
+    write("species.toml", *readText(dataRoot() / "content/species.toml"));
+    for (const std::string words : {"check photo.ppm", "check camera:0", "play --headless --video photo.ppm",
+                                    "play --headless --photo photo.ppm", "panorama photo.ppm -o out.png",
+                                    "light photo.ppm -o out", "check species.toml"})
         expectOneMessage(run(words + " --layer a"), "has no layers; leave --layer out", 1);
 }
 
@@ -306,7 +292,7 @@ TEST_F(Program, HeadlessIsAcceptedByEveryCommand) {
 }
 
 TEST_F(Program, HeadlessRunsDoNotDependOnThePlayersSettings) {
-    std::filesystem::create_directories(folder_ / "shoal");
+    fs::create_directories(folder_ / "shoal");
     write("shoal/settings.json", "broken");
     EXPECT_NE(run("play").err.find("settings.json"), std::string::npos);
     EXPECT_EQ(run("play --headless --mute --size 64x64 --at 0.1").err.find("settings.json"),
@@ -314,10 +300,9 @@ TEST_F(Program, HeadlessRunsDoNotDependOnThePlayersSettings) {
 }
 
 TEST_F(Program, ABrokenScoresFileIsSaidOnce) {
-    std::filesystem::create_directories(folder_ / "shoal");
+    fs::create_directories(folder_ / "shoal");
     write("shoal/scores.json", "broken");
-    const std::string picture = (folder_ / "a.png").string();
-    const std::string err = run("play --headless --mute --size 64x64 --at 0.1 --screenshot " + picture).err;
+    const std::string err = run("play --headless --mute --size 64x64 --at 0.1 --screenshot a.png").err;
     const size_t first = err.find("scores.json");
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(err.find("scores.json", first + 1), std::string::npos) << err;
@@ -328,9 +313,9 @@ TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("
 // A start from a menu has a display and no terminal. A fake of the program that shows message boxes records
 // the text that it is given.
 TEST_F(Program, StartedFromAMenuItTellsItsErrorsInAMessageBox) {
-    const Path box = folder_ / "box.txt",
-               fake = write("zenity", "#!/bin/sh\nprintf '%s\\n' \"$@\" >" + box.string());
-    fs::permissions(fake, fs::perms::owner_all);
+    const Path box = folder_ / "box.txt";
+    write("zenity", "#!/bin/sh\nprintf '%s\\n' \"$@\" >" + box.string());
+    fs::permissions(folder_ / "zenity", fs::perms::owner_all);
     const auto shown = [&](const std::string& arguments, int status) {
         fs::remove(box);
         const std::string command = "env PATH=" + folder_.string() +
@@ -350,77 +335,75 @@ TEST_F(Program, StartedFromAMenuItTellsItsErrorsInAMessageBox) {
 }
 
 TEST_F(Program, EnvironmentsThatAreNone) {
-    const Path empty = write("empty.mp4", ""), text = write("text.mp4", "not a video"),
-               photo = write("cut.jpg", "\xff\xd8\xff");
+    write("empty.mp4", "");
+    write("text.mp4", "not a video");
+    write("cut.jpg", "\xff\xd8\xff");
+    fs::create_directory(folder_ / "films");
     const std::string play = "play --headless --at 0.1 --size 64x36 ";
     expectOneMessage(run(play + "--video /nowhere/there.mp4"), "there.mp4");
-    expectOneMessage(run(play + "--video " + empty.string()), "empty.mp4");
-    expectOneMessage(run(play + "--video " + text.string()), "text.mp4");
-    expectOneMessage(run(play + "--photo " + photo.string()), "cut.jpg");
-    expectOneMessage(run(play + "--env " + photo.string()), "cut.jpg");
-    expectOneMessage(run(play + "--video " + folder_.string()), folder_.string());
+    expectOneMessage(run(play + "--video empty.mp4"), "empty.mp4");
+    expectOneMessage(run(play + "--video text.mp4"), "text.mp4");
+    expectOneMessage(run(play + "--photo cut.jpg"), "cut.jpg");
+    expectOneMessage(run(play + "--env cut.jpg"), "cut.jpg");
+    expectOneMessage(run(play + "--video films"), "films");
     expectOneMessage(run(play + "/nowhere/there.mp4"), "there.mp4");
-    expectOneMessage(run(play + folder_.string()), folder_.string());
-    expectOneMessage(run(play + photo.string() + " --photo " + photo.string()), "--photo", 2);
+    expectOneMessage(run(play + "films"), "films");
+    expectOneMessage(run(play + "cut.jpg --photo cut.jpg"), "--photo", 2);
 }
 
 // A desktop opens files by their content, whatever they are called.
 TEST_F(Program, AFileAloneIsTheEnvironmentThatItHolds) {
-    const Path photo = write("some photo.mp4", pnm(256, 128, "P6")), named = folder_ / "named.png",
-               alone = folder_ / "alone.png";
+    write("some photo.mp4", pnm(256, 128, "P6"));
     const std::string options = " --headless --at 0.1 --size 64x36 --screenshot ";
-    const std::string quoted = "'" + photo.string() + "'";
-    ASSERT_EQ(run("play --photo " + quoted + options + named.string()).status, 0);
-    const Outcome outcome = run(quoted + options + alone.string());
+    ASSERT_EQ(run("play --photo 'some photo.mp4'" + options + "named.png").status, 0);
+    const Outcome outcome = run("'some photo.mp4'" + options + "alone.png");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(readText(alone).value(), readText(named).value());
+    EXPECT_EQ(tests::valueOf(readText(folder_ / "alone.png")), textOf("named.png"));
 }
 
 TEST_F(Program, PanoramasThatCannotBe) {
-    const Path photo = write("photo.pgm", pnm(64, 48)), out = folder_ / "out.png";
-    const std::string to = " -o " + out.string();
-    expectOneMessage(run("panorama " + photo.string()), "--out", 2);
-    expectOneMessage(run("panorama " + photo.string() + to + " --fov 9"), "--fov", 2);
-    expectOneMessage(run("panorama " + photo.string() + to + " --fov 151"), "--fov", 2);
-    expectOneMessage(run("panorama " + photo.string() + " -o " + (folder_ / "out.gif").string()), "out.gif");
-    expectOneMessage(run("panorama " + photo.string() + " -o " + (folder_ / "out.hdr").string()), "out.hdr");
-    expectOneMessage(run("panorama /nowhere/there.jpg" + to), "there.jpg");
-    expectOneMessage(run("panorama " + folder_.string() + to), folder_.string());
-    expectOneMessage(run("panorama " + write("cut.jpg", "\xff\xd8\xff").string() + to), "cut.jpg");
-    expectOneMessage(run("panorama " + write("huge.pgm", "P5 20000 20000 255\n").string() + to), "huge.pgm");
+    write("photo.pgm", pnm(64, 48));
+    write("cut.jpg", "\xff\xd8\xff");
+    write("huge.pgm", "P5 20000 20000 255\n");
+    expectOneMessage(run("panorama photo.pgm"), "--out", 2);
+    expectOneMessage(run("panorama photo.pgm -o out.png --fov 9"), "--fov", 2);
+    expectOneMessage(run("panorama photo.pgm -o out.png --fov 151"), "--fov", 2);
+    expectOneMessage(run("panorama photo.pgm -o out.gif"), "out.gif");
+    expectOneMessage(run("panorama photo.pgm -o out.hdr"), "out.hdr");
+    expectOneMessage(run("panorama /nowhere/there.jpg -o out.png"), "there.jpg");
+    expectOneMessage(run("panorama /tmp -o out.png"), "/tmp");
+    expectOneMessage(run("panorama cut.jpg -o out.png"), "cut.jpg");
+    expectOneMessage(run("panorama huge.pgm -o out.png"), "huge.pgm");
     // Two lines: that it begins, and why it ends.
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 64}, {300, 16}}) {
-        const Outcome tiny = run("panorama " + write("tiny.pgm", pnm(width, height)).string() + to);
+        const Outcome tiny = run("panorama " + write("tiny.pgm", pnm(width, height)) + " -o out.png");
         EXPECT_EQ(tiny.status, 1);
         EXPECT_NE(tiny.err.find("tiny.pgm: its "), std::string::npos) << tiny.err;
     }
-    const Outcome unwritable = run("panorama " + photo.string() + " -o /proc/out.png");
+    const Outcome unwritable = run("panorama photo.pgm -o /proc/out.png");
     EXPECT_EQ(unwritable.status, 1);
     EXPECT_NE(unwritable.err.find("/proc/out.png: cannot be written"), std::string::npos) << unwritable.err;
-    EXPECT_FALSE(fs::exists(out));
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()),
-              6); // nothing half written
+    EXPECT_FALSE(fs::exists(folder_ / "out.png"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 6) << "nothing half written";
 }
 
 TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
-    const std::string photo = write("photo.ppm", pnm(64, 48, "P6")).string();
-    for (const char* name : {"out.png", "out.JPG"}) {
-        const std::string out = (folder_ / name).string();
-        const Outcome grown = run("panorama " + photo + " -o " + out + " --fov 60");
+    write("photo.ppm", pnm(64, 48, "P6"));
+    for (const std::string out : {"out.png", "out.JPG"}) {
+        const Outcome grown = run("panorama photo.ppm -o " + out + " --fov 60");
         EXPECT_EQ(grown.status, 0) << grown.err;
         EXPECT_NE(grown.out.find("grown around its light"), std::string::npos) << grown.out;
-        const std::string band = textOf(name), check = run("check " + out).out;
+        const std::string band = textOf(out), check = run("check " + out).out;
         EXPECT_THAT(check, HasSubstr("lat-long mono"));
-        EXPECT_EQ(run("panorama " + photo + " -o " + out + " --fov 60 --full").status, 0);
+        EXPECT_EQ(run("panorama photo.ppm -o " + out + " --fov 60 --full").status, 0);
         EXPECT_EQ(run("check " + out).out, check); // its size, and twice as wide as high
-        EXPECT_NE(textOf(name), band);
+        EXPECT_NE(textOf(out), band);
     }
     // Once it is an environment it stays as it is, unless somebody says that it is a photo all the same.
-    const std::string full = (folder_ / "out.png").string(), again = (folder_ / "again.png").string();
-    EXPECT_NE(run("panorama " + full + " -o " + again).out.find("kept as it is"), std::string::npos);
+    EXPECT_NE(run("panorama out.png -o again.png").out.find("kept as it is"), std::string::npos);
     // A picture that is no environment by its shape is grown for play and view too.
-    const Outcome played = run("play --headless --at 0.1 --size 64x36 --photo " + photo + " --screenshot " +
-                               (folder_ / "shot.png").string());
+    const Outcome played =
+        run("play --headless --at 0.1 --size 64x36 --photo photo.ppm --screenshot shot.png");
     EXPECT_EQ(played.status, 0) << played.err;
     EXPECT_NE(played.err.find("growing"), std::string::npos) << played.err;
 }
@@ -433,14 +416,14 @@ TEST_F(Program, PanoramaSaysThatTwoEyesPicturesAreNotLevelled) {
         R"(<x GPano:ProjectionType="equirectangular" GPano:PosePitchDegrees="10" GPano:PoseRollDegrees="5"/>)";
     std::string jpeg = readText(stereo).value();
     jpeg.insert(2, std::string("\xff\xe1\0", 3) + static_cast<char>(xmp.size() + 2) + xmp);
-    const Outcome made = run("panorama " + write("stereo.jpg", jpeg).string() + " -o " + picture_.string());
+    const Outcome made = run("panorama " + write("stereo.jpg", jpeg) + " -o out.png");
     EXPECT_NE(made.out.find("not levelled"), std::string::npos) << made.out << made.err;
 }
 
 TEST_F(Program, HandsAndDivesThatAreNone) {
     const std::string play = "play --headless --at 0.1 --size 64x36 ";
     expectOneMessage(run(play + "--hands script:/nowhere/s.toml"), "s.toml");
-    expectOneMessage(run(play + "--hands replay:" + write("r.replay", "SHOALREC").string()), "r.replay");
+    expectOneMessage(run(play + "--hands replay:" + write("r.replay", "SHOALREC")), "r.replay");
     expectOneMessage(run(play + "--hands feet"), "feet");
     expectOneMessage(run(play + "--dive ../../etc/passwd"), "passwd");
     expectOneMessage(run(play + "--dive none"), "none");
@@ -468,36 +451,31 @@ TEST_F(Program, PlaythroughsGiveTheStoredStatesInBothWatersAndTheirRecordingsRep
     for (const auto& [name, inFilm] :
          {std::pair{"shark_steals_night", true}, {"behind_rock", true}, {"mouse", false}}) {
         const std::string file = (tests::sourceFolder() / "tests/playthrough" / name).string() + ".toml";
-        const Path replay = folder_ / (std::string(name) + ".replay");
         const std::string water = inFilm ? "" : " --no-depth";
         const Outcome played =
-            run("play --headless --fps 144 --hands script:" + file + water + " --record " + replay.string());
+            run("play --headless --fps 144 --hands script:" + file + water + " --record a.replay");
         EXPECT_EQ(played.status, 0) << played.err;
         std::istringstream stored(readText(tests::sourceFolder() / "tests/equal_hashes.txt").value());
         std::string word, open, film;
         while (stored >> word >> open >> film && word != name) {
         }
         EXPECT_EQ(played.out, std::string(name) + " " + (inFilm ? film : open) + "\n");
-        const std::string from =
-            "cd / && '" + tests::program() + "' play --headless --hands replay:" + replay.string() + water;
-        EXPECT_EQ(std::system(from.c_str()), 0);
-        EXPECT_EQ(run("check " + replay.string()).status, 0);
+        EXPECT_EQ(run("play --headless --hands replay:a.replay" + water).status, 0);
+        EXPECT_EQ(run("check a.replay").status, 0);
+        fs::remove(folder_ / "a.replay");
     }
-    const Path gone = folder_ / "gone.toml";
-    std::ofstream(gone) << readText(tests::sourceFolder() / "tests/playthrough/dive/cove.toml").value();
-    fs::copy(tests::sourceFolder() / "tests/playthrough/dive/species.toml", folder_ / "species.toml");
-    const Path replay = folder_ / "gone.replay";
-    EXPECT_EQ(run("play --headless --at 0.1 --dive " + gone.string() + " --record " + replay.string()).status,
-              0);
-    EXPECT_EQ(run("check " + replay.string()).status, 0);
-    fs::remove(gone);
-    expectOneMessage(run("check " + replay.string()), "its dive cannot be played");
+    const Path dives = tests::sourceFolder() / "tests/playthrough/dive";
+    fs::copy(dives / "cove.toml", folder_ / "gone.toml");
+    fs::copy(dives / "species.toml", folder_ / "species.toml");
+    EXPECT_EQ(run("play --headless --at 0.1 --dive gone.toml --record gone.replay").status, 0);
+    EXPECT_EQ(run("check gone.replay").status, 0);
+    fs::remove(folder_ / "gone.toml");
+    expectOneMessage(run("check gone.replay"), "its dive cannot be played");
 }
 
 TEST_F(Program, AModelThatIsNoneLeavesNoPicture) {
-    const Path out = folder_ / "out.png";
-    expectOneMessage(run("view " + write("m.glb", "glTF").string() + " --out " + out.string()), "m.glb");
-    EXPECT_FALSE(fs::exists(out));
+    expectOneMessage(run("view " + write("m.glb", "glTF") + " --out out.png"), "m.glb");
+    EXPECT_FALSE(fs::exists(folder_ / "out.png"));
 }
 
 // The names of clips are replaced by others of their length.
@@ -505,9 +483,8 @@ TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
     std::string bytes = *readText(tests::sourceFolder() / "content/models/sardine.glb");
     const size_t at = bytes.find("\"dart\"");
     ASSERT_NE(at, std::string::npos);
-    const std::string model = write("m.glb", bytes.replace(at, 6, "\"a@9\" ")).string();
-    const std::string view =
-        "view " + model + " --size 64x64 --out " + (folder_ / "out.png").string() + " --animation ";
+    write("m.glb", bytes.replace(at, 6, "\"a@9\" "));
+    const std::string view = "view m.glb --size 64x64 --out out.png --animation ";
     EXPECT_EQ(run(view + "a@9").status, 0);
     EXPECT_EQ(run(view + "a@9@0.1").status, 0);
     EXPECT_EQ(run(view + "swim@0.1").status, 0);
@@ -518,9 +495,7 @@ TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
 // A table is known by its extension, all else by content.
 TEST_F(Program, CheckTellsGoodFromBadByContentNotNames) {
     const Path content = tests::sourceFolder() / "content";
-    const auto named = [&](const char* name, const Path& file) {
-        return write(name, *readText(file)).string() + " ";
-    };
+    const auto named = [&](const char* name, const Path& file) { return write(name, *readText(file)) + " "; };
     const Outcome good =
         run("check " + named("dive.toml", content / "dives/reef.toml") +
             named("species.toml", content / "species.toml") + named("model", content / "models/shark.glb") +
@@ -530,36 +505,33 @@ TEST_F(Program, CheckTellsGoodFromBadByContentNotNames) {
         EXPECT_NE(good.out.find(kind), std::string::npos) << kind << good.out;
     EXPECT_TRUE(good.out.starts_with("usable: ")) << good.out;
     EXPECT_EQ(lines(good.out), 4);
-    const Outcome both =
-        run("check " + write("x.png", "PNG").string() + " " + (content / "dives/reef.toml").string());
+    const Outcome both = run("check " + write("x.png", "PNG") + " dive.toml");
     expectOneMessage(both, "x.png");
     EXPECT_TRUE(both.err.starts_with("not usable: ")) << both.err;
     EXPECT_EQ(lines(both.out), 1) << "goes on";
     expectOneMessage(run("check " + named("readme.toml", tests::sourceFolder() / "README.md")),
                      "readme.toml: line ");
-    const Path riff = write("riff", std::string("RIFF=\0\0\0WAVEfmt ", 16)); // no key of TOML
-    expectOneMessage(run("check " + riff.string()), "riff: is");
+    write("riff", std::string("RIFF=\0\0\0WAVEfmt ", 16)); // no key of TOML
+    expectOneMessage(run("check riff"), "riff: is");
 }
 
 TEST_F(Program, TheSameMomentGivesTheSamePicture) {
-    const Path a = folder_ / "a.png", b = folder_ / "b.png";
     const std::string play = "play --headless --size 160x90 --at 0.5 --fps 10 --screenshot ";
-    ASSERT_EQ(run(play + a.string()).status, 0);
-    ASSERT_EQ(run(play + b.string()).status, 0);
-    EXPECT_EQ(readFile(a, 1u << 20).value(), readFile(b, 1u << 20).value());
+    ASSERT_EQ(run(play + "a.png").status, 0);
+    ASSERT_EQ(run(play + "b.png").status, 0);
+    EXPECT_EQ(tests::valueOf(readText(folder_ / "a.png")), textOf("b.png"));
 }
 
 // Shadows need only the film's distances.
 TEST_F(Program, ShadowsFallWhereverAFilmHasADepthTrack) {
-    const Path film = folder_ / "own.mp4", content = tests::sourceFolder() / "content/video";
-    fs::create_symlink(content / "reef.small.mp4", film);
+    const Path content = tests::sourceFolder() / "content/video";
+    fs::create_symlink(content / "reef.small.mp4", folder_ / "own.mp4");
     const auto picture = [&](const std::string& shadows) {
-        const Path file = folder_ / (shadows + ".png");
-        EXPECT_EQ(run("play --headless --size 320x180 --at 3 --fps 4 --video " + film.string() +
-                      " --shadows " + shadows + " --screenshot " + file.string())
-                      .status,
-                  0);
-        return readFile(file, 1u << 20).value();
+        const Outcome outcome =
+            run("play --headless --size 320x180 --at 3 --fps 4 --video own.mp4 --shadows " + shadows +
+                " --screenshot " + shadows + ".png");
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return textOf(shadows + ".png");
     };
     EXPECT_EQ(picture("on"), picture("off"));
     fs::create_symlink(content / "reef.depth.mkv", folder_ / "own.depth.mkv");

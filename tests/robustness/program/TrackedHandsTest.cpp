@@ -10,6 +10,8 @@
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 
+#include <fmt/core.h>
+
 #include <regex>
 
 namespace shoal {
@@ -100,15 +102,16 @@ class TrackedHands : public tests::Program {
         return best;
     }
 
-    std::string play(const Server& server, double seconds, uint64_t seed) const {
-        char at[32];
-        std::snprintf(at, sizeof at, "%.2f", seconds);
-        return "play --headless --size 64x36 --skip objects --no-depth --dive ring --hands leap --leap "
-               "127.0.0.1:" +
-               std::to_string(server.port()) + " --seed " + std::to_string(seed) + " --at " + at +
-               " --record " + replayFile().string();
+    // Plays with the service at that port, which must succeed.
+    void play(const char* hands, int port, double seconds, uint64_t seed) const {
+        ASSERT_EQ(
+            run(fmt::format("play --headless --size 64x36 --skip objects --no-depth --dive ring --hands {} "
+                            "--leap 127.0.0.1:{} --seed {} --at {:.2f} --record run.replay",
+                            hands, port, seed, seconds))
+                .status,
+            0)
+            << err();
     }
-    Path replayFile() const { return folder_ / "run.replay"; }
 
     struct Story {
         std::vector<game::Event> events;
@@ -117,7 +120,7 @@ class TrackedHands : public tests::Program {
     };
     Story story() const {
         Story out;
-        const auto recording = tests::valueOf(tests::readRecorded(replayFile()));
+        const auto recording = tests::valueOf(tests::readRecorded(folder_ / "run.replay"));
         const auto files = tests::valueOf(game::loadDiveFiles("ring", folder_ / "content"));
         const Status same =
             game::replay(recording, files, [&](const game::Snapshot& now, const auto& events) {
@@ -129,9 +132,9 @@ class TrackedHands : public tests::Program {
         return out;
     }
     static bool grabbed(const Story& story) {
-        for (const game::Event& event : story.events)
-            if (event.kind == game::EventKind::Grab && event.hand == 1) return true;
-        return false;
+        return std::ranges::any_of(story.events, [](const game::Event& event) {
+            return event.kind == game::EventKind::Grab && event.hand == 1;
+        });
     }
 
     void fistCatches(const std::vector<std::string>& messages, bool counts) {
@@ -140,7 +143,7 @@ class TrackedHands : public tests::Program {
         const uint64_t seed = putFishAt(fist);
         Server server;
         server.say(messages);
-        ASSERT_EQ(run(play(server, fist.ends_s, seed)).status, 0) << err();
+        play("leap", server.port(), fist.ends_s, seed);
         EXPECT_NE(err().find("Hands: Leap Motion"), std::string::npos) << err();
         const Story told = story();
         EXPECT_TRUE(grabbed(told)) << "the fist closes at " << fist.closes_s << " s around " << fist.grasp.x
@@ -175,8 +178,8 @@ TEST_F(TrackedHands, TheSameServiceGivesTheSameGame) {
     for (auto& run_ : hashes) {
         Server server;
         server.say(messages);
-        ASSERT_EQ(run(play(server, 1.4, seed)).status, 0) << err();
-        const auto recording = tests::valueOf(tests::readRecorded(replayFile()));
+        play("leap", server.port(), 1.4, seed);
+        const auto recording = tests::valueOf(tests::readRecorded(folder_ / "run.replay"));
         for (size_t i = 0; i < recording.ticks(); ++i) run_.push_back(recording.hash(i));
     }
     EXPECT_EQ(hashes[0], hashes[1]);
@@ -195,7 +198,7 @@ TEST_F(TrackedHands, TheGamePlaysOnThroughWhateverTheServiceDoes) {
         if (i == 180) server.sayBinary(std::string("\xff\xfe\x00", 3));
         if (i == 220) server.close(1000);
     }
-    ASSERT_EQ(run(play(server, 2.9, seed)).status, 0) << err();
+    play("leap", server.port(), 2.9, seed);
     EXPECT_EQ(server.paths().size(), 4u);
     const Story told = story();
     EXPECT_TRUE(grabbed(told));
@@ -207,12 +210,7 @@ TEST_F(TrackedHands, WithoutAServiceTheMouseHasTheHands) {
     putFishAt({{0, -0.1f, -0.7f}, 0, 0});
     int port = 0;
     { port = Server().port(); } // nobody listens there now
-    ASSERT_EQ(run("play --headless --size 64x36 --skip objects --no-depth --dive ring --hands auto --leap "
-                  "127.0.0.1:" +
-                  std::to_string(port) + " --at 1.5 --record " + replayFile().string())
-                  .status,
-              0)
-        << err();
+    play("auto", port, 1.5, 1);
     EXPECT_NE(err().find("Hands: mouse"), std::string::npos) << err();
     EXPECT_GT(story().handTicks, 100);
 }
