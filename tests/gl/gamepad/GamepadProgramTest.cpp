@@ -16,14 +16,14 @@
 namespace shoal::app {
 namespace {
 
-using test::fakeGamepad, test::FakeGamepad;
+using test::fakeGamepad;
 
 // A player with the pad, on a thread of its own. It runs only while the program waits for it in a frame, so
 // that neither sees a state that the other has half changed.
 class Player {
   public:
     Player(Application& application, std::function<void(Player&)> plays) : application_(application) {
-        fakeGamepad().onPoll = [this](FakeGamepad&) {
+        fakeGamepad().onPoll = [this] {
             if (over_) return;
             toPlayer_.release();
             toProgram_.acquire();

@@ -14,6 +14,7 @@
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace shoal::test {
 
@@ -74,16 +75,10 @@ int answer(FakeGamepad& pad, unsigned long request, void* to) {
     if (number >= _IOC_NR(EVIOCGABS(0)) && number < _IOC_NR(EVIOCGABS(ABS_CNT))) {
         const int axis = static_cast<int>(number - _IOC_NR(EVIOCGABS(0)));
         const bool trigger = axis == ABS_Z || axis == ABS_RZ, hat = axis == ABS_HAT0X || axis == ABS_HAT0Y;
-        *static_cast<input_absinfo*>(to) = {.value = pad.axis(axis),
-                                            .minimum = trigger ? 0
-                                                       : hat   ? -1
-                                                               : -32768,
-                                            .maximum = trigger ? 255
-                                                       : hat   ? 1
-                                                               : 32767,
-                                            .fuzz = 0,
-                                            .flat = 0,
-                                            .resolution = 0};
+        const auto [low, high] = trigger ? std::pair(0, 255)
+                                 : hat   ? std::pair(-1, 1)
+                                         : std::pair(-32768, 32767);
+        *static_cast<input_absinfo*>(to) = {pad.axis(axis), low, high, 0, 0, 0};
         return 0;
     }
     if (number < _IOC_NR(EVIOCGBIT(0, 0)) || number > _IOC_NR(EVIOCGBIT(EV_MAX, 0)))
@@ -124,9 +119,9 @@ std::vector<Rumble> FakeGamepad::felt() const {
     return felt_;
 }
 
-void FakeGamepad::feel(const Rumble& rumble) {
+void FakeGamepad::play(bool on) {
     const std::lock_guard lock(mutex_);
-    felt_.push_back(rumble);
+    felt_.push_back(on ? uploaded_ : Rumble{});
 }
 
 bool FakeGamepad::opened() const {
@@ -134,17 +129,16 @@ bool FakeGamepad::opened() const {
     return !open_.empty();
 }
 
-int FakeGamepad::open(bool writable) {
-    if (writable && !permitted) return errno = EACCES, -1;
+int FakeGamepad::open() {
     const int fd = real<int(const char*, int, ...)>("open")("/dev/null", O_RDONLY | O_CLOEXEC);
     const std::lock_guard lock(mutex_);
     open_.push_back(fd);
     return fd;
 }
 
-bool FakeGamepad::close(int fd) {
+void FakeGamepad::close(int fd) {
     const std::lock_guard lock(mutex_);
-    return std::erase(open_, fd) > 0;
+    std::erase(open_, fd);
 }
 
 bool FakeGamepad::isOpen(int fd) const {
@@ -153,7 +147,7 @@ bool FakeGamepad::isOpen(int fd) const {
 }
 
 bool FakeGamepad::poll(Event& event) {
-    if (!polled_ && onPoll) onPoll(*this);
+    if (!polled_ && onPoll) onPoll();
     polled_ = true;
     const std::lock_guard lock(mutex_);
     if (events_.empty()) return polled_ = false;
@@ -176,8 +170,7 @@ int open(const char* path, int flags, ...) {
     va_start(more, flags);
     const mode_t mode = flags & (O_CREAT | __O_TMPFILE) ? va_arg(more, mode_t) : 0;
     va_end(more);
-    if (std::strcmp(path, shoal::test::kNode) == 0)
-        return fakeGamepad().open((flags & O_ACCMODE) != O_RDONLY);
+    if (std::strcmp(path, shoal::test::kNode) == 0) return fakeGamepad().open();
     return real<int(const char*, int, ...)>("open")(path, flags, mode);
 }
 

@@ -19,8 +19,7 @@ struct Rumble {
 class FakeGamepad {
   public:
     // Called before GLFW reads the pad's events, twice a frame, on the thread that does. May press and move.
-    std::function<void(FakeGamepad&)> onPoll;
-    bool permitted = true; // the pad may be opened for writing, which rumble needs
+    std::function<void()> onPoll;
 
     // button: BTN_SOUTH and so on.
     void press(int button) { push(EV_KEY, button, 1); }
@@ -38,12 +37,11 @@ class FakeGamepad {
         int32_t value;
     };
     bool poll(Event& event); // false: nothing more until the next poll
-    int open(bool writable);
-    bool close(int fd);
+    int open();
+    void close(int fd);
     bool isOpen(int fd) const;
-    void feel(const Rumble& rumble);
     void upload(const Rumble& rumble) { uploaded_ = rumble; }
-    void play(bool on) { feel(on ? uploaded_ : Rumble{}); }
+    void play(bool on);
     int32_t axis(int code) const { return axes_[code]; }
 
   private:
