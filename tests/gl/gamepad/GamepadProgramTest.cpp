@@ -88,7 +88,7 @@ class GamepadProgram : public testing::Test {
     tests::ScratchFolder folder_;
 
     void SetUp() override {
-        static const auto display = test::VirtualDisplay::open(); // of all cases
+        static const test::VirtualDisplay display; // of all cases
         if (!display) GTEST_SKIP() << "needs Xvfb";
         for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "HOME", "XDG_PICTURES_DIR"})
             ::setenv(name, folder_.path().c_str(), 1);

@@ -46,7 +46,7 @@ class WithFakeRuntime : public testing::Test {
             setenv("XR_CORE_VALIDATION_EXPORT_TYPE", "text", 1);
             setenv("XR_CORE_VALIDATION_FILE_NAME", validation_.c_str(), 1);
         }
-        static const auto display = VirtualDisplay::open(); // of all cases
+        static const VirtualDisplay display; // of all cases
         if (!display) GTEST_SKIP() << "needs Xvfb";
     }
     void openWindow() { window_ = tests::valueOf(platform::Window::open({"test", 64, 64, false, false})); }

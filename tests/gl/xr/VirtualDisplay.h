@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdlib>
-#include <optional>
 #include <string>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <utility>
 
 #include <csignal>
 
@@ -15,12 +13,12 @@ namespace shoal::test {
 
 class VirtualDisplay {
   public:
-    // Runs Xvfb on a display that is free, and lets DISPLAY name it. Empty where there is no Xvfb.
-    static std::optional<VirtualDisplay> open() {
+    // Runs Xvfb on a display that is free, and lets DISPLAY name it.
+    VirtualDisplay() {
         int ready[2];
-        if (pipe(ready) != 0) return std::nullopt;
-        const pid_t child = fork();
-        if (child == 0) {
+        if (pipe(ready) != 0) return;
+        child_ = fork();
+        if (child_ == 0) {
             prctl(PR_SET_PDEATHSIG, SIGTERM); // does not outlive the test, however that ends
             const std::string number = std::to_string(ready[1]);
             close(ready[0]);
@@ -35,26 +33,22 @@ class VirtualDisplay {
         std::string number; // written once the server takes connections
         for (char c = 0; read(ready[0], &c, 1) == 1 && c != '\n';) number += c;
         close(ready[0]);
-        VirtualDisplay display(child);
-        if (number.empty()) return std::nullopt;
+        runs_ = !number.empty();
+        if (!runs_) return;
         setenv("DISPLAY", (":" + number).c_str(), 1);
         unsetenv("WAYLAND_DISPLAY");
-        return display;
     }
-    VirtualDisplay(VirtualDisplay&& other) noexcept : child_(std::exchange(other.child_, -1)) {}
-    VirtualDisplay& operator=(VirtualDisplay&& other) noexcept {
-        std::swap(child_, other.child_);
-        return *this;
-    }
+    VirtualDisplay(const VirtualDisplay&) = delete;
     ~VirtualDisplay() {
         if (child_ <= 0) return;
         kill(child_, SIGTERM);
         waitpid(child_, nullptr, 0);
     }
+    explicit operator bool() const { return runs_; } // false: there is no Xvfb
 
   private:
-    explicit VirtualDisplay(pid_t child) : child_(child) {}
-    pid_t child_;
+    pid_t child_ = -1;
+    bool runs_ = false;
 };
 
 } // namespace shoal::test

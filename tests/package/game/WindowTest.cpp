@@ -70,7 +70,6 @@ class Desktop {
 class InWindow : public testing::Test {
   protected:
     void SetUp() override {
-        display_ = test::VirtualDisplay::open();
         if (!display_) GTEST_SKIP() << "needs Xvfb";
         setenv("XDG_CONFIG_HOME", scratch_.path().c_str(), 1);
         setenv("XDG_DATA_HOME", scratch_.path().c_str(), 1);
@@ -90,7 +89,7 @@ class InWindow : public testing::Test {
     }
 
     tests::ScratchFolder scratch_;
-    std::optional<test::VirtualDisplay> display_;
+    test::VirtualDisplay display_;
 };
 
 // Starts it as `Exec` of the desktop entry does.

@@ -78,7 +78,7 @@ double rmse(const ImageRgb8& a, const ImageRgb8& b) {
 TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
     if (std::system("pkg-config --exists OGRE tinygltf") != 0)
         GTEST_SKIP() << "needs OGRE: libogre-1.12-dev, libtinygltf-dev";
-    const auto display = test::VirtualDisplay::open();
+    const test::VirtualDisplay display;
     if (!display) GTEST_SKIP() << "needs Xvfb";
     ASSERT_TRUE(consumerBuilt(kSource / "tests/package/light/example", "example"));
     const Path ogre = kScratch / "ogre.png", shoal = kScratch / "shoal.png";
