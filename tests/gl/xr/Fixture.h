@@ -12,6 +12,8 @@
 
 namespace shoal::test {
 
+inline glm::vec3 vectorOf(const XrVector3f& v) { return {v.x, v.y, v.z}; }
+
 class WithFakeRuntime : public testing::Test {
   protected:
     FakeRuntime& fake = shoalFakeRuntime();

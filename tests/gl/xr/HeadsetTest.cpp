@@ -1,7 +1,6 @@
 // A headset through the real loader and the fake runtime of the tests.
 #include "engine/xr/Headset.h"
 #include "engine/xr/Tracked.h"
-#include "tests/Test.h"
 #include "tests/gl/xr/Fixture.h"
 
 namespace shoal::xr {
@@ -109,15 +108,11 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
 TEST_F(HeadsetGL, ARecentringByTheRuntimeIsObeyedWhenItHappens) {
     Headset headset = focused();
     Frame now = emptyFrame(headset);
-    const auto place = [&](float x) {
-        for (size_t eye = 0; eye < 2; ++eye)
-            fake.views[eye].pose.position.x = x + (eye == 0 ? -0.032f : 0.032f);
-    };
     const auto seen = [&] {
         now = emptyFrame(headset);
         return headset.tracking().worldFromHead.position.x;
     };
-    place(0.5f);
+    placeHead({0.5f, 0, 0});
     EXPECT_NEAR(seen(), 0.5f, 1e-5f);
     // The area that the player has set up is another matter.
     fake.sayRecentred(XR_REFERENCE_SPACE_TYPE_STAGE, now.display_ns);
@@ -126,9 +121,9 @@ TEST_F(HeadsetGL, ARecentringByTheRuntimeIsObeyedWhenItHappens) {
     fake.sayRecentred(XR_REFERENCE_SPACE_TYPE_LOCAL, when);
     EXPECT_NEAR(seen(), 0.5f, 1e-5f);
     EXPECT_NEAR(seen(), 0.5f, 1e-5f);
-    place(0.1f); // LOCAL has moved, to where the player stood when asked
+    placeHead({0.1f, 0, 0}); // LOCAL has moved, to where the player stood when asked
     EXPECT_NEAR(seen(), 0, 1e-5f);
-    place(0.2f);
+    placeHead({0.2f, 0, 0});
     EXPECT_NEAR(seen(), 0.1f, 1e-5f);
 }
 

@@ -5,6 +5,7 @@
 #include <X11/Xlib.h>
 #include <X11/keysym.h>
 
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -33,20 +34,11 @@ std::function<bool()>& eachPoll() {
     return then;
 }
 
-KeySym symbolOf(int glfwKey) {
-    switch (glfwKey) {
-    case GLFW_KEY_ESCAPE:
-        return XK_Escape;
-    case GLFW_KEY_ENTER:
-        return XK_Return;
-    case GLFW_KEY_DOWN:
-        return XK_Down;
-    case GLFW_KEY_HOME:
-        return XK_Home;
-    default:
-        return static_cast<KeySym>(XK_F1 + (glfwKey - GLFW_KEY_F1));
-    }
-}
+const std::map<int, KeySym> kSymbols = {{GLFW_KEY_ESCAPE, XK_Escape},
+                                        {GLFW_KEY_ENTER, XK_Return},
+                                        {GLFW_KEY_DOWN, XK_Down},
+                                        {GLFW_KEY_HOME, XK_Home},
+                                        {GLFW_KEY_F2, XK_F2}};
 
 void sendExposure() {
     XEvent event{};
@@ -57,10 +49,10 @@ void sendExposure() {
 } // namespace
 
 void strikeKey(int glfwKey) {
-    const KeySym symbol = symbolOf(glfwKey);
     for (const int type : {KeyPress, KeyRelease}) {
         XEvent event{};
-        event.xkey = {.type = type, .keycode = static_cast<unsigned>(symbol), .same_screen = True};
+        event.xkey = {
+            .type = type, .keycode = static_cast<unsigned>(kSymbols.at(glfwKey)), .same_screen = True};
         send(event, KeyPressMask);
     }
 }

@@ -5,8 +5,8 @@
 
 namespace shoal::test {
 
-// Presses and releases a key; the window gets both events at its next poll. glfwKey: F1 to F12, Escape,
-// Enter, Down, Home.
+// Presses and releases a key; the window gets both events at its next poll. glfwKey: F2, Escape, Enter, Down
+// or Home.
 void strikeKey(int glfwKey);
 
 // Calls the function whenever the window polls events, until it returns false.

@@ -96,7 +96,7 @@ class XrPicture : public test::WithFakeRuntime {
         const float right = std::tan(given.fov.angleRight), left = std::tan(given.fov.angleLeft);
         const float up = std::tan(given.fov.angleUp), down = std::tan(given.fov.angleDown);
         render::View view;
-        view.eyeWorld = glm::vec3(p.x, p.y, p.z);
+        view.eyeWorld = test::vectorOf(p);
         view.worldFromEye = glm::quat(q.w, q.x, q.y, q.z);
         view.verticalFov = 2 * std::atan((up - down) / 2);
         view.aspect = (right - left) / (up - down);
@@ -224,7 +224,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
     const glm::quat down = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0));
-    for (XrView& view : fake.views) view.pose.orientation = {down.x, down.y, down.z, down.w};
+    placeHead({}, down);
     const glm::vec3 fish(0, -0.6f, -1.2f);
     const auto pose = hands::reachingHand(plan_->rig, hands::Side::Right, {0, -0.5f, -0.5f}, 0.5f);
     const auto shown = [&](bool animal, bool floor) {
@@ -260,8 +260,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     for (size_t e = 0; e < 2; ++e) {
         const test::ShownEye& eye = with[e];
         const int width = eye.rect.extent.width, height = eye.rect.extent.height;
-        const XrVector3f& p = eye.localFromEye.position;
-        const glm::vec3 at(p.x, p.y, p.z);
+        const glm::vec3 at = test::vectorOf(eye.localFromEye.position);
         int shaded = 0, strongest = 0;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
@@ -301,7 +300,7 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
     fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
     fake.formats.push_back(GL_DEPTH_COMPONENT32F);
     const glm::quat down = glm::angleAxis(-0.3f, glm::vec3(1, 0, 0));
-    for (XrView& view : fake.views) view.pose.orientation = {down.x, down.y, down.z, down.w};
+    placeHead({}, down);
     auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
     show(headset, 1);
     ASSERT_TRUE(fake.last.eyes);
@@ -310,8 +309,7 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
         ASSERT_TRUE(eye.depth);
         const float near_m = eye.depth->near_m, far_m = eye.depth->far_m;
         const int width = eye.rect.extent.width, height = eye.rect.extent.height;
-        const XrVector3f& p = eye.localFromEye.position;
-        const glm::vec3 eyeEnv = envFromWorld * glm::vec3(p.x, p.y, p.z);
+        const glm::vec3 eyeEnv = envFromWorld * test::vectorOf(eye.localFromEye.position);
         int asked = 0, known = 0, wrong = 0;
         for (int y = 4; y < height; y += 8)
             for (int x = 4; x < width; x += 8) {

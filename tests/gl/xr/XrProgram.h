@@ -5,9 +5,9 @@
 #include "game/rules/Dive.h"
 #include "game/tools/Commands.h"
 #include "input/hands/MouseHands.h"
+#include "tests/TestRig.h"
 #include "tests/gl/xr/Fixture.h"
 #include "tests/playthrough/Play.h"
-#include "tests/playthrough/Rooms.h"
 
 namespace shoal::app {
 
@@ -49,7 +49,7 @@ class XrProgram : public test::WithFakeRuntime {
         const auto scripted = fake.onWait;
         fake.onWait = [scripted, maxFrames](FakeRuntime& f) {
             if (scripted) scripted(f);
-            if (f.framesWaited == maxFrames) leave(f);
+            if (f.framesWaited == maxFrames) f.sayExit();
         };
         testing::internal::CaptureStderr();
         log::setUp(false);
@@ -71,13 +71,6 @@ class XrProgram : public test::WithFakeRuntime {
         EXPECT_EQ(outcome.said, "");
         return tests::valueOf(tests::readRecorded(o.record));
     }
-    // Ends the game as the player does in the runtime's menu.
-    static void leave(FakeRuntime& f) {
-        f.exitRequested = true;
-        f.say(XR_SESSION_STATE_VISIBLE);
-        f.say(XR_SESSION_STATE_SYNCHRONIZED);
-        f.say(XR_SESSION_STATE_STOPPING);
-    }
     static void expectOneMessage(const Outcome& outcome, const std::string& about) {
         EXPECT_EQ(outcome.status, 1);
         EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said;
@@ -94,13 +87,9 @@ class XrProgram : public test::WithFakeRuntime {
     }
 
     void closeHand(size_t side, float closed) {
-        hold(side, closed, {side == 0 ? -0.2f : 0.2f, -0.15f, -0.5f});
-    }
-    void hold(size_t side, float closed, glm::vec3 grasp) {
-        static const hands::HandRig rig =
-            *hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
         const auto pose =
-            hands::reachingHand(rig, side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
+            hands::reachingHand(tests::rig(), side == 0 ? hands::Side::Left : hands::Side::Right,
+                                {side == 0 ? -0.2f : 0.2f, -0.15f, -0.5f}, closed);
         fake.hands[side].active = true;
         for (size_t i = 0; i < pose.joints.size(); ++i) {
             const hands::Joint& joint = pose.joints[i];

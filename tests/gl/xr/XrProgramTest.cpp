@@ -69,18 +69,13 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
 
 // The key that turns the mouse's player to look ahead again.
 TEST_F(XrProgram, AKeyRecentres) {
-    fake.onWait = [](FakeRuntime& f) {
+    fake.onWait = [this](FakeRuntime& f) {
         if (f.framesWaited == 60) // walks away and turns
-            for (XrView& view : f.views) {
-                view.pose.position.x += 0.7f;
-                view.pose.position.y += 0.2f;
-                view.pose.orientation = {0, std::sin(0.4f), 0, std::cos(0.4f)};
-            }
+            placeHead({0.7f, 0.2f, 0}, glm::angleAxis(0.8f, glm::vec3(0, 1, 0)));
         if (f.framesWaited == 90) test::strikeKey(GLFW_KEY_HOME);
     };
     const tests::Recorded recording = recorded(options(), 120);
-    EXPECT_NEAR(glm::length(inputAt(recording, 85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f),
-                0.05f); // eyes turn aside
+    EXPECT_NEAR(glm::length(inputAt(recording, 85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f), 1e-5f);
     const game::TickInput last = inputAt(recording, recording.ticks() - 9);
     EXPECT_LT(glm::length(last.headWorld), 1e-5f);
     EXPECT_NEAR(std::abs(last.worldFromView.w), 1, 1e-5f);
@@ -107,7 +102,7 @@ TEST_F(XrProgram, APlayerWhoSitsDivesSeated) {
         const Menu& menu = application.screens().menu();
         fake.onWait = [&](FakeRuntime& f) {
             if (f.framesWaited == 60) test::strikeKey(GLFW_KEY_ESCAPE);
-            if (f.framesWaited == 130) leave(f);
+            if (f.framesWaited == 130) f.sayExit();
             if (application.screens().isOpen() && application.screens().top() == Screen::Title)
                 place(thenEyes_m);
             if (f.framesWaited <= 64 || f.framesWaited % 3 != 0 || !application.screens().isOpen()) return;
@@ -176,10 +171,8 @@ TEST_F(XrProgram, TextHangsInTheWorldOneAndAHalfMetresAhead) {
     fake.onWait = [&](FakeRuntime& f) {
         if (f.framesWaited == 100) seen.push_back(f.last);
         if (f.framesWaited >= 100) // looks to the side and back
-            for (XrView& view : f.views) {
-                const float half = 0.2f * std::sin(static_cast<float>(f.framesWaited - 100) * 0.05f);
-                view.pose.orientation = {0, std::sin(half), 0, std::cos(half)};
-            }
+            placeHead({}, glm::angleAxis(0.4f * std::sin(static_cast<float>(f.framesWaited - 100) * 0.05f),
+                                         glm::vec3(0, 1, 0)));
         if (f.framesWaited == 130) seen.push_back(f.last);
     };
     EXPECT_EQ(run(options(), 140).status, 0);
@@ -219,13 +212,11 @@ TEST_F(XrProgram, ThePagesStandOnThePanelAndAPokeChooses) {
         const auto& [q, p] = fake.last.panel->localFromPanel;
         const auto& [width, height] = fake.last.panel->size;
         const glm::vec3 at =
-            glm::vec3(p.x, p.y, p.z) +
+            test::vectorOf(p) +
             glm::quat(q.w, q.x, q.y, q.z) * glm::vec3((share.x - 0.5f) * width, (0.5f - share.y) * height, 0);
-        const auto eye = [&](size_t i) {
-            const XrVector3f& position = fake.views[i].pose.position;
-            return glm::vec3(position.x, position.y, position.z);
-        };
-        const glm::vec3 head = (eye(0) + eye(1)) / 2.0f;
+        const glm::vec3 head =
+            (test::vectorOf(fake.views[0].pose.position) + test::vectorOf(fake.views[1].pose.position)) /
+            2.0f;
         return head + glm::normalize(at - head) * (0.45f + forward_m);
     };
     const auto putFinger = [&](glm::vec3 tip) {
@@ -269,7 +260,7 @@ TEST_F(XrProgram, ThePagesStandOnThePanelAndAPokeChooses) {
             f.controllers[1].trigger = frame > 20 ? 1.0f : 0.0f;
         } else if (frame == 0) {
             ADD_FAILURE() << "the trigger chose nothing";
-            leave(f);
+            f.sayExit();
         }
     };
     EXPECT_TRUE(tests::succeeded(application.run(true)));
@@ -386,8 +377,7 @@ TEST_F(XrProgram, OpenXrHandsNeedAHeadset) {
 
 TEST_F(XrProgram, ARuntimeWhoseServiceDoesNotRunSaysToStartIt) {
     for (const XrResult result : {XR_ERROR_RUNTIME_UNAVAILABLE, XR_ERROR_RUNTIME_FAILURE}) {
-        // The validation layer itself stumbles over an instance that could not be made.
-        unsetenv("XR_ENABLE_API_LAYERS");
+        withoutValidation(); // which stumbles over an instance that could not be made
         fake.failing["xrCreateInstance"] = result;
         expectOneMessage(run(options()), "start its service");
     }
@@ -434,8 +424,7 @@ TEST_P(XrCall, AFailedCallIsNamedInOneSentence) {
     fake.controllers[0].active = fake.hands[1].active = true;
     fake.failing[name] = XR_ERROR_RUNTIME_FAILURE;
     PlayOptions o = options();
-    // The validation layer itself stumbles over an instance that could not be made.
-    if (name == "xrCreateInstance") withoutValidation();
+    if (name == "xrCreateInstance") withoutValidation(); // which stumbles over one that could not be made
     const bool haptic = name.ends_with("HapticFeedback");
     if (haptic) {
         fake.period_s = kSlow_s;

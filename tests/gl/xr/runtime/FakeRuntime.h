@@ -102,7 +102,6 @@ struct FakeRuntime {
     float refreshRate_Hz = 72;
     bool shouldRender = true;
     bool tellsDataSources = true;               // of hands; false: asking for them fails
-    bool focusesByItself = true;                // after the first frame
     bool sensesWearer = true;                   // with XR_EXT_user_presence
     bool keepPictures = false;                  // of the eyes and the panel, each frame anew
     std::function<void(FakeRuntime&)> onWait;   // in each xrWaitFrame, before it answers
@@ -115,6 +114,7 @@ struct FakeRuntime {
         std::memcpy(&events.emplace_back(), &event, sizeof event);
     }
     void say(XrSessionState state);
+    void sayExit(); // as if the player left in the runtime's menu
     void sayInstanceLoss();
     void sayRecentred(XrReferenceSpaceType which = XR_REFERENCE_SPACE_TYPE_LOCAL, XrTime when = 0);
     void sayWorn(bool worn);

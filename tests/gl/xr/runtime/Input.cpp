@@ -124,28 +124,28 @@ FAKE_XR(xrCreateActionSpace, XrSession, const XrActionSpaceCreateInfo* info, XrS
     return XR_SUCCESS;
 }
 
-const FakeController* controllerOf(const XrActionStateGetInfo* info) {
+// Returns a hand's controller; for a path that is no hand's, one that is not active.
+const FakeController& controllerOf(const XrActionStateGetInfo* info) {
+    static const FakeController none;
     const int hand = handOf(info->subactionPath);
-    return hand < 0 ? nullptr : &shoalFakeRuntime().controllers[static_cast<size_t>(hand)];
+    return hand < 0 ? none : shoalFakeRuntime().controllers[static_cast<size_t>(hand)];
 }
 
 FAKE_XR(xrGetActionStatePose, XrSession, const XrActionStateGetInfo* info, XrActionStatePose* out) {
-    const FakeController* controller = controllerOf(info);
-    out->isActive = controller && controller->active;
+    out->isActive = controllerOf(info).active;
     return XR_SUCCESS;
 }
 FAKE_XR(xrGetActionStateFloat, XrSession, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
-    const FakeController* controller = controllerOf(info);
-    out->isActive = controller && controller->active;
+    const FakeController& controller = controllerOf(info);
+    out->isActive = controller.active;
     if (out->isActive)
         out->currentState =
-            objectOf<FakeAction>(info->action).name == "close" ? controller->squeeze : controller->trigger;
+            objectOf<FakeAction>(info->action).name == "close" ? controller.squeeze : controller.trigger;
     return XR_SUCCESS;
 }
 FAKE_XR(xrGetActionStateBoolean, XrSession, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
-    const FakeController* controller = controllerOf(info);
-    out->isActive = controller && controller->active;
-    out->currentState = out->isActive && controller->menu;
+    out->isActive = controllerOf(info).active;
+    out->currentState = out->isActive && controllerOf(info).menu;
     return XR_SUCCESS;
 }
 FAKE_XR(xrApplyHapticFeedback, XrSession, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {

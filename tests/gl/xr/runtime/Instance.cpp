@@ -13,15 +13,8 @@ Place placeOf(const XrPosef& pose) {
             glm::quat(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z)};
 }
 XrPosef poseOf(const Place& place) {
-    return {{place.turn.x, place.turn.y, place.turn.z, place.turn.w},
-            {place.position.x, place.position.y, place.position.z}};
-}
-Place operator*(const Place& a, const Place& b) {
-    return {a.position + a.turn * b.position, a.turn * b.turn};
-}
-Place inverse(const Place& place) {
-    const glm::quat back = glm::conjugate(place.turn);
-    return {back * -place.position, back};
+    const auto& [p, q] = place;
+    return {{q.x, q.y, q.z, q.w}, {p.x, p.y, p.z}};
 }
 
 std::map<std::string, PFN_xrVoidFunction>& functions() {
@@ -49,6 +42,12 @@ void FakeRuntime::say(XrSessionState next) {
     say(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr,
                                        handleOf<XrSession>(&session()), next, 0});
 }
+void FakeRuntime::sayExit() {
+    exitRequested = true;
+    say(XR_SESSION_STATE_VISIBLE);
+    say(XR_SESSION_STATE_SYNCHRONIZED);
+    say(XR_SESSION_STATE_STOPPING);
+}
 void FakeRuntime::sayInstanceLoss() {
     say(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, 0});
 }
@@ -72,15 +71,12 @@ using std::strncpy;
 
 FAKE_XR(xrEnumerateInstanceExtensionProperties, const char*, uint32_t capacity, uint32_t* count,
         XrExtensionProperties* items) {
-    const auto& names = shoalFakeRuntime().extensions;
-    *count = static_cast<uint32_t>(names.size());
-    if (capacity == 0) return XR_SUCCESS;
-    if (capacity < names.size()) return XR_ERROR_SIZE_INSUFFICIENT;
-    for (const std::string& name : names) {
-        strncpy(items->extensionName, name.c_str(), XR_MAX_EXTENSION_NAME_SIZE - 1);
-        (items++)->extensionVersion = 1;
+    std::vector<XrExtensionProperties> offered;
+    for (const std::string& name : shoalFakeRuntime().extensions) {
+        offered.push_back({XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 1});
+        strncpy(offered.back().extensionName, name.c_str(), XR_MAX_EXTENSION_NAME_SIZE - 1);
     }
-    return XR_SUCCESS;
+    return giveList(offered, capacity, count, items);
 }
 
 FAKE_XR(xrCreateInstance, const XrInstanceCreateInfo* info, XrInstance* instance) {
@@ -116,12 +112,6 @@ FAKE_XR(xrPollEvent, XrInstance, XrEventDataBuffer* out) {
     case name:                                                                                               \
         text = #name;                                                                                        \
         break;
-FAKE_XR(xrResultToString, XrInstance, XrResult value, char out[XR_MAX_RESULT_STRING_SIZE]) {
-    const char* text = "XR_UNKNOWN";
-    switch (value) { XR_LIST_ENUM_XrResult(CASE) default : break; }
-    strncpy(out, text, XR_MAX_RESULT_STRING_SIZE);
-    return XR_SUCCESS;
-}
 FAKE_XR(xrStructureTypeToString, XrInstance, XrStructureType value, char out[XR_MAX_STRUCTURE_NAME_SIZE]) {
     const char* text = "XR_UNKNOWN";
     switch (value) { XR_LIST_ENUM_XrStructureType(CASE) default : break; }
@@ -178,15 +168,6 @@ FAKE_XR(xrStringToPath, XrInstance, const char* text, XrPath* out) {
     const auto at = std::find(texts.begin(), texts.end(), text);
     *out = static_cast<XrPath>(at - texts.begin()) + 1;
     if (at == texts.end()) texts.emplace_back(text);
-    return XR_SUCCESS;
-}
-FAKE_XR(xrPathToString, XrInstance, XrPath path, uint32_t capacity, uint32_t* count, char* out) {
-    if (path < 1 || path > pathTexts().size()) return XR_ERROR_PATH_INVALID;
-    const std::string& text = pathTexts()[path - 1];
-    *count = static_cast<uint32_t>(text.size()) + 1;
-    if (capacity == 0) return XR_SUCCESS;
-    if (capacity < *count) return XR_ERROR_SIZE_INSUFFICIENT;
-    std::memcpy(out, text.c_str(), *count);
     return XR_SUCCESS;
 }
 

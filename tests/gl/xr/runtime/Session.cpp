@@ -61,10 +61,7 @@ FAKE_XR(xrEndSession, XrSession) {
 FAKE_XR(xrRequestExitSession, XrSession) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (!fake.running) return XR_ERROR_SESSION_NOT_RUNNING;
-    fake.exitRequested = true;
-    for (const XrSessionState state :
-         {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING})
-        fake.say(state);
+    fake.sayExit();
     return XR_SUCCESS;
 }
 
@@ -290,8 +287,7 @@ FAKE_XR(xrEndFrame, XrSession, const XrFrameEndInfo* info) {
         }
     }
     ++fake.framesEnded;
-    if (!std::exchange(session().shown, true) && fake.focusesByItself &&
-        fake.state == XR_SESSION_STATE_SYNCHRONIZED) {
+    if (!std::exchange(session().shown, true) && fake.state == XR_SESSION_STATE_SYNCHRONIZED) {
         fake.say(XR_SESSION_STATE_VISIBLE);
         fake.say(XR_SESSION_STATE_FOCUSED);
     }
@@ -315,10 +311,6 @@ FAKE_XR(xrLocateViews, XrSession, const XrViewLocateInfo* info, XrViewState* sta
 
 FAKE_XR(xrEnumerateDisplayRefreshRatesFB, XrSession, uint32_t capacity, uint32_t* count, float* items) {
     return giveList(shoalFakeRuntime().refreshRates_Hz, capacity, count, items);
-}
-FAKE_XR(xrGetDisplayRefreshRateFB, XrSession, float* out) {
-    *out = shoalFakeRuntime().refreshRate_Hz;
-    return XR_SUCCESS;
 }
 FAKE_XR(xrRequestDisplayRefreshRateFB, XrSession, float wanted_Hz) {
     FakeRuntime& fake = shoalFakeRuntime();

@@ -1,23 +1,17 @@
 // Objects of the fake runtime. A handle is the address of one of these.
 #pragma once
 
+#include "engine/xr/Tracked.h"
 #include "tests/gl/xr/runtime/FakeRuntime.h"
-
-#include <glm/gtc/quaternion.hpp>
-#include <glm/vec3.hpp>
 
 #include <memory>
 
 namespace shoal::test {
 
-struct Place {
-    glm::vec3 position{0};
-    glm::quat turn{1, 0, 0, 0};
-};
+// Conversions of the runtime's own: a mistake in those of engine/xr would undo itself.
+using Place = xr::Pose;
 Place placeOf(const XrPosef& pose);
 XrPosef poseOf(const Place& place);
-Place operator*(const Place& a, const Place& b);
-Place inverse(const Place& place);
 
 struct FakeSpace {
     int hand = -1; // hand of an action space; -1 for a reference space
