@@ -1,7 +1,6 @@
 // The graphics card answers as the processor does.
 #include "engine/gl/Program.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
-#include "engine/platform/Window.h"
 #include "engine/render/TriangleBatch.h"
 #include "shaders/occlusion/Bindings.glsl"
 #include "tests/baselines/occlusion/OllfbThesis.h"
@@ -23,35 +22,24 @@ static_assert(sizeof(RayGpu) == 32);
 
 // Traces many rays at once on the graphics card, one for each pixel of a picture of floats.
 struct TracePass {
-    gl::Program thesis, cured;
-
-    // Fails without OpenGL 4.3.
-    static Result<TracePass> make() {
-        if (Status status = canKeepLayers(); !status) return status.error();
-        TracePass pass;
-        const std::string stem = "../tests/gl/occlusion/Trace";
-        if (Status s = gl::Program::load(stem, {"THESIS"}, kStorageGlsl).moveTo(pass.thesis); !s)
-            return s.error();
-        if (Status s = gl::Program::load(stem, {}, kStorageGlsl).moveTo(pass.cured); !s) return s.error();
-        return pass;
+    static gl::Program load(const std::vector<std::string>& features) {
+        return tests::valueOf(gl::Program::load("../tests/gl/occlusion/Trace", features, kStorageGlsl));
     }
+    const gl::Program thesis = load({"THESIS"}), cured = load({});
 
     // Traces as the methods' trace() does, body frame. Waits for the answers.
-    Result<std::vector<std::optional<Hit>>> trace(const LayersGpu& layers,
-                                                  std::span<const RayGpu> rays) const {
+    std::vector<std::optional<Hit>> trace(const LayersGpu& layers, std::span<const RayGpu> rays) const {
         constexpr int kWidth = 256;
         const int count = static_cast<int>(rays.size());
         const int height = std::max(1, (count + kWidth - 1) / kWidth);
-        auto asked = storageBuffer(rays.data(), rays.size_bytes());
-        if (!asked) return asked.error();
+        const auto asked = tests::valueOf(storageBuffer(rays.data(), rays.size_bytes()));
         const gl::Texture answers = gl::Texture::make();
         glBindTexture(GL_TEXTURE_2D, answers.name());
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, height, 0, GL_RGBA, GL_FLOAT, nullptr);
         const gl::Framebuffer picture = gl::Framebuffer::make();
         glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, answers.name(), 0);
-        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            return Error{"", "a picture of floats cannot be drawn into here"};
+        EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
         glViewport(0, 0, kWidth, height);
         glDisable(GL_DEPTH_TEST), glDisable(GL_BLEND), glDisable(GL_SCISSOR_TEST);
         const gl::Program& program = layers.method() == LayerMethod::Thesis ? thesis : cured;
@@ -59,7 +47,7 @@ struct TracePass {
         layers.bind(program);
         program.set("width", kWidth);
         program.set("rayCount", count);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OCCLUSION_RAYS, asked->name());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OCCLUSION_RAYS, asked.name());
         render::WholePicture().draw();
         std::vector<glm::vec4> pixels(static_cast<size_t>(kWidth) * static_cast<size_t>(height));
         glReadPixels(0, 0, kWidth, height, GL_RGBA, GL_FLOAT, pixels.data());
@@ -112,18 +100,18 @@ Difference compare(const Method& method, std::span<const RayGpu> rays,
 }
 
 TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
-    auto pass = tests::valueOf(TracePass::make());
+    const TracePass pass;
     for (const Body& body : {torus(1, 0.4f, 48, 24), bunny()}) {
         const std::vector<RayGpu> rays = someRays(body, 6000);
         const float radius = boundingSphere(body.mesh()).radius;
         const OllfbThesis::Options options{.cells = 3, .resolution = 64};
         const auto thesis = tests::valueOf(OllfbThesis::make(body.mesh(), options));
         const auto thesisGpu = tests::valueOf(LayersGpu::upload(thesis));
-        const auto steps = tests::valueOf(pass.trace(thesisGpu, rays));
+        const auto steps = pass.trace(thesisGpu, rays);
         const Difference a = compare(thesis, rays, steps, 0.01f * radius);
         const auto cured = tests::valueOf(TracedOllfb::make(body.mesh(), {.views = 54}));
         const auto curedGpu = tests::valueOf(LayersGpu::upload(cured));
-        const auto planes = tests::valueOf(pass.trace(curedGpu, rays));
+        const auto planes = pass.trace(curedGpu, rays);
         const Difference b = compare(cured, rays, planes, 1e-3f * radius);
         size_t met = 0;
         for (const auto& hit : planes) met += hit.has_value();
@@ -139,13 +127,13 @@ TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
 }
 
 TEST_F(LayersGL, SheetsAreMetFromBothSides) {
-    auto pass = tests::valueOf(TracePass::make());
+    const TracePass pass;
     const Body body = oneTriangle();
     const auto cured = TracedOllfb::make(body.mesh());
     const auto gpu = tests::valueOf(LayersGpu::upload(*cured));
     const std::vector<RayGpu> rays = {
         {{0, 0, 2}, 0, {0, 0, -1}}, {{0, 0, -2}, 0, {0, 0, 1}}, {{0.9f, 0.9f, 2}, 0, {0, 0, -1}}};
-    const auto hits = tests::valueOf(pass.trace(gpu, rays));
+    const auto hits = pass.trace(gpu, rays);
     for (int k = 0; k < 2; ++k) {
         ASSERT_TRUE(hits[static_cast<size_t>(k)]);
         EXPECT_NEAR(hits[static_cast<size_t>(k)]->distance, 2, 0.01f);
