@@ -1,6 +1,5 @@
 // Drawn water, and the particles that drift in it.
 #include "Spheres.h"
-#include "engine/platform/Window.h"
 #include "engine/render/ParticlePass.h"
 #include "tests/unit/water/SeenThrough.h"
 
@@ -47,11 +46,11 @@ struct Snowfall {
     int specks = 0; // pixels that are not black
 };
 
-Snowfall snowAt(double time_s, float depth) {
+Snowfall snowAt(double time_s) {
     const Lit lit(uniformFrame(150, 140, 120));
     auto pass = tests::valueOf(render::ParticlePass::make());
     const gl::Target target(320, 180, 1);
-    fill(target, glm::vec4(0), depth);
+    fill(target);
     const render::View view{.heightPixels = 180};
     EXPECT_TRUE(pass.draw(render::ParticlePass::On::Everything,
                           {.environment = lit.environment, .view = view, .canvas = target}, someWater(),
@@ -62,15 +61,13 @@ Snowfall snowAt(double time_s, float depth) {
 }
 
 TEST_F(WaterGL, SnowIsThereAndFollowsTimeAlone) {
-    const Snowfall one = snowAt(3, 1), same = snowAt(3, 1), later = snowAt(3.5, 1);
+    const Snowfall one = snowAt(3), same = snowAt(3), later = snowAt(3.5);
     EXPECT_GT(one.specks, 20); // of 600 in all directions
     EXPECT_LT(one.specks, 320 * 180 / 50);
     EXPECT_EQ(one.picture.pixels, same.picture.pixels);
     EXPECT_NE(one.picture.pixels, later.picture.pixels);
-    EXPECT_GT(snowAt(7200, 1).specks, 20); // after hours too
+    EXPECT_GT(snowAt(7200).specks, 20); // after hours too
 }
-
-TEST_F(WaterGL, NearThingsHideSnow) { EXPECT_EQ(snowAt(3, 0).specks, 0); }
 
 } // namespace
 } // namespace shoal
