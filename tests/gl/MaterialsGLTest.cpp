@@ -43,15 +43,15 @@ glm::vec4 linear(const glm::vec4& coded) {
     return lin;
 }
 
-// One texture of this colour all over.
-void addTexture(scene::Model& model, const glm::u8vec4& texel) {
-    ImageRgba8 image(4, 4);
-    for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x)
-            for (int c = 0; c < 4; ++c) image.at(x, y)[c] = texel[c];
-    model.images.push_back(image);
-    model.textures.push_back({.image = 0});
-    model.materials[0].baseColour = {0, 0};
+using RgbaTexel = std::array<uint8_t, 4>;
+using Use = scene::TextureUse scene::Material::*;
+
+// Gives the model one texture, of this colour all over.
+void setTexture(scene::Model& model, const RgbaTexel& texel, Use use = &scene::Material::baseColour) {
+    model.images = {ImageRgba8(1, 1)};
+    std::ranges::copy(texel, model.images[0].pixels.begin());
+    model.textures = {{.image = 0}};
+    model.materials[0].*use = {0, 0};
     model.meshes[0].primitives[0].texCoords[0].assign(model.meshes[0].primitives[0].positions.size(), {});
 }
 
@@ -67,7 +67,7 @@ TEST_F(MaterialsGL, UnlitColoursAreShownAsTheyAreCoded) {
                              0.5f);
                 // A texture, decoded and coded: the same steps.
                 scene::Model textured = unlitSphere(glm::vec4(1));
-                addTexture(textured, {200, 100, 3, 255});
+                setTexture(textured, {200, 100, 3, 255});
                 expectColour(drawn(textured, lit, detail, exposure_ev), coded, 0.5f);
             }
 }
@@ -78,13 +78,11 @@ TEST_F(MaterialsGL, UnlitColoursMultiplyLinearly) {
     const glm::vec4 factor(0.25f, 0.5f, 1, 1), vertex(1, 0.5f, 0.2f, 1);
     for (const render::Detail detail : kDetails) {
         scene::Model model = unlitSphere(factor);
-        addTexture(model, {255, 128, 128, 255});
+        setTexture(model, {255, 128, 128, 255});
         model.meshes[0].primitives[0].coloursLin.assign(model.meshes[0].primitives[0].positions.size(),
                                                         vertex);
         glm::vec4 expected = factor * vertex * linear(glm::vec4(255, 128, 128, 255) / 255.0f);
-        for (int c = 0; c < 3; ++c)
-            expected[c] = expected[c] <= 0.0031308f ? 12.92f * expected[c]
-                                                    : 1.055f * std::pow(expected[c], 1 / 2.4f) - 0.055f;
+        for (int c = 0; c < 3; ++c) expected[c] = math::srgbFromLinear(expected[c]);
         // Half a step of rounding, and half floats' hundredth of one.
         expectColour(drawn(model, lit, detail), 255.0f * expected, 0.6f);
     }
@@ -214,11 +212,9 @@ TEST_F(MaterialsGL, ClearcoatsReflectTheirShareHeadOn) {
 // factor: in its own channels, a colour decoded, all others without meaning.
 TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
     const Lit lit(uniformFrame(200, 180, 160));
-    using Texel = std::array<uint8_t, 4>;
-    using Use = scene::TextureUse scene::Material::*;
     struct Case {
         Use use;
-        Texel texel;
+        RgbaTexel texel;
         void (*factor)(scene::Material&);
     };
     const auto cases = std::to_array<Case>({
@@ -242,11 +238,8 @@ TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
             material.clearcoat = 0.8f;
             material.clearcoatRoughness = 0.7f;
             const auto draw = [&] { return drawn(model, lit, detail); };
-            const auto drawWith = [&](const Texel& texel) {
-                model.images = {ImageRgba8(1, 1)};
-                std::ranges::copy(texel, model.images[0].pixels.begin());
-                model.textures = {{.image = 0}};
-                material.*each.use = {0, 0};
+            const auto drawWith = [&](const RgbaTexel& texel) {
+                setTexture(model, texel, each.use);
                 return draw();
             };
             const ImageRgba8 textured = drawWith(each.texel), white = drawWith({255, 255, 255, 255});

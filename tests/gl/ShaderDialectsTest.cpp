@@ -3,8 +3,6 @@
 #include "engine/gl/Program.h"
 #include "tests/Test.h"
 
-#include <unistd.h>
-
 #include <regex>
 
 namespace shoal {
@@ -44,10 +42,8 @@ TEST_P(ShaderDialects, Compile) {
     for (const std::string& a : features)
         for (const std::string& b : features) cases.insert({a, b});
     cases.erase({"MIRRORS", "PHONG_RINGS"}); // two sources of glossy light: ObjectPass never asks for both
-    const Path folder =
-        std::filesystem::temp_directory_path() / ("shoal_dialects_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
-    std::string command = "cd '" + folder.string() + "' && glslangValidator";
+    const tests::ScratchFolder folder;
+    std::string command = "cd '" + folder.path().string() + "' && glslangValidator";
     for (const std::string& header : {kDesktop, kEs})
         for (const char* stage : {".vert", ".frag"})
             for (const std::set<std::string>& with : cases) {
@@ -60,7 +56,6 @@ TEST_P(ShaderDialects, Compile) {
                 command += " " + name + stage;
             }
     EXPECT_EQ(std::system((command + " >errors.txt").c_str()), 0) << readText(folder / "errors.txt").value();
-    std::filesystem::remove_all(folder);
 }
 
 } // namespace
