@@ -13,7 +13,7 @@ ImageRgba8 smoothFrame(int width) {
     ImageRgba8 frame(width, width / 2);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < width; ++x) {
-            const glm::vec3 d = directionFromLatLong((glm::vec2(x, y) + 0.5f) / glm::vec2(width, width / 2));
+            const glm::vec3 d = texelDirection(x, y, width, frame.height);
             for (int c = 0; c < 3; ++c) frame.at(x, y)[c] = static_cast<uint8_t>(120 + 100 * d[c]);
             frame.at(x, y)[3] = 255;
         }
@@ -95,8 +95,7 @@ TEST_P(LatLongPlaces, HoldTheSphereAndNothingElse) {
     int red = 0, wrong = 0;
     for (int y = 0; y < frame_.height; ++y)
         for (int x = 0; x < frame_.width; ++x) {
-            const glm::vec3 d =
-                directionFromLatLong((glm::vec2(x, y) + 0.5f) / glm::vec2(frame_.width, frame_.height));
+            const glm::vec3 d = texelDirection(x, y, frame_.width, frame_.height);
             const float away = std::acos(std::clamp(glm::dot(d, direction), -1.0f, 1.0f));
             if (std::abs(away - kHalf) < 2 * texel) continue;
             const uint8_t* is = painted.at(x, y);
@@ -200,16 +199,12 @@ TEST_F(LatLongGL, NothingOfOneEyesObjectsStaysInTheOthersPicture) {
     // The picture towards -Z, with a sphere elsewhere in it; or where one may be, with nothing.
     const auto with = [&](const glm::vec3& to, render::BackgroundPass& background, float alpha = 1) {
         constexpr float kHalfAngle = 0.15f;
-        const render::View view = viewTowards({0, 0, -1});
         layer_->begin({4, 4}, 1);
         glClearColor(alpha, 0, 0, alpha);
         glClear(GL_COLOR_BUFFER_BIT);
         const Sphere sphere{2.0f * glm::normalize(to), 2 * std::sin(kHalfAngle)};
         tiles_.choose({frame_.width, frame_.height}, glm::mat3(1), {&sphere, 1}, glm::vec3(0));
-        const render::TexelLayer layer{*layer_, view, tiles_};
-        target.bindColour();
-        EXPECT_TRUE(background.draw({.environment = *environment_, .view = view, .canvas = target}, &layer));
-        return target.read();
+        return shown(background, {0, 0, -1}, target);
     };
     const auto background = make(), fresh = make(), fresher = make();
     const ImageRgba8 left = with({-0.2f, 0, -1}, *background);

@@ -40,9 +40,7 @@ class FloorShadowGL : public WithContext {
     }
     // The place of the floor that a pixel shows.
     static glm::vec3 floorAt(const render::View& view, int x, int y) {
-        const glm::vec2 place(2 * (static_cast<float>(x) + 0.5f) / kFloorPixels - 1,
-                              1 - 2 * (static_cast<float>(y) + 0.5f) / kFloorPixels);
-        const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
+        const glm::vec3 ray = rayThrough(view, x, y, glm::vec2(kFloorPixels));
         return view.eyeWorld + ray * ((kFloor_m - view.eyeWorld.y) / ray.y);
     }
 };

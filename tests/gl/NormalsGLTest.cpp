@@ -6,8 +6,7 @@ namespace shoal {
 namespace {
 
 class NormalsGL : public WithContext, public testing::WithParamInterface<scene::ScaledSphere> {};
-INSTANTIATE_TEST_SUITE_P(Of, NormalsGL, testing::ValuesIn(scene::kScaledSpheres),
-                         [](const auto& spec) { return std::string(spec.param.name); });
+INSTANTIATE_TEST_SUITE_P(Of, NormalsGL, testing::ValuesIn(scene::kScaledSpheres), tests::byName);
 
 TEST_P(NormalsGL, StandOnTheEllipsoid) {
     constexpr int kPixels = 96;
@@ -24,17 +23,14 @@ TEST_P(NormalsGL, StandOnTheEllipsoid) {
     for (int y = 0; y < kPixels; ++y)
         for (int x = 0; x < kPixels; ++x) {
             if (!picture.at(x, y)[3]) continue;
-            const glm::vec2 ndc((static_cast<float>(x) + 0.5f) / kPixels * 2 - 1,
-                                1 - (static_cast<float>(y) + 0.5f) / kPixels * 2);
-            const glm::vec3 ray(ndc * view.halfExtent(), -1);
+            const glm::vec3 ray = rayThrough(view, x, y, glm::vec2(kPixels));
             // The ray meets the ellipsoid at the point where it meets the sphere that this was.
             const glm::vec3 from = sphereFromModel * view.eyeWorld, along = sphereFromModel * ray;
             const float a = glm::dot(along, along), half = glm::dot(from, along);
             const float root = half * half - a * (glm::dot(from, from) - 1);
             const float t = (-half - std::sqrt(std::max(root, 0.0f))) / a;
             const glm::vec3 normal = scene::ellipsoidNormal(modelFromSphere, view.eyeWorld + t * ray);
-            if (glm::dot(normal, glm::normalize(ray)) > -0.3f)
-                continue; // where a pixel spans much of the rim
+            if (glm::dot(normal, glm::normalize(ray)) > -0.3f) continue; // a pixel spans much of the rim
             ++compared;
             // Half a step of rounding; facets of a fifteenth of a radian, seen through the scales.
             for (int c = 0; c < 3; ++c)

@@ -5,8 +5,6 @@
 #include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
-#include "engine/math/LatLong.h"
-#include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
 
 namespace shoal {
@@ -51,10 +49,7 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
-                const glm::vec2 ndc((static_cast<float>(x) + 0.5f) / 48 - 1,
-                                    1 - (static_cast<float>(y) + 0.5f) / 32);
-                const glm::vec3 dir =
-                    glm::normalize(view.worldFromEye * glm::vec3(ndc * view.halfExtent(), -1.0f));
+                const glm::vec3 dir = glm::normalize(rayThrough(view, x, y, {96, 64}));
                 const glm::vec3 expected = smoothColour(dir) * 255.0f;
                 // Half a step of rounding into the frame and half out of it; the pole's texel row adds the
                 // cap's bend, 0.4 * 255 * (pi / 512) = 0.6.

@@ -82,9 +82,7 @@ TEST_P(ShadowGL, IsTheClosedFormAtEveryPixel) {
         double differences = 0;
         for (int y = 0; y < kShadowSize; ++y)
             for (int x = 0; x < kShadowSize; ++x) {
-                const glm::vec2 place(2 * (static_cast<float>(x) + 0.5f) / kShadowSize - 1,
-                                      1 - 2 * (static_cast<float>(y) + 0.5f) / kShadowSize);
-                const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
+                const glm::vec3 ray = rayThrough(view, x, y, glm::vec2(kShadowSize));
                 const glm::vec3 ground = ray * (kGround_m / ray.y);
                 const glm::vec3 left = render::remainingOf(
                     render::covered(flat, sunlight(), ground) * sunlight().share, render::FrameCoding::Srgb,

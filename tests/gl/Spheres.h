@@ -79,11 +79,21 @@ inline void fill(int x, int y, int width, int height, const glm::vec4& colour) {
     glDisable(GL_SCISSOR_TEST);
 }
 
+inline ImageRgb8 uniformFrame(uint8_t r, uint8_t g, uint8_t b) {
+    ImageRgb8 frame(64, 32);
+    for (size_t i = 0; i < frame.pixels.size(); i += 3) {
+        frame.pixels[i] = r;
+        frame.pixels[i + 1] = g;
+        frame.pixels[i + 2] = b;
+    }
+    return frame;
+}
+
 inline light::EnvironmentLight lightMadeOf(const ImageRgb8& frame,
                                            light::FrameRadiance frames = light::FrameRadiance::Thesis) {
     light::EnvironmentLight made;
     light::LightMaker maker({.baseWidth = 512, .minRoughness = 0.1f, .frames = frames});
-    maker.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, made);
+    maker.make(viewOf(frame), made);
     return made;
 }
 
@@ -92,6 +102,17 @@ inline light::PackedLight lightOf(const ImageRgb8& frame,
     light::PackedLight packed;
     light::packLight(lightMadeOf(frame, frames), light::MirrorMaps::Mirrors, packed);
     return packed;
+}
+
+// Light of one radiance from all directions.
+constexpr float kEvenLight = 0.8f;
+inline light::PackedLight evenLight() {
+    constexpr uint16_t kHalf = 0x3a66; // 0.8 as a half float
+    light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
+    for (size_t i = 0; i < light.atlas.pixels.size(); ++i)
+        if (i % 4 != 3) light.atlas.pixels[i] = kHalf;
+    for (light::HalfImage& mirror : light.mirrors) std::ranges::fill(mirror.pixels, kHalf);
+    return light;
 }
 
 // An environment that shows a frame and is lit by it.
@@ -109,6 +130,14 @@ inline glm::quat looking(const glm::vec3& direction) {
     const glm::vec3 up =
         std::abs(direction.y) > 0.9f * glm::length(direction) ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
     return glm::quatLookAt(glm::normalize(direction), up);
+}
+
+// Returns the ray through the middle of a pixel of a picture with that many, row 0 at the top; as long as to
+// the plane z = -1 of the eye's frame, in the world's.
+inline glm::vec3 rayThrough(const render::View& view, int x, int y, glm::vec2 pixels) {
+    const glm::vec2 share = (glm::vec2(x, y) + 0.5f) / pixels;
+    const glm::vec2 ndc(2 * share.x - 1, 1 - 2 * share.y);
+    return view.worldFromEye * glm::vec3(ndc * view.halfExtent(), -1);
 }
 
 // Returns the depth buffer's value for a place so far ahead.
@@ -186,16 +215,6 @@ inline void expectColour(const ImageRgba8& picture, const glm::vec4& colour, flo
                 << "channel " << c << " of pixel " << i / 4;
     }
     EXPECT_GT(covered, 1000);
-}
-
-inline ImageRgb8 uniformFrame(uint8_t r, uint8_t g, uint8_t b) {
-    ImageRgb8 frame(64, 32);
-    for (size_t i = 0; i < frame.pixels.size(); i += 3) {
-        frame.pixels[i] = r;
-        frame.pixels[i + 1] = g;
-        frame.pixels[i + 2] = b;
-    }
-    return frame;
 }
 
 } // namespace shoal

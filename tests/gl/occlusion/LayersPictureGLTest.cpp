@@ -11,7 +11,6 @@ namespace {
 
 using occlusion::LayerMethod, occlusion::LayersGpu;
 
-constexpr float kEvenLight = 0.8f; // radiance all around
 constexpr int kSize = 32;
 
 class LayersPicture : public WithContext {
@@ -38,13 +37,8 @@ class LayersPicture : public WithContext {
     glm::vec3 radianceAt(const scene::Model& model, const glm::vec3& place, const glm::vec3& towardsEye,
                          std::optional<LayerMethod> method,
                          const occlusion::Ollfb::Options& options = {}) const {
-        light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
-        for (auto* image : {&light.atlas, light.mirrors.data()})
-            for (size_t i = 0; i < image->pixels.size(); ++i)
-                if (i % 4 != 3) image->pixels[i] = 0x3a66; // 0.8
-        for (light::HalfImage& mirror : light.mirrors) mirror.pixels.assign(mirror.pixels.size(), 0x3a66);
         render::EnvironmentGpu environment;
-        environment.uploadLight(light);
+        environment.uploadLight(evenLight());
         std::optional<LayersGpu> layers;
         if (method) {
             auto made = tests::valueOf(LayersGpu::make(body_.mesh(), *method, options));
