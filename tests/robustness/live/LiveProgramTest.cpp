@@ -1,5 +1,4 @@
 // Runs the whole program with a live video over a network that stalls and breaks.
-#include "tests/Test.h"
 #include "tests/robustness/program/Program.h"
 #include "tests/unit/live_server/HttpServer.h"
 

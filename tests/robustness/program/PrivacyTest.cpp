@@ -1,6 +1,5 @@
 // The program uses no network, and leaves only the files that the command line names.
 #include "Program.h"
-#include "tests/Test.h"
 
 namespace shoal {
 namespace {
