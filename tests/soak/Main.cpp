@@ -5,8 +5,8 @@
 #include "engine/core/WriteFile.h"
 #include "game/app/Application.h"
 #include "tests/TestPaths.h"
+#include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
-#include "tests/playthrough/Rooms.h"
 
 #include <epoxy/gl.h>
 #include <nlohmann/json.hpp>
@@ -41,27 +41,6 @@ Used usedNow() {
     used.files = entries("/proc/self/fd");
     used.threads = entries("/proc/self/task");
     return used;
-}
-
-struct Files {
-    hands::HandRig rig;
-    game::Script script;
-    game::DiveFiles dive;
-    std::string scriptText;
-};
-
-Result<Files> readFiles() {
-    const Path file = tests::sourceFolder() / "tests/playthrough/whole_dive.toml";
-    auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    if (!rig) return rig.error();
-    auto script = game::loadScript(file);
-    if (!script) return script.error();
-    auto dive = game::loadDiveFiles(*script);
-    if (!dive) return dive.error();
-    if (Status s = game::roomOf(dive->dive.video).moveTo(dive->dive.space); !s) return s.error();
-    auto text = readText(file);
-    if (!text) return text.error();
-    return Files{std::move(*rig), std::move(*script), std::move(*dive), std::move(*text)};
 }
 
 // The script with another seed, and without what it expects of its own.
@@ -112,8 +91,11 @@ Result<uint64_t> alone(const Path& script, const Path& folder) {
 }
 
 Status playAll(int hours, uint64_t first) {
-    const auto files = readFiles();
-    if (!files) return files.error();
+    const Path whole = tests::sourceFolder() / "tests/playthrough/whole_dive.toml";
+    const auto dive = game::loadScriptedDive(whole, true);
+    if (!dive) return dive.error();
+    const auto text = readText(whole);
+    if (!text) return text.error();
     const tests::ScratchFolder folder;
     std::filesystem::copy(tests::sourceFolder() / "tests/playthrough/dive", folder / "dive"); // the script's
     const Path script = folder / "dive.toml";
@@ -122,10 +104,10 @@ Status playAll(int hours, uint64_t first) {
     for (int hour = 1; hour <= hours; ++hour) {
         for (int i = 0; i < kDivesAnHour; ++i) {
             const uint64_t seed = first + static_cast<uint64_t>((hour - 1) * kDivesAnHour + i);
-            game::Script own = files->script;
+            game::Script own = dive->script;
             own.seed = seed;
-            const game::Played played = game::playScript(own, files->rig, files->dive);
-            if (Status written = writeScript(script, files->scriptText, seed); !written) return written;
+            const game::Played played = game::playScript(own, tests::rig(), dive->files);
+            if (Status written = writeScript(script, *text, seed); !written) return written;
             const auto same = [&](const Result<uint64_t>& hash) -> Status {
                 if (!hash) return hash.error();
                 if (*hash == played.recording.hash(played.recording.ticks() - 1)) return Done{};
