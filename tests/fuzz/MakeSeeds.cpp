@@ -4,6 +4,8 @@
 #include "engine/core/WriteFile.h"
 #include "engine/media/Pictures.h"
 #include "game/rules/Dive.h"
+#include "tests/TestRig.h"
+#include "tests/unit/leap_service/Recordings.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
@@ -206,16 +208,9 @@ void depthTracks() {
 void devices() {
     put("LeapMessages", "device",
         R"({"event":{"type":"deviceEvent","state":{"attached":true,"streaming":true,"type":"peripheral"}}})");
-    std::string frame =
-        R"({"id":1,"timestamp":5,"hands":[{"id":1,"type":"right","confidence":1,"palmPosition":[10,200,5],
-"palmNormal":[0,-1,0],"direction":[0,0,-1],"palmVelocity":[0,0,0],"grabStrength":0.2,"pinchStrength":0,"wrist":[10,200,60],
-"elbow":[20,180,260],"armBasis":[[1,0,0],[0,1,0],[0,0,1]],"armWidth":50}],"pointables":[)";
-    for (int finger = 0; finger < 5; ++finger)
-        frame += (finger ? "," : "") + std::string(R"({"handId":1,"type":)") + std::to_string(finger) +
-                 R"(,"width":16,"carpPosition":[0,200,50],"mcpPosition":[0,200,0],"pipPosition":[0,200,-30],
-"dipPosition":[0,200,-50],"btipPosition":[0,200,-60],"tipPosition":[0,200,-62],"extended":true})";
-    frame += "]}";
-    std::erase(frame, '\n');
+    hands::test::MadeHand hand = hands::test::closingHand(tests::rig(), 1).front();
+    hand.elbow = {0.02f, 0.18f, 0.26f};
+    const std::string frame = hands::test::madeFrame(6, 1, 5, {hand});
     put("LeapMessages", "frame", frame + "\n" + frame);
 }
 
