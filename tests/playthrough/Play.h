@@ -6,6 +6,7 @@
 #include "tests/playthrough/Rooms.h"
 
 #include <functional>
+#include <sstream>
 
 namespace shoal::game {
 
@@ -24,6 +25,16 @@ inline Result<ScriptedDive> loadScriptedDive(const Path& file, bool inFilm) {
     if (inFilm)
         if (Status found = roomOf(files->dive.video).moveTo(files->dive.space); !found) return found.error();
     return ScriptedDive{*script, *std::move(files)};
+}
+
+// Returns the hash of all states of a playthrough that tests/equal_hashes.txt holds; 0: it holds none. Its
+// lines are "NAME OPEN FILM": the hashes in open water, and in the room of the film.
+inline uint64_t storedHash(const std::string& name, bool inFilm) {
+    std::istringstream lines(readText(dataRoot() / "tests/equal_hashes.txt").value());
+    std::string word, open, film;
+    while (lines >> word >> open >> film)
+        if (word == name) return std::stoull(inFilm ? film : open, nullptr, 16);
+    return 0;
 }
 
 struct Played {

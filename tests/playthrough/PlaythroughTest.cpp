@@ -42,15 +42,6 @@ std::pair<uint64_t, Status> playAt(int framesPerSecond, const ScriptedDive& dive
     return {dive.stateHash(), run.verdict()};
 }
 
-// "NAME OPEN FILM": a playthrough's name, and hashes of all its states in open water and in its film's room.
-uint64_t storedHash(const std::string& name, bool inFilm) {
-    std::istringstream lines(readText(dataRoot() / "tests/equal_hashes.txt").value());
-    std::string word, open, film;
-    while (lines >> word >> open >> film)
-        if (word == name) return std::stoull(inFilm ? film : open, nullptr, 16);
-    return 0;
-}
-
 class Playthrough : public testing::TestWithParam<std::tuple<Path, bool>> {
   protected:
     Path file() const { return std::get<0>(GetParam()); }
@@ -71,11 +62,10 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
                 EXPECT_GE(now.time_s - sharkNear_s, 1);
                 EXPECT_LE(now.time_s - sharkNear_s, setup.files.dive.shark.visitLength_s + 15);
             }
-        }
-        for (const Event& event : events)
             if (event.kind != EventKind::Touch && event.kind != EventKind::Startle)
                 story += std::to_string(now.time_s) + " " + rowOf(event.kind).name + " hand " +
                          std::to_string(event.hand) + "\n";
+        }
     };
     const Played played = playScript(setup.script, tests::rig(), setup.files, watch);
     if (std::getenv("SHOAL_STORY")) std::puts(story.c_str());
@@ -136,7 +126,6 @@ TEST(Playthroughs, EachFilmSeesTheSharkSteal) {
 
 // A player with a mouse and nothing but the picture, in several dives, points at a fish and clicks when the
 // hand is there.
-
 TEST(MousePlay, CatchesFishWithPointingAndClicking) {
     for (const bool inFilm : {false, true}) {
         auto dive = tests::valueOf(loadScriptedDive(dataRoot() / "tests/playthrough/mouse.toml", inFilm));
