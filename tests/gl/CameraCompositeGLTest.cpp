@@ -66,8 +66,7 @@ ImageRgba8 paintedBy(bool processor, const camera::CameraResponse& look, const g
 // Tests that run by OpenGL and, on processors that can, in software.
 class CameraCompositeGL : public WithContext, public testing::WithParamInterface<bool> {
   protected:
-    void SetUp() override {
-        WithContext::SetUp();
+    void setUpInContext() override {
         if (GetParam() && !render::canSampleFrames()) GTEST_SKIP() << "this processor has no AVX2";
     }
     ImageRgba8 painted(const camera::CameraResponse& look, const glm::vec4& left, const glm::vec4& right,

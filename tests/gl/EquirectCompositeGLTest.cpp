@@ -34,9 +34,7 @@ render::View viewTowards(const glm::vec3& direction) {
 
 class LatLongGL : public WithContext {
   protected:
-    void SetUp() override {
-        WithContext::SetUp();
-        if (IsSkipped()) return;
+    void setUpInContext() override {
         frame_ = smoothFrame(1024);
         environment_.emplace();
         environment_->setFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});

@@ -12,9 +12,7 @@ using Texel = std::array<float, 3>; // red, green, blue of 0 to 255
 
 class PlanesGL : public WithContext {
   protected:
-    void SetUp() override {
-        WithContext::SetUp();
-        if (IsSkipped()) return;
+    void setUpInContext() override {
         pass_ = tests::valueOf(render::PlanesPass::make());
         environment_.emplace();
     }

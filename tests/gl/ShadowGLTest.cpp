@@ -28,9 +28,7 @@ std::vector<occlusion::Ellipsoid> shark() {
 
 class ShadowGL : public WithContext, public testing::WithParamInterface<render::Backend> {
   protected:
-    void SetUp() override {
-        WithContext::SetUp();
-        if (IsSkipped()) return;
+    void setUpInContext() override {
         if (GetParam() == render::Backend::Software && !render::canSampleFrames())
             GTEST_SKIP() << "this processor lacks what samples frames";
         frame_.pixels.assign(frame_.pixels.size(), kBefore);

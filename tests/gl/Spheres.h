@@ -15,11 +15,14 @@ namespace shoal {
 // Base of tests that draw; they are skipped without OpenGL.
 class WithContext : public testing::Test {
   protected:
-    void SetUp() override {
+    void SetUp() final {
         auto context = platform::Headless::open();
         if (!context) GTEST_SKIP() << context.error().message();
         context_ = std::move(*context);
+        setUpInContext();
     }
+    virtual void setUpInContext() {}
+
     std::optional<platform::Headless> context_;
 };
 

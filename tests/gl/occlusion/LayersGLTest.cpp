@@ -62,9 +62,7 @@ struct TracePass {
 
 class LayersGL : public WithContext {
   protected:
-    void SetUp() override {
-        WithContext::SetUp();
-        if (IsSkipped()) return;
+    void setUpInContext() override {
         if (Status can = canKeepLayers(); !can) GTEST_SKIP() << can.error().message();
     }
 };

@@ -15,9 +15,8 @@ constexpr int kSize = 32;
 
 class LayersPicture : public WithContext {
   protected:
-    void SetUp() override {
-        WithContext::SetUp();
-        if (!IsSkipped() && epoxy_gl_version() < 43) GTEST_SKIP() << "layers need OpenGL 4.3";
+    void setUpInContext() override {
+        if (epoxy_gl_version() < 43) GTEST_SKIP() << "layers need OpenGL 4.3";
     }
     const occlusion::Body body_ = occlusion::torus(1, 0.4f, 96, 48); // around +Y
 
