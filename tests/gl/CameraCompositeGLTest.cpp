@@ -86,17 +86,14 @@ TEST_P(CameraCompositeGL, EdgesMixLight) {
 }
 
 TEST_P(CameraCompositeGL, NothingIsChangedWhereNothingStands) {
-    camera::CameraResponse look;
-    look.glare = 0.1f;
-    look.chromaTexels = {2, 2};
+    camera::CameraResponse look{.glare = 0.1f, .chromaTexels = {2, 2}};
     look.fineNoise.fill(0.02f);
     EXPECT_EQ(painted(look, glm::vec4(0), glm::vec4(1), 0.4f, 0.9f).at(20, 30)[0], 102);
 }
 
 TEST_P(CameraCompositeGL, PortAndLensScatterTheLightAround) {
-    camera::CameraResponse look;
-    look.glare = 0.06f;
-    const ImageRgba8 picture = painted(look, glm::vec4(0, 0, 0, 1), glm::vec4(0.5f, 0.5f, 0.5f, 1), 0, 0.6f);
+    const ImageRgba8 picture =
+        painted({.glare = 0.06f}, glm::vec4(0, 0, 0, 1), glm::vec4(0.5f, 0.5f, 0.5f, 1), 0, 0.6f);
     EXPECT_NEAR(picture.at(20, 30)[1], 255 * std::sqrt(0.06 * 0.6), 1.5);
     EXPECT_NEAR(picture.at(100, 30)[1], 255 * std::sqrt(0.94 * 0.25 + 0.06 * 0.6), 1.5);
 }
@@ -125,8 +122,7 @@ TEST_P(CameraCompositeGL, GrainIsAsStrongAsTheFilmsAndItsFramesOwn) {
 }
 
 TEST_P(CameraCompositeGL, LevelsAreTakenOnlyWhereBothEndsAreMissing) {
-    camera::CameraResponse look;
-    look.black = glm::vec3(30 / 255.0f);
+    camera::CameraResponse look{.black = glm::vec3(30 / 255.0f)};
     const glm::vec4 black(0, 0, 0, 1), white(1);
     EXPECT_EQ(painted(look, black, white).at(20, 20)[0], 0) << "the scene has nothing dark";
     look.white = glm::vec3(225 / 255.0f);
@@ -137,8 +133,7 @@ TEST_P(CameraCompositeGL, LevelsAreTakenOnlyWhereBothEndsAreMissing) {
 
 // Red beside grey: with 4:2:0 squares of two texels have one hue.
 TEST_P(CameraCompositeGL, ColoursAreShared) {
-    camera::CameraResponse look;
-    look.chromaTexels = {2, 2};
+    const camera::CameraResponse look{.chromaTexels = {2, 2}};
     const ImageRgba8 picture = painted(look, glm::vec4(0.4f, 0.4f, 0.4f, 1), glm::vec4(0.8f, 0.3f, 0.2f, 1));
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 128; x += 2) {
@@ -149,11 +144,10 @@ TEST_P(CameraCompositeGL, ColoursAreShared) {
 
 // With all effects of a camera at once, both ways give the same picture up to the rounding of bytes.
 TEST_P(CameraCompositeGL, IsTheSameByEitherWay) {
-    camera::CameraResponse look;
-    look.chromaTexels = {2, 2};
-    look.glare = 0.05f;
-    look.black = glm::vec3(14, 15, 16) / 255.0f;
-    look.white = glm::vec3(240 / 255.0f);
+    camera::CameraResponse look{.black = glm::vec3(14, 15, 16) / 255.0f,
+                                .white = glm::vec3(240 / 255.0f),
+                                .glare = 0.05f,
+                                .chromaTexels = {2, 2}};
     for (size_t band = 0; band < camera::kBrightnesses; ++band)
         look.fineNoise[band] = 0.002f * static_cast<float>(band), look.coarseNoise[band] = 0.01f;
     const auto by = [&](bool processor) {
@@ -167,17 +161,11 @@ TEST_P(CameraCompositeGL, IsTheSameByEitherWay) {
     EXPECT_LE(maximum, 2);
 }
 
-camera::CameraResponse blurredBy(float texels) {
-    camera::CameraResponse look;
-    look.blur_texels = texels;
-    return look;
-}
-
 TEST(CameraComposite, LayersAreAsCoarseAsTheFilmIsSoft) {
-    EXPECT_EQ(render::layerTexels(blurredBy(0), 1), 1) << "never finer than the video";
+    EXPECT_EQ(render::layerTexels({}, 1), 1) << "never finer than the video";
     for (const float blur : {0.1f, 0.5f, 0.9f, 3.0f}) { // a tent, and with samples a box, of so many texels
-        const float several = render::layerTexels(blurredBy(blur), 4),
-                    one = render::layerTexels(blurredBy(blur), 1);
+        const float several = render::layerTexels({.blur_texels = blur}, 4),
+                    one = render::layerTexels({.blur_texels = blur}, 1);
         EXPECT_NEAR(several * several / 4, blur * blur + 1 / 12.0f, 0.01f);
         if (one > 1) {
             EXPECT_NEAR(one * one / 6, blur * blur + 1 / 12.0f, 1e-4f);
