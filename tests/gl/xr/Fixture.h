@@ -19,8 +19,8 @@ class WithFakeRuntime : public testing::Test {
     FakeRuntime& fake = shoalFakeRuntime();
     std::optional<platform::Window> window_; // where openWindow() has been called
     bool validated_ = false;
-    const Path validation_ =
-        Path(testing::TempDir()) / ("shoal_xr_validation_" + std::to_string(getpid()) + ".txt");
+    const tests::ScratchFolder validationFolder_;
+    const Path validation_ = validationFolder_ / "validation.txt";
 
     static bool layerIsInstalled() {
         std::error_code none;
@@ -43,7 +43,6 @@ class WithFakeRuntime : public testing::Test {
         setenv("XR_RUNTIME_JSON", FAKE_RUNTIME_JSON, 1);
         validated_ = layerIsInstalled();
         if (validated_) {
-            std::filesystem::remove(validation_);
             setenv("XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation", 1);
             setenv("XR_CORE_VALIDATION_EXPORT_TYPE", "text", 1);
             setenv("XR_CORE_VALIDATION_FILE_NAME", validation_.c_str(), 1);
@@ -64,7 +63,6 @@ class WithFakeRuntime : public testing::Test {
         window_.reset();
         EXPECT_EQ(fake.complaints, std::vector<std::string>());
         EXPECT_EQ(validationReport(), "");
-        std::filesystem::remove(validation_);
         EXPECT_EQ(fake.instances, 0);
         EXPECT_EQ(fake.sessions, 0);
         EXPECT_EQ(fake.swapchains, 0);

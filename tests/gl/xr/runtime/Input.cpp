@@ -62,9 +62,7 @@ bool has(const KnownProfile& profile, const std::string& path) {
     return false;
 }
 
-struct ActionSet {
-    std::vector<std::unique_ptr<FakeAction>> actions;
-};
+using ActionSet = std::deque<FakeAction>; // which stay where they are
 
 FAKE_XR(xrCreateActionSet, XrInstance, const XrActionSetCreateInfo*, XrActionSet* out) {
     *out = handleOf<XrActionSet>(new ActionSet);
@@ -75,9 +73,9 @@ FAKE_XR(xrDestroyActionSet, XrActionSet set) {
     return XR_SUCCESS;
 }
 FAKE_XR(xrCreateAction, XrActionSet set, const XrActionCreateInfo* info, XrAction* out) {
-    auto& actions = objectOf<ActionSet>(set).actions;
-    actions.push_back(std::make_unique<FakeAction>(FakeAction{info->actionType, info->actionName}));
-    *out = handleOf<XrAction>(actions.back().get());
+    auto& actions = objectOf<ActionSet>(set);
+    actions.push_back({info->actionType, info->actionName});
+    *out = handleOf<XrAction>(&actions.back());
     return XR_SUCCESS;
 }
 FAKE_XR(xrDestroyAction, XrAction) { return XR_SUCCESS; }

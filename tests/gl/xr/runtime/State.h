@@ -4,8 +4,6 @@
 #include "engine/xr/Tracked.h"
 #include "tests/gl/xr/runtime/FakeRuntime.h"
 
-#include <memory>
-
 namespace shoal::test {
 
 // Conversions of the runtime's own: a mistake in those of engine/xr would undo itself.
