@@ -22,7 +22,7 @@ class Program : public testing::Test {
   protected:
     ScratchFolder scratch_;
     Path folder_ = scratch_.path();
-    std::string environment_; // variables for a run, NAME=VALUE
+    std::string environment_; // arguments of env(1) for a run, as NAME=VALUE
 
     // The program that makes depth tracks, beside the game.
     static std::string depthProgram() { return Path(program()).parent_path() / "shoal-depth"; }
