@@ -253,13 +253,13 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
         EXPECT_EQ(shown.fov.angleLeft, given.fov.angleLeft);
         EXPECT_EQ(shown.fov.angleDown, given.fov.angleDown);
         EXPECT_EQ(shown.rect.extent.width, 150);
-        EXPECT_EQ(shown.picture.rgba[0], 100); // coded values stay as they are
-        EXPECT_EQ(shown.picture.rgba[2], eye);
+        EXPECT_EQ(shown.rgba[0], 100); // coded values stay as they are
+        EXPECT_EQ(shown.rgba[2], eye);
     }
     EXPECT_NEAR(fake.last.panel->localFromPanel.position.z, -1.5f, 1e-6f);
     EXPECT_EQ(fake.last.panel->size.width, 1.8f);
-    EXPECT_EQ(fake.last.panel->picture.width, 96);
-    EXPECT_EQ(fake.last.panel->picture.rgba[2], 2);
+    EXPECT_EQ(fake.last.panel->rect.extent.width, 96);
+    EXPECT_EQ(fake.last.panel->rgba[2], 2);
 }
 
 // The eyes' pictures blend by alpha, premultiplied; the mode may change in each frame, as is specified.

@@ -84,9 +84,9 @@ class XrPicture : public test::WithFakeRuntime {
     // Expects ordinary() pictures in both eyes. The dive was centred at LOCAL's origin, the eyes' middle.
     void expectOrdinary(glm::ivec2 size, int samples) {
         for (int eye = 0; eye < 2; ++eye) {
-            const test::FakePicture& picture = (*fake.last.eyes)[static_cast<size_t>(eye)].picture;
-            ASSERT_EQ(glm::ivec2(picture.width, picture.height), size);
-            EXPECT_EQ(picture.rgba, ordinary(eye, size, samples)) << "eye " << eye << " of " << samples;
+            const test::ShownEye& shown = (*fake.last.eyes)[static_cast<size_t>(eye)];
+            ASSERT_EQ(glm::ivec2(shown.rect.extent.width, shown.rect.extent.height), size);
+            EXPECT_EQ(shown.rgba, ordinary(eye, size, samples)) << "eye " << eye << " of " << samples;
         }
     }
     // Draws an eye's picture without a headset, from the pose of OpenXR relative to the dive's centre.
@@ -120,7 +120,7 @@ TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
             ASSERT_TRUE(fake.last.eyes);
             const glm::ivec2 size(glm::vec2(200, 240) * scale + 0.5f);
             expectOrdinary(size, samples);
-            EXPECT_NE((*fake.last.eyes)[0].picture.rgba, (*fake.last.eyes)[1].picture.rgba);
+            EXPECT_NE((*fake.last.eyes)[0].rgba, (*fake.last.eyes)[1].rgba);
         }
     }
 }
@@ -197,7 +197,7 @@ TEST_F(XrPicture, HalfCoverageOfTheRoomGivesHalfTheLight) {
         for (const bool room : {true, false}) {
             ASSERT_TRUE(headset.showRoom(room));
             show(headset, 1, half);
-            const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
+            const auto& rgba = (*fake.last.eyes)[0].rgba;
             // 8 bits in, which are 2 of what was covered, and 8 bits out.
             EXPECT_NEAR(rgba[0], 255 * (room ? 0.5855 : 0.4),
                         2); // by the curve of sRGB 0.8 is 0.604, half of it 0.5855
@@ -265,8 +265,8 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const size_t i = 4 * static_cast<size_t>(y * width + x);
-                const int alpha = eye.picture.rgba[i + 3], alone = without[e].picture.rgba[i + 3];
-                ASSERT_EQ(handAlone[e].picture.rgba[i + 3], 0) << "hands cast their own";
+                const int alpha = eye.rgba[i + 3], alone = without[e].rgba[i + 3];
+                ASSERT_EQ(handAlone[e].rgba[i + 3], 0) << "hands cast their own";
                 ASSERT_GE(alpha, alone);
                 if (alpha == alone) continue;
                 const glm::vec3 ray = down * rayThrough(eye, x, y);
@@ -274,7 +274,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
                 const glm::vec3 place = at + ray * ((kFloor_m - at.y) / ray.y);
                 ASSERT_LT(glm::distance(place, middle), reach_m);
                 if (alone == 0) {
-                    EXPECT_EQ(eye.picture.rgba[i] + eye.picture.rgba[i + 1], 0) << "black";
+                    EXPECT_EQ(eye.rgba[i] + eye.rgba[i + 1], 0) << "black";
                 }
                 ++shaded;
                 strongest = std::max(strongest, alpha - alone);
@@ -405,7 +405,7 @@ TEST_F(XrPicture, OnlookersSeeTheLeftEyesMiddle) {
     auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
     show(headset, 1);
     // 200 x 240 cropped to a square of 200, on a window of 64: the rows from 20 to 220.
-    const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
+    const auto& rgba = (*fake.last.eyes)[0].rgba;
     std::vector<uint8_t> seen(64 * 64 * 4);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glReadPixels(0, 0, 64, 64, GL_RGBA, GL_UNSIGNED_BYTE, seen.data());

@@ -81,7 +81,7 @@ class XrProgram : public test::WithFakeRuntime {
     static double brightness(const FakeRuntime& f) {
         if (!f.last.eyes) return 0;
         double sum = 0;
-        const auto& rgba = (*f.last.eyes)[0].picture.rgba;
+        const auto& rgba = (*f.last.eyes)[0].rgba;
         for (size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
         return sum / static_cast<double>(rgba.size());
     }

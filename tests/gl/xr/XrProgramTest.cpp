@@ -184,7 +184,7 @@ TEST_F(XrProgram, TextHangsInTheWorldOneAndAHalfMetresAhead) {
     EXPECT_NEAR(a.x, b.x, 1e-4f);
     EXPECT_NEAR(a.z, b.z, 1e-4f);
     // Something is written, most is clear.
-    const auto& rgba = seen[0].panel->picture.rgba;
+    const auto& rgba = seen[0].panel->rgba;
     size_t clear = 0, solid = 0;
     for (size_t i = 3; i < rgba.size(); i += 4) {
         clear += rgba[i] == 0;
@@ -308,7 +308,7 @@ TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
     EXPECT_EQ(outcome.said, "");
     ASSERT_EQ(seen.size(), 4u);
     const auto clearShare = [](const test::ShownFrame& frame) {
-        const auto& rgba = frame.eyes.value()[0].picture.rgba;
+        const auto& rgba = frame.eyes.value()[0].rgba;
         size_t clear = 0;
         for (size_t i = 0; i < rgba.size(); i += 4)
             clear += rgba[i] == 0 && rgba[i + 1] == 0 && rgba[i + 2] == 0 && rgba[i + 3] == 0;
@@ -388,8 +388,7 @@ TEST_F(XrProgram, ALostPositionIsSaidAndTheDiveGoesOn) {
     const auto written = [](const FakeRuntime& f) {
         size_t solid = 0;
         if (f.last.panel)
-            for (size_t i = 3; i < f.last.panel->picture.rgba.size(); i += 4)
-                solid += f.last.panel->picture.rgba[i] > 200;
+            for (size_t i = 3; i < f.last.panel->rgba.size(); i += 4) solid += f.last.panel->rgba[i] > 200;
         return solid;
     };
     fake.period_s = kSlow_s;

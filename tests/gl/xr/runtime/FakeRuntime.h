@@ -39,11 +39,6 @@ struct FakeController {
     bool menu = false;
 };
 
-struct FakePicture {
-    int width = 0, height = 0;
-    std::vector<uint8_t> rgba; // lowest row first
-};
-
 struct ShownDepth {
     float minimum, maximum, near_m, far_m;
     XrRect2Di rect;
@@ -54,14 +49,15 @@ struct ShownEye {
     XrPosef localFromEye;
     XrFovf fov;
     XrRect2Di rect;
-    FakePicture picture; // with keepPictures: the rect's part
+    std::vector<uint8_t> rgba; // with keepPictures: the rect's part, lowest row first
     std::optional<ShownDepth> depth;
 };
 
 struct ShownPanel {
     XrPosef localFromPanel;
     XrExtent2Df size;
-    FakePicture picture; // likewise
+    XrRect2Di rect;
+    std::vector<uint8_t> rgba; // likewise
 };
 
 struct ShownFrame {

@@ -226,14 +226,13 @@ template <class Read> void readPart(const XrSwapchainSubImage& sub, Read&& read)
     glDeleteFramebuffers(1, &framebuffer);
 }
 
-FakePicture pictureOf(const XrSwapchainSubImage& sub) {
-    FakePicture picture;
+std::vector<uint8_t> rgbaOf(const XrSwapchainSubImage& sub) {
+    std::vector<uint8_t> rgba;
     readPart(sub, [&](XrOffset2Di at, XrExtent2Di size) {
-        picture = {size.width, size.height, {}};
-        picture.rgba.resize(static_cast<size_t>(size.width * size.height) * 4);
-        glReadPixels(at.x, at.y, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+        rgba.resize(static_cast<size_t>(size.width * size.height) * 4);
+        glReadPixels(at.x, at.y, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     });
-    return picture;
+    return rgba;
 }
 
 std::optional<ShownDepth> depthOf(const XrCompositionLayerProjectionView& view) {
@@ -275,13 +274,13 @@ FAKE_XR(xrEndFrame, XrSession, const XrFrameEndInfo* info) {
             for (size_t eye = 0; eye < 2; ++eye) {
                 const XrCompositionLayerProjectionView& view = projection.views[eye];
                 (*fake.last.eyes)[eye] = {poseOf(localFromLayer * placeOf(view.pose)), view.fov,
-                                          view.subImage.imageRect, pictureOf(view.subImage), depthOf(view)};
+                                          view.subImage.imageRect, rgbaOf(view.subImage), depthOf(view)};
             }
             ++fake.framesWithEyes;
         } else if (layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD) {
             const auto& quad = reinterpret_cast<const XrCompositionLayerQuad&>(*layer);
-            fake.last.panel =
-                ShownPanel{poseOf(localFromLayer * placeOf(quad.pose)), quad.size, pictureOf(quad.subImage)};
+            fake.last.panel = ShownPanel{poseOf(localFromLayer * placeOf(quad.pose)), quad.size,
+                                         quad.subImage.imageRect, rgbaOf(quad.subImage)};
         } else {
             fake.complain("xrEndFrame: a layer of unknown type");
         }
