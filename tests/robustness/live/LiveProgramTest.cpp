@@ -47,10 +47,8 @@ class LiveProgram : public tests::Program {
 // Sends `count` pictures at some thirty a second, or fewer if the client leaves, for which each pause waits.
 int stream(HttpServer& server, int first, int count, cv::Size size = {256, 128}) {
     int number = first;
-    for (; number < first + count; ++number) {
-        if (!server.sendPicture(pictureOf(number, size))) break;
-        if (server.waitForLeave(33)) break;
-    }
+    for (; number < first + count; ++number)
+        if (!server.sendPicture(pictureOf(number, size)) || server.waitForLeave(33)) break;
     return number;
 }
 

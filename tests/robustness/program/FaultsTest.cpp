@@ -41,9 +41,9 @@ class Faults : public tests::Program {
     }
 };
 
-void limitFiles(uint64_t bytes) {
-    const rlimit limit{bytes, bytes};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
+void limit(decltype(RLIMIT_AS) resource, rlim_t maximum) {
+    const rlimit both{maximum, maximum};
+    ::setrlimit(resource, &both);
 }
 
 // A session that a signal stops writes all its output files, and the recording is whole.
@@ -77,7 +77,7 @@ TEST_F(Faults, AKilledDiveLeavesItsRecording) {
 TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
     const std::vector<std::string> words = play(
         {"--hands", script(), "--at", "4", "--fps", "5", "--screenshot", "a.png", "--record", "a.replay"});
-    EXPECT_EQ(statusOf(words, [] { limitFiles(8192); }), 1);
+    EXPECT_EQ(statusOf(words, [] { limit(RLIMIT_FSIZE, 8192); }), 1);
     EXPECT_THAT(err(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
     EXPECT_TRUE(fs::exists(folder_ / "a.png")) << "it was played to its end";
     const auto reader = tests::valueOf(sim::RecordingReader::open(folder_ / "a.replay"));
@@ -85,20 +85,21 @@ TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
 }
 
 TEST_F(Faults, AFullDiskLeavesOldLightAndPicturesAlone) {
+    const auto fullDisk = [] { limit(RLIMIT_FSIZE, 4096); };
     const std::string film = (tests::sourceFolder() / "content/truth/reef_0120.hdr").string();
     for (const std::string format : {"hdr", "exr"}) {
-        EXPECT_EQ(statusOf({"light", film, "--out", "new", "--format", format}, [] { limitFiles(4096); }), 1);
+        EXPECT_EQ(statusOf({"light", film, "--out", "new", "--format", format}, fullDisk), 1);
         EXPECT_THAT(err(), HasSubstr("cannot be"));
         EXPECT_FALSE(fs::exists(folder_ / "new"));
         fs::create_directory(folder_ / "old");
         write("old/diffuse." + format, "old");
-        EXPECT_EQ(statusOf({"light", film, "--out", "old", "--format", format}, [] { limitFiles(4096); }), 1);
+        EXPECT_EQ(statusOf({"light", film, "--out", "old", "--format", format}, fullDisk), 1);
         EXPECT_EQ(readText(folder_ / ("old/diffuse." + format)).value(), "old");
         EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "old"), {}), 1);
         fs::remove_all(folder_ / "old");
     }
     write("out.hdr", "old");
-    EXPECT_EQ(statusOf({"panorama", film, "--out", "out.hdr"}, [] { limitFiles(65536); }), 1);
+    EXPECT_EQ(statusOf({"panorama", film, "--out", "out.hdr"}, [] { limit(RLIMIT_FSIZE, 65536); }), 1);
     EXPECT_EQ(readText(folder_ / "out.hdr").value(), "old");
 }
 
@@ -122,10 +123,8 @@ TEST_F(Faults, OutputsAreNeitherOneFileNorAnInput) {
 // With few files that may be open at once, the program plays or says what is missing.
 TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
     for (const rlim_t files : {8, 12, 16, 20, 40}) {
-        const int status = statusOf(draw({"--at", "0.5", "--stats", "s.json"}), [&] {
-            const rlimit limit{files, files};
-            ::setrlimit(RLIMIT_NOFILE, &limit);
-        });
+        const int status =
+            statusOf(draw({"--at", "0.5", "--stats", "s.json"}), [&] { limit(RLIMIT_NOFILE, files); });
         EXPECT_TRUE(status == 0 || (status == 1 && !err().empty()) || status == 127)
             << status << ": " << err();
         if (files >= 40) {
@@ -140,10 +139,7 @@ TEST_F(Faults, LackOfMemoryIsSaid) {
     GTEST_SKIP() << "the sanitizer maps terabytes";
 #endif
     const auto playWithin = [&](rlim_t memory_MB) {
-        return statusOf(draw({"--at", "0.2"}), [=] {
-            const rlimit limit{memory_MB << 20, memory_MB << 20};
-            ::setrlimit(RLIMIT_AS, &limit);
-        });
+        return statusOf(draw({"--at", "0.2"}), [=] { limit(RLIMIT_AS, memory_MB << 20); });
     };
     rlim_t tooLittle_MB = 448, enough_MB = 1024; // more where many processors have many stacks
     for (; playWithin(enough_MB) != 0; enough_MB *= 2) {
