@@ -20,7 +20,7 @@ namespace shoal::audio {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
+constexpr std::chrono::seconds kRetry{2}; // time between two attempts to open a device
 
 struct Close {
     void operator()(ALCdevice* device) const { alcCloseDevice(device); }
@@ -30,14 +30,14 @@ struct Close {
     }
 };
 
-// Fixed pool of OpenAL sources, their assignment to sounds, and the effects of the water on them:
-// attenuation, low-pass filtering, reverberation. All calls require the OpenAL context to be current.
+// Assigns sounds to a fixed pool of OpenAL sources, and applies the effects of the water: attenuation,
+// low-pass filtering, reverberation. All calls require the OpenAL context to be current.
 class VoicePool {
   public:
-    // OpenAL Soft fades to a new gain in one mix of at most 2048 samples, 43 ms; then a stop does not click.
+    // Time to fade out before a stop, against clicks: OpenAL Soft fades in at most 2048 samples, 43 ms.
     static constexpr double kGlide_s = 0.05;
 
-    // Makes kSources voices in a new context, fewer if the device has fewer. They end with the context.
+    // Makes kSources voices in a new context, fewer if the device has fewer. The context deletes them.
     void setUp() {
         voices_ = {};
         alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
@@ -105,12 +105,12 @@ class VoicePool {
         for (const Sound& shot : shots) play(shot, Use::OneShot, nullptr);
     }
 
-    // Sets the reverberation: Listener::enclosure. In open water only ground and surface reflect.
+    // Sets the reverberation. enclosure: Listener's; in open water (0) only ground and surface reflect sound.
     void setEnclosure(float enclosure) {
         const float wanted = std::clamp(enclosure, 0.0f, 1.0f);
         if (std::exchange(enclosure_, wanted) != wanted) applyReverbGain();
     }
-    // Ends the reverberation, or lets it sound again; the listener's gain silences the rest.
+    // Silences the reverberation or makes it audible again; the listener's gain silences the sources.
     void setSilent(bool silent) {
         silent_ = silent;
         applyReverbGain();
@@ -128,7 +128,7 @@ class VoicePool {
     }
 
   private:
-    // A new sound must be this many times as loud as the one it replaces, or two equal ones would alternate.
+    // A new sound must be this many times as loud as the one it replaces; else equal ones would alternate.
     static constexpr float kTakeOver = 1.3f;
     static constexpr float kAmbientLoudness = 10; // never replaced by sounds with a position
 
@@ -141,17 +141,17 @@ class VoicePool {
     static constexpr float kReverbOpen = 0.12f, kReverbTunnel = 0.8f; // reverberation gain
     static constexpr float kHighNear = 0.6f;                          // gain above 5 kHz at distance 0
     static constexpr float kHighFade_m = 4;                           // distance over which that falls to 1/e
-    // Lower bound of that gain, -16 dB: frequencies above 5 kHz carry the directional cues of front and back,
-    // above and below, which an equal filter on both ears leaves intact as long as they are audible.
+    // Lower bound of that gain, -16 dB. Frequencies above 5 kHz tell front from back and above from below;
+    // the filter, which is the same for both ears, keeps these cues as long as the frequencies are audible.
     static constexpr float kHighMin = 0.16f;
 
     enum class Use { Free, OneShot, Emitter, Ending };
     struct Voice {
         ALuint source = 0; // 0: the device has no more sources
-        ALuint filter = 0; // its low-pass
+        ALuint filter = 0; // low-pass of the source
         Use use = Use::Free;
         Sound sound;
-        double since_s = 0; // when it started, was last heard as an emitter, or began to end
+        double since_s = 0; // time: start of a one-shot, last update of an emitter, or start of the fade-out
         float loudness = 0; // gain at the ear
     };
 
@@ -190,28 +190,28 @@ class VoicePool {
     }
 
     void place(Voice& voice, const glm::vec3& listener, double age_s) {
-        Sound shot = voice.sound;
-        shot.position += shot.velocity * static_cast<float>(age_s);
-        const glm::vec3 at = shot.everywhere ? glm::vec3(0) : shot.position;
-        const glm::vec3 velocity = shot.everywhere ? glm::vec3(0) : shot.velocity;
-        alSourcef(voice.source, AL_GAIN, std::clamp(shot.gain, 0.0f, 1.0f));
-        alSourcef(voice.source, AL_PITCH, std::clamp(shot.pitch, 0.25f, 4.0f));
-        alSourcei(voice.source, AL_SOURCE_RELATIVE, shot.everywhere ? AL_TRUE : AL_FALSE);
+        Sound sound = voice.sound;
+        sound.position += sound.velocity * static_cast<float>(age_s);
+        const glm::vec3 at = sound.everywhere ? glm::vec3(0) : sound.position;
+        const glm::vec3 velocity = sound.everywhere ? glm::vec3(0) : sound.velocity;
+        alSourcef(voice.source, AL_GAIN, std::clamp(sound.gain, 0.0f, 1.0f));
+        alSourcef(voice.source, AL_PITCH, std::clamp(sound.pitch, 0.25f, 4.0f));
+        alSourcei(voice.source, AL_SOURCE_RELATIVE, sound.everywhere ? AL_TRUE : AL_FALSE);
         alSource3f(voice.source, AL_POSITION, at.x, at.y, at.z);
         alSource3f(voice.source, AL_VELOCITY, velocity.x, velocity.y, velocity.z);
-        applyWater(voice, glm::distance(shot.position, listener));
-        voice.loudness = loudnessOf(shot, listener);
+        applyWater(voice, glm::distance(sound.position, listener));
+        voice.loudness = loudnessOf(sound, listener);
     }
 
     static void start(const Voice& voice, const Clip& clip, ALuint buffer) {
         const bool loop = voice.use == Use::Emitter, stereo = clip.channels == 2;
         alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(buffer));
         alSourcei(voice.source, AL_LOOPING, loop ? AL_TRUE : AL_FALSE);
-        // Stereo goes to the ears directly, not through the HRTF of two loudspeakers.
+        // Stereo goes to the ears directly; HRTF would place it at two loudspeakers.
         alSourcei(voice.source, AL_DIRECT_CHANNELS_SOFT, stereo ? AL_TRUE : AL_FALSE);
         if (loop) {
-            // Unless in step, each emitter starts at another place in its loop, so that two of one clip do
-            // not coincide; and OpenAL Soft fades in sounds that do not start at 0.
+            // Unless inStep, the start is hashed from the id, so that two emitters of one clip differ in
+            // phase. It is never 0, because OpenAL Soft fades in only sounds that start after 0.
             const auto frames = static_cast<uint32_t>(clip.samples.size() / (stereo ? 2 : 1));
             const uint32_t place = voice.sound.inStep ? 0 : voice.sound.id * 2654435761u >> 8;
             const uint32_t offset = frames > 1 ? 1 + place % (frames - 1) : 0;
@@ -221,15 +221,15 @@ class VoicePool {
     }
 
     Voice* voiceFor(float loudness) {
-        Voice* minimum = nullptr;
+        Voice* quietest = nullptr;
         for (Voice& voice : voices_) {
             if (!voice.source) continue;
             if (voice.use == Use::Free) return &voice;
-            if (!minimum || voice.loudness < minimum->loudness) minimum = &voice;
+            if (!quietest || voice.loudness < quietest->loudness) quietest = &voice;
         }
-        if (!minimum || loudness < kTakeOver * minimum->loudness) return nullptr;
-        release(*minimum);
-        return minimum;
+        if (!quietest || loudness < kTakeOver * quietest->loudness) return nullptr;
+        release(*quietest);
+        return quietest;
     }
 
     ALuint reverb_ = 0, slot_ = 0;
@@ -243,9 +243,9 @@ class VoicePool {
 struct Audio::State {
     AudioOptions options;
     std::vector<Clip> clips;
-    // paused: all sounds fade to silence. standing: after that, they stand still.
-    bool paused = false, standing = false;
-    double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which runs on in a pause
+    // paused: by the caller; all sounds fade out. suspended: the fade is over, and the sources are paused.
+    bool paused = false, suspended = false;
+    double pausedAt_s = 0, pausedFor_s = 0; // device's clock, which does not stop in a pause
     Clock::time_point retry;
 
     std::unique_ptr<ALCdevice, Close> device;   // the output, or loopback to memory
@@ -269,11 +269,11 @@ struct Audio::State {
     }
 
     Status open() {
-        // Sound libraries below OpenAL write pages about a missing sound card; the caller says it briefly.
+        // Libraries below OpenAL print many lines about a missing sound card; the caller reports it in one.
         const log::QuietStandardError quiet;
         device.reset(options.loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
         if (!device) return Error{"", "there is no sound device"};
-        // The first 0 ends the list, so that a real device keeps its own format.
+        // For a real device `format` is 0 and ends the list early: the device keeps its own format and rate.
         const ALCint hrtf = options.headphones ? ALC_TRUE : ALC_FALSE,
                      format = options.loopback ? ALC_FORMAT_CHANNELS_SOFT : 0;
         const ALCint attributes[] = {
@@ -284,8 +284,8 @@ struct Audio::State {
             device.reset();
             return Error{"", "the sound device could not be set up"};
         }
-        pausedAt_s = pausedFor_s = 0; // a new device, a new clock
-        standing = false;
+        pausedAt_s = pausedFor_s = 0; // the clock of a new device starts at 0
+        suspended = false;
         makeCurrent();
         voices.setUp();
         streamed.setUp();
@@ -306,22 +306,22 @@ struct Audio::State {
         return context != nullptr;
     }
 
-    bool is(ALCenum property) const { // ALC_CONNECTED: not unplugged yet; ALC_HRTF_SOFT: for headphones
+    bool isTrue(ALCenum property) const { // ALC_CONNECTED: still plugged in; ALC_HRTF_SOFT: HRTF is on
         ALCint value = ALC_FALSE;
         if (context) alcGetIntegerv(device.get(), property, 1, &value);
         return value != ALC_FALSE;
     }
 
-    // Seconds of sound rendered so far, to a device or to memory.
+    // Returns the duration of the sound rendered so far, to a device or to memory, seconds.
     double played_s() const {
         ALCint64SOFT clock_ns = 0;
         alcGetInteger64vSOFT(device.get(), ALC_DEVICE_CLOCK_SOFT, 1, &clock_ns);
         return static_cast<double>(clock_ns) * 1e-9;
     }
 
-    // Returns whether there is a device to play on; looks for another if it is gone.
+    // Returns whether a device is open. Tries every kRetry to open another after one is unplugged.
     bool ready() {
-        if (is(ALC_CONNECTED)) return makeCurrent();
+        if (isTrue(ALC_CONNECTED)) return makeCurrent();
         if (context) {
             log::info("the sound device is gone; playing on silently until there is another");
             close();
@@ -361,8 +361,8 @@ void Audio::update(const Listener& listener, std::span<const Sound> emitters, st
     alListenerfv(AL_ORIENTATION, orientationOf(listener.worldFromHead).data());
     s.streamed.turn(glm::inverse(listener.worldFromHead) * listener.worldFromTrack);
     if (s.paused) {
-        if (s.standing || s.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;
-        s.standing = true;
+        if (s.suspended || s.played_s() - s.pausedAt_s < VoicePool::kGlide_s) return;
+        s.suspended = true;
         s.pausedAt_s = s.played_s();
         return s.voices.setPaused(true);
     }
@@ -393,14 +393,14 @@ void Audio::setPaused(bool paused) {
     s.setVolume();
     if (paused) {
         s.pausedAt_s = s.played_s();
-    } else if (s.standing) {
-        s.standing = false;
+    } else if (s.suspended) {
+        s.suspended = false;
         s.pausedFor_s += s.played_s() - s.pausedAt_s;
         s.voices.setPaused(false);
     }
 }
 
-bool Audio::headphones() const { return state_->is(ALC_HRTF_SOFT); }
+bool Audio::headphones() const { return state_->isTrue(ALC_HRTF_SOFT); }
 
 int Audio::sounding() const { return state_->makeCurrent() ? state_->voices.sounding() : 0; }
 

@@ -45,7 +45,7 @@ struct Listener {
 
 // A sound that plays now: an emitter, which loops for as long as it is listed, or one that plays once.
 struct Sound {
-    uint32_t id = 0; // of an emitter: the same in all updates
+    uint32_t id = 0; // identifies an emitter in successive updates
     int clip = 0;
     glm::vec3 position{0};
     float gain = 1, pitch = 1; // 0 to 1; 0.25 to 4
@@ -56,7 +56,7 @@ struct Sound {
 
 // Source of a streamed track, such as a video's own sound, at 48 kHz, read piece by piece.
 struct TrackSource {
-    int64_t length = 0;                             // frames; then it loops
+    int64_t length = 0;                             // frames; then it repeats
     int channels = 2;                               // 2: stereo; 4: FuMa B-format, which surrounds the head
     std::function<void(int64_t frame)> seek;        // the next read begins there
     std::function<size_t(std::span<int16_t>)> read; // interleaved; returns the frames that were ready
@@ -67,7 +67,7 @@ class Audio {
     // Fails if there is no sound device.
     static Result<Audio> open(const AudioOptions& options);
 
-    // Adds a clip, and keeps it for a device that comes back. Returns its index for Sound::clip, from 0 on.
+    // Adds a clip, which is kept when the device is replaced. Returns its index for Sound::clip, from 0 on.
     int add(Clip clip);
 
     // Starts, moves and ends sounds; call it once a frame. At most kSources play at once: a new one replaces
@@ -79,18 +79,18 @@ class Audio {
     // Streams this track from now on; an empty one ends it. Only syncTrack() calls its functions.
     void setTrack(TrackSource sound);
 
-    // Keeps the track in step; call it once a frame. position_s: position in the track (modulo its length) of
-    // the picture now shown. A paused track is silent and stands still. Returns how far the sound is ahead of
-    // the picture, seconds; 0 while it is silent.
+    // Synchronises the track with the video; call it once a frame. position_s: time of the picture now shown,
+    // in the track, modulo its length. A paused track is silent and does not advance. Returns how far the
+    // sound is ahead of the picture, seconds; 0 while it is silent.
     double syncTrack(double position_s, float gain, bool paused);
 
     void setVolume(float volume); // 0 to 1
 
-    // While paused all is silent, every sound stands still and update() starts none.
+    // While paused, all sounds are silent and do not advance, and update() starts none.
     void setPaused(bool paused);
 
-    // Closes the device and opens the present default one; shots end, emitters start again. On failure all is
-    // silent and update() tries again every two seconds.
+    // Closes the device and opens the current default device; shots end, emitters start again. If this fails,
+    // there is no sound, and update() tries again every two seconds.
     Status reopen();
 
     bool headphones() const; // HRTF is on

@@ -1,5 +1,5 @@
-// Owner of an object of an incomplete type (pimpl), which only the .cpp defines, so that users of the header
-// do not depend on its members. The owning class needs no declared destructor or move.
+// Owner of an object whose type only the .cpp defines (pimpl), so that users of the header do not depend on
+// its members. The deleter is stored, so the owning class needs no destructor or move defined in the .cpp.
 #pragma once
 
 #include <memory>

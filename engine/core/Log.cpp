@@ -30,19 +30,19 @@ void setUp(bool verbose) {
     spdlog::set_default_logger(std::move(logger));
 }
 
-static std::mutex quietTurn;
+static std::mutex quietMutex;
 
-QuietStandardError::QuietStandardError() : turn_(quietTurn), kept_(::dup(STDERR_FILENO)) {
-    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-        ::dup2(nowhere, STDERR_FILENO);
-        ::close(nowhere);
+QuietStandardError::QuietStandardError() : lock_(quietMutex), original_(::dup(STDERR_FILENO)) {
+    if (const int devNull = ::open("/dev/null", O_WRONLY | O_CLOEXEC); devNull >= 0) {
+        ::dup2(devNull, STDERR_FILENO);
+        ::close(devNull);
     }
 }
 
 QuietStandardError::~QuietStandardError() {
-    if (kept_ < 0) return;
-    ::dup2(kept_, STDERR_FILENO);
-    ::close(kept_);
+    if (original_ < 0) return;
+    ::dup2(original_, STDERR_FILENO);
+    ::close(original_);
 }
 
 } // namespace shoal::log

@@ -1,5 +1,5 @@
-// One-line messages on standard error. Any thread. Formats are fmt's; spdlog itself stays out of this header,
-// because it takes seconds to compile.
+// Writes one-line messages to standard error, from any thread. Formats are fmt's. The header does not include
+// spdlog, which takes seconds to compile.
 #pragma once
 
 #include <fmt/core.h>
@@ -8,7 +8,7 @@
 
 namespace shoal::log {
 
-enum class Level { Debug = 1, Info, Warning, Error }; // as spdlog has them
+enum class Level { Debug = 1, Info, Warning, Error }; // values of spdlog::level::level_enum
 
 void write(Level level, fmt::string_view format, fmt::format_args arguments);
 
@@ -29,15 +29,15 @@ template <class... T> void error(fmt::format_string<T...> format, T&&... argumen
 void setUp(bool verbose);
 
 // Silences standard error during its lifetime, because libraries write there regardless of their log levels.
-// Our own messages are still written. One thread at a time; others wait.
+// Messages of this logger are still written. A second thread waits until the first one's object is destroyed.
 class QuietStandardError {
   public:
     QuietStandardError();
     ~QuietStandardError();
 
   private:
-    std::unique_lock<std::mutex> turn_;
-    int kept_; // file descriptor
+    std::unique_lock<std::mutex> lock_;
+    int original_; // file descriptor of standard error before; -1: it could not be duplicated
 };
 
 } // namespace shoal::log

@@ -1,5 +1,5 @@
 // An EnvironmentLight in the graphics card's formats: half floats, all filtered maps in one picture. Made on
-// the decode thread, so that the frame's thread only uploads it.
+// the decode thread, so that the render thread only uploads it.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"

@@ -20,8 +20,8 @@ constexpr int kRows = 16;      // output rows of a block
 constexpr size_t kSignals = 6; // three channels at frequencies k and width - k, which share a kernel
 
 // Computes out[0 .. 15] for each signal in turn: the sum over `count` input rows of kernel row times signal.
-// step: from one input row to the next, 1, or -1 for the southern half, whose output also counts from the
-// south. Each register width has its own version: in one for all, compilers would keep the sums in memory.
+// step: stride of input rows: 1, or -1 for the southern half, whose output rows also count from the south.
+// Each register width has its own version; in a common version, compilers would keep the sums in memory.
 #ifdef SHOAL_VERSIONS
 #define SHOAL_TARGET __attribute__((target("arch=x86-64-v4")))
 #define SHOAL_FLOATS 16
@@ -77,8 +77,8 @@ void lobesOfTile(int out, int in, int width, double alpha, const std::vector<dou
     }
 }
 
-// Returns the variance, in texels^2, by which the halvings and the mean over a texel spread light. The
-// spread within the original texels is left out, because how light is distributed in them is unknown.
+// Returns the variance, in texels^2, of the blur by the halvings and by the mean over a texel. The blur
+// within the original texels is left out, because the distribution of light in them is unknown.
 double spreadVariance(int octaves) {
     const double rest = std::pow(0.25, octaves);
     return 0.25 * (1 - rest) + (1 - rest) / 12;
@@ -95,7 +95,7 @@ double columnGain(int m, int width, int octaves) {
     return spline / std::max(response, kMin);
 }
 
-constexpr int kLane = 16; // lanes that are transformed together
+constexpr int kLane = 16; // number of sequences that are transformed together
 
 // Transforms the four elements a to d of kLane lanes; writes four elements.
 inline void firstTwoSteps(const float* __restrict a, const float* __restrict b, const float* __restrict c,
@@ -238,7 +238,7 @@ void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const 
     const auto lobe = [&](int m, int in, size_t out) {
         return static_cast<double>(lobes[static_cast<size_t>(m * height_ + in) * kRows + out]);
     };
-    // Frequency 0 sums over the columns: the result in uniform light. The kept rows are scaled to sum to 1.
+    // Frequency 0 is the sum over columns: the result in uniform light. Kept values are scaled to sum to 1.
     std::array<double, kRows> whole{}, kept{};
     for (int in = 0; in < height_; ++in)
         for (size_t out = 0; out < kRows; ++out) whole[out] += lobe(0, in, out);

@@ -1,5 +1,5 @@
-// Filters a lat-long map by GGX lobes around every direction. A transform along the rows gives the sum over
-// all texels for a hundredth of the multiplications.
+// Filters a lat-long map by GGX lobes. For each direction it sums over all texels; Hartley transforms of the
+// rows reduce the multiplications to a hundredth.
 #pragma once
 
 #include "engine/light/CentroidChain.h"
@@ -26,20 +26,20 @@ class Hartley {
   private:
     int length_;
     std::vector<int> order_;             // bit-reversed index of each element
-    std::vector<float> cosines_, sines_; // of 2 pi k / N
+    std::vector<float> cosines_, sines_; // cos and sin of 2 pi k / N
     std::vector<float> work_;            // scratch for 16 lanes, which fits into the cache
 };
 
 // out(r) = sum over all texels of flux times the lobe at the texel, over the same sum for light of radiance
 // 1. The lobe is math::ggxMirrorLobe; alpha = 1 is the clamped cosine of a matte surface.
 //
-// The sum over the columns of a row in, for a row out, is a circular convolution with an even kernel; in the
-// transformed rows it is one product for each frequency. A narrow lobe has high frequencies that reach over
-// few rows; a wide lobe reaches over all rows, with low frequencies only. Values below 2e-6 of the
-// whole are left out, and the rest is scaled so that uniform light stays exactly as it is.
+// For each pair of an input and an output row, the sum over columns is a circular convolution with an even
+// kernel: one product for each frequency of the transformed rows. The kernel of a narrow lobe is non-zero in
+// few input rows, that of a wide lobe at low frequencies only. Values below 2e-6 of an output row's sum are
+// set to zero, and the rest is scaled so that uniform light does not change.
 //
-// The kernel compensates, to second order, for the texels' spread of light (Sampling::octaves) and for linear
-// lookups between them: it is nearly the map of this size with the least squared error.
+// The kernel compensates, to second order, for the blur by averaging over texels (Sampling::octaves) and by
+// linear lookups between them, so that the map is nearly the one of this size with the least squared error.
 class ZonalFilter {
   public:
     // sampling.width: a power of two >= 32, the width of the maps in and out. Kernels take 1 ms (64) to 1 s
@@ -56,7 +56,7 @@ class ZonalFilter {
   private:
     struct Range {
         int first = 0, count = 0; // input rows
-        size_t kernel = 0; // index of its values: for each input row, one for each output row of the block
+        size_t kernel = 0;        // index in Kernel::values of [input row][output row of the block]
     };
     // The kernel of the northern half; the southern half counts input and output rows from the south.
     struct Kernel {

@@ -31,7 +31,7 @@ struct VideoPlayer::Impl {
     std::condition_variable_any changed;
     // Guarded by mutex:
     FrameSlots slots;       // the decode thread owns the one being filled; the others' frames are constant
-    int64_t wanted = 0;     // unwrapped index that the frame's thread asked for last
+    int64_t wanted = 0;     // unwrapped index that the render thread asked for last
     bool exact = true;      // whether it waits for exactly that one
     int64_t made = -1;      // index of the frame made last
     int64_t passLength = 0; // frames in a pass; 0 until the end has been seen
@@ -169,7 +169,7 @@ struct VideoPlayer::Impl {
                               file.string(), static_cast<double>(count) / source.info().fps);
     }
 
-    // --- Frame's thread, with the lock held ----------------------------------------------------------------
+    // --- Render thread, with the lock held -----------------------------------------------------------------
 
     // Shows the newest ready frame of low .. high, if any, and frees those that are too old or too far ahead.
     bool showReady(int64_t low, int64_t high) {

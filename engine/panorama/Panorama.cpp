@@ -22,8 +22,8 @@ template <class T> cv::Mat viewOf(const Image<T, 3>& picture) {
             const_cast<T*>(picture.pixels.data())};
 }
 
-// Codes radiance by a power up to 1 and by a logarithm above, which meet in value and slope: a sun 10^5 times
-// as bright as white does not dominate the colours that it is blended with.
+// Codes radiance by a power up to 1 and by a logarithm above 1, continuous in value and slope. The logarithm
+// keeps a sun 10^5 times as bright as white from dominating the colours that it is blended with.
 float codedFromRadiance(float linear) {
     return linear <= 1 ? std::pow(std::max(linear, 0.0f), 1 / 2.2f) : 1 + std::log(linear) / 2.2f;
 }
@@ -52,8 +52,8 @@ template <class Picture> Picture pictureFromCoded(const cv::Mat& coded) {
     return out;
 }
 
-// --- The ring: a photo widened to 360 degrees by seam insertion, as a map from the ring to the photo. The
-// map is made on a reduced picture and smooth, so that it can be scaled to any size.
+// --- The ring: a photo widened to 360 degrees by seam insertion, stored as a map from the ring to the photo.
+// The map is computed on a reduced picture; it is smooth, so that it can be scaled to any size.
 
 // Resolution of the seam search and of the map.
 constexpr int kMapPixelsPerDegree = 4;
@@ -180,17 +180,17 @@ RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const MainLight& lig
     return ring;
 }
 
-// --- Growing a photo
+// --- Extrapolating a photo
 
 constexpr double kDefaultFov_deg = 65;
 constexpr int kMaxPhotoWidth = 6144, kMaxPhotoHeight = 3072;
 
 Status checkPhoto(int width, int height, const PanoramaOptions& options) {
     if (std::min(width, height) < kMinSide)
-        return Error{"", fmt::format("its {}x{} pixels are too few to grow; each side wants {} at least",
+        return Error{"", fmt::format("its {}x{} pixels are too few for a panorama; sides need {} at least",
                                      width, height, kMinSide)};
     if (std::max(width, height) > kMaxAspect * std::min(width, height))
-        return Error{"", fmt::format("its {}x{} pixels are too long a strip to grow", width, height)};
+        return Error{"", fmt::format("its {}x{} pixels are too elongated for a panorama", width, height)};
     if (options.fov_deg && !(*options.fov_deg >= kMinFov_deg && *options.fov_deg <= kMaxFov_deg))
         return Error{"", "a photo's field of view lies between 10 and 150 degrees"};
     return Done{};
@@ -303,7 +303,7 @@ cv::Mat resample(const cv::Mat& photo, const cv::Mat& column, const cv::Mat& row
                 if (share > 0) out.at<cv::Vec3f>(y, x) += share * read.at<cv::Vec3f>(y, x);
             }
     }
-    // A cubic kernel overshoots at edges: beside a sun it would be brighter than the sun.
+    // A cubic kernel overshoots at edges; without the clamp, pixels at a sun's edge would exceed the sun.
     double darkest = 0, brightest = 0;
     cv::minMaxLoc(levels[0].reshape(1), &darkest, &brightest);
     return cv::min(cv::max(out, darkest), brightest);
@@ -316,7 +316,7 @@ cv::Mat ringOf(const cv::Mat& photo, const RingMap& map, const Lens& lens, const
     cv::Mat column(static_cast<int>(std::lround(ringHeight * perRadian)), width, CV_32F),
         row(column.size(), CV_32F);
     photoFromRing(map, lens, patch, column, row);
-    // Reduces to the panorama's resolution vertically; horizontally resample() does.
+    // Reduces the photo's height to the panorama's resolution; resample() reduces its width by mip levels.
     cv::Mat reduced = photo;
     const int rowsNeeded = static_cast<int>(std::lround(2 * lens.latitude * perRadian));
     if (rowsNeeded < photo.rows)
@@ -378,7 +378,7 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
 // Fills the gap between a picture's two ends: columns right to left + width (exclusive), wrapping around.
 void fillGap(cv::Mat& rows, int left, int right) {
     const int gap = left + rows.cols - right;
-    // Mirrors only up to the light, so that it is not repeated.
+    // The mirror images end before the main light, so that the panorama shows it once.
     const double light = findMainLight(rows.colRange(left, right)).place.x;
     const auto mirrored = [](int steps, int size) {
         return cv::borderInterpolate(steps, size, cv::BORDER_REFLECT);
@@ -406,7 +406,7 @@ cv::Mat completed(const cv::Mat& photo, const PanoramaPart& part, int width) {
     resized.copyTo(sphere(cv::Rect(left, top, right - left, bottom - top)));
     cv::Mat rows = sphere.rowRange(top, bottom);
     if (right - left < width) fillGap(rows, left, right);
-    // A part on one side of the horizon is continued to it by its edge row: a polar cap fills less than half.
+    // fillPoles() needs rows on both sides of the horizon: repeats the edge row of a part on one side.
     for (; top >= height / 2; --top) sphere.row(top).copyTo(sphere.row(top - 1));
     for (; bottom <= height / 2; ++bottom) sphere.row(bottom - 1).copyTo(sphere.row(bottom));
     fillPoles(sphere, top, bottom);
@@ -435,7 +435,7 @@ template <class Picture> Result<Picture> completePanorama(const Picture& photo, 
     const double whole = photo.width / (part.right - part.left);
     const int width = static_cast<int>(std::clamp(whole, 512.0, 4096.0)) / 64 * 64;
     if ((part.right - part.left) * width < 2 || (part.bottom - part.top) * width / 2 < 2)
-        return Error{"", "the part of the environment that it says it is, is too small to be shown"};
+        return Error{"", "covers too small a part of the environment to be shown"};
     cv::Mat bounded = viewOf(photo);
     if (photo.width > width)
         cv::resize(bounded, bounded, {width, std::max(1, std::min(photo.height, width))}, 0, 0,

@@ -1,8 +1,8 @@
 // Extrapolation of an ordinary photo to a full 360-degree panorama: Iorns 2016, section 5.3.
 //
-// Find the main light; project the photo to latitude and longitude; widen it by seam insertion to 360 degrees
-// and heighten it to a band around the horizon, protecting the light and vertical edges; blend the ends;
-// extrapolate sky and ground to the poles; rotate the light to the middle column.
+// Steps: find the main light; project the photo to latitude and longitude; widen it to 360 degrees and extend
+// it up and down by seam insertion, which spares the light and vertical edges; blend the ends; extrapolate
+// sky and ground to the poles; rotate the light to the middle column.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -21,9 +21,9 @@ using Progress = std::function<void(double)>;
 // The panorama is as wide as the photo's resolution allows, 512 to 4096.
 struct PanoramaOptions {
     // Horizontal field of view of the photo, degrees, kMinFov_deg to kMaxFov_deg; empty: 65 along the
-    // longer side, as of a phone's main camera.
+    // longer side, about that of a phone's main camera.
     std::optional<double> fov_deg;
-    bool full = false; // heighten it by seam insertion to both poles, as the thesis does
+    bool full = false; // whether seam insertion stretches it to both poles, as the thesis does
     Progress progress = [](double) {};
 };
 
@@ -42,16 +42,16 @@ template <class Picture> struct Panorama {
 template <class Picture> // ImageRgb8, or ImageRgbF of linear light
 Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const PanoramaOptions& options);
 
-// --- Completion of a partial panorama, whose place in the sphere is known
+// --- Completion of a partial panorama whose position on the sphere is known
 
 // Edges as shares of the full lat-long picture, 0 to 1: left < right, top < bottom.
 struct PanoramaPart {
     double left = 0, top = 0, right = 1, bottom = 1;
 };
 
-// Copies the part to its place; extrapolates sky and ground; fills a gap at the sides by
-// cross-fading mirror images of the columns between either end and the light. Fails if the part would be
-// less than two pixels wide or high; the error has no path.
+// Scales the part to its place and extrapolates sky and ground. Fills the gap between its right and its left
+// edge by cross-fading the mirror images of the columns at both edges, none of which includes the main light.
+// Fails if the part would be less than two pixels wide or high; the error has no path.
 template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part);
 
 } // namespace shoal::panorama

@@ -40,7 +40,7 @@ Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bo
     return pass;
 }
 
-void BackgroundPass::want(const FrameTiles& tiles, const BackgroundCell& cell) {
+void BackgroundPass::markTiles(const FrameTiles& tiles, const BackgroundCell& cell) {
     tiles.anyBetween(cell.mapLow(), cell.mapHigh(), [&](size_t tile) {
         wanted_[tile] = true;
         return false;
@@ -59,7 +59,7 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
     if (drawn_.empty()) return Done{};
     wanted_.assign(FrameTiles::kAll, false);
     for (const auto& [cell, isPainted] : drawn_)
-        if (isPainted) want(layer->tiles, *cell);
+        if (isPainted) markTiles(layer->tiles, *cell);
     const FilmShadows* seen = picture.seenShadows();
     if (seen && std::exchange(uploadedShadows_, seen->version()) != seen->version())
         uploadTexels(shadowTexture_, frameOf(seen->remaining()), shadowSize_);
@@ -90,7 +90,7 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
         if (!found) return found.error();
         const gl::Program& program = **found;
         const GLuint frame = shownPainted ? composite_.texture() : picture.environment.frameTexture();
-        program.use(); // the frame may have been drawn by another
+        program.use(); // frameTexture() may have used the program of PlanesPass
         program.setTexture("frame", UNIT_FRAME, frame);
         if (shadows && !shownPainted) program.setTexture("shadowsLeft", UNIT_SHADOWS, shadows);
         program.set("exposureScale", picture.exposure.scale());

@@ -16,23 +16,23 @@
 
 namespace shoal::render {
 
-// Objects as an eye sees them, to be put into the texels of the frame.
+// Objects drawn from an eye, to be resampled into the texels of the frame.
 struct TexelLayer {
     LayerPass& layer;
-    View view; // of the layer, a little wider than the picture's
+    View view; // the layer's view, a little wider than the picture's
     const FrameTiles& tiles;
     bool filmed = false; // whether the layer gets the response of the frame's camera
 };
 
 class BackgroundPass {
   public:
-    // Makes the implementation for this context. Backend::Software works in every context, and draws with
-    // OpenGL the pictures that it cannot sample. withLayers: whether draw() will be given layers.
+    // Makes the implementation for this context. Backend::Software works in every context; it draws with
+    // OpenGL the pictures that the processor cannot sample. withLayers: whether draw() will be given layers.
     static Result<std::unique_ptr<BackgroundPass>> make(Backend backend, bool withLayers);
     virtual ~BackgroundPass() = default;
 
-    // Tells that this picture is drawn next, and starts work that may run while the layer is drawn. The tiles
-    // (null if there is no layer) and the environment's frame must live until draw().
+    // Announces the picture that draw() draws next, so that work on it can start while the layer is drawn.
+    // The tiles (null: no layer) and the environment's frame must live until draw().
     virtual void prepare(const EyePicture&, const FrameTiles*) {}
 
     // Draws over the whole canvas, which is bound before and after; neither tests nor changes depth. layer:
@@ -41,10 +41,10 @@ class BackgroundPass {
 
   protected:
     Status drawCells(const EyePicture& picture, const TexelLayer* layer); // draws the cells in drawn_
-    void want(const FrameTiles& tiles, const BackgroundCell& cell); // marks the tiles that the cell shows
+    void markTiles(const FrameTiles& tiles, const BackgroundCell& cell);  // marks the cell's tiles in wanted_
 
     std::vector<CellToDraw> drawn_; // cells that OpenGL draws
-    std::vector<bool> wanted_;      // by tile
+    std::vector<bool> wanted_;      // by tile: whether it must be painted
 
   private:
     struct Corner {
@@ -57,7 +57,7 @@ class BackgroundPass {
     BackgroundCells cells_;
     std::vector<Corner> corners_; // scratch
     EquirectComposite composite_;
-    gl::Texture shadowTexture_; // of FilmShadows::remaining()
+    gl::Texture shadowTexture_; // holds FilmShadows::remaining()
     glm::ivec2 shadowSize_{0};
     FilmShadows::Version uploadedShadows_;
 };

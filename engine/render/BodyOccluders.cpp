@@ -12,8 +12,8 @@ namespace shoal::render {
 
 namespace {
 
-// Least share of the cosine-weighted hemisphere that counts; twice as much counts in full.
-// Pictures of the dives differ from those with 0.01 by at most 0.9 of 255, root mean square over objects.
+// Parts that cover less of the cosine-weighted hemisphere are left out; at twice this share their strength is
+// 1. With 0.01, pictures of the dives differ by at most 0.9 of 255, root mean square over objects.
 constexpr float kMinShare = 0.015f;
 
 PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFromWorld, float strength,
@@ -44,7 +44,7 @@ occlusion::Ellipsoid transformed(const occlusion::Ellipsoid& e, const glm::mat4&
 }
 
 glm::vec3 seenFrom(const occlusion::Ellipsoid& part, const glm::vec3& place) {
-    return (place - part.centre) * part.worldFromAxes; // the transpose's product
+    return (place - part.centre) * part.worldFromAxes; // the product with the transposed matrix
 }
 
 } // namespace
@@ -76,7 +76,7 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
     const std::span own = ellipsoids(receiver);
     for (size_t b = 0; b < bodies_.size(); ++b) {
         const Body& body = bodies_[b];
-        // Farther away than this even the whole body takes less than kMinShare.
+        // At a greater distance than this, even the whole body covers less than kMinShare.
         const float apart = glm::distance(body.bound.centre, self.bound.centre) - self.bound.radius;
         if (b == receiver || apart * apart * kMinShare > body.bound.radius * body.bound.radius) continue;
         for (size_t p = body.first; p < body.first + body.count; ++p) {
@@ -85,7 +85,7 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
             for (size_t mine = 0; mine < own.size(); ++mine)
                 nearest = std::min(nearest, glm::distance(shapes_[p].centre, own[mine].centre) -
                                                 sizes_[self.first + mine].reach);
-            // The part's size is added to its middle's distance, so that the share grows on once they touch.
+            // Adds the part's size to the distance, so that the share still grows when the bodies overlap.
             const float away = std::max(nearest + part.size, 0.2f * part.size);
             const float share = part.size * part.size / (away * away);
             if (share > kMinShare) found_.push_back({share, p, b});

@@ -19,17 +19,17 @@ struct BodyOccluders {
     };
     std::vector<Part> parts;
     glm::vec3 albedo{0};   // mean; linear
-    bool onItself = false; // whether the parts occlude their own body where it is bent
+    bool onItself = false; // whether the parts occlude their own body when it bends
     float length = 0;      // greatest distance of two centres at rest
 };
 
-// parts: model frame, at rest; joint: the node that carries it. The model's meshes and pictures must still be
-// there.
+// parts: in the model's frame, at rest; BodyPart::joint: node that carries the part. The model's meshes and
+// pictures must be loaded.
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
                                 std::span<const occlusion::BodyPart> parts, bool onItself);
 
-// Returns how strongly the body's parts occlude the body itself, from 0 at rest, where its baked
-// self-occlusion is complete, to 1. parts: all of them, in the world.
+// Returns how strongly the body's parts occlude the body itself: from 0 at rest, where its baked occlusion
+// is complete, to 1 when bent. parts: all parts of the body, world frame.
 float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid> parts);
 
 // Returns the part in the world. worldFromModel may scale uniformly.
@@ -39,13 +39,13 @@ occlusion::Ellipsoid placed(const BodyOccluders::Part& part, const scene::Pose& 
 // Layout of shaders/occlusion/Bodies.glsl, std140.
 struct PackedOccluder {
     glm::vec4 centreStrength{0};
-    glm::vec4 diagonalVolume{0}; // diagonal of Q, where x Q x = 1 on the surface; product of the semi-axes
+    glm::vec4 diagonalVolume{0}; // diagonal of Q (surface: x^T Q x = 1); product of the semi-axes
     glm::vec4 mixed{0};          // yz, zx, xy of Q
     glm::vec4 albedo{0};
 };
 static_assert(sizeof(PackedOccluder) == 64);
 
-// Finds the bodies that are near enough to another body to take light from it. Each frame calls clear(),
+// Finds the bodies that are near enough to another body to occlude it noticeably. Each frame calls clear(),
 // add() for each body, then near() for each. Allocates nothing once the vectors have grown.
 class NearBodies {
   public:
@@ -66,12 +66,12 @@ class NearBodies {
         float ownStrength = 0; // strength of the body's own parts, 0 to 1
     };
     // Returns the ellipsoids that occlude this body, in the light's frame: its own parts, if they occlude it,
-    // and the parts of other bodies that take most light, at most MAX_OTHERS. Strengths fade to 0 at the
-    // least share that counts, or at that of the first part left out, so that no part appears suddenly.
+    // and the parts of other bodies that cover most of its hemisphere, at most MAX_OTHERS. The strength of a
+    // part is 0 at the share of the largest part left out, or at kMinShare, so that parts appear gradually.
     Near near(size_t body, const glm::mat3& lightFromWorld);
 
   private:
-    struct Size {                  // of a part
+    struct Size {                  // extent of a part
         float reach = 0, size = 0; // longest semi-axis; radius of a disc with the area of the largest shadow
     };
     struct Body {

@@ -8,14 +8,14 @@ namespace shoal::render {
 
 namespace {
 
-constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
+constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // array sizes in shaders/light/Environment.glsl
 
 template <class T, int kChannels>
-void putTexels(const gl::Texture& texture, int level, GLint stored, GLenum format, GLenum type,
+void putTexels(const gl::Texture& texture, int level, GLint internalFormat, GLenum format, GLenum type,
                const Image<T, kChannels>& image) {
     glBindTexture(GL_TEXTURE_2D, texture.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, level, stored, image.width, image.height, 0, format, type,
+    glTexImage2D(GL_TEXTURE_2D, level, internalFormat, image.width, image.height, 0, format, type,
                  image.pixels.data());
 }
 
@@ -56,7 +56,7 @@ void PlanesPass::upload() {
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, codes_.name());
     for (size_t i = 0; i < 3; ++i) {
         const glm::ivec2 size = i == 0 ? from.size : -(-from.size >> from.chromaShift); // rounded up
-        // New memory, because the graphics card may still read the old.
+        // Allocates new memory, because the graphics card may still read the last frame's.
         glBufferData(GL_PIXEL_UNPACK_BUFFER, ptrdiff_t{size.y - 1} * from.rowBytes[i] + size.x * from.bytes,
                      from.codes[i], GL_STREAM_DRAW);
         glPixelStorei(GL_UNPACK_ROW_LENGTH, from.rowBytes[i] / from.bytes);
@@ -104,13 +104,13 @@ void PlanesPass::draw(const DisplayFrame& part, const gl::Texture& texture, glm:
 }
 
 void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
-    if (!frame.planes != !displayFrame_.planes) codedSize_ = {0, 0}; // other storage
+    if (!frame.planes != !displayFrame_.planes) codedSize_ = {0, 0}; // planes have another internal format
     displayFrame_ = frame;
     uploaded_ = false;
     ++frameNumber_;
 }
 
-// Uploads a new frame first.
+// Uploads or converts the frame if this has not been done since setFrame().
 GLuint EnvironmentGpu::frameTexture() const {
     if (!uploaded_ && displayFrame_.planes)
         displayFrame_.planes->draw(displayFrame_, frame_, codedSize_);
@@ -123,7 +123,7 @@ GLuint EnvironmentGpu::frameTexture() const {
 void EnvironmentGpu::setFrame(const ImageRgbF& radianceLin) {
     uploaded_ = true;
     codedSize_ = {0, 0};
-    // 32 bits: a real sun lies above the largest half float.
+    // 32-bit floats, because the radiance of a real sun exceeds the largest half float, 65504.
     putTexels(frame_, 0, GL_RGB32F, GL_RGB, GL_FLOAT, radianceLin);
     displayFrame_ = {.width = radianceLin.width, .height = radianceLin.height};
     ++frameNumber_;

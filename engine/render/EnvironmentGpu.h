@@ -16,13 +16,13 @@
 
 namespace shoal::render {
 
-// Returns a bound texture without storage, sampled as a map of the sphere: columns repeat.
+// Returns a bound texture without storage for a lat-long map: repeats in x, clamps in y.
 gl::Texture makeLatLongTexture();
-// Uploads texels to such a texture. size: of its storage, which is reused while it fits.
+// Uploads texels to such a texture. size: current size of its storage, which is reallocated if it differs.
 void uploadTexels(const gl::Texture& texture, const DisplayFrame& texels, glm::ivec2& size);
 
-// Converts the planes of a film's frame to the picture that is shown, with 10 bits a channel, as
-// media::FrameConverter does to 8 bits on the processor.
+// Converts the YCbCr planes of a film's frame to an RGB picture with 10 bits a channel, as
+// media::FrameConverter does on the processor with 8 bits.
 class PlanesPass {
   public:
     static Result<PlanesPass> make();
@@ -30,7 +30,7 @@ class PlanesPass {
     // Sets the frame, which must live until the next is set. It is uploaded when it is first drawn.
     void setFrame(const media::Planes& planes) { frame_ = &planes, uploaded_ = false; }
 
-    // Draws a part of the frame into a texture, as uploadTexels(). Keeps the framebuffer and the viewport.
+    // Draws a part of the frame; size: as in uploadTexels(). Restores framebuffer and viewport, nothing else.
     void draw(const DisplayFrame& part, const gl::Texture& texture, glm::ivec2& size);
 
   private:
@@ -45,7 +45,7 @@ class PlanesPass {
     bool uploaded_ = false;
 };
 
-// The distances of what a film's frame shows; null: unknown.
+// Distances from the camera to the surfaces in a film's frame; null: unknown.
 struct FilmDistances {
     const depth::DepthMap* map = nullptr;
     const depth::DepthMap* widened = nullptr; // after depth::widenNear(), for an eye beside the film's camera
@@ -54,11 +54,11 @@ struct FilmDistances {
 
 class EnvironmentGpu {
   public:
-    // Sets the frame. Its pixels must live until the next is set, or longer than this: they are uploaded only
-    // when frameTexture() is called. A background that samples them in memory rarely calls it.
+    // Sets the frame. Its pixels must live until the next is set or this object ends, because only
+    // frameTexture() uploads them; the software background samples them in memory and rarely calls it.
     void setFrame(const DisplayFrame& frame);
     void setFrame(const ImageRgbF& radianceLin); // HDR environments; copied
-    // smooth: the light that bodies hide from each other, env frame.
+    // smooth: reduced light for the occlusion between bodies, env frame.
     void uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth = {});
 
     // Uploads the light that port and lens scatter over the frame: squares of display values, lat-long.

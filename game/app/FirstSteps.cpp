@@ -15,7 +15,7 @@ constexpr std::array<game::Text, 3> kHints = {"A fast hand frightens fish",
                                               "Wait in a fish’s way with an open hand",
                                               "Keep what you hold away from the shark"};
 
-// How the player does a step with mouse, gamepad or headset, by Step and Audience.
+// Instructions for a player with mouse, gamepad or headset: [Step][Audience].
 constexpr std::array<std::array<game::Text, 3>, 3> kHowTo = {{
     {"Arrow keys, or hold the right mouse button and move", "Left stick", "Turn your head"},
     {"Move the mouse slowly: a fast hand frightens fish", "Right stick, slowly: a fast hand frightens fish",
@@ -26,7 +26,7 @@ constexpr std::array<std::array<game::Text, 3>, 3> kHowTo = {{
 // Returns the catchable fish within reach that is nearest to the middle of the view.
 static std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::SpeciesTable& species) {
     std::optional<glm::vec3> best;
-    float bestCosine = 0.9f; // of 26 degrees: in the picture
+    float bestCosine = 0.9f; // cosine of 26 degrees: fish farther from the middle may lie outside the picture
     const glm::vec3 ahead = shown.worldFromView * glm::vec3(0, 0, -1);
     for (const game::CreatureView& creature : shown.creatures) {
         const glm::vec3 way = creature.position - shown.headWorld;
@@ -45,7 +45,7 @@ static bool holdsAFish(const game::Snapshot& shown, const game::SpeciesTable& sp
     });
 }
 
-// Draws a hand as a white sign with dark outlines: rounded bones, and the palm over them.
+// Draws a hand in white with a dark outline: each bone as a line with round ends, and the palm over them.
 static void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
     const glm::vec2 half = view.halfExtent();
     const auto onScreen = [&](int joint) {
@@ -81,13 +81,13 @@ static void drawGhost(const Pen& pen, const render::View& view, const hands::Han
     constexpr uint32_t kOutline = IM_COL32(4, 22, 34, 255), kSign = IM_COL32(235, 248, 255, 255);
     palm(0.12f * pen.line, kOutline);
     for (int number = 0; number < hands::kFingerCount; ++number) {
-        finger(number, 0.12f * pen.line, kOutline); // so that fingers stand apart, even in a fist
+        finger(number, 0.12f * pen.line, kOutline); // separates neighbouring fingers, even in a fist
         finger(number, 0, kSign);
     }
     palm(0, kSign);
 }
 
-// Draws arrows to both sides, which move outwards in turn. round: progress of the demonstration, 0 to 1.
+// Draws a left and a right arrow, which move outwards in turn. round: progress of the demonstration, 0 to 1.
 static void drawTurning(const Pen& pen, float round) {
     for (const float side : {-1.0f, 1.0f}) {
         const float phase = side > 0 ? 2 * round : 2 * round - 1; // progress in its half of the round
@@ -115,10 +115,10 @@ void Tutorial::followSteps(const game::Snapshot& shown, float elapsed_s) {
     // The target stays for one demonstration, so that the ghost hand does not jump from fish to fish.
     if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
-    if (shown.caught > 0) return next(Step::Done); // the player can do all steps
+    if (shown.caught > 0) return next(Step::Done); // a catch takes all steps, so the player knows them
     if (step_ == Step::Look && turned_rad > kTurned_rad) return next(Step::Reach);
     if (step_ == Step::Reach && near_s_ > kNear_s) return next(Step::Hold);
-    if (step_ == Step::Hold && away_s_ > kAway_s) next(Step::Reach); // the fish may have gone on
+    if (step_ == Step::Hold && away_s_ > kAway_s) next(Step::Reach); // the fish may have swum away
 }
 
 // The ghost hand reaches its place in the first half of a round and acts in the second.
@@ -148,9 +148,9 @@ void Tutorial::drawStep(const Pen& pen, const render::View& view) const {
               pen.in(kHowTo[index][static_cast<size_t>(pen.audience)]));
 }
 
-void Tutorial::say(Hint hint) {
-    if (hint_ || said_[hint] >= kHintTimes) return;
-    ++said_[hint];
+void Tutorial::showHint(Hint hint) {
+    if (hint_ || timesShown_[hint] >= kHintTimes) return;
+    ++timesShown_[hint];
     hint_ = hint;
     hintLeft_s_ = kHintStay_s;
 }
@@ -163,11 +163,11 @@ void Tutorial::followHints(const game::Snapshot& shown, std::span<const game::Ev
     sinceCatch_s_ = shown.caught > caught_ ? 0 : sinceCatch_s_ + elapsed_s;
     caught_ = shown.caught;
     for (const game::Event& event : events) {
-        if (event.kind == game::EventKind::SharkNear && holdsAFish(shown, species_)) say(Shark);
-        if (event.kind == game::EventKind::MissTooFast && caught_ < kUnderstood) say(FastHand);
+        if (event.kind == game::EventKind::SharkNear && holdsAFish(shown, species_)) showHint(Shark);
+        if (event.kind == game::EventKind::MissTooFast && caught_ < kUnderstood) showHint(FastHand);
     }
-    if (sinceCatch_s_ > kWithout_s && caught_ < kUnderstood) {
-        say(Wait);
+    if (sinceCatch_s_ > kNoCatch_s && caught_ < kUnderstood) {
+        showHint(Wait);
         sinceCatch_s_ = 0;
     }
 }

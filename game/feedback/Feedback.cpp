@@ -26,15 +26,15 @@ constexpr float kCalm = 0.75f, kLift = 0.25f;          // gain of the calm layer
 constexpr float kLiftStay_s = 2;
 constexpr float kSharkFar_m = 2.5f, kSharkNear_m = 1.2f; // from the head: where tension begins, and is full
 constexpr float kLastSeconds_s = 10;
-constexpr size_t kEventsReserved = 64; // more than a frame's sounds in ordinary play
+constexpr size_t kEventsReserved = 64; // more sounds than a frame starts in ordinary play
 
 // Actuation while a touch lasts; the pulses of events are in EventTable.h.
 constexpr float kPress = 0.25f, kPressFull_m = 0.02f; // greatest amplitude of pressing, and its depth
 constexpr float kPress_Hz = 45;
 constexpr float kStroke = 0.5f, kStrokeFull_mps = 0.8f; // greatest amplitude of stroking, and its speed
-constexpr float kScale_m = 0.004f; // spacing of a fish's scales: frequency = stroking speed / spacing
+constexpr float kScale_m = 0.004f; // spacing of a fish's scales; frequency = speed / spacing
 constexpr float kStrokeLow_Hz = 40, kStrokeHigh_Hz = 240;
-constexpr float kHeld = 0.15f, kStruggle = 0.6f; // amplitude of a held fish at rest; its struggle's part
+constexpr float kHeld = 0.15f, kStruggle = 0.6f; // amplitude of a held fish at rest; added at full struggle
 constexpr float kHeld_Hz = 48, kStruggle_Hz = 30;
 
 // Returns the actuation of a finger while it touches.
@@ -59,8 +59,8 @@ SoundCues::SoundCues() : breath_s_(kBreathShortest_s) {
 void SoundCues::caption(Text text, const glm::vec3& position) {
     const auto same = std::ranges::find(captions_, text, &Caption::text);
     const bool isShown = same != captions_.end() && same->age_s >= 0;
-    // A repeated caption only moves to the front. A new one waits until the last has been there for a while,
-    // in place of another that waits.
+    // A repeated caption moves to the front. A new one waits until kCaptionEach_s after the last; it replaces
+    // a caption that still waits.
     std::erase_if(captions_,
                   [&](const Caption& other) { return other.text == text || (!isShown && other.age_s < 0); });
     const bool waits = !isShown && !captions_.empty();
@@ -79,8 +79,8 @@ void SoundCues::play(Sound sound, const glm::vec3& position, float gain, bool ev
                       .velocity = velocity});
 }
 
-// Keeps a clip playing that is heard everywhere.
-void SoundCues::loop(size_t clip, float gain, bool inStep) {
+// Adds an emitter without a position, which loops the clip for as long as it is added in each frame.
+void SoundCues::playLoop(size_t clip, float gain, bool inStep) {
     emitters_.push_back({.id = kBedId + static_cast<uint32_t>(clip),
                          .clip = static_cast<int>(clip),
                          .gain = gain,
@@ -88,12 +88,12 @@ void SoundCues::loop(size_t clip, float gain, bool inStep) {
                          .inStep = inStep});
 }
 
-void SoundCues::beds(const Snapshot& shown, float dt_s) {
+void SoundCues::playBeds(const Snapshot& shown, float dt_s) {
     const float wanted = std::clamp(shown.enclosure, 0.0f, 1.0f);
     enclosure_ += std::clamp(wanted - enclosure_, -dt_s / kCross_s, dt_s / kCross_s);
     const auto bed = [&](Sound sound, float share) {
-        // Square root: the powers of two unrelated sounds add up to a constant.
-        if (share > 0) loop(static_cast<size_t>(sound), gainOf(sound) * std::sqrt(share), false);
+        // The square root keeps the total power constant, because the two sounds are uncorrelated.
+        if (share > 0) playLoop(static_cast<size_t>(sound), gainOf(sound) * std::sqrt(share), false);
     };
     bed(Sound::BedOpen, 1 - enclosure_);
     bed(Sound::BedTunnel, enclosure_);
@@ -105,7 +105,7 @@ float tensionOf(const Snapshot& shown) {
     if (!shown.freeSwim && shown.timeLeft_s < kLastSeconds_s)
         tension = 0.8f - 0.4f * shown.timeLeft_s / kLastSeconds_s;
     for (const CreatureView& creature : shown.creatures) {
-        const Motion motion = creature.gait.motion; // only a shark has these three
+        const Motion motion = creature.gait.motion; // only sharks lunge, bite or cruise
         if (motion == Motion::Lunge || motion == Motion::Bite) return 1;
         if (motion != Motion::Cruise) continue;
         const float away_m = glm::distance(creature.position, shown.headWorld);
@@ -128,17 +128,17 @@ void SoundCues::playMusic(const Snapshot& shown, std::span<const Event> events, 
     follow(tension_, tensionOf(shown));
     const std::array gains = {calm_ * (kCalm + kLift * lift_), tension_}; // of kMusicLayers
     for (size_t layer = 0; layer < kMusicLayers.size(); ++layer)
-        loop(kSounds.size() + layer, volume * gains[layer], true);
+        playLoop(kSounds.size() + layer, volume * gains[layer], true);
 }
 
-void SoundCues::struggling(const CreatureView& creature) {
+void SoundCues::playStruggle(const CreatureView& creature) {
     emitters_.push_back({.id = creature.id,
                          .clip = static_cast<int>(Sound::Struggle),
                          .position = creature.position,
                          .gain = gainOf(Sound::Struggle),
                          .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f), // large ones beat slower
                          .velocity = creature.velocity});
-    // A struggle lasts, so its caption is only renewed and keeps its place among the others.
+    // A struggle lasts for many frames: its caption is prolonged and keeps its place among the others.
     for (Caption& shown : captions_)
         if (shown.text == kStruggleCaption) {
             shown = {shown.text, creature.position, 0};
@@ -147,7 +147,7 @@ void SoundCues::struggling(const CreatureView& creature) {
     caption(kStruggleCaption, creature.position);
 }
 
-void SoundCues::passing(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s) {
+void SoundCues::playPass(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s) {
     const bool large = creature.length > kLarge_m;
     const float speed2 = glm::dot(creature.velocity, creature.velocity);
     if (quiet_s > 0 || speed2 < kPass_mps * kPass_mps) return;
@@ -166,7 +166,7 @@ void SoundCues::passing(const CreatureView& creature, const glm::vec3& headWorld
     if (large) caption(kPassCaption, creature.position);
 }
 
-void SoundCues::happened(const Event& event) {
+void SoundCues::playEvent(const Event& event) {
     const EventRow& row = rowOf(event.kind);
     if (event.kind == EventKind::Touch) {
         const bool again = touchQuiet_s_ > 0;
@@ -183,7 +183,7 @@ void SoundCues::happened(const Event& event) {
     if (row.caption) caption(*row.caption, position);
 }
 
-void SoundCues::breathe(const Snapshot& shown, float dt_s) {
+void SoundCues::playBreath(const Snapshot& shown, float dt_s) {
     if (shown.phase != Phase::Diving) return;
     breath_s_ -= dt_s;
     if (breath_s_ > 0) return;
@@ -192,7 +192,7 @@ void SoundCues::breathe(const Snapshot& shown, float dt_s) {
     play(Sound::Bubbles, mouth, 1, false, random_.between(0.9f, 1.1f), {0, 0.35f, 0}); // bubbles rise
 }
 
-void SoundCues::countDown(const Snapshot& shown) {
+void SoundCues::playCountdown(const Snapshot& shown) {
     const int left = static_cast<int>(std::ceil(shown.timeLeft_s));
     if (shown.phase == Phase::Diving && left >= 1 && left <= kCountdown_s && left != countedDown_) {
         play(Sound::Countdown, {}, 1, true, left == 1 ? 1.335f : 1.0f); // the last one is a fourth higher
@@ -206,7 +206,7 @@ void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, flo
     volume_ = volume;
     shots_.clear();
     emitters_.clear();
-    beds(shown, dt_s);
+    playBeds(shown, dt_s);
     playMusic(shown, events, dt_s, music);
     if (shown.paused) return;
     for (Caption& caption : captions_) caption.age_s += dt_s;
@@ -217,15 +217,15 @@ void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, flo
     for (size_t i = 0; i < shown.creatures.size(); ++i) {
         const CreatureView& creature = shown.creatures[i];
         quiet_s_[i] = std::max(0.0f, quiet_s_[i] - dt_s);
-        if (creature.gait.motion >= Motion::Drift) continue; // a loose thing
+        if (creature.gait.motion >= Motion::Drift) continue; // a loose thing neither struggles nor passes
         if (creature.heldBy >= 0)
-            struggling(creature);
+            playStruggle(creature);
         else
-            passing(creature, shown.headWorld, quiet_s_[i]);
+            playPass(creature, shown.headWorld, quiet_s_[i]);
     }
-    for (const Event& event : events) happened(event);
-    breathe(shown, dt_s);
-    countDown(shown);
+    for (const Event& event : events) playEvent(event);
+    playBreath(shown, dt_s);
+    playCountdown(shown);
 }
 
 void HapticFeedback::startPulse(const Event& event) {

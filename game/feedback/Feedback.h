@@ -1,5 +1,5 @@
-// Sounds, captions and haptics of a dive, from its snapshots and events. Main thread; allocates nothing once
-// the creatures are known.
+// Sounds, captions and haptics of a dive, from its snapshots and events. Main thread. Allocates nothing after
+// the first frame with all creatures.
 #pragma once
 
 #include "engine/audio/Audio.h"
@@ -13,30 +13,30 @@
 
 namespace shoal::game {
 
-constexpr float kCaptionStay_s = 2.2f, kCaptionEach_s = 1; // Each: time from one new line to the next
+constexpr float kCaptionStay_s = 2.2f, kCaptionEach_s = 1; // time on display; time between new captions
 
 struct Caption {
     Text text;
-    glm::vec3 position{0}; // world frame; the origin: no place
+    glm::vec3 position{0}; // world frame; 0: the caption belongs to no place
     float age_s = 0;       // below 0: it is not shown yet
 };
 
-// Returns how tense the music is, 0 to 1: by what the shark does and how near it is, and by the last seconds.
+// Returns the tension of the music, 0 to 1, from the shark's behaviour and distance and from the time left.
 float tensionOf(const Snapshot& shown);
 
-// Chooses sounds and captions: for events by their table, and for breath, passing fish, the background, the
-// music and the countdown.
+// Chooses sounds and captions: for events by EventTable.h; and for breath, passing and held fish, background
+// sounds (beds), music and countdown.
 class SoundCues {
   public:
     SoundCues();
 
     // Chooses the sounds and captions of a frame: emitters(), shots() and captions(). events: since the last
-    // call; dt_s: time since then; volume, music: the player's settings, 0 to 1; music 0: none is loaded, or
-    // wanted. Clip indices are Sound's, then those of kMusicLayers.
+    // call; dt_s: time since then; volume, music: the player's settings, 0 to 1; music 0: it is off or not
+    // loaded. Clip indices: those of Sound, then kMusicLayers.
     void listen(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume = 1,
                 float music = 0);
 
-    // Returns how enclosed the beds sound, 0 to 1: follows the snapshot's enclosure within seconds.
+    // Returns the cross-fade from the open to the tunnel bed, 0 to 1; it follows Snapshot::enclosure.
     float enclosure() const { return enclosure_; }
 
     std::span<const audio::Sound> emitters() const { return emitters_; }
@@ -48,30 +48,30 @@ class SoundCues {
     void play(Sound sound, const glm::vec3& position, float gain, bool everywhere = false, float pitch = 1,
               const glm::vec3& velocity = glm::vec3(0));
     void caption(Text text, const glm::vec3& position);
-    void loop(size_t clip, float gain, bool inStep);
-    void beds(const Snapshot& shown, float dt_s);
+    void playLoop(size_t clip, float gain, bool inStep);
+    void playBeds(const Snapshot& shown, float dt_s);
     void playMusic(const Snapshot& shown, std::span<const Event> events, float dt_s, float volume);
-    void passing(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s);
-    void struggling(const CreatureView& creature);
-    void happened(const Event& event);
-    void breathe(const Snapshot& shown, float dt_s);
-    void countDown(const Snapshot& shown);
+    void playPass(const CreatureView& creature, const glm::vec3& headWorld, float& quiet_s);
+    void playStruggle(const CreatureView& creature);
+    void playEvent(const Event& event);
+    void playBreath(const Snapshot& shown, float dt_s);
+    void playCountdown(const Snapshot& shown);
 
     std::vector<audio::Sound> emitters_;
     std::vector<audio::Sound> shots_;
     std::vector<Caption> captions_;
-    std::vector<float> quiet_s_; // seconds before each creature may be heard passing again
+    std::vector<float> quiet_s_; // by creature: seconds until a sound of its passing may play again
     float volume_ = 1, touchQuiet_s_ = 0;
     float breath_s_;                          // seconds until the next breath
-    float enclosure_ = 0;                     // follows the snapshot's enclosure without steps
-    float calm_ = 0, tension_ = 0, lift_ = 0; // levels of the music, 0 to 1, without steps
-    float liftLeft_s_ = 0;                    // seconds before the lift after a catch ends
+    float enclosure_ = 0;                     // Snapshot::enclosure, smoothed
+    float calm_ = 0, tension_ = 0, lift_ = 0; // levels of the music, 0 to 1, smoothed
+    float liftLeft_s_ = 0;                    // seconds until the lift after a catch ends
     int countedDown_ = 0;                     // last second counted
-    Random random_;                           // random pitches and breaths, apart from the simulation's
+    Random random_;                           // for pitches and breaths; the simulation has its own
 };
 
-// Actuation of every haptic actuator: a fading pulse for each event; and pressing, stroking and the struggle
-// of a held fish while a finger touches it. Time is an argument; the pulses are the only state.
+// Computes the actuation of all haptic actuators: a fading pulse for each event; and, while a finger touches,
+// its pressure, its stroking and the struggle of a held fish. The pulses are its only state.
 class HapticFeedback {
   public:
     // Returns a frame's actuation. events: since the last call; dt_s: time since then; strength: 0 to 1.
@@ -79,7 +79,7 @@ class HapticFeedback {
                                float strength);
 
   private:
-    struct Pulse : haptics::Actuation { // its present one
+    struct Pulse : haptics::Actuation { // base: the current actuation, which decays
         float decay_s = 1;              // time constant: falls to 1/e
     };
     void startPulse(const Event&);

@@ -11,13 +11,12 @@
 namespace shoal::app {
 
 constexpr float kKeyTurn_radps = 1.6f;
-constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
-constexpr float kStickReach_ps = 1.1f;   // speed of the hand with a full stick, half pictures a second
-constexpr float kKeyNotches_ps = 12;     // speed with a key, wheel notches a second
-constexpr float kTriggerStarts = 0.06f;  // a trigger at rest is not always at 0
-constexpr float kSinks_m = 0.3f,
-                kSink_s = 0.15f;     // way of the idle hand out of the picture, and its time constant
-constexpr double kFindDevices_s = 1; // time before the mouse is announced as the only source
+constexpr float kSnapTurn_rad = 0.5236f;  // 30 degrees
+constexpr float kStickReach_ps = 1.1f;    // speed of the pointer at full stick, half pictures a second
+constexpr float kKeyNotches_ps = 12;      // speed while a key is down, wheel notches a second
+constexpr float kTriggerDeadZone = 0.06f; // a trigger at rest may report more than 0
+constexpr float kSinkDepth_m = 0.3f, kSink_s = 0.15f; // an idle hand's way out of view; its time constant
+constexpr double kDeviceSearch_s = 1; // time to find a device before the mouse is announced as the source
 
 // Returns the options for a camera's number, a clip's file or, without text, the first camera.
 static hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
@@ -38,14 +37,14 @@ static Result<HandSourceChoice> parseHandSource(const std::string& text) {
                  "is not auto, mouse, leap, webcam[:FILE or number], openxr, script:FILE or replay:FILE"};
 }
 
-// Returns the turn of the view in this frame: +x right, +y up, radians. snapped: state kept between frames.
+// Returns the turn of the view in this frame: +x right, +y up, radians. snapped: MouseSource::snapped_.
 static glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
     const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
                          c.between(Action::LookUp, Action::LookDown));
     const float up = options.invertLook ? -1.0f : 1.0f;
     glm::vec2 turn = (keys + c.input.gamepad.leftStick * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
     if (options.turning == Turning::Snap) {
-        constexpr float kOn = 0.6f, kOff = 0.3f; // shares of the stick's range
+        constexpr float kOn = 0.6f, kOff = 0.3f; // hysteresis of a snap turn; 1: full stick
         const float step =
             static_cast<float>(c.was(Action::LookRight)) - static_cast<float>(c.was(Action::LookLeft));
         const float stick = c.input.gamepad.leftStick.x;
@@ -86,7 +85,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         const float rate = dt_s > 0 ? glm::length(turn) / dt_s : 0;
         turning_radps_ += (rate - turning_radps_) * std::min(1.0f, 8 * dt_s);
         if (c.was(Action::Recentre)) recentre();
-        // The mouse points at a place; a stick moves the hand from its place.
+        // The mouse sets the pointer's position; the stick sets its velocity.
         if (input.cursorMoved != glm::dvec2(0) && !input.rightButton)
             pointer_ = {static_cast<float>(input.cursor.x) * 2 - 1,
                         1 - static_cast<float>(input.cursor.y) * 2};
@@ -98,7 +97,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         mouse.swapHands = c.was(Action::SwapHands);
         const float trigger = input.gamepad.rightTrigger;
         const bool holds = input.leftButton || c.is(Action::CloseHand);
-        const bool pressed = holds || trigger > kTriggerStarts;
+        const bool pressed = holds || trigger > kTriggerDeadZone;
         awaitsOpen_ = awaitsOpen_ && pressed;
         const bool down = pressed && !awaitsOpen_;
         if (options.closing == Closing::Toggle) {
@@ -124,7 +123,7 @@ void MouseSource::show(game::Snapshot& shown) const {
     for (size_t side = 0; side < 2; ++side) {
         game::HandView& hand = shown.hands[side];
         hand.visible = hand.visible && sunk_[side] < kHidden;
-        const glm::vec3 down = shown.worldFromView * glm::vec3(0, -kSinks_m * sunk_[side], 0);
+        const glm::vec3 down = shown.worldFromView * glm::vec3(0, -kSinkDepth_m * sunk_[side], 0);
         for (hands::Joint& joint : hand.joints) joint.position += down;
         for (game::CreatureView& animal : shown.creatures)
             if (animal.catchableBy == static_cast<int>(side)) animal.catchable *= 1 - sunk_[side];
@@ -148,7 +147,7 @@ void TrackedHands::announce() {
     if (state_.present) {
         announcement_ = game::Notice{"Hands: {}", name};
         log::info("Hands: {}, {}", name, state_.description);
-    } else if (asked_ || gone) { // says why the device is not used
+    } else if (asked_ || gone) { // announces why the device is not used
         announcement_ = needs();
         using game::Text;
         if (!announcement_)
@@ -171,7 +170,7 @@ void TrackedHands::frame(double elapsed_s) {
         shown += ((choice_.fromDevice() ? hands_.towardsElbow(side) : glm::vec3(0)) - shown) * share;
     }
     state_ = stream.state();
-    if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
+    if (announced_ != state_.present && (state_.present || played_s_ > kDeviceSearch_s)) announce();
 }
 
 std::optional<float> TrackedHands::openHand_m() const {

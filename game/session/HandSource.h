@@ -1,5 +1,5 @@
-// A session's input comes from mouse and keys, with or without a tracking device, from a headset, from a
-// playthrough script or from a replay. Main thread.
+// Sources of a session's input: mouse and keys, with or without a hand tracking device; a headset; a
+// playthrough script; a replay. Main thread.
 #pragma once
 
 #include "engine/sim/FixedStep.h"
@@ -42,7 +42,7 @@ class MouseSource {
         out.worldFromView = look_.worldFromView();
     }
     // Shows the hand that the mouse does not move only while it holds something. Otherwise the hand sinks out
-    // of the picture, so that it and its arm hide nothing. The rules' hands stay.
+    // of the picture, so that hand and arm hide nothing. Only the picture changes, not the game's state.
     void show(game::Snapshot& shown) const;
     void recentre() { look_ = {}; }
     // Speed at which the player turns the view, radians a second, smoothed: for the comfort setting vignette.
@@ -64,7 +64,7 @@ class MouseSource {
     bool snapped_ = false;   // the stick has turned the view by a step and has not come back yet
 };
 
-// The inputs of a recording; compares its states with those that the inputs lead to now.
+// Plays the inputs of a recording, and compares its states with those that the inputs lead to now.
 struct ReplaySource {
     // Reads the next input; false: there is none.
     bool next(game::TickInput& input);
@@ -79,19 +79,19 @@ struct ReplaySource {
 // A session's hand tracking device, on threads of its own. While it sees no hands, the mouse moves them.
 class TrackedHands {
   public:
-    // live: real time; else frames count by their time stamps. source: Leap, Webcam, or Auto, which never
-    // opens a webcam: a camera looks at people and must be asked for.
+    // live: runs in real time, else by the frames' time stamps. source: Leap, Webcam, or Auto, which never
+    // opens a webcam, because a camera films people: the player must choose it.
     TrackedHands(const HandSourceChoice& source, const HandOptions& options, const hands::HandRig& rig,
                  bool live);
 
     // Takes the device's new frames, once a frame of the display.
     void frame(double elapsed_s);
 
-    // Replaces the mouse's hands in `input` by those of the device, if it sees hands; once a tick, which lies
-    // ago_s before the frame's time.
+    // Replaces the mouse's hands in `input` by those of the device, if it sees hands; call it once a tick.
+    // ago_s: time from the tick to the frame.
     void tick(game::TickInput& input, float ago_s) { choice_.tick(hands_, input.hands, ago_s, sim::kTick_s); }
 
-    // Sets the elbow directions that the device sees, for arms in the picture; they are not recorded.
+    // Sets the elbow directions that the device sees. Only drawn arms use them, so they are not recorded.
     void showElbows(game::Snapshot& shown) const {
         for (size_t side = 0; side < 2; ++side)
             shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];

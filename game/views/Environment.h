@@ -19,16 +19,16 @@ namespace shoal::app {
 
 struct EnvironmentSetup {
     environment::Setup player;
-    float yaw_deg = 0;     // to the right
+    float yaw_deg = 0;     // turn of the environment about the vertical axis, positive to the right
     bool bothEyes = false; // each eye sees its half of a stereo picture; else both see the left one
 
     bool operator==(const EnvironmentSetup&) const = default;
 };
 
-// Returns how reflectance is represented for this environment's light; needed before the environment is open.
+// Returns how reflectance is coded under this environment's light. Models need it before open().
 render::Reflectance reflectanceIn(const environment::Source& source);
 
-// Returns the file of a dive's film to play: itself, or NAME.small.mp4 beside NAME.mp4 if there is one.
+// Returns the film to play: `film`, or NAME.small.mp4 beside NAME.mp4 if chosen (Auto: if slow) and present.
 Path filmFor(const Path& film, FilmChoice choice, bool slow);
 
 class Environment {
@@ -57,9 +57,9 @@ class Environment {
     bool eyesSeeTheSame() const { return !setup_.bothEyes || player_->layout() == media::Layout::Mono; }
     glm::mat3 envFromWorld() const;
     render::Exposure exposure(Tone chosen, float exposure_ev) const;
-    float upload_ms() const { return upload_ms_; } // of the newest frame
+    float upload_ms() const { return upload_ms_; } // time to upload the newest frame
     game::Text lightName() const;
-    // Returns the message for the player if the video is broken or has stopped; null: it plays.
+    // Returns the message to the player while the video is damaged, stopped or lost; null: it plays.
     const game::Notice* notice() const;
 
   private:
@@ -68,7 +68,7 @@ class Environment {
 
     EnvironmentSetup setup_;
     std::unique_ptr<environment::Player> player_;
-    std::optional<render::PlanesPass> planes_;  // if a graphics card converts frames
+    std::optional<render::PlanesPass> planes_;  // empty: the processor converts frames
     std::array<render::EnvironmentGpu, 2> gpu_; // per eye; the second only where each eye has its own picture
     float upload_ms_ = 0;
 };

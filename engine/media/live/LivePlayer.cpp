@@ -24,20 +24,20 @@ struct LivePlayer::Impl {
     std::mutex mutex;
     std::condition_variable changed;
     // Guarded by mutex:
-    FrameSlots slots; // the decode thread owns the one being filled
+    FrameSlots slots; // the decode thread alone accesses the slot in State::Filling, without the lock
     LiveCounts counts;
     double lastMade_s = 0;
     bool lost = false;
-    std::string reason; // reason of the loss
+    std::string reason; // why the connection was lost
     bool stop = false;
-    bool inFeed = false; // whether the thread is in a call that may block
+    bool inFeed = false; // whether the decode thread is in a call to the feed, which may block
     bool finished = false;
     std::thread thread;
 
-    // Used by the frame's thread only:
+    // Used by the render thread only:
     LiveState state = LiveState::Playing;
     std::string notice, noticedReason;
-    std::array<double, 64> calls_s{}; // ring buffer: times of newest()
+    std::array<double, 64> calls_s{}; // ring buffer: times of the last calls of newest()
     size_t callCount = 0;
     int displayFrames = 0;
 
@@ -64,13 +64,13 @@ struct LivePlayer::Impl {
         width = picture.width;
         height = picture.height;
         layout = options.layout;
-        // A single picture is not enough to take 2:1 for two eyes' pictures.
+        // 2:1 is mono by its shape; the content of one picture is too little evidence for two eyes' halves.
         if (layout == Layout::Auto) layout = layoutFromShape(width, height);
         if (layout == Layout::Auto) layout = layoutFromContent(picture);
         if (layout == Layout::Auto) layout = Layout::Mono;
     }
 
-    // Reads until no more pictures come; returns the reason.
+    // Reads pictures until the feed fails or the player ends. Returns the feed's error.
     Error play(std::unique_lock<std::mutex>& lock) {
         while (!stop) {
             Slot& slot = *slots.find(State::Free); // of three slots, at most one is shown and one ready
@@ -103,7 +103,7 @@ struct LivePlayer::Impl {
     }
 
     void run() {
-        // Runs at normal priority, unlike a file's thread: live pictures are not ready before they are due.
+        // Runs at normal priority, unlike a file's decode thread: live pictures cannot be decoded ahead.
         double delay_s = options.retryFirst_s;
         std::unique_lock lock(mutex);
         while (!stop) {
@@ -124,9 +124,9 @@ struct LivePlayer::Impl {
         changed.notify_all();
     }
 
-    // --- Frame's thread ------------------------------------------------------------------------------------
+    // --- Render thread -------------------------------------------------------------------------------------
 
-    // Ends the thread, or leaves it behind if the feed cannot be interrupted.
+    // Stops the decode thread and joins it; detaches it if the feed blocks for longer than kJoinTimeout.
     void end() {
         std::unique_lock lock(mutex);
         stop = true;
@@ -172,21 +172,21 @@ Result<LivePlayer> LivePlayer::open(std::shared_ptr<LiveFeed> feed, LiveOptions 
     auto impl = std::make_shared<Impl>();
     impl->feed = std::move(feed);
     impl->options = std::move(options);
-    // The thread shares ownership, in case it is left behind.
+    // The thread shares ownership of *impl, because it outlives the player if it is detached.
     impl->thread = std::thread([impl] { impl->run(); });
     LivePlayer player(Owner(impl.get(), [impl](Impl*) { impl->end(); }));
 
-    const double last_s = liveNow_s() + impl->options.firstPicture_s;
-    std::unique_lock lock(impl->mutex); // declared after the player, whose end locks it
+    const double deadline_s = liveNow_s() + impl->options.firstPicture_s;
+    std::unique_lock lock(impl->mutex); // unlocked before ~LivePlayer(), which locks it
     const auto failed = [&](std::string why) { return Error{impl->feed->name, std::move(why)}; };
     while (!impl->takeReady()) {
         if (impl->lost) return failed(impl->reason);
-        if (liveNow_s() >= last_s) return failed("no picture has come");
+        if (liveNow_s() >= deadline_s) return failed("no picture has come");
         impl->changed.wait_for(lock, kPollInterval);
         lock.unlock();
         const bool go = !wait || wait();
         lock.lock();
-        if (!go) return failed("was not waited for");
+        if (!go) return failed("the wait for its first picture was cancelled");
     }
     return player;
 }
@@ -197,8 +197,8 @@ const VideoFrame* LivePlayer::newest() {
     p.calls_s[p.callCount++ % p.calls_s.size()] = p.options.now_s();
     if (p.takeReady()) {
         const double arrived_s = p.slots.shown().arrived_s;
-        const auto known = static_cast<ptrdiff_t>(std::min(p.callCount, p.calls_s.size()));
-        p.displayFrames = static_cast<int>(std::count_if(p.calls_s.begin(), p.calls_s.begin() + known,
+        const auto recorded = static_cast<ptrdiff_t>(std::min(p.callCount, p.calls_s.size()));
+        p.displayFrames = static_cast<int>(std::count_if(p.calls_s.begin(), p.calls_s.begin() + recorded,
                                                          [&](double call_s) { return call_s >= arrived_s; }));
     }
     p.updateState();

@@ -45,7 +45,7 @@ class LivePlayer {
     // Returns the time since the last returned frame arrived.
     double age_s() const;
 
-    LiveState state() const; // as of the last newest()
+    LiveState state() const; // after the last call of newest()
 
     // Returns a message while nothing new comes, else an empty one. Valid until the next newest().
     const std::string& notice() const;
@@ -56,7 +56,7 @@ class LivePlayer {
     struct Impl;
     using Owner = std::unique_ptr<Impl, std::function<void(Impl*)>>;
     explicit LivePlayer(Owner impl) : impl_(std::move(impl)) {}
-    Owner impl_; // its deleter ends the thread; a feed that cannot be interrupted leaves it behind, detached
+    Owner impl_; // its deleter stops the decode thread, or detaches it if the feed does not return
 };
 
 // Returns a description of a camera, pipe or stream for `shoal check`. Waits for its first picture, ten

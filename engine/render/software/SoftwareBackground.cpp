@@ -151,7 +151,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         state.due = state.here && (objects || state.shows != shown);
         if (!state.due) continue;
         state.shows = objects ? std::nullopt : std::optional(shown);
-        if (shaded || objects) want(layer ? layer->tiles : shadows->tiles(), cell);
+        if (shaded || objects) markTiles(layer ? layer->tiles : shadows->tiles(), cell);
     }
     timed(picture.partTimes(), "compositing", [&] {
         paintFrame(picture, layer);
