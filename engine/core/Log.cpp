@@ -33,6 +33,7 @@ void setUp(bool verbose) {
 static std::mutex quietMutex;
 
 QuietStandardError::QuietStandardError() : lock_(quietMutex), original_(::dup(STDERR_FILENO)) {
+    if (original_ < 0) return; // it could not be restored
     if (const int devNull = ::open("/dev/null", O_WRONLY | O_CLOEXEC); devNull >= 0) {
         ::dup2(devNull, STDERR_FILENO);
         ::close(devNull);
