@@ -170,15 +170,15 @@ TEST_F(Program, WaysOfLightingCanBeChosen) {
     };
     const std::string ours = draw("");
     EXPECT_EQ(draw("--occlusion ellipsoids --diffuse default --glossy ggx"), ours);
-    EXPECT_EQ(draw("--occlusion ellipsoids"), ours);
     EXPECT_NE(draw("--occlusion off"), ours);
     EXPECT_NE(draw("--diffuse thesis"), ours);
     EXPECT_NE(draw("--glossy phong36"), ours);
     const std::string thesis = draw("--diffuse thesis");
     EXPECT_EQ(draw("--diffuse thesis --diffuse-size 64"), thesis);
     EXPECT_NE(draw("--diffuse thesis --diffuse-size 16"), thesis);
-    EXPECT_NE(draw("--light akyuz"), ours);
-    EXPECT_NE(draw("--light landis"), draw("--light akyuz"));
+    const std::string akyuz = draw("--light akyuz");
+    EXPECT_NE(akyuz, ours);
+    EXPECT_NE(draw("--light landis"), akyuz);
 }
 
 // Below OpenGL 4.3 one sentence says so. If the driver cannot lower its version, a picture is drawn.
@@ -213,7 +213,7 @@ TEST_F(Program, LightByTheThesisHasTheSameFiles) {
 TEST_F(Program, LightHasTheMapsThatAreAskedFor) {
     write("photo.ppm", "P6 256 128 255\n" + std::string(256 * 128 * 3, '\xbc'));
     for (const std::string method : {"default", "thesis"})
-        for (const int width : {16, 32, 64, 128, 256}) {
+        for (const int width : {16, 64, 256}) {
             const auto files = lightFiles(method + std::to_string(width),
                                           "--light linear --roughness 0.5,0.01,0.055 --diffuse-size " +
                                               std::to_string(width) + " --method " + method);
@@ -475,7 +475,7 @@ TEST_F(Program, AnAnimationMayHaveAnAtInItsName) {
     const size_t at = bytes.find("\"dart\"");
     ASSERT_NE(at, std::string::npos);
     write("m.glb", bytes.replace(at, 6, "\"a@9\" "));
-    const std::string view = "view m.glb --size 64x64 --out out.png --animation ";
+    const std::string view = "view m.glb --size 64x64 --out out.png --occlusion off --animation ";
     EXPECT_EQ(run(view + "a@9").status, 0);
     EXPECT_EQ(run(view + "a@9@0.1").status, 0);
     EXPECT_EQ(run(view + "swim@0.1").status, 0);
