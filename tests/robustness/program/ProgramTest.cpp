@@ -519,7 +519,7 @@ TEST_F(Program, ShadowsFallWhereverAFilmHasADepthTrack) {
     fs::create_symlink(content / "reef.small.mp4", folder_ / "own.mp4");
     const auto picture = [&](const std::string& shadows) {
         const Outcome outcome =
-            run("play --headless --size 320x180 --at 3 --fps 4 --video own.mp4 --shadows " + shadows +
+            run("play --headless --size 320x180 --at 1.5 --fps 4 --video own.mp4 --shadows " + shadows +
                 " --screenshot " + shadows + ".png");
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         return textOf(shadows + ".png");
