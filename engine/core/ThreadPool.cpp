@@ -41,11 +41,13 @@ void ThreadPool::wait() {
 }
 
 void ThreadPool::begin(int parts, std::function<void(int)> part) {
-    const std::lock_guard lock(mutex_);
-    part_ = std::move(part);
-    next_ = 0;
-    parts_ = unfinished_ = parts;
-    called_.notify_all();
+    {
+        const std::lock_guard lock(mutex_);
+        part_ = std::move(part);
+        next_ = 0;
+        parts_ = unfinished_ = parts;
+    }
+    called_.notify_all(); // beyond the lock, on which a helper would wait at once
 }
 
 void ThreadPool::finish() {
