@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/depth/DepthMap.h"
+#include "engine/render/FrameTiles.h"
 #include "engine/render/View.h"
 
 #include <glm/glm.hpp>
@@ -26,9 +27,11 @@ struct BackgroundCell {
     bool polar = false;                  // near a pole: each pixel computes its coordinates from `directions`
     std::array<glm::vec3, 4> directions{}; // env frame: lower left, lower right, upper left, upper right
 
-    // Bounds of the map coordinates that the cell shows.
-    glm::vec2 mapLow() const { return first + glm::min(right, 0.0f) + glm::min(up, 0.0f); }
-    glm::vec2 mapHigh() const { return first + glm::max(right, 0.0f) + glm::max(up, 0.0f); }
+    // Returns the tiles of a frame of this size that the cell shows.
+    CellRange tiles(const glm::ivec2& frameSize) const {
+        return FrameTiles::between(first + glm::min(right, 0.0f) + glm::min(up, 0.0f),
+                                   first + glm::max(right, 0.0f) + glm::max(up, 0.0f), frameSize);
+    }
 };
 
 struct CellToDraw {

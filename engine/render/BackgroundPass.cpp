@@ -40,18 +40,16 @@ Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bo
     return pass;
 }
 
-void BackgroundPass::markTiles(const FrameTiles& tiles, const BackgroundCell& cell) {
-    tiles.anyBetween(cell.mapLow(), cell.mapHigh(), [&](size_t tile) {
-        wanted_[tile] = true;
-        return false;
-    });
+void BackgroundPass::markTiles(const CellRange& tiles) {
+    for (int y = tiles.first.y; y <= tiles.last.y; ++y)
+        for (int x = tiles.first.x; x <= tiles.last.x; ++x) wanted_[FrameTiles::indexOf(x, y)] = true;
 }
 
 Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) {
     cells_.make(picture.view, picture.envFromEye(), picture.size(), picture.filmParallax());
     drawn_.clear();
     for (const BackgroundCell& cell : cells_.all())
-        drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
+        drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.tiles(layer->tiles.frameSize()))});
     return drawCells(picture, layer);
 }
 
@@ -59,7 +57,7 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
     if (drawn_.empty()) return Done{};
     wanted_.assign(FrameTiles::kAll, false);
     for (const auto& [cell, isPainted] : drawn_)
-        if (isPainted) markTiles(layer->tiles, *cell);
+        if (isPainted) markTiles(cell->tiles(layer->tiles.frameSize()));
     const FilmShadows* seen = picture.seenShadows();
     if (seen && std::exchange(uploadedShadows_, seen->version()) != seen->version())
         uploadTexels(shadowTexture_, frameOf(seen->remaining()), shadowSize_);

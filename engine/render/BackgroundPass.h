@@ -41,7 +41,7 @@ class BackgroundPass {
 
   protected:
     Status drawCells(const EyePicture& picture, const TexelLayer* layer); // draws the cells in drawn_
-    void markTiles(const FrameTiles& tiles, const BackgroundCell& cell);  // marks the cell's tiles in wanted_
+    void markTiles(const CellRange& tiles);                               // marks them in wanted_
 
     std::vector<CellToDraw> drawn_; // cells that OpenGL draws
     std::vector<bool> wanted_;      // by tile: whether it must be painted

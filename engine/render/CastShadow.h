@@ -52,9 +52,10 @@ CastingLight restBeside(const CastingLight& light);
 
 // The surfaces that a frame of a film shows, known by its distances.
 struct FilmSurface {
-    const depth::DepthMap* map = nullptr; // not null
-    glm::mat3 envFromWorld{1};            // a rotation
-    glm::vec3 cameraWorld{0.0f};          // position of the film's camera
+    const depth::DepthMap* map = nullptr;     // not null
+    const depth::DepthRange* range = nullptr; // of the map; not null for FilmShadows
+    glm::mat3 envFromWorld{1};                // a rotation
+    glm::vec3 cameraWorld{0.0f};              // position of the film's camera
 };
 
 // Returns C(t) as above within 0.003: a polynomial, without calls.

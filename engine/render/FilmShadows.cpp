@@ -105,7 +105,6 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
     empty_ = true;
     tiles_.clear(size);
     static_assert(depth::DepthRange::kCells == FrameTiles::kCount);
-    range_.make(*film.map);
     for (size_t code = 0; code < distance_m_.size(); ++code) {
         distance_m_[code] = code == 0 ? kFar_m : 1 / depth::DepthMap::perM(static_cast<int>(code));
         surface_[code] = surfaceShare(water, distance_m_[code]);
@@ -238,7 +237,7 @@ float FilmShadows::findOccluders(const CastingLight& light) {
 // or behind it.
 scene::Bounds FilmShadows::extentOf(const glm::ivec2& tile, const glm::ivec2& low,
                                     const glm::ivec2& high) const {
-    const auto [least, most] = range_.codesIn(FrameTiles::indexOf(tile.x, tile.y));
+    const auto [least, most] = film_.range->codesIn(FrameTiles::indexOf(tile.x, tile.y));
     const float furthest = distance_m_[static_cast<size_t>(std::max(least - kSame, 0))];
     const float nearest = most == 0 ? kFar_m : distance_m_[static_cast<size_t>(std::min(most + kSame, 255))];
     const glm::ivec2 middle = (low + high) / 2;

@@ -77,7 +77,6 @@ class FilmShadows {
     float cosineAt(int x, int y, const glm::vec3& towardsEnv) const;
 
     FilmSurface film_;
-    depth::DepthRange range_; // of the film's map, a cell for each tile
     FrameCoding frames_ = FrameCoding::Srgb;
     bool empty_ = true;
     uint64_t number_ = 0;

@@ -73,24 +73,25 @@ class FrameTiles {
                 if (marked[indexOf(x, y)]) visit(glm::ivec2(x, y));
     }
 
-    // Calls visit(index) for each tile that reaches into the rectangle between these coordinates of the map,
-    // widened by a texel, until it returns true; returns whether it did. Columns repeat across the seam.
-    template <class Visit> bool anyBetween(const glm::vec2& low, const glm::vec2& high, Visit&& visit) const {
+    // Returns the tiles that reach into the rectangle between these coordinates of the map, widened by a
+    // texel.
+    static CellRange between(const glm::vec2& low, const glm::vec2& high, const glm::ivec2& frameSize) {
         constexpr int kAhead = 2; // maps to the left that keep numbers positive: truncation then rounds down
-        const glm::vec2 texel = 1.0f / glm::vec2(frameSize_);
+        const glm::vec2 texel = 1.0f / glm::vec2(frameSize);
         const auto tileOf = [](const glm::vec2& uv) {
             return glm::ivec2((uv + static_cast<float>(kAhead)) * glm::vec2(kCount)) - kAhead * kCount;
         };
         const glm::ivec2 first = tileOf(low - texel), last = tileOf(high + texel);
-        for (int y = std::max(first.y, 0); y <= std::min(last.y, kCount.y - 1); ++y)
-            for (int x = first.x; x <= last.x; ++x)
-                if (visit(indexOf(x, y))) return true;
-        return false;
+        return {{first.x, std::max(first.y, 0)}, {last.x, std::min(last.y, kCount.y - 1)}};
     }
 
-    // Returns whether any tile that anyBetween() visits has been chosen.
-    bool isChosen(const glm::vec2& low, const glm::vec2& high) const {
-        return !chosen_.empty() && anyBetween(low, high, [&](size_t tile) { return chosen_[tile]; });
+    // Returns whether any of these tiles has been chosen.
+    bool isChosen(const CellRange& tiles) const {
+        if (chosen_.empty()) return false;
+        for (int y = tiles.first.y; y <= tiles.last.y; ++y)
+            for (int x = tiles.first.x; x <= tiles.last.x; ++x)
+                if (chosen_[indexOf(x, y)]) return true;
+        return false;
     }
 
   private:

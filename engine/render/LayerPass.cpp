@@ -1,7 +1,6 @@
 #include "engine/render/LayerPass.h"
 
 #include "engine/core/Vectorise.h"
-#include "engine/render/software/SmoothOutlines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +89,7 @@ std::vector<uint32_t>& LayerPass::pixels() {
 }
 
 void LayerPass::smoothOutlines() {
-    render::smoothOutlines(pixels(), size(), [this](const glm::ivec2& low, const glm::ivec2& high) {
+    render::smoothOutlines(pixels(), size(), changed_, [this](const glm::ivec2& low, const glm::ivec2& high) {
         return holdsAnything(low, high);
     });
     areNewer_ = true;

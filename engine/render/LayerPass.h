@@ -6,6 +6,7 @@
 #include "engine/gl/Target.h"
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
+#include "engine/render/software/SmoothOutlines.h"
 #include "engine/scene/Model.h"
 
 #include <optional>
@@ -63,6 +64,7 @@ class LayerPass {
     std::optional<gl::Target> layer_;
     int samples_ = 0;
     std::vector<uint32_t> pixels_;   // of the layer
+    ChangedPixels changed_;          // scratch of smoothOutlines()
     std::vector<uint32_t> blocks_;   // not 0: the block of pixels holds something; row by row
     bool areRead_ = false;           // whether pixels_ has been read since begin()
     bool areNewer_ = false;          // whether pixels_ is newer than the layer's texture

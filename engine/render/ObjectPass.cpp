@@ -305,22 +305,22 @@ void ObjectPass::sortVisible(const EyePicture& picture, unsigned shared, Glossy 
                             : blended                 ? Stage::Blended
                                                       : Stage::Opaque;
         const float distance = glm::distance(object.bound.centre, picture.view.eyeWorld);
-        const bool cut = object.seen.behind == BehindFilm::Perhaps, fades = object.opacity < 1;
-        if (fades && stage == Stage::Opaque) order_.push_back({Stage::FadedDepth, 0, distance, cut, i});
-        ToDraw next{fades && stage == Stage::Opaque ? Stage::Blended : stage, 0, distance, cut, i};
+        const bool fades = object.opacity < 1 && stage == Stage::Opaque;
+        ToDraw next{stage, 0, distance, i, featuresFor(item, shared, picture, glossy)};
+        if (fades) order_.push_back({Stage::FadedDepth, 0, distance, i, next.features});
+        if (fades) next.stage = Stage::Blended;
         if (next.stage == Stage::Blended)
             next.order = -distance;
         else if (detail_ == Detail::Lean)
-            next.program = featuresFor(next, shared, picture, glossy), next.order = 0;
+            next.program = next.features, next.order = 0;
         order_.push_back(next);
     }
     std::sort(order_.begin(), order_.end());
 }
 
 // Returns the shader's features for one item; shared: those that all items of a picture have.
-unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture,
+unsigned ObjectPass::featuresFor(const Item& item, unsigned shared, const EyePicture& picture,
                                  Glossy glossy) const {
-    const Item& item = items_[next.item];
     const Placed& object = objects_[item.object];
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     unsigned features = shared | featuresOf(material, *item.primitive);
@@ -340,7 +340,7 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
     if (occlusion_ && !layers_ && !material.unlit &&
         (item.primitive->withSelfOcclusion || object.shade.count > 0))
         features |= OCCLUDED;
-    if (next.cut) features |= FILM_DEPTH;
+    if (object.seen.behind == BehindFilm::Perhaps) features |= FILM_DEPTH; // nearer parts of it hide a part
     if (object.opacity < 1) features |= ALPHA_BLEND;
     if (layers_ && !unlit)
         features = (features & ~OCCLUSION_MAP) | LAYERS |
@@ -377,7 +377,7 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     const bool filmHides = picture.environment.depth().map && picture.surroundings != Surroundings::Room;
     std::optional<unsigned> soon;
     for (const ToDraw& next : order_) {
-        const unsigned features = featuresFor(next, shared, picture, glossy);
+        const unsigned features = next.features;
         if (const unsigned other = features ^ FILM_DEPTH;
             filmHides && detail_ == Detail::Full && !programs_.has(other))
             soon = other;
@@ -391,7 +391,7 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
         current = *program;
         last = &item;
         const bool blended = next.stage == Stage::Blended;
-        gl::setEnabled(GL_BLEND, blended || next.cut);
+        gl::setEnabled(GL_BLEND, blended || (features & FILM_DEPTH));
         glDepthMask(!blended);
         glDepthFunc(blended ? GL_LEQUAL : GL_LESS);
         const GLboolean coloured = next.stage != Stage::DepthAlone && next.stage != Stage::FadedDepth;

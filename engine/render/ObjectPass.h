@@ -106,8 +106,8 @@ class ObjectPass {
         Stage stage;
         unsigned program; // sorts by the program's features before the order; 0: by the order alone
         float order;      // within the stage
-        bool cut;         // whether nearer parts of the film may hide a part of it
         size_t item;
+        unsigned features; // of its program
         auto operator<=>(const ToDraw&) const = default;
     };
 
@@ -118,7 +118,7 @@ class ObjectPass {
     Result<const gl::Program*> programFor(unsigned features);
     void sortVisible(const EyePicture& picture, unsigned shared, Glossy glossy);
     void shadeVisible(const glm::mat3& envFromWorld);
-    unsigned featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture, Glossy glossy) const;
+    unsigned featuresFor(const Item& item, unsigned shared, const EyePicture& picture, Glossy glossy) const;
     void use(const gl::Program& program, unsigned features, const EyePicture& picture,
              const water::Water& water) const;
     void setMaterial(const gl::Program& program, const Item& item, unsigned features) const;

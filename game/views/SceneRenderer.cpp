@@ -56,9 +56,9 @@ render::CastingLight SceneRenderer::castingLight() const {
 // Begins to cast shadows on the film, on their own thread, but not on a film without distances, where they
 // would hang in the water.
 void SceneRenderer::castShadows() {
-    const depth::DepthMap* map = environment_->depth();
+    const render::FilmDistances& depth = pictures_[0].environment.depth();
     const bool wanted = setup_.shadows && castsShadows();
-    if (!wanted || !map || pictures_[0].surroundings == render::Surroundings::Room) return;
+    if (!wanted || !depth.map || pictures_[0].surroundings == render::Surroundings::Room) return;
     const gl::PassTimers::Scope scope(&timers_, "shadows");
     filmed_.clear();
     for (const render::EyePicture& picture : pictures_) filmed_.push_back(filmedFrom(picture));
@@ -67,14 +67,15 @@ void SceneRenderer::castShadows() {
     const uint64_t frame = pictures_[0].environment.frameNumber();
     // Shadows are made once for a frame of the film, for wider views, within which the head may turn.
     constexpr float kWider = 1.2f; // 3 to 4 degrees on each side
-    if (to.film.map == map && to.frame == frame && std::ranges::equal(to.from, filmed_, render::holds)) {
+    if (to.film.map == depth.map && to.frame == frame &&
+        std::ranges::equal(to.from, filmed_, render::holds)) {
         setShadows();
         return;
     }
     for (render::View& view : filmed_) view = render::widened(view, kWider);
     to.from = filmed_;
     to.frame = frame;
-    to.film = {map, environment_->envFromWorld(), glm::vec3(0)};
+    to.film = {depth.map, depth.range, environment_->envFromWorld(), glm::vec3(0)};
     to.coding = look_.exposure.frames;
     to.water = environment_->player().water();
     to.lights[0] = castingLight();
@@ -87,7 +88,9 @@ void SceneRenderer::castShadows() {
 void SceneRenderer::Shadows::operator()(int number) {
     render::FilmShadows& on = cast[number];
     const std::span<const render::View> all(from), own = all.subspan(static_cast<size_t>(number), 1);
-    on.begin({film.map, film.envFromWorld, films == 1 ? glm::vec3(0) : own[0].eyeWorld}, coding, water);
+    render::FilmSurface each = film;
+    if (films != 1) each.cameraWorld = own[0].eyeWorld;
+    on.begin(each, coding, water);
     const render::NearBodies& bodies = objects->bodies();
     for (size_t body = 0; body < bodies.count(); ++body)
         for (const render::CastingLight& light : lights) // of the player's arms the strongest light alone

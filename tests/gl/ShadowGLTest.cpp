@@ -35,7 +35,7 @@ class ShadowGL : public WithContext, public testing::WithParamInterface<render::
         for (size_t i = 3; i < frame_.pixels.size(); i += 4) frame_.pixels[i] = 255;
         environment_.emplace().setFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
         background_ = tests::valueOf(render::BackgroundPass::make(GetParam(), true));
-        shadows_.begin({&ground_}, render::FrameCoding::Srgb, sea_);
+        shadows_.begin({&ground_, &range_}, render::FrameCoding::Srgb, sea_);
     }
 
     void cast(const render::View& view) { shadows_.add(shark(), sunlight(), {&view, 1}); }
@@ -56,6 +56,7 @@ class ShadowGL : public WithContext, public testing::WithParamInterface<render::
     }
 
     const depth::DepthMap ground_ = tests::levelGround();
+    const depth::DepthRange range_ = tests::rangeOf(ground_);
     const water::Water sea_{.veil = {{{0.05f, 0.15f, 0.25f}}}, .attenuation_perM = {0.2f, 0.1f, 0.08f}};
     std::optional<render::EnvironmentGpu> environment_;
     ImageRgba8 frame_{2048, 1024};
@@ -73,7 +74,7 @@ TEST_P(ShadowGL, IsTheClosedFormAtEveryPixel) {
     flatten(shark(), sunlight(), flat);
     for (const float pitch : {-0.7f, -1.4f}) {
         const render::View view = downwards(pitch);
-        shadows_.begin({&ground_}, render::FrameCoding::Srgb, sea_);
+        shadows_.begin({&ground_, &range_}, render::FrameCoding::Srgb, sea_);
         cast(view);
         const ImageRgba8 picture = drawn(view);
         int darkest = 255;
@@ -157,7 +158,7 @@ TEST_P(ShadowGL, IsGoneWithWhatCastIt) {
     const render::View view = downwards();
     cast(view);
     const ImageRgba8 shaded = drawn(view);
-    shadows_.begin({&ground_}, render::FrameCoding::Srgb, sea_);
+    shadows_.begin({&ground_, &range_}, render::FrameCoding::Srgb, sea_);
     const ImageRgba8 bare = drawn(view);
     EXPECT_NE(shaded.pixels, bare.pixels);
     for (size_t i = 0; i < bare.pixels.size(); ++i) ASSERT_EQ(bare.pixels[i], i % 4 == 3 ? 255 : kBefore);

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <utility>
-#include <vector>
 
 namespace shoal::render {
 
@@ -85,9 +83,10 @@ uint32_t smoothed(const uint32_t* pixel, const glm::ivec2& at, const glm::ivec2&
 
 } // namespace
 
-void smoothOutlines(std::span<uint32_t> pixels, const glm::ivec2& size, const HoldsAnything& holdsAnything) {
+void smoothOutlines(std::span<uint32_t> pixels, const glm::ivec2& size, ChangedPixels& changed,
+                    const HoldsAnything& holdsAnything) {
     constexpr int kRows = 8; // of a part of the picture, which is kBlock pixels wide
-    std::vector<std::pair<uint32_t*, uint32_t>> changed;
+    changed.clear();
     std::array<uint8_t, kBlock> steps;
     for (int low = 1; low + 1 < size.y; low += kRows)
         for (int begin = 1; begin + 1 < size.x; begin += kBlock) {

@@ -41,24 +41,28 @@ SHOAL_VECTORISE void multiply(const uint8_t* a, const uint8_t* b, size_t count, 
     }
 }
 
-bool isChosenIn(const FrameTiles* tiles, const BackgroundCell& cell) {
-    return tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh());
+// Places of a picture's pixels in a layer of objects, in its pixels.
+struct LayerPlaces {
+    glm::vec2 first, step;
+    glm::ivec2 at(const glm::ivec2& pixel) const { return glm::floor(first + step * glm::vec2(pixel)); }
+};
+
+LayerPlaces placesIn(const TexelLayer& layer, const EyePicture& picture) {
+    const View &from = picture.view, &to = layer.view;
+    const glm::vec2 size(layer.layer.size()), perSlope = 0.5f * size / to.halfExtent();
+    return {0.5f * size + (from.shift - to.shift - from.halfExtent()) * perSlope,
+            2.0f * from.halfExtent() * perSlope / glm::vec2(picture.size())};
 }
 
 // Returns whether a layer holds objects within a cell of the picture.
-bool hasObjects(const EyePicture& picture, const TexelLayer& layer, const BackgroundCell& cell) {
-    if (!isChosenIn(&layer.tiles, cell)) return false;
-    // A texel that shares its chroma and is filtered takes colours from two texels around it, each up to
-    // four of the layer's pixels wide (60 degrees beside the picture's middle), and from one pixel more.
-    constexpr int kBeside = 9;
-    const View &from = picture.view, &to = layer.view;
-    const glm::vec2 size(layer.layer.size()), perSlope = 0.5f * size / to.halfExtent();
-    const glm::vec2 step = 2.0f * from.halfExtent() * perSlope / glm::vec2(picture.size());
-    const glm::vec2 first = 0.5f * size + (from.shift - to.shift - from.halfExtent()) * perSlope;
-    const auto pixelOf = [&](const glm::ivec2& pixel) { // the layer's pixel there
-        return glm::ivec2(glm::floor(first + step * glm::vec2(pixel)));
-    };
-    return layer.layer.holdsAnything(pixelOf(cell.low) - kBeside, pixelOf(cell.high) + 1 + kBeside);
+bool hasObjects(const TexelLayer& layer, const LayerPlaces& places, const BackgroundCell& cell) {
+    // A texel that shares its chroma and is filtered takes colours from two texels around it, and from one
+    // pixel more. A texel is at most 1.2 of the layer's pixels wide in the picture's middle (sizeAsFine()),
+    // and wider beside it by the square of a ray's length to the image plane.
+    float stretch = 1;
+    for (const glm::vec3& ray : cell.directions) stretch = std::max(stretch, glm::dot(ray, ray));
+    const int beside = static_cast<int>(2.4f * stretch) + 2;
+    return layer.layer.holdsAnything(places.at(cell.low) - beside, places.at(cell.high) + 1 + beside);
 }
 
 TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer) {
@@ -95,13 +99,16 @@ void SoftwareBackground::classify(const EyePicture& picture, Eye& eye) {
     const Sampled& film = eye.film;
     eye.grid.make(picture.view, film.envFromRay, film.size, picture.filmParallax());
     const glm::vec2 texels(film.frame.width, film.frame.height);
+    const depth::DepthMap* map = picture.environment.depth().map; // has tiles too, whose margin may be wider
+    const glm::ivec2 frameSize(film.frame.width, film.frame.height),
+        coarser = map ? glm::min(frameSize, {map->inverse.width, map->inverse.height}) : frameSize;
     eye.states.clear();
     for (const BackgroundCell& cell : eye.grid.all()) {
         const glm::vec2 right = cell.right * texels / static_cast<float>(cell.high.x - cell.low.x);
         const glm::vec2 up = cell.up * texels / static_cast<float>(cell.high.y - cell.low.y);
         const SampledCell sampled{cell.low, cell.high, cell.first * texels + 0.5f * (right + up) - 0.5f,
                                   right, up};
-        eye.states.push_back({sampled, !cell.polar && isWithin(film.frame, sampled)});
+        eye.states.push_back({sampled, cell.tiles(coarser), !cell.polar && isWithin(film.frame, sampled)});
     }
     eye.picture.resize(static_cast<size_t>(film.size.x) * static_cast<size_t>(film.size.y));
 }
@@ -121,11 +128,10 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     eye_->film = film;
     if (!same) classify(picture, *eye_);
     const FilmShadows* shadows = picture.seenShadows();
-    for (size_t k = 0; k < eye_->states.size(); ++k) {
-        const BackgroundCell& cell = eye_->grid.all()[k];
-        State& state = eye_->states[k];
+    for (State& state : eye_->states) {
         state.due = state.here && state.shows != FilmShadows::Version() &&
-                    !isChosenIn(shadows ? &shadows->tiles() : nullptr, cell) && !isChosenIn(tiles, cell);
+                    !(shadows && shadows->tiles().isChosen(state.tiles)) &&
+                    !(tiles && tiles->isChosen(state.tiles));
         if (state.due) state.shows = FilmShadows::Version();
     }
     threadPool_.start(kParts, samplePart_);
@@ -140,18 +146,19 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     drawn_.clear();
     wanted_.assign(FrameTiles::kAll, false);
     const FilmShadows* shadows = picture.seenShadows(); // may have been cast since prepare()
-    if (layer) layer->layer.pixels();                   // reads them
+    const LayerPlaces places = layer ? placesIn(*layer, picture) : LayerPlaces();
+    if (layer) layer->layer.pixels(); // reads them
     for (size_t k = 0; k < eye_->states.size(); ++k) {
         const BackgroundCell& cell = eye_->grid.all()[k];
         State& state = eye_->states[k];
-        const bool objects = layer && hasObjects(picture, *layer, cell);
+        const bool objects = layer && layer->tiles.isChosen(state.tiles) && hasObjects(*layer, places, cell);
         if (!state.here) drawn_.push_back({&cell, objects});
-        const bool shaded = isChosenIn(shadows ? &shadows->tiles() : nullptr, cell);
+        const bool shaded = shadows && shadows->tiles().isChosen(state.tiles);
         const FilmShadows::Version shown = shaded ? shadows->version() : FilmShadows::Version();
         state.due = state.here && (objects || state.shows != shown);
         if (!state.due) continue;
         state.shows = objects ? std::nullopt : std::optional(shown);
-        if (shaded || objects) markTiles(layer ? layer->tiles : shadows->tiles(), cell);
+        if (shaded || objects) markTiles(state.tiles);
     }
     timed(picture.partTimes(), "compositing", [&] {
         paintFrame(picture, layer);

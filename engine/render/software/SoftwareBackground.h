@@ -37,6 +37,7 @@ class SoftwareBackground final : public BackgroundPass {
     };
     struct State { // of a cell
         SampledCell sampled;
+        CellRange tiles;   // of the frame
         bool here = false; // whether it is sampled here; otherwise OpenGL draws it
         // The shadows that the cell's pixels show, null for none; empty if the pixels show objects too.
         std::optional<FilmShadows::Version> shows{};

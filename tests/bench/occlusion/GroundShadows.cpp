@@ -49,7 +49,8 @@ std::vector<Distant> lightsOf(const Cells& cells, size_t environment, int count)
 void measureGround(OcclusionChart& chart, const Scene& scene, std::span<const Lit> environments,
                    const Cells& cells, bool quick) {
     const depth::DepthMap map = tests::levelGround();
-    const render::FilmSurface film{&map, glm::mat3(1), {0, 0.3f, 1.8f}};
+    const depth::DepthRange range = tests::rangeOf(map);
+    const render::FilmSurface film{&map, &range, glm::mat3(1), {0, 0.3f, 1.8f}};
     std::vector<render::View> eyes;
     for (const float turn : {0.0f, 0.5f, 1.0f, 1.5f})
         eyes.push_back({.eyeWorld = film.cameraWorld,

@@ -199,6 +199,11 @@ double coverage(const Inside& inside, int x, int y) {
     return static_cast<double>(count) / (kParts * kParts);
 }
 
+void smooth(std::vector<uint32_t>& pixels, const glm::ivec2& size = kPictureSize) {
+    ChangedPixels changed;
+    smoothOutlines(pixels, size, changed, [](const glm::ivec2&, const glm::ivec2&) { return true; });
+}
+
 // Root mean square of alpha less coverage, over pixels that the outline crosses, away from the edges of the
 // picture.
 double error(const std::vector<uint32_t>& pixels, const Inside& inside) {
@@ -223,7 +228,7 @@ TEST(SmoothOutlines, HalfPlanesAreTheirCoverage) {
         const Inside inside = [&](double x, double y) { return a * (x - 47.7) + b * (y - 31.4) < 0; };
         std::vector<uint32_t> pixels = drawn(inside);
         before += error(pixels, inside) / kTurns;
-        smoothOutlines(pixels, kPictureSize);
+        smooth(pixels);
         EXPECT_LT(error(pixels, inside), 0.17) << "turned by " << turn; // worst: diagonals
         after += error(pixels, inside) / kTurns;
     }
@@ -236,7 +241,7 @@ TEST(SmoothOutlines, DiscsAreNearerToTheirCoverage) {
         const Inside inside = [&](double x, double y) { return std::hypot(x - 48.2, y - 32.3) < radius; };
         std::vector<uint32_t> pixels = drawn(inside);
         const double before = error(pixels, inside);
-        smoothOutlines(pixels, kPictureSize);
+        smooth(pixels);
         EXPECT_LT(error(pixels, inside), 0.75 * before) << radius;
     }
 }
@@ -246,7 +251,7 @@ TEST(SmoothOutlines, ChangeNothingButCoverage) {
     const Inside inside = [](double x, double y) { return x + 0.3 * y < 60; };
     const std::vector<uint32_t> before = drawn(inside);
     std::vector<uint32_t> after = before;
-    smoothOutlines(after, kPictureSize);
+    smooth(after);
     EXPECT_NE(after, before);
     for (size_t i = 0; i < after.size(); ++i) {
         const int x = static_cast<int>(i) % kPictureSize.x, y = static_cast<int>(i) / kPictureSize.x;
@@ -263,7 +268,7 @@ TEST(SmoothOutlines, SoftOutlinesStay) {
     for (int i = 0; i < kPictureSize.x * kPictureSize.y; ++i)
         pixels.push_back(static_cast<uint32_t>(2 * (i % kPictureSize.x)) << 24);
     const std::vector<uint32_t> before = pixels;
-    smoothOutlines(pixels, kPictureSize);
+    smooth(pixels);
     EXPECT_EQ(pixels, before);
 }
 
@@ -272,7 +277,7 @@ TEST(SmoothOutlines, PicturesOfAnySize) {
          {glm::ivec2(0), glm::ivec2(1, 5), glm::ivec2(2), glm::ivec2(3), glm::ivec2(40, 3)}) {
         std::vector<uint32_t> pixels(static_cast<size_t>(size.x * size.y));
         for (size_t i = 0; i < pixels.size(); i += 2) pixels[i] = kSolid;
-        smoothOutlines(pixels, size);
+        smooth(pixels, size);
     }
 }
 

@@ -6,7 +6,7 @@
 namespace shoal::render {
 namespace {
 
-using tests::filmOf, tests::kGround_m, tests::levelGround, tests::lightAt, tests::toPlane;
+using tests::filmOf, tests::kGround_m, tests::levelGround, tests::lightAt, tests::rangeOf, tests::toPlane;
 
 const water::Water kSea{.veil = {{{0.05f, 0.15f, 0.25f}}}, .attenuation_perM = {0.2f, 0.1f, 0.08f}};
 
@@ -39,8 +39,10 @@ struct Scene {
 
 FilmShadows shadowsOf(const occlusion::Ellipsoid& body, const Scene& scene,
                       const std::vector<View>& eyes = everywhere()) {
+    const depth::DepthRange range = rangeOf(scene.map);
     FilmShadows shadows;
-    shadows.begin({&scene.map, scene.envFromWorld, scene.cameraWorld}, FrameCoding::Srgb, scene.water);
+    shadows.begin({&scene.map, &range, scene.envFromWorld, scene.cameraWorld}, FrameCoding::Srgb,
+                  scene.water);
     shadows.add({&body, 1}, scene.light, eyes);
     return shadows;
 }
@@ -142,7 +144,8 @@ TEST(FilmShadows, NothingIsShadedBesideTheTiles) {
                             (static_cast<float>(x + dx) + 0.5f) / static_cast<float>(left.width),
                             (static_cast<float>(std::clamp(y + dy, 0, left.height - 1)) + 0.5f) /
                                 static_cast<float>(left.height));
-                        ASSERT_TRUE(shadows.tiles().isChosen(uv, uv));
+                        ASSERT_TRUE(shadows.tiles().isChosen(
+                            FrameTiles::between(uv, uv, shadows.tiles().frameSize())));
                     }
             }
         EXPECT_GT(shaded, 500) << radius_deg << " degrees";
@@ -222,20 +225,21 @@ TEST(FilmShadows, NothingIsShadedWhereNothingCasts) {
 // Nothing stays of the last frame, and two bodies leave the product of what each leaves.
 TEST(FilmShadows, BodiesMultiplyAndFramesBeginAnew) {
     const auto ground = levelGround();
+    const auto range = rangeOf(ground);
     const CastingLight light = lightAt(66, 12);
     const std::vector<View> eyes = everywhere();
     occlusion::Ellipsoid other = kShark;
     other.centre.x += 0.2f;
     const FilmShadows one = shadowsOf(kShark, {.map = ground}), two = shadowsOf(other, {.map = ground});
     FilmShadows both;
-    both.begin({&ground}, FrameCoding::Srgb, {});
+    both.begin({&ground, &range}, FrameCoding::Srgb, {});
     both.add({&kShark, 1}, light, eyes);
     both.add({&other, 1}, light, eyes);
     for (size_t i = 0; i < both.remaining().pixels.size(); ++i)
         ASSERT_NEAR(both.remaining().pixels[i],
                     one.remaining().pixels[i] * two.remaining().pixels[i] / 255.0f, 1);
     const uint64_t before = both.version().second;
-    both.begin({&ground}, FrameCoding::Srgb, {});
+    both.begin({&ground, &range}, FrameCoding::Srgb, {});
     EXPECT_GT(both.version().second, before);
     EXPECT_TRUE(both.empty());
     EXPECT_EQ(shadedTexels(both), 0);
@@ -251,6 +255,7 @@ struct Steps {
 Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float to_m) {
     const CastingLight light = lightAt(66, 16);
     const auto ground = levelGround(ground_m);
+    const auto range = rangeOf(ground);
     FilmShadows shadows;
     Steps steps;
     float before = 0;
@@ -261,7 +266,7 @@ Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float 
     for (int step = 0; step <= 1000; ++step) {
         const float height = from_m + (to_m - from_m) * static_cast<float>(step) / 1000;
         const occlusion::Ellipsoid body{{0, height, -1}, glm::mat3(1), half};
-        shadows.begin({&ground}, FrameCoding::Srgb, {});
+        shadows.begin({&ground, &range}, FrameCoding::Srgb, {});
         shadows.add({&body, 1}, light, eyes);
         const Image<uint8_t, 4>& left = shadows.remaining();
         const auto x = static_cast<int>(uv.x * static_cast<float>(left.width)),

@@ -18,6 +18,12 @@ inline depth::DepthMap levelGround(float height_m = kGround_m) {
     return depth::mapOf([&](const glm::vec3& dir) { return std::max(dir.y / height_m, 0.0f); });
 }
 
+inline depth::DepthRange rangeOf(const depth::DepthMap& map) {
+    depth::DepthRange range;
+    range.make(map);
+    return range;
+}
+
 // Returns the depth map of a camera at the world's origin; distance_m: distance of the solid in a direction.
 template <class Distance> depth::DepthMap filmOf(const Distance& distance_m) {
     return depth::mapOf([&](const glm::vec3& dir) { return 1 / distance_m(dir); });
