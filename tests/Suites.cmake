@@ -12,7 +12,7 @@ foreach(suite ${suites})
         set(suite ${CMAKE_MATCH_1})
         add_test("${suite}" "${program}" "--gtest_filter=${suite}.*")
         set_tests_properties("${suite}" PROPERTIES ${properties})
-        if(suite MATCHES "Program|Xr|Package|Landmark|Playthrough|FilmDepth") # the longest begin first
+        if(suite MATCHES "Program|Xr|Package|Landmark|Playthrough|FilmDepth|Faults|Fidelity|Numbers|Panorama") # the longest begin first
             set_tests_properties("${suite}" PROPERTIES COST 100)
         endif()
     endif()

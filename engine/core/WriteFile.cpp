@@ -18,8 +18,7 @@ static Error cannotWrite(const Path& file, int code) {
     return cannotWrite(file, std::generic_category().message(code));
 }
 
-// Resolves the symbolic links of a path, whether its target exists or not; returns a link if they form a
-// cycle.
+// Resolves the symbolic links of a path, even without a target; returns a link if they form a cycle.
 static Path placeOf(const Path& file) {
     std::error_code code;
     const Path place = fs::weakly_canonical(fs::absolute(file, code), code);

@@ -19,8 +19,7 @@ class FramePace {
         if (!frame.begin) frame.begin = Query::make(), frame.end = Query::make();
         glQueryCounter(frame.begin.name(), GL_TIMESTAMP);
     }
-    // Call it after a frame's last draw. Waits until the card has drawn the frame before. whole: this one
-    // too.
+    // Call it after a frame's last draw. Waits until the card has drawn the last frame; whole: this one too.
     void end(bool whole = false) {
         Frame& frame = frames_[current_];
         glQueryCounter(frame.end.name(), GL_TIMESTAMP);

@@ -36,8 +36,7 @@ constexpr size_t kSignals = 6; // three channels at frequencies k and width - k,
 #define SHOAL_FLOATS 4
 #include "engine/light/CombineRows.inl"
 
-// Writes out[x][y] = max(0, scale * in[y][x]), by bands of rows that stay in the cache. height: a multiple of
-// kRows.
+// Writes out[x][y] = max(0, scale * in[y][x]) by bands, which stay in the cache. height: a multiple of kRows.
 SHOAL_VECTORISE
 void transpose(const float* in, int width, int height, float scale, float* out) {
     for (int top = 0; top < height; top += kRows)

@@ -14,8 +14,7 @@ inline double alphaFromRoughness(double roughness) { return roughness * roughnes
 // Shading in Unreal Engine 4": his prefiltering weighs GGX samples by n.l, and with n = v their density is D
 // / 4. alpha = 1 gives the clamped cosine.
 inline double ggxMirrorLobe(double cosine, double alpha) {
-    // nh^2 = cos^2(angle / 2) = (1 + cosine) / 2, written so that nothing cancels at the peak of a narrow
-    // lobe.
+    // nh^2 = cos^2(angle / 2) = (1 + cosine) / 2, so that nothing cancels at the peak of a narrow lobe.
     const double alpha2 = alpha * alpha;
     const double q = (1.0 - cosine) * 0.5 + alpha2 * (1.0 + cosine) * 0.5;
     return alpha2 / (std::numbers::pi * q * q) * (cosine > 0 ? cosine : 0);

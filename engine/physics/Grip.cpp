@@ -46,8 +46,7 @@ const std::array<glm::vec3, 42>& directions() {
 }
 
 // Returns the force along the unit vector d that the presses can exert beyond the need: the support function
-// of all forces that they can exert, minus the need's component. A friction cone reaches farthest along d at
-// its edge.
+// of all forces that they can exert, minus the need's component. A friction cone's edge reaches farthest.
 float beyond(std::span<const Press> presses, glm::vec3 need_N, glm::vec3 d) {
     float sum = -glm::dot(need_N, d);
     for (const Press& press : presses) {

@@ -47,8 +47,7 @@ float volume_m3(const LooseBody& b) {
     return std::numbers::pi_v<float> * b.radius * b.radius * (2 * b.half + 4.0f / 3 * b.radius);
 }
 // Returns its mass and that of the water that it has to move along, as if it were a sphere: Batchelor 1967,
-// "An Introduction to Fluid Dynamics", 6.4. For a cylinder across its path the water's part would be twice
-// that.
+// "An Introduction to Fluid Dynamics", 6.4. A cylinder across its path moves twice as much water.
 float inertia_kg(const LooseBody& b) { return (b.density_kgpm3 + 0.5f * kWater_kgpm3) * volume_m3(b); }
 
 // A box around capsules: a body outside it touches none of them.

@@ -1,5 +1,4 @@
-// Combines virtual objects with the filmed background, for one eye or two. The thread of the OpenGL context
-// only.
+// Combines virtual objects with the filmed background, for one eye or two. On the OpenGL thread only.
 #pragma once
 
 #include "engine/render/BackgroundPass.h"

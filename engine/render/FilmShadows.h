@@ -50,8 +50,7 @@ class FilmShadows {
     using Version = std::pair<const FilmShadows*, uint64_t>; // the number counts begin(), from 1
     Version version() const { return {this, number_}; }
 
-    // A body's piece in the light's frame: metres along, aside and up towards the light, from the film's
-    // camera.
+    // A body's piece in the light's frame: metres along, aside and up to the light, from the film's camera.
     struct Occluder {
         float along, aside, up, halfAlong, halfAside;
         float lowest, perFade; // from `lowest` up the shadow grows by perFade per metre to `share`
@@ -61,8 +60,7 @@ class FilmShadows {
     };
 
   private:
-    // Returns an upper bound of the share of the light's disc that the body hides where its shadow is
-    // darkest.
+    // Returns an upper bound of the share of the light's disc that the body hides anywhere.
     float findOccluders(const CastingLight& light);
     void findTiles(std::span<const View> eyes);
     // Returns a box in the light's frame around all places of a tile, whose texels are low to high - 1.

@@ -73,8 +73,7 @@ class FrameTiles {
                 if (marked[indexOf(x, y)]) visit(glm::ivec2(x, y));
     }
 
-    // Returns the tiles that reach into the rectangle between these coordinates of the map, widened by a
-    // texel.
+    // Returns the tiles that reach into a rectangle between coordinates of the map, widened by a texel.
     static CellRange between(const glm::vec2& low, const glm::vec2& high, const glm::ivec2& frameSize) {
         constexpr int kAhead = 2; // maps to the left that keep numbers positive: truncation then rounds down
         const glm::vec2 texel = 1.0f / glm::vec2(frameSize);

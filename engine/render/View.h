@@ -53,8 +53,7 @@ inline bool sees(const View& view, const Sphere& sphere) {
              beyond(inEye.y, half.y + view.shift.y) || beyond(-inEye.y, half.y - view.shift.y));
 }
 
-// Returns whether the pyramid of `wide` holds that of `view`, where an eye up to 1 cm away counts as the
-// same.
+// Returns whether the pyramid of `wide` holds that of `view`; an eye up to 1 cm away counts as the same.
 inline bool holds(const View& wide, const View& view) {
     constexpr float kSamePlace_m = 0.01f;
     if (glm::distance(wide.eyeWorld, view.eyeWorld) > kSamePlace_m) return false;

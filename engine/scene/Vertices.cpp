@@ -164,8 +164,7 @@ TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
             place[v][hand] = static_cast<uint32_t>(result.source.size());
             result.source.push_back(v);
             const glm::dvec3 sum(sums[welded[v]][hand]);
-            // v grows downwards in glTF's textures: where u, v turn with the corners, cross(normal, u) points
-            // down.
+            // v grows downwards in textures: where u, v turn with the corners, cross(normal, u) points down.
             result.tangents.emplace_back(safeNormalize(sum, perpendicular(primitive.normals[v])),
                                          hand == kTurnsWith ? -1.0f : 1.0f);
         }

@@ -39,8 +39,7 @@ struct Failure : std::exception {
 XrResult check(XrResult result, const char* call);
 const char* nameOf(XrResult result);
 
-// Returns the value of the work, Done if it has none, or the error. lost: set to true if the failure is a
-// loss.
+// Returns the value of the work, Done if it has none, or the error. lost: set to true if it is a loss.
 template <class Work> auto resultOf(Work&& work, bool* lost = nullptr) {
     constexpr bool kHasValue = !std::is_void_v<decltype(work())>;
     using Outcome = Result<std::conditional_t<kHasValue, decltype(work()), Done>>;

@@ -110,8 +110,7 @@ HandPose HandRig::pose(Side side, const HandShape& shape, const JointPose& wrist
 }
 
 float gripOf(const std::array<Joint, kJointCount>& joints) {
-    // Sum of the three knuckles' bends, averaged over the fingers: 30 degrees is a relaxed open hand, 200 a
-    // fist.
+    // Sum of the three knuckles' bends, averaged over the fingers: a relaxed open hand, and a fist.
     constexpr float kOpen = 30 * kDegree, kFist = 200 * kDegree;
     float sum = 0;
     for (int finger = 1; finger < kFingerCount; ++finger)
