@@ -28,8 +28,7 @@ class LightDifference {
     // the first call.
     void make(const ImageRgbF& radianceLin, const DepthMap& map);
 
-    // Returns the radiance at the place minus that at the camera. Exactly 0 if all that its rays meet is
-    // infinitely far.
+    // Returns the radiance at the place minus that at the camera; 0 if all its rays go infinitely far.
     LightHarmonics at(const glm::vec3& placeEnv) const;
 
   private:

@@ -32,8 +32,7 @@ class FrameTiles {
         chosen_.assign(kAll, false);
     }
     void choose(const glm::ivec2& tile) { chosen_[indexOf(tile.x, tile.y)] = true; }
-    // Calls visit(tile) for each tile in which a sphere, or a margin around it, may appear, seen from the
-    // frame's camera.
+    // Calls visit(tile) for each tile in which the frame's camera may see a sphere or a margin around it.
     template <class Visit> void eachOfSphere(const glm::vec3& centreEnv, float radius, Visit&& visit) const {
         constexpr float kPi = std::numbers::pi_v<float>;
         const float distance = glm::length(centreEnv);

@@ -151,16 +151,20 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
     TexturesGpu gpu;
     gpu.colour.resize(model.textures.size());
     gpu.data.resize(model.textures.size());
-    // srgb: whether the sampler decodes it. Lean pictures have no pixels as small as the finest texels.
-    const auto want = [&](const scene::TextureUse& use, bool srgb) {
+    // srgb: whether the sampler decodes it. Lean pictures have no pixels as small as the finest texels, and
+    // show the relief only of an object that fills them: they halve a map as often as `halvings`.
+    const auto want = [&](const scene::TextureUse& use, bool srgb, int halvings = 1) {
         if (use.texture < 0) return;
         const auto index = static_cast<size_t>(use.texture);
         gl::Texture& slot = (srgb ? gpu.colour : gpu.data)[index];
         const int image = model.textures[index].image;
         if (slot || image < 0) return;
-        const ImageRgba8& texels = model.images[static_cast<size_t>(image)];
-        const bool smaller = detail == Detail::Lean && texels.width >= kFine;
-        slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
+        const ImageRgba8* texels = &model.images[static_cast<size_t>(image)];
+        const int fine = kFine / halvings;
+        ImageRgba8 smaller;
+        for (; detail == Detail::Lean && halvings > 0 && texels->width >= fine; --halvings)
+            smaller = halved(*texels), texels = &smaller;
+        slot = uploadTexture(model.textures[index], *texels, srgb, detail);
     };
     // Materials that only another variant of the model uses need no textures.
     for (const scene::Mesh& mesh : model.meshes)
@@ -169,7 +173,7 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
             want(material.baseColour, reflectanceFor(material, reflectance) == Reflectance::Linear);
             want(material.emissive, true);
             if (detail == Detail::Full) want(material.metallicRoughness, false); // lean: its mean
-            want(material.normal, false);
+            want(material.normal, false, 2);
             want(material.occlusion, false);
             want(material.specular, false);
             want(material.specularColour, true);

@@ -1,5 +1,4 @@
-// The animal of a page of the field guide: it turns in the water beside the page, in the light of the film.
-// Main thread.
+// The animal of a page of the field guide: it turns beside it, in the light of the film. Main thread.
 #pragma once
 
 #include "game/rules/DiveFile.h"
