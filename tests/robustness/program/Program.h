@@ -9,6 +9,9 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <wordexp.h>
+
+int shoalMain(int argc, char** argv); // main() of the program
 
 namespace shoal::tests {
 
@@ -23,14 +26,38 @@ class Program : public testing::Test {
     ScratchFolder scratch_;
     Path folder_ = scratch_.path();
     std::string environment_; // arguments of env(1) for a run, as NAME=VALUE
+    bool isFresh_ = false;    // whether each run is a new process, which finds programs beside its own
 
     // The program that makes depth tracks, beside the game.
     static std::string depthProgram() { return Path(program()).parent_path() / "shoal-depth"; }
 
+    // Whether this process has no threads but one, so that its copy can go on. Sanitizers look for leaks when
+    // a program ends, which a copy does not.
+    static bool canBeCopied() {
+#ifdef __SANITIZE_ADDRESS__
+        return false;
+#endif
+        return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}) == 1;
+    }
+
+    // Runs the game in a copy of this process, whose libraries are loaded already, where neither environment_
+    // nor the shell has a part in it.
     Outcome run(const std::string& arguments, const std::string& which = program()) const {
-        // The shell reads the arguments, and its own process becomes the program's.
-        const std::string command = "exec env " + environment_ + " '" + which + "' " + arguments;
-        const int status = end(start({"-c", command}, {}, "/bin/sh"));
+        wordexp_t words{.we_offs = 1};
+        if (isFresh_ || which != program() || !environment_.empty() || !canBeCopied() ||
+            ::wordexp(arguments.c_str(), &words, WRDE_NOCMD | WRDE_DOOFFS) != 0) {
+            // The shell reads the arguments, and its own process becomes the program's.
+            const std::string command = "exec env " + environment_ + " '" + which + "' " + arguments;
+            return {end(start({"-c", command}, {}, "/bin/sh")), out(), err()};
+        }
+        std::string name = which;
+        words.we_wordv[0] = name.data();
+        const int status = end(inFolder([&]() noexcept {
+            const int result = shoalMain(static_cast<int>(words.we_wordc) + 1, words.we_wordv);
+            std::fflush(nullptr);
+            ::_exit(result);
+        }));
+        ::wordfree(&words);
         return {status, out(), err()};
     }
 
@@ -41,6 +68,13 @@ class Program : public testing::Test {
         std::vector<char*> arguments;
         for (std::string& word : words) arguments.push_back(word.data());
         arguments.push_back(nullptr);
+        return inFolder([&] {
+            if (before) before();
+            ::execv(arguments[0], arguments.data());
+        });
+    }
+    template <class Act> pid_t inFolder(Act&& act) const {
+        std::fflush(nullptr); // or the child would write it again
         const pid_t child = ::fork();
         if (child != 0) return child;
         for (const char* name : {"XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
@@ -53,8 +87,7 @@ class Program : public testing::Test {
         ::dup2(opened("stdout.txt"), STDOUT_FILENO);
         ::dup2(opened("stderr.txt"), STDERR_FILENO);
         ::alarm(1000);
-        if (before) before();
-        ::execv(arguments[0], arguments.data());
+        act();
         ::_exit(127);
     }
     static int end(pid_t child) {

@@ -142,6 +142,7 @@ TEST_F(Program, DepthIsMadeOfFilesAndHasToHaveAPlace) {
 // A model without an occlusion file gets one, once, with the same content as the stored file of the same
 // model.
 TEST_F(Program, OcclusionOfAModelIsMadeOnceAndKept) {
+    isFresh_ = true;
     fs::copy_file(angelfish_, folder_ / "copy.glb");
     const auto draw = [&](const std::string& model, const std::string& about = "") {
         const Outcome outcome = view(model, "--size 64x64");
