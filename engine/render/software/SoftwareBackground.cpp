@@ -57,11 +57,11 @@ LayerPlaces placesIn(const TexelLayer& layer, const EyePicture& picture) {
 // Returns whether a layer holds objects within a cell of the picture.
 bool hasObjects(const TexelLayer& layer, const LayerPlaces& places, const BackgroundCell& cell) {
     // A texel that shares its chroma and is filtered takes colours from two texels around it, and from one
-    // pixel more. A texel is at most 1.2 of the layer's pixels wide in the picture's middle (sizeAsFine()),
-    // and wider beside it by the square of a ray's length to the image plane.
+    // pixel more. A texel is at most two of the layer's pixels wide in the picture's middle (sizeAsFine(),
+    // layerTexels()), and wider beside it by the square of a ray's length to the image plane.
     float stretch = 1;
     for (const glm::vec3& ray : cell.directions) stretch = std::max(stretch, glm::dot(ray, ray));
-    const int beside = static_cast<int>(2.4f * stretch) + 2;
+    const int beside = static_cast<int>(4 * stretch) + 2;
     return layer.layer.holdsAnything(places.at(cell.low) - beside, places.at(cell.high) + 1 + beside);
 }
 
