@@ -16,7 +16,7 @@ namespace {
 // neighbours on a slope seen at a small angle differ less.
 constexpr int kEdge = 8;
 
-// Colours of one surface differ so much (of 255, channels together) due to grain, caustics and coding.
+// Colours of one surface differ by about this (of 255, all channels) due to grain, caustics and coding.
 constexpr float kSameColour = 16;
 
 constexpr size_t kLanes = 16;   // texels of the map that are processed at once

@@ -28,7 +28,7 @@ class LightDifference {
     // the first call.
     void make(const ImageRgbF& radianceLin, const DepthMap& map);
 
-    // Returns the radiance at the place minus that at the camera; 0 if all its rays go infinitely far.
+    // Returns the radiance at the place minus that at the camera; exactly 0 if its rays all go to infinity.
     LightHarmonics at(const glm::vec3& placeEnv) const;
 
   private:

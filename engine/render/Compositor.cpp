@@ -6,7 +6,7 @@ namespace shoal::render {
 
 namespace {
 
-// A layer for texels is so much wider than the eye's picture: the filter reaches a texel beyond its edge.
+// A layer for texels is this much wider than the eye's picture: the filter reaches a texel beyond its edge.
 constexpr float kLayerWidth = 1.02f;
 
 // Returns the composition that is possible: an HDR frame has no coded texels and no camera.

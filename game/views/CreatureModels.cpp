@@ -209,12 +209,15 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
         if (shown[i])
             requests.push_back(
                 {content / species[i].model, &models.species_[i], {}, {}, false, species[i].colour});
-    for (size_t side = 0; side < 2; ++side) {
+    // Both hands follow each other, and both arms: upload() compares a model's textures with the last one's.
+    for (size_t side = 0; side < 2; ++side)
         requests.push_back(
             {content / kHandModels[side], &models.hands_[side], handVariant, hands::kJointNames, true});
-        requests.push_back({content / kArmModels[side], &models.arms_[side], {}, kArmJointNames});
-        requests.back().isArm = true;
-    }
+    for (size_t side = 0; side < 2; ++side)
+        requests.push_back({.file = content / kArmModels[side],
+                            .into = &models.arms_[side],
+                            .joints = kArmJointNames,
+                            .isArm = true});
     // Each model is read while the one before it is uploaded; not all at once, to save memory.
     const auto read = [&](size_t i) {
         return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });

@@ -98,10 +98,10 @@ void SoftwareBackground::SamplePart::operator()(int part) const {
 void SoftwareBackground::classify(const EyePicture& picture, Eye& eye) {
     const Sampled& film = eye.film;
     eye.grid.make(picture.view, film.envFromRay, film.size, picture.filmParallax());
-    const glm::vec2 texels(film.frame.width, film.frame.height);
     const depth::DepthMap* map = picture.environment.depth().map; // has tiles too, whose margin may be wider
     const glm::ivec2 frameSize(film.frame.width, film.frame.height),
         coarser = map ? glm::min(frameSize, {map->inverse.width, map->inverse.height}) : frameSize;
+    const glm::vec2 texels(frameSize);
     eye.states.clear();
     for (const BackgroundCell& cell : eye.grid.all()) {
         const glm::vec2 right = cell.right * texels / static_cast<float>(cell.high.x - cell.low.x);
