@@ -49,9 +49,9 @@ class Glb:
             known.append(sampler)
         return self._append('textures', {'sampler': known.index(sampler), 'source': image})
 
-    def material(self, name, base, normal=None, metal_rough=None, rough=1.0, metal=1.0, blend=False, glow=None, both=False):
+    def material(self, name, base, normal=None, metal_rough=None, rough=1.0, metal=1.0, blend=False, glow=None):
         """base: texture index or linear RGBA; metal_rough: texture index (G roughness, B metallic); glow: texture index of
-        what it emits; both: it is seen from both sides."""
+        what it emits."""
         pbr = {'metallicFactor': metal, 'roughnessFactor': rough}
         if isinstance(base, int):
             pbr['baseColorTexture'] = {'index': base}
@@ -66,8 +66,6 @@ class Glb:
             item['emissiveTexture'], item['emissiveFactor'] = {'index': glow}, [1.0, 1.0, 1.0]
         if blend:
             item['alphaMode'] = 'BLEND'
-        if both:
-            item['doubleSided'] = True
         return self._append('materials', item)
 
     def primitive(self, part, material, compact=False):

@@ -31,6 +31,13 @@ def skin(place, columns, rows, away, closed=False):
                                        np.stack([u, v], -1).reshape(-1, 2), grid_triangles(*u.shape))))
 
 
+def both_sides(part):
+    """The part and its other side: a draw of its own for two-sided materials takes longer than these vertices."""
+    other = Part(part.positions, -part.normals, -part.tangents, part.uvs, part.triangles[:, ::-1])
+    other.joints, other.weights = part.joints, part.weights
+    return join([part, other])
+
+
 def bound(part, joint):
     part.joints, part.weights = strongest_four(np.eye(joint + 4)[np.full(len(part.positions), joint)])
     return part
@@ -81,13 +88,11 @@ class Thing:
             binds[k, :3, 3] = -np.asarray(place)
         pictures = [glb.texture(paint.jpeg(self.sheet.colour, 84)), glb.texture(paint.jpeg(self.sheet.normal, 80)),
                     glb.texture(paint.jpeg(paint.shrink(self.sheet.gloss, 4), 84))]
-        wholes = [join(parts) for parts in (self.parts, self.weed) if parts]
-        primitives = [glb.primitive(whole, glb.material(self.name, *pictures, metal=0.0, both=k > 0), compact=True)
-                      for k, whole in enumerate(wholes)]
-        glb.node(self.name, mesh=glb.mesh(self.name, primitives), skin=glb.skin(nodes, binds, nodes[0]))
+        whole = join(self.parts + [both_sides(part) for part in self.weed])
+        primitive = glb.primitive(whole, glb.material(self.name, *pictures, metal=0.0), compact=True)
+        glb.node(self.name, mesh=glb.mesh(self.name, [primitive]), skin=glb.skin(nodes, binds, nodes[0]))
         names = [joint[0] for joint in self.joints]
         for name, duration, phases, moved in self.clips:
             glb.animation(name, np.asarray(phases) * duration,
                           [(nodes[names.index(joint)], path, values) for (joint, path), values in moved.items()])
-        return glb.save(path), *(sum(len(rows(whole)) for whole in wholes)
-                                for rows in (lambda w: w.triangles, lambda w: w.positions))
+        return glb.save(path), len(whole.triangles), len(whole.positions)
