@@ -97,7 +97,8 @@ Status RecordingWriter::endBlock() {
     if (ticks_ == 0) return Done{};
     uLongf size = compressBound(body_.size());
     std::string packed(size, 0);
-    if (compress(reinterpret_cast<Bytef*>(packed.data()), &size, asBytes(body_).data(), body_.size()) != Z_OK)
+    if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, asBytes(body_).data(), body_.size(),
+                  Z_BEST_SPEED) != Z_OK)
         return Error{"", "a recording could not be packed"};
     packed.resize(size);
     body_.clear();

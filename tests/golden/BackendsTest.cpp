@@ -283,5 +283,25 @@ TEST_F(Backends, TheGuideShowsASpeciesThatTheDiveLacks) {
     EXPECT_LT(changed[0], changed[1] / 10) << "the page is there";
 }
 
+// A hand's textures take megabytes.
+TEST(CreatureModels, BothHandsShareTexturesAndBothArms) {
+    const auto context = platform::Headless::open();
+    if (!context) GTEST_SKIP() << context.error().message();
+    const auto count = [] {
+        int textures = 0;
+        for (GLuint name = 1; name < 10'000; ++name) textures += glIsTexture(name);
+        return textures;
+    };
+    const int before = count();
+    const auto four = tests::valueOf(CreatureModels::load({}, {}, "", {}, render::Detail::Lean));
+    const int ofFour = count() - before;
+    std::vector<render::ModelGpu> two;
+    for (const char* name : {"hand_left.glb", "arm_left.glb"}) {
+        const auto model = tests::valueOf(scene::loadModel(dataRoot() / "content/models" / name));
+        two.push_back(render::uploadModel(model, {}, render::Detail::Lean));
+    }
+    EXPECT_EQ(ofFour, count() - before - ofFour);
+}
+
 } // namespace
 } // namespace shoal::app
