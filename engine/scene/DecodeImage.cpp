@@ -1,9 +1,14 @@
 #include "engine/scene/Gltf.h"
 
-#include <algorithm>
+#include <csetjmp>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+
+#include <jpeglib.h> // behind <cstdio>, which it needs
+
+#include <jerror.h>
 
 namespace {
 
@@ -22,7 +27,6 @@ void* growPiece(void* old, size_t bytes) {
 #define STBI_REALLOC(old, bytes) growPiece(old, bytes)
 #define STBI_FREE(old) std::free(old)
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_NO_HDR
@@ -40,33 +44,7 @@ namespace {
 
 // Limit of scans: each scan of a progressive JPEG costs as much as a whole decoding. Encoders make about ten.
 constexpr int kMaxScans = 100;
-
-// Returns whether a Huffman table of a JPEG lists more than 256 codes: stb_image before 2.28 trusts any
-// number and writes past its tables, even when it only reads a picture's size. The search goes from marker to
-// marker like stb's, but also past bytes that are no marker and through entropy-coded data. ITU-T T.81, B.1.1
-// and B.2.4.2.
-bool hasOverlongHuffmanTable(std::span<const uint8_t> bytes) {
-    constexpr size_t kMaxCodes = 256,
-                     kTableHeader = 17; // one byte of class and slot, 16 of code counts
-    const auto byte = [&](size_t at) -> size_t { return at < bytes.size() ? bytes[at] : 0; };
-    for (size_t at = 0; at < bytes.size();) {
-        if (bytes[at++] != 0xFF) continue;
-        while (byte(at) == 0xFF) ++at; // fill bytes
-        const size_t marker = byte(at++);
-        if (marker == 0xD9) return false; // end of the image
-        // Stuffed zeros, restarts and the start of the image have no segment.
-        if (marker == 0 || (marker >= 0xD0 && marker <= 0xD8)) continue;
-        const size_t end = at + std::max<size_t>(byte(at) << 8 | byte(at + 1), 2);
-        for (size_t table = at + 2; marker == 0xC4 && table < end;) {
-            size_t codes = 0;
-            for (size_t i = 1; i < kTableHeader; ++i) codes += byte(table + i);
-            if (codes > kMaxCodes) return true;
-            table += kTableHeader + codes;
-        }
-        at = end;
-    }
-    return false;
-}
+constexpr const char* kBroken = " is broken or cut short";
 
 int countScans(std::span<const uint8_t> bytes) {
     int scans = 0;
@@ -74,29 +52,60 @@ int countScans(std::span<const uint8_t> bytes) {
     return scans;
 }
 
+struct JpegErrors : jpeg_error_mgr {
+    std::jmp_buf failed{};
+};
+
+void decodeJpeg(GltfFile& file, std::span<const uint8_t> bytes, const std::string& who, ImageRgba8& image) {
+    JpegErrors errors;
+    jpeg_decompress_struct jpeg{};
+    const std::unique_ptr<jpeg_decompress_struct, decltype(&jpeg_destroy_decompress)> owned(
+        &jpeg, jpeg_destroy_decompress);
+    jpeg.err = jpeg_std_error(&errors);
+    errors.error_exit = [](j_common_ptr info) {
+        std::longjmp(static_cast<JpegErrors*>(info->err)->failed, 1);
+    };
+    errors.emit_message = [](j_common_ptr info, int) { // libjpeg would make up the pixels that are missing
+        const int code = info->err->msg_code;
+        if (code == JWRN_HIT_MARKER || code == JWRN_JPEG_EOF) info->err->error_exit(info);
+    };
+    if (setjmp(errors.failed) != 0) fault(who, kBroken);
+    jpeg_create_decompress(&jpeg);
+    jpeg_mem_src(&jpeg, bytes.data(), bytes.size());
+    jpeg_read_header(&jpeg, TRUE);
+    file.pixels.spend(uint64_t{1} * jpeg.image_width * jpeg.image_height, who);
+    if (countScans(bytes) > kMaxScans) fault(who, " has more than ", kMaxScans, " scans");
+    image = ImageRgba8(static_cast<int>(jpeg.image_width), static_cast<int>(jpeg.image_height));
+    jpeg.out_color_space = JCS_EXT_RGBA; // of libjpeg-turbo
+    jpeg_start_decompress(&jpeg);
+    while (jpeg.output_scanline < jpeg.output_height) {
+        JSAMPROW row = image.at(0, static_cast<int>(jpeg.output_scanline));
+        jpeg_read_scanlines(&jpeg, &row, 1);
+    }
+}
+
 } // namespace
 
 ImageRgba8 decodeImage(GltfFile& file, std::span<const uint8_t> bytes, const std::string& who) {
+    ImageRgba8 image;
+    if (bytes.size() > 1 && bytes[0] == 0xFF && bytes[1] == 0xD8) {
+        decodeJpeg(file, bytes, who, image);
+        return image;
+    }
     const auto size = static_cast<int>(bytes.size()); // files are smaller than 2 GiB
-    if (!bytes.empty() && bytes[0] == 0xFF && hasOverlongHuffmanTable(bytes))
-        fault(who, " has a Huffman table of more than 256 codes");
-    largestPiece = 1 << 20; // the JPEG reader's state is some 20 KiB
+    largestPiece = 1 << 20;
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) || width < 1 || height < 1)
         fault(who, " is not a PNG or JPEG image that can be read");
     const uint64_t pixels = uint64_t{1} * width * height;
     file.pixels.spend(pixels, who);
-    if (bytes[0] == 0xFF && countScans(bytes) > kMaxScans) fault(who, " has more than ", kMaxScans, " scans");
-
     // The largest allocations hold four channels of 16 bits and the compressed data, both in buffers that
-    // grow by doubling. A progressive JPEG's coefficients have 16 bits, in blocks rounded up to its largest
-    // sampling factor, 4.
-    const uint64_t rounded = (uint64_t{32} + width) * (uint64_t{32} + height);
-    largestPiece = rounded * 16 + bytes.size() * 2 + 65536;
+    // grow by doubling.
+    largestPiece = pixels * 16 + bytes.size() * 2 + 65536;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> data(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-    if (!data || uint64_t{1} * width * height != pixels) fault(who, " is broken or cut short");
-    ImageRgba8 image(width, height);
+    if (!data || uint64_t{1} * width * height != pixels) fault(who, kBroken);
+    image = ImageRgba8(width, height);
     std::memcpy(image.pixels.data(), data.get(), image.pixels.size());
     return image;
 }
