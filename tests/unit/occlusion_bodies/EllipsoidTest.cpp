@@ -3,12 +3,15 @@
 #include "content/make/models/occlusion/FitEllipsoids.h"
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/occlusion/SmoothLight.h"
+#include "tests/Cells.h"
 #include "tests/Test.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include "tests/unit/light/Environments.h"
 
 namespace shoal::occlusion {
 namespace {
+
+using tests::addCells;
 
 const glm::vec3 kSlants[] = {{0, 1, 0}, {0.6f, 0.8f, 0}, {0.3f, -0.5f, 0.81f}, {-0.7f, 0.1f, -0.7f}};
 
@@ -142,22 +145,6 @@ TEST(OpenLobe, IsWholeWhereItLooksOutOfASkin) {
         EXPECT_EQ(lobeVisibility({0.2f - depth, 0, 0}, {1, 0, 0}, 0.4f, {&body, 1}), 1) << depth;
         EXPECT_LT(lobeVisibility({0.2f - depth, 0, 0}, {-1, 0, 0}, 0.4f, {&body, 1}), 0.01f) << depth;
     }
-}
-
-// Adds columns x rows cells at place(u, v), u and v from 0 to 1.
-template <class Place>
-void addCells(std::vector<glm::vec3>& positions, std::vector<uint32_t>& indices, uint32_t columns,
-              uint32_t rows, const Place& place) {
-    const auto first = static_cast<uint32_t>(positions.size());
-    for (uint32_t y = 0; y <= rows; ++y)
-        for (uint32_t x = 0; x <= columns; ++x)
-            positions.push_back(place(static_cast<float>(x) / static_cast<float>(columns),
-                                      static_cast<float>(y) / static_cast<float>(rows)));
-    for (uint32_t y = 0; y < rows; ++y)
-        for (uint32_t x = 0; x < columns; ++x) {
-            const uint32_t a = first + y * (columns + 1) + x, b = a + columns + 1;
-            indices.insert(indices.end(), {a, a + 1, b, a + 1, b + 1, b});
-        }
 }
 
 struct Sheets {
