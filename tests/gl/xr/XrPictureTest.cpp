@@ -114,6 +114,7 @@ class XrPicture : public test::WithFakeRuntime {
 
 TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
     for (const int samples : {1, 4}) {
+        placeHead({});
         auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, samples));
         for (const float scale : {1.0f, 0.6f}) {
             show(headset, scale);
@@ -122,17 +123,11 @@ TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
             expectOrdinary(size, samples);
             EXPECT_NE((*fake.last.eyes)[0].rgba, (*fake.last.eyes)[1].rgba);
         }
+        // The head leans, turns and tilts.
+        placeHead({0.1f, -0.05f, 0.2f}, glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f)));
+        show(headset, 1);
+        expectOrdinary({200, 240}, samples);
     }
-}
-
-TEST_F(XrPicture, MovesWithTheHead) {
-    auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
-    show(headset, 1);
-    // Leans, turns and tilts the head.
-    const glm::quat turn = glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f));
-    placeHead({0.1f, -0.05f, 0.2f}, turn);
-    show(headset, 1);
-    expectOrdinary({200, 240}, 1);
 }
 
 // In the player's room only animals are drawn, lit by the film, and hands only hide them.
