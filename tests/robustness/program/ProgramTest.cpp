@@ -507,13 +507,6 @@ TEST_F(Program, CheckTellsGoodFromBadByContentNotNames) {
     expectOneMessage(run("check riff"), "riff: is");
 }
 
-TEST_F(Program, TheSameMomentGivesTheSamePicture) {
-    const std::string play = "play --headless --size 160x90 --at 0.5 --fps 10 --screenshot ";
-    ASSERT_EQ(run(play + "a.png").status, 0);
-    ASSERT_EQ(run(play + "b.png").status, 0);
-    EXPECT_EQ(tests::valueOf(readText(folder_ / "a.png")), textOf("b.png"));
-}
-
 // Shadows need only the film's distances.
 TEST_F(Program, ShadowsFallWhereverAFilmHasADepthTrack) {
     const Path content = tests::sourceFolder() / "content/video";
