@@ -293,8 +293,6 @@ TEST(Failure, ABodyOfNoVolume) {
         EXPECT_FALSE(cured.trace({1, 5, 0}, {0, -1, 0}, 0));
         EXPECT_FALSE(tests::valueOf(OllfbThesis::make(body->mesh())).trace({1, 2, 5}, {0, 0, -1}, 0));
     }
-    // A sheet has no volume either, but two sides.
-    EXPECT_TRUE(TracedOllfb::make(oneTriangle().mesh()).value().trace({0, 0, 1}, {0, 0, -1}, 0));
 }
 
 TEST(Failure, NormalsOfNoLengthAreTakenFromTheTriangle) {
