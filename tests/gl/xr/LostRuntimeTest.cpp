@@ -102,7 +102,7 @@ TEST_F(LostRuntime, APlayerWithTheMouseIsLeftAlone) {
     };
     fake.onGone = [&](FakeRuntime&) {
         test::onEachPoll([&] {
-            if (++polls == 5) test::strikeKey(GLFW_KEY_ESCAPE); // leaves the pause menu
+            if (++polls == 5) test::strikeKey("Escape"); // leaves the pause menu
             if (polls == 30) glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);
             return polls < 30;
         });
