@@ -46,14 +46,6 @@ int writtenWithin(uint64_t bytes, const std::function<Status()>& write) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST_F(WriteFile, WritesWholeAndReadsBack) {
-    const Path file = folder_ / "below" / "a.txt";
-    ASSERT_TRUE(writeFileWhole(file, "one"));
-    ASSERT_TRUE(writeFileWhole(file, "two"));
-    EXPECT_EQ(readText(file).value(), "two");
-    EXPECT_EQ(namesIn(file.parent_path()), std::vector<std::string>{"a.txt"});
-}
-
 TEST_F(WriteFile, KeepsThePermissionsOfWhatItReplaces) {
     ASSERT_TRUE(writeFileWhole(folder_ / "a", "one"));
     fs::permissions(folder_ / "a", fs::perms(0640));
