@@ -29,10 +29,6 @@ const BodyMesh kFloorMesh{kFloor, kFloorUp, kFloorTriangle};
 
 const ImageRgbF kWhite = light::uniform(64, glm::dvec3(1));
 
-TEST(AmbientOcclusion, IsOneInTheOpen) {
-    for (const float free : bakeAmbientOcclusion(kFloorMesh, kOpen, 64, 0)) EXPECT_EQ(free, 1);
-}
-
 TEST(AmbientOcclusion, UnderASphereLacksItsFormFactor) {
     const vec3 centre(0.7f, 1.6f, 0);
     const auto baked = bakeAmbientOcclusion(
