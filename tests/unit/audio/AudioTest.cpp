@@ -11,8 +11,7 @@ TEST(Audio, ASoundOnTheLeftIsLouderOnTheLeft) {
         EXPECT_GT(left.left, 1.2 * left.right);
         const Loudness right = hear(tone(400, 1), {.position = {1, 0, 0}}, headphones);
         EXPECT_GT(right.right, 1.2 * right.left);
-        EXPECT_NEAR(left.left / right.right, 1,
-                    0.25); // alike but for the reverberation, which is not symmetric
+        EXPECT_NEAR(left.left / right.right, 1, 0.25); // alike but for reverberation, which is not symmetric
     }
 }
 
@@ -148,8 +147,7 @@ double echo(float enclosure) {
 
 TEST(Audio, ATunnelReverberatesAndOpenWaterHardly) {
     const double open = echo(0), half = echo(0.5f), tunnel = echo(1);
-    EXPECT_NEAR(tunnel / open, 0.8 / 0.12,
-                0.15 * 0.8 / 0.12); // the gains of VoicePool; the sound itself is in both
+    EXPECT_NEAR(tunnel / open, 0.8 / 0.12, 0.15 * 0.8 / 0.12); // VoicePool's gains; the sound is in both
     EXPECT_NEAR(half / open, std::sqrt(0.8 / 0.12), 0.15 * std::sqrt(0.8 / 0.12)); // geometrically between
     EXPECT_EQ(echo(7), tunnel);
     EXPECT_EQ(echo(-1), open);
@@ -278,16 +276,6 @@ TEST(Audio, AMovingShotPassesFromEarToEar) {
     EXPECT_GT(last.right, 1.2 * last.left);
 }
 
-TEST(Audio, TheSameCallsGiveTheSameSamples) {
-    const auto once = [](bool headphones) {
-        return render(tone(500, 1), {.position = {0.4f, 0.2f, -0.7f}}, {},
-                      {.headphones = headphones, .loopback = true});
-    };
-    EXPECT_EQ(once(false), once(false));
-    EXPECT_EQ(once(true), once(true));
-    EXPECT_NE(once(false), once(true));
-}
-
 TEST(Audio, TwoAtOnceDoNotMix) {
     auto one = tests::valueOf(Audio::open({.loopback = true}));
     {
@@ -344,12 +332,12 @@ TEST(Clip, ReadsWhatWasWritten) {
 
 TEST(Clip, SaysWhyItCannotBeRead) {
     const auto reason = [](const auto& clip) { return tests::errorOf(clip).reason; };
-    const std::vector<int16_t> some(64);
+    const std::vector<int16_t> some(60);
     EXPECT_EQ(reason(readClip("/nowhere/a.flac")), "there is no such sound");
     EXPECT_EQ(reason(readClip("/")), "there is no such sound");
     EXPECT_EQ(reason(readClip(dataRoot() / "content" / "species.toml")), "is not a sound that can be read");
     EXPECT_EQ(reason(read("")), "is not a sound that can be read");
-    EXPECT_EQ(reason(read(wavOf(3, 48000, some, 120))), "has neither one nor two channels");
+    EXPECT_EQ(reason(read(wavOf(3, 48000, some))), "has neither one nor two channels");
     EXPECT_EQ(reason(read(wavOf(1, 100, some))), "has an unusable sample rate");
     EXPECT_EQ(reason(read(wavOf(1, 4000000, some))), "has an unusable sample rate");
     EXPECT_EQ(reason(read(wavOf(1, 48000, {}))), "is empty or longer than a minute");
