@@ -1,5 +1,4 @@
-// The background lies where the map has it, and matte and mirror spheres show the video's own
-// colours.
+// The background lies where the map has it; matte and mirror spheres show the video's own colours.
 #include "Spheres.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
@@ -134,8 +133,7 @@ TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
         }
 }
 
-// With lean detail a small sphere is lit by the vertex: a uniform video stays uniform,
-// and in a smooth one nobody can tell.
+// With lean detail a small sphere is lit by the vertex: even light stays even, in smooth nobody can tell.
 TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
     constexpr int kSize = 64; // the sphere's radius is 24 pixels
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kSize};

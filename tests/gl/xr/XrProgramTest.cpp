@@ -10,8 +10,7 @@ namespace {
 // Time between frames for scripts of many seconds.
 constexpr double kSlow_s = 1.0 / 30;
 
-// The pause from frame 30 lasts until a hand that closes in frame 60 has taken hold, for 0.4 s; four ticks a
-// frame.
+// The pause from frame 30 lasts until a hand has been closed for 0.4 s, from frame 60; four ticks a frame.
 TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
     fake.period_s = kSlow_s;
     closeHand(0, 0);

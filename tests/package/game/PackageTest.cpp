@@ -205,8 +205,7 @@ TEST_F(Package, DebianFindsNoErrorInIt) {
     EXPECT_LE(looked.status, 2) << looked.said; // 2: it complained
 }
 
-// Made as `cpack -G TXZ` makes it, but compressed more quickly, and unpacked in a folder with a space in its
-// name.
+// Made as by `cpack -G TXZ`, but compressed more quickly, and unpacked where a name has a space.
 TEST_F(Package, ArchiveBringsItsLibrariesAndPlaysInAnyFolder) {
     if (run("grep -qx VERSION_CODENAME=bookworm /etc/os-release").status != 0)
         GTEST_SKIP() << "needs Debian 12: an archive made on it runs on newer systems too";
@@ -237,8 +236,7 @@ TEST_F(Package, ArchiveBringsItsLibrariesAndPlaysInAnyFolder) {
     EXPECT_EQ(dive.status, 0) << dive.said;
     EXPECT_TRUE(fs::exists(picture));
     EXPECT_EQ(run(shoal + program + " devices").status, 0);
-    // It may load its own libraries, those of C, C++ and OpenGL, and those that it has for systems without
-    // them.
+    // It may load its own libraries, those of C, C++ and OpenGL, and its spare ones where a system has none.
     const std::regex system(
         ".*/(ld-linux.*|lib(c|m|dl|pthread|rt|resolv|gcc_s|stdc\\+\\+|GL.*|EGL.*)\\.so.*)");
     const Outcome checked = run(shoal + "LD_DEBUG=files " + program + " check " + quoted(picture) +

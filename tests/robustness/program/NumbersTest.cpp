@@ -1,5 +1,4 @@
-// Invalid numbers are refused wherever they come from: one sentence names the option or the key, and nothing
-// is done.
+// Invalid numbers are refused wherever they come from: one sentence names the option or the key.
 #include "Program.h"
 
 #include <span>

@@ -1,5 +1,4 @@
-// Runs the program as a person would, by a command line in a folder of its own, and returns its output and
-// exit status.
+// Runs the program as a person would, by a command line in a folder of its own.
 #pragma once
 
 #include "engine/core/Files.h"

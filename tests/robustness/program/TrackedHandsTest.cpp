@@ -213,7 +213,6 @@ TEST_F(TrackedHands, DevicesListsThem) {
     EXPECT_NE(out().find("leap: ready, protocol 6"), std::string::npos) << out();
 }
 
-// A service that answers on the tracker's port is announced when it takes over.
 TEST(HandsNotice, NamesTheDeviceThatAutoHasFoundAndSaysWhenItGoes) {
     std::optional<Server> server(std::in_place);
     app::HandOptions options;

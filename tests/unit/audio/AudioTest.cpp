@@ -25,8 +25,7 @@ TEST(Audio, TheHeadTurnsTheWorld) {
 
 TEST(Audio, HeadphonesLetTheNearEarHearFirst) {
     // Low noise-free click from the left: the right ear hears it later by the width of a head. The HRTF is
-    // that of air, 0.6 to 0.8 ms at the side; in water it would be a quarter, and nobody could tell left from
-    // right.
+    // that of air, 0.6 to 0.8 ms at the side; in water a quarter: nobody could tell left from right.
     Clip click;
     click.samples.assign(4800, 0);
     for (int i = 0; i < 24; ++i) click.samples[200 + i] = 16000;
@@ -176,8 +175,7 @@ TEST(Audio, EnteringATunnelDoesNotClick) {
 }
 
 TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
-    // A busy moment of the game: a bed, tense music, eight creatures within reach, a bite. Below full scale,
-    // tunnel or not.
+    // A busy moment of the game: a bed, tense music, creatures within reach, a bite; in a tunnel or not.
     for (const float enclosure : {0.0f, 1.0f}) {
         auto audio = tests::valueOf(Audio::open({.loopback = true}));
         for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small", "music_reef_calm",
@@ -245,8 +243,7 @@ TEST(Audio, AStereoBedComesOutAsItIs) {
 
 TEST(Audio, ASourceThatComesNearerSoundsHigher) {
     // Cycles counted by zero crossings. Doppler: f' = f c / (c - k v), c = 1500 m/s, v = 20 m/s towards the
-    // head: as in air (k = 4.37) 1.062. Half a second counts 500 half cycles at 500 Hz: one is
-    // 0.2 %.
+    // head: as in air (k = 4.37) 1.062. Half a second counts 500 half cycles at 500 Hz: one is 0.2 %.
     const auto crossings = [](float velocity_mps) {
         const auto samples =
             render(tone(500, 1), {.position = {0, 0, -20}, .velocity = {0, 0, velocity_mps}}, {}, {});

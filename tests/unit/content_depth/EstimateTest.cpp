@@ -95,8 +95,7 @@ Swept sweepOf(const TestRoom& room, const std::vector<glm::vec3>& places) {
     return result;
 }
 
-// This is the goal of the whole tool: it is confident of half at least, and of that four fifths are within 10
-// %.
+// The goal of the whole tool: it is confident of half at least, of which four fifths are within 10 %.
 TEST(SphereSweep, AWalkThroughARoomGivesItsWalls) {
     const TestRoom room;
     Swept swept = sweepOf(room, {{-0.1f, 0, 0.02f}, {0.1f, 0, -0.02f}, {-0.2f, 0, 0}, {0.2f, 0, 0}});

@@ -71,8 +71,7 @@ TEST_P(Animals, AreFewAndLeanDraws) {
     }
 }
 
-// The engine draws coarser meshes from afar, which it makes when it loads the model: the body must give way
-// well.
+// The engine makes coarser meshes, for afar, when it loads a model: the body must give way well.
 TEST_P(Animals, HaveTwoLowerLevelsOfDetailAtLeast) {
     ASSERT_FALSE(model.meshes.empty());
     const Primitive& body = model.meshes[0].primitives[0];
@@ -386,8 +385,7 @@ TEST(HandModels, AreMirrorImages) {
 INSTANTIATE_TEST_SUITE_P(Content, Hands, testing::Values("hand_left", "hand_right"),
                          [](const auto& spec) { return std::string(spec.param); });
 
-// However its fingers bend, a hand stays in the sphere around it, and the sphere is little larger than a
-// hand.
+// However its fingers bend, a hand stays in the sphere around it, which is little larger than a hand.
 TEST(Hands, StayWithinTheirReach) {
     const Model model = shipped("hand_left");
     Pose pose = restOf(model);

@@ -63,8 +63,7 @@ SphericalMetadata metadataOf(const std::string& bytes) {
     return tests::valueOf(VideoSource::open(folder / "film.mp4", Layout::Auto)).info().metadata;
 }
 
-// The reader believes the second version before the first; with the second's boxes renamed to free space, the
-// first must serve.
+// The reader believes the second version first; where its boxes are free space, the first must serve.
 TEST_P(ContentVideo, StatesItsProjectionInBothVersions) {
     const auto file = tests::valueOf(readFile(video_, 45u << 20));
     std::string bytes(file.begin(), file.end());

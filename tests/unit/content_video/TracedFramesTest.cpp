@@ -1,5 +1,4 @@
-// Traced frames come back from disk as they were, to a step of their coding; scenes state only what differs
-// from their base.
+// Traced frames come back from disk to a step of their coding; scenes state what differs from their base.
 #include "content/make/video/Kept.h"
 #include "content/make/video/Scene.h"
 #include "tests/Test.h"

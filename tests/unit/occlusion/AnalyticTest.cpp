@@ -25,8 +25,7 @@ TEST(Analytic, SphereIsHitWhereItIs) {
     const TracedOllfb cured = TracedOllfb::make(body.mesh(), {.views = 54}).value();
     const OllfbThesis thesis = OllfbThesis::make(body.mesh(), {.cells = 3}).value();
     Random random(1);
-    // Facets lie inside the sphere by at most 1 - cos of half their angle across, 2 (pi / 192)^2 / 2, over
-    // the cosine.
+    // Facets lie inside by 1 - cos of half their angle across, 2 (pi / 192)^2 / 2 at most, over the cosine.
     const double facet = std::pow(M_PI / kColumns, 2) / static_cast<double>(kSteepEnough);
     const double pixel = 2.0 / 63;
     int near = 0, all = 0;
@@ -40,8 +39,7 @@ TEST(Analytic, SphereIsHitWhereItIs) {
         // Blended, what is left is of third order in a pixel over the radius, and the normals' 2 x 8 bits:
         // 0.0083 rad over half a pixel. A fifth of a pixel holds both with a steep slope's factor of 1 / 0.4.
         EXPECT_NEAR(static_cast<double>(hit.distance), *expected, facet + pixel / 5) << i;
-        // 0.0167 rad of rounding; in the wall between two cells the layer's own normal, half a pixel away and
-        // steep.
+        // 0.0167 rad of rounding; between two cells the layer's own normal, half a pixel away and steep.
         EXPECT_GT(glm::dot(hit.normal, normal), std::cos(0.06f)) << i;
         // The thesis' step may be a pixel's diagonal aside, where the slope towards the view is up to 3; or
         // it has a gap there and the ray goes on to the far side.

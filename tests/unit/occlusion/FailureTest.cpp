@@ -101,8 +101,7 @@ double pictureError(const Method& method, const std::vector<Question>& questions
     return std::sqrt(sum / static_cast<double>(questions.size()));
 }
 
-// Rays that leave a sphere at a small angle do not hit it again; rays that dip below its surface are not
-// tested.
+// Rays that leave a sphere at a small angle do not hit it again; those that dip below it are not tested.
 TEST(Failure, RaysAlongASurface) {
     const TracedOllfb cured = TracedOllfb::make(sphere(1, 96, 48).mesh()).value();
     ASSERT_TRUE(cured.onlyOuter());
@@ -158,8 +157,7 @@ TEST(Failure, RaysThatDiveUnderTheSurfaceTheyBeganOn) {
     EXPECT_LE(astray, all / 100);
 }
 
-// A fin a hundredth of a pixel thick: met from its sides, and whoever looks along it meets nothing but its
-// edge.
+// A fin a hundredth of a pixel thick: met from its sides; along it there is nothing but its edge.
 TEST(Failure, ThinFinsSeenEdgeOn) {
     const Body body = box({1, 0.5f, 0.0002f});
     const TracedOllfb cured = TracedOllfb::make(body.mesh()).value();

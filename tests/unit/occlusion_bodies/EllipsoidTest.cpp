@@ -185,8 +185,7 @@ TEST(TraceSelfOcclusion, ABuriedRootLeavesWhatIsSeenAsItIs) {
             withSelfOcclusion(glm::mix(selfOcclusion[1], selfOcclusion[4], (height + 0.4f) / 0.75f),
                               {0, 0, 1}); // in the middle
         EXPECT_NEAR(hidden.w, 0.5f, 0.1f) << height;
-        // The mean over the lower quarter of the sphere, which is half of what a wall sees: (0, -2 / (3 pi),
-        // 1 / 3).
+        // The mean over the sphere's lower quarter, half of what a wall sees: (0, -2 / (3 pi), 1 / 3).
         EXPECT_NEAR(hidden.y, -0.2122f, 0.06f) << height;
         EXPECT_NEAR(hidden.z, 0.3333f, 0.07f) << height;
     }
@@ -202,8 +201,7 @@ TEST(TraceSelfOcclusion, ALabelLeavesTheCornersOfItsWallAsTheyAre) {
         EXPECT_LT(withSelfOcclusion(selfOcclusion[corner], sheets.normals[corner]).w, 0.15f) << corner;
 }
 
-// At rest, own ellipsoids and the self-occlusion that completes them hide together what self-occlusion alone
-// hides.
+// At rest, own ellipsoids and what completes them hide together what self-occlusion alone hides.
 TEST(TraceSelfOcclusion, CompleteTheBodysOwnEllipsoids) {
     Sheets sheets;
     sheets.add({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 12);   // a floor, facing up
