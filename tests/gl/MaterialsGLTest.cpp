@@ -155,8 +155,7 @@ TEST_F(MaterialsGL, WithoutSpecularASurfaceIsMatte) {
             }
 }
 
-// An index of refraction next to 1.5 differs from it by as little, though another program draws it; no metal
-// knows of either.
+// An index of refraction next to 1.5 differs as little, though another program draws it; no metal knows it.
 TEST_F(MaterialsGL, DielectricsNextToTheUsualOneLookLikeIt) {
     const Lit lit(uniformFrame(200, 180, 160));
     for (const float metallic : {0.0f, 1.0f})

@@ -244,8 +244,7 @@ TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
     }
 }
 
-// The light above was brighter than white, and a mirror shows it as the camera did. What it sends to the
-// ground is more than white's.
+// The light above was brighter than white: a mirror shows it as the camera did, the ground gets more.
 TEST_F(RenderGL, ClippedLightIsWhiteInAMirrorAndMoreThanThatOnTheGround) {
     ImageRgb8 frame = uniformFrame(120, 120, 120);
     for (int y = 0; y < 6; ++y) std::fill_n(frame.at(0, y), 3 * frame.width, uint8_t{255});
@@ -297,9 +296,8 @@ ImageRgb8 capsFrame(int width) {
     return frame;
 }
 
-// The shader looks the light up as lookUpGlossy() does, for mirrors, smooth and rough metal, on levels and
-// between them, at seam and pole too. A white metal seen head on reflects the lobe, and what it loses between
-// its facets comes back matte.
+// The shader looks the light up as lookUpGlossy() does, on levels and between them, at seam and pole too. A
+// white metal seen head on reflects the lobe; what it loses between its facets comes back matte.
 TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
     const ImageRgb8 frame = capsFrame(512);
     const light::EnvironmentLight made = lightMadeOf(frame);

@@ -61,9 +61,8 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     expectReplays(recording);
 }
 
-// The setting "auto" goes by the head above the floor: of the first dive, before which nobody has looked, and
-// of the second, chosen from the title screen. A player who sits down or stands up as the title comes keeps
-// both recordings.
+// The setting "auto" goes by the head above the floor: in the first dive, and in the second, chosen from the
+// title screen. A player who sits down or stands up as the title comes keeps both recordings.
 TEST_F(XrProgram, APlayerWhoSitsDivesSeated) {
     withoutValidation();
     fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);

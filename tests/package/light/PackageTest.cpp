@@ -1,6 +1,5 @@
 // The light as a library of its own, as somebody with another engine meets it: it configures alone, installs,
-// and projects outside the tree find it, link it in C, and draw with it in OGRE what `shoal view`
-// draws.
+// and projects outside the tree find it, link it in C, and draw in OGRE what `shoal view` draws.
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
 #include "tests/TestPaths.h"

@@ -303,8 +303,7 @@ TEST_F(Program, ABrokenScoresFileIsSaidOnce) {
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
 
-// A start from a menu has a display and no terminal. A fake of the program that shows message boxes records
-// the text that it is given.
+// A start from a menu has a display and no terminal. A fake of the message boxes' program records texts.
 TEST_F(Program, StartedFromAMenuItTellsItsErrorsInAMessageBox) {
     const Path box = folder_ / "box.txt";
     write("zenity", "#!/bin/sh\nprintf '%s\\n' \"$@\" >" + box.string());

@@ -76,8 +76,7 @@ TEST(Audio, WaterTakesTheHighTonesOfWhatIsFar) {
     EXPECT_LT(ratio(6), 0.6 * ratio(0.7f));
 }
 
-// Level of a band around some frequencies, left and right: a windowed sum of Goertzel's kind over the second
-// half of what was rendered.
+// Level around some frequencies, left and right: Goertzel's sum over the second half of what was rendered.
 Loudness bandOf(std::span<const float> stereo, std::initializer_list<double> frequencies_Hz) {
     Loudness sum;
     const size_t frames = stereo.size() / 2, begin = frames / 4;

@@ -236,8 +236,7 @@ Glare glowOf(const ImageRgb8& frame) {
     return glow;
 }
 
-// Within a fifth and half a percent: a cell beside the edge has some of the bright side's light for its own,
-// and noise adds its variance.
+// Within a fifth and half a percent: cells beside the edge have some of its light, noise adds its variance.
 TEST(Glare, IsFoundBesideBrightThings) {
     for (const float share : {0.0f, 0.02f, 0.06f, 0.1f})
         for (const float noise : {0.0f, 3.0f})

@@ -185,8 +185,7 @@ TEST(TrackFilter, BelievedShareIsCountedBySolidAngle) {
     EXPECT_NEAR(believedShare(frame), 0.1464, 0.001);
 }
 
-// A plane 1.6 m below the camera that falls to one side by 6 degrees; the inverse distance in a direction is
-// its dot product with this.
+// A plane 1.6 m below the camera, tilted by 6 degrees: its dot product with a direction is 1 / distance.
 const glm::vec3 kPlane = glm::normalize(glm::vec3(0.1f, -1, 0.03f)) / 1.6f;
 
 bool isBoulder(const glm::vec3& dir) {
@@ -226,8 +225,7 @@ DepthEstimate ballBelow() {
 // Returns the frame twice, since a texel has to be known in two frames.
 std::vector<DepthEstimate> twice(const DepthEstimate& depth) { return {depth, depth}; }
 
-// Each frame knows a tenth of the ground, all frames together three quarters; one frame in five believes that
-// it is twice as far.
+// Each frame knows a tenth of the ground, all together three quarters; one in five believes it twice as far.
 TEST(Ground, FramesTellOfItTogether) {
     std::vector<DepthEstimate> frames;
     for (size_t frame = 0; frame < kGroundFrames; ++frame) {

@@ -235,8 +235,7 @@ TEST_P(Hands, AreOneLeanDraw) {
     EXPECT_LE(model.meshes[0].primitives[0].positions.size(), 4000u);
 }
 
-// A hand ends in a wrist of three quarters of the palm's breadth, which the sleeve hides
-// (content/make/models/arms.py).
+// A hand ends in a wrist of three quarters of the palm's breadth; a sleeve hides it (models/arms.py).
 TEST_P(Hands, EndInAWrist) {
     ASSERT_FALSE(model.meshes.empty());
     const Primitive& skin = model.meshes[0].primitives[0];

@@ -6,8 +6,7 @@
 namespace shoal::reef {
 namespace {
 
-// Steps: (64 / 0.002 + 1)^(1 / 4095) = 1.00254 and 512^(1 / 4095) = 1.00153; half of one is the error, and a
-// little for rounding of floats.
+// Steps: (64 / 0.002 + 1)^(1 / 4095) = 1.00254, 512^(1 / 4095) = 1.00153; half is the error, and rounding.
 constexpr float kRadianceTol = 0.00127f * 1.01f, kDistanceTol = 0.000766f * 1.01f;
 
 TEST(TracedFrames, CodesKeepLightAndDistanceToHalfAStep) {

@@ -55,8 +55,7 @@ TEST(Ellipsoid, ASphereAheadTakesTheSquareOfItsSine) {
     }
 }
 
-// Seen from its skin it is a half space: facing it nothing is left, looking away hardly anything is taken,
-// and looking along it half.
+// From its skin it is a half space: facing it all is taken, looking away hardly anything, along it half.
 TEST(Ellipsoid, IsAHalfSpaceFromItsSkinAndWithin) {
     const glm::mat3 turn = glm::mat3_cast(glm::normalize(glm::quat(0.6f, 0.3f, -0.5f, 0.2f)));
     for (const float depth : {0.0f, 0.01f, 0.1f}) {
@@ -172,8 +171,7 @@ glm::vec4 withSelfOcclusion(const glm::vec4& selfOcclusion, const glm::vec3& nor
 }
 
 // Ground as wide as the horizon hides half of what a wall sees, wherever on it. The wall's lowest corners are
-// buried and see nothing: what is seen of it must not darken for that. Corners that ask for themselves make
-// it 0.69 here.
+// buried and see nothing: what is seen must not darken for that; asking for corners makes it 0.69.
 TEST(TraceSelfOcclusion, ABuriedRootLeavesWhatIsSeenAsItIs) {
     Sheets sheets;
     sheets.add({-0.5f, -0.4f, 0}, {1, 0, 0}, {0, 1.5f, 0}, 2); // the wall, facing +z
@@ -245,8 +243,7 @@ TEST(TraceSelfOcclusion, GiveBackSomeOfTheDominantLightThatOwnEllipsoidsHide) {
 }
 
 // Half a hollow sphere hides half of what each place in it sees, for all of a sphere's inside sees all of it
-// alike. Six rays leave no speckles there; where each corner kept its own noise, neighbours differed by
-// 0.076.
+// alike. Six rays leave no speckles; where each corner kept its own noise, neighbours differed by 0.076.
 TEST(TraceSelfOcclusion, FewRaysAreSmooth) {
     Sheets bowl;
     constexpr int kRound = 64, kDeep = 32;

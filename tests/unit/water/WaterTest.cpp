@@ -83,8 +83,7 @@ const Sea kOthers[] = {
     Sea{.attenuation_perM = {0.14f, 0.06f, 0.045f}, .veilLin = {0.02f, 0.12f, 0.25f}}, // a clear ocean
     Sea{.attenuation_perM = {0.40f, 0.22f, 0.26f}, .veilLin = {0.03f, 0.14f, 0.10f}}}; // a green coast
 
-// Finds a sea's water again. The sea shows its veil where it is endless: around the horizon, and above as far
-// as the surface mirrors.
+// Finds a sea's water again, and its veil around the horizon and above, as far as the surface mirrors.
 Water foundAgain(const Sea& sea) {
     const WaterEstimate found = estimated(filmed(sea));
     EXPECT_EQ(found.evidence, 1);
