@@ -154,15 +154,9 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
     distances.ours = rmse(ours, truth);
 }
 
-constexpr const char* kScenarios[] = {"DamagedHelmet",
-                                      "Suzanne",
-                                      "Duck",
-                                      "Fox",
-                                      "CesiumMan",
-                                      "NormalTangentTest",
-                                      "VertexColorTest",
-                                      "AnimatedMorphCube",
-                                      "MetalRoughSpheresNoTextures"};
+constexpr auto kScenarios =
+    std::to_array<const char*>({"DamagedHelmet", "Suzanne", "Duck", "Fox", "CesiumMan", "NormalTangentTest",
+                                "VertexColorTest", "AnimatedMorphCube", "MetalRoughSpheresNoTextures"});
 
 class Fidelity : public testing::TestWithParam<const char*> {};
 
