@@ -27,6 +27,7 @@ std::string pnm(int width, int height, const char* kind = "P5") {
 class Program : public tests::Program {
   protected:
     const std::string angelfish_ = tests::sourceFolder() / "content/models/angelfish.glb";
+    const std::string play_ = "play --headless --at 0.1 --size 64x36 "; // the shortest
 
     // Draws a model before a photo, to out.png.
     Outcome view(const std::string& model, const std::string& options) const {
@@ -99,11 +100,10 @@ TEST_F(Program, AMistypedWordIsMetWithTheOneThatMayBeMeant) {
 
 // A picture of another kind under a PNG's name, or a mistyped folder, is found before anything is played.
 TEST_F(Program, AFileToBeWrittenMustHaveAPlace) {
-    const std::string play = "play --headless --at 0.1 --size 64x36 ";
-    expectOneMessage(run(play + "--screenshot x.gif"), "x.gif");
-    expectOneMessage(run(play + "--screenshot nowhere/out.png"), "nowhere");
-    expectOneMessage(run(play + "--record nowhere/out.replay"), "nowhere");
-    expectOneMessage(run(play + "--stats nowhere/out.json"), "nowhere");
+    expectOneMessage(run(play_ + "--screenshot x.gif"), "x.gif");
+    expectOneMessage(run(play_ + "--screenshot nowhere/out.png"), "nowhere");
+    expectOneMessage(run(play_ + "--record nowhere/out.replay"), "nowhere");
+    expectOneMessage(run(play_ + "--stats nowhere/out.json"), "nowhere");
     expectOneMessage(run("view m.glb --out x.gif"), "x.gif");
     expectOneMessage(run("view m.glb --out nowhere/out.png"), "nowhere");
     expectOneMessage(run("panorama p.jpg -o nowhere/out.png"), "nowhere");
@@ -331,16 +331,15 @@ TEST_F(Program, EnvironmentsThatAreNone) {
     write("text.mp4", "not a video");
     write("cut.jpg", "\xff\xd8\xff");
     fs::create_directory(folder_ / "films");
-    const std::string play = "play --headless --at 0.1 --size 64x36 ";
-    expectOneMessage(run(play + "--video /nowhere/there.mp4"), "there.mp4");
-    expectOneMessage(run(play + "--video empty.mp4"), "empty.mp4");
-    expectOneMessage(run(play + "--video text.mp4"), "text.mp4");
-    expectOneMessage(run(play + "--photo cut.jpg"), "cut.jpg");
-    expectOneMessage(run(play + "--env cut.jpg"), "cut.jpg");
-    expectOneMessage(run(play + "--video films"), "films");
-    expectOneMessage(run(play + "/nowhere/there.mp4"), "there.mp4");
-    expectOneMessage(run(play + "films"), "films");
-    expectOneMessage(run(play + "cut.jpg --photo cut.jpg"), "--photo", 2);
+    expectOneMessage(run(play_ + "--video /nowhere/there.mp4"), "there.mp4");
+    expectOneMessage(run(play_ + "--video empty.mp4"), "empty.mp4");
+    expectOneMessage(run(play_ + "--video text.mp4"), "text.mp4");
+    expectOneMessage(run(play_ + "--photo cut.jpg"), "cut.jpg");
+    expectOneMessage(run(play_ + "--env cut.jpg"), "cut.jpg");
+    expectOneMessage(run(play_ + "--video films"), "films");
+    expectOneMessage(run(play_ + "/nowhere/there.mp4"), "there.mp4");
+    expectOneMessage(run(play_ + "films"), "films");
+    expectOneMessage(run(play_ + "cut.jpg --photo cut.jpg"), "--photo", 2);
 }
 
 // A desktop opens files by their content, whatever they are called.
@@ -413,11 +412,10 @@ TEST_F(Program, PanoramaSaysThatTwoEyesPicturesAreNotLevelled) {
 }
 
 TEST_F(Program, HandsAndDivesThatAreNone) {
-    const std::string play = "play --headless --at 0.1 --size 64x36 ";
-    expectOneMessage(run(play + "--hands script:/nowhere/s.toml"), "s.toml");
-    expectOneMessage(run(play + "--hands replay:" + write("r.replay", "SHOALREC")), "r.replay");
-    expectOneMessage(run(play + "--hands feet"), "feet");
-    expectOneMessage(run(play + "--dive ../../etc/passwd"), "passwd");
+    expectOneMessage(run(play_ + "--hands script:/nowhere/s.toml"), "s.toml");
+    expectOneMessage(run(play_ + "--hands replay:" + write("r.replay", "SHOALREC")), "r.replay");
+    expectOneMessage(run(play_ + "--hands feet"), "feet");
+    expectOneMessage(run(play_ + "--dive ../../etc/passwd"), "passwd");
 }
 
 TEST_F(Program, AScriptBringsItsOwnDiveAndRules) {
