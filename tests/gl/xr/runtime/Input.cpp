@@ -11,9 +11,8 @@ namespace {
 
 int handOf(XrPath path) {
     if (path < 1 || path > pathTexts().size()) return -1;
-    return pathTexts()[path - 1] == "/user/hand/left"    ? 0
-           : pathTexts()[path - 1] == "/user/hand/right" ? 1
-                                                         : -1;
+    const std::string& text = pathTexts()[path - 1];
+    return text == "/user/hand/left" ? 0 : text == "/user/hand/right" ? 1 : -1;
 }
 
 // Inputs below /input of the registry's interaction profiles (xr.xml, 1.1.53) for games, no poses or haptics;
