@@ -1,6 +1,5 @@
-// damaged_TARGET FOLDER...: gives a fuzz target each file below the folders, those of the reference data
-// where a path is relative: as it is, cut short, and with bytes changed by a seeded generator. Ends with 77
-// where there is no file.
+// damaged_TARGET FOLDER...: gives a fuzz target each file below the folders (relative ones: of the reference
+// data) as it is, cut short, and with bytes changed by a seeded generator. Ends with 77 if there is none.
 #include "engine/core/Random.h"
 #include "tests/TestPaths.h"
 #include "tests/fuzz/Target.h"

@@ -39,8 +39,7 @@ class Bytes {
     std::span<const uint8_t> rest_;
 };
 
-// The bytes of a run as a file, for parsers that read files: in a folder in memory that goes with the
-// process.
+// The bytes of a run as a file, for parsers of files: in a folder in memory that goes with the process.
 class FileInput {
   public:
     // name: of the file, whose ending some parsers go by.

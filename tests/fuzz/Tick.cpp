@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <cstring>
 
 using namespace shoal;
 using fuzz::Bytes;

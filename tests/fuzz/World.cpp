@@ -46,8 +46,7 @@ struct Scene {
                               static_cast<int>(i % 2), static_cast<int>(i)});
             movers.back().after.radius = movers.back().before.radius;
         }
-        for (size_t i = 0; i < things;
-             ++i) { // their state is the rules' own: any size, speed and place in it
+        for (size_t i = 0; i < things; ++i) { // the rules' own state: of any size, speed and place
             LooseBody& b = loose.emplace_back();
             b.id = static_cast<uint32_t>(20 + i);
             b.radius = 0.001f * static_cast<float>(1 + bytes.next<uint8_t>());

@@ -111,7 +111,6 @@ INSTANTIATE_TEST_SUITE_P(Places, LatLongPlaces,
                                          glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(0.15f, 1, 0.1f),
                                          glm::vec3(-1, -2.2f, 0.01f), glm::vec3(1, 0.7f, -0.6f)));
 
-// Nothing of an earlier frame stays where objects were.
 TEST_F(LatLongGL, ANewFrameIsShownAsItCame) {
     paint({0, 0, -1}, 0.2f);
     ImageRgba8 next = frame_;
@@ -125,7 +124,6 @@ TEST_F(LatLongGL, ANewFrameIsShownAsItCame) {
             ASSERT_TRUE(std::equal(after.at(x, y), after.at(x, y) + 3, next.at(x, y))) << x << " " << y;
 }
 
-// If two eyes share a frame, the second's picture shows none of the first's objects.
 TEST_F(LatLongGL, OneEyesObjectsMakeWayForTheOthers) {
     paint({0, 0, -1}, 0.2f);
     const ImageRgba8 left = painted();
@@ -137,8 +135,7 @@ TEST_F(LatLongGL, OneEyesObjectsMakeWayForTheOthers) {
     EXPECT_NE(both.pixels, left.pixels);
 }
 
-// The background shows the layer in the same place: half a texel's worth of light along the
-// outline.
+// The background shows the layer in its place: half a texel's worth of light along the outline.
 TEST_F(LatLongGL, TheBackgroundShowsItWhereTheLayerHadIt) {
     auto background = tests::valueOf(render::BackgroundPass::make(render::Backend::OpenGL, true));
     const glm::vec3 direction = glm::normalize(glm::vec3(0.4f, 0.8f, 0.2f));

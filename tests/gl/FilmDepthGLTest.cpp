@@ -15,6 +15,8 @@ float rockToTheLeft(const glm::vec3& d) { return d.x < 0 ? 1.0f : 0.0f; }
 
 class FilmDepthGL : public WithContext {
   protected:
+    void setUpInContext() override { pass_ = tests::valueOf(render::ObjectPass::make()); }
+
     // A film with these inverse distances.
     void setFilm(const std::function<float(const glm::vec3&)>& inverseOf) {
         map_ = depth::mapOf(inverseOf);
@@ -23,11 +25,6 @@ class FilmDepthGL : public WithContext {
 
     // A ball of radius 0.5 three metres ahead of the eye, in a film with these inverse distances.
     ImageRgba8 draw(const std::function<float(const glm::vec3&)>& inverseOf,
-                    const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
-        auto pass = tests::valueOf(render::ObjectPass::make());
-        return draw(pass, inverseOf, eyeInFilm, away);
-    }
-    ImageRgba8 draw(render::ObjectPass& pass, const std::function<float(const glm::vec3&)>& inverseOf,
                     const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
         setFilm(inverseOf);
         Lit lit(uniformFrame(90, 90, 90));
@@ -44,7 +41,7 @@ class FilmDepthGL : public WithContext {
                                               .pose = pose,
                                               .worldFromModel = worldFromModel,
                                               .bound = {centre, 0.5f}};
-        return drawObjects(pass, {ball},
+        return drawObjects(*pass_, {ball},
                            {.environment = lit.environment,
                             .view = view(eyeInFilm),
                             .canvas = target,
@@ -80,6 +77,7 @@ class FilmDepthGL : public WithContext {
         return sum;
     }
 
+    std::optional<render::ObjectPass> pass_;
     depth::DepthMap map_;
     depth::DepthRange range_;
 };
@@ -119,21 +117,19 @@ TEST_F(FilmDepthGL, NothingHidesWhatIsNearer) {
 }
 
 TEST_F(FilmDepthGL, AnAnimalWhollyBehindRockIsNotDrawn) {
-    auto pass = tests::valueOf(render::ObjectPass::make());
-    draw(pass, [](const glm::vec3&) { return 1.0f; });
-    EXPECT_EQ(pass.drawCount(), 0);
-    draw(pass, [](const glm::vec3&) { return 1 / 2.8f; }); // its front is at 2.5 m
-    EXPECT_EQ(pass.drawCount(), 1);
+    draw([](const glm::vec3&) { return 1.0f; });
+    EXPECT_EQ(pass_->drawCount(), 0);
+    draw([](const glm::vec3&) { return 1 / 2.8f; }); // its front is at 2.5 m
+    EXPECT_EQ(pass_->drawCount(), 1);
 }
 
 // No program is compiled in the middle of a dive, when the first animal swims behind something.
 TEST_F(FilmDepthGL, AnAnimalThatAnEdgeCutsHasItsProgramBefore) {
-    auto pass = tests::valueOf(render::ObjectPass::make());
-    draw(pass, noRock);
-    draw(pass, noRock);
-    const size_t programs = pass.programCount();
-    EXPECT_LT(covered(draw(pass, rockToTheLeft)), 0.9 * covered(draw(pass, noRock))) << "cut indeed";
-    EXPECT_EQ(pass.programCount(), programs);
+    draw(noRock);
+    draw(noRock);
+    const size_t programs = pass_->programCount();
+    EXPECT_LT(covered(draw(rockToTheLeft)), 0.9 * covered(draw(noRock))) << "cut indeed";
+    EXPECT_EQ(pass_->programCount(), programs);
 }
 
 // The film's edge crosses the ball's middle and leaves half of it, up to the outline's pixel column.

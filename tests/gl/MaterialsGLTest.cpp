@@ -1,5 +1,4 @@
-// Materials of glTF's extensions: what is unlit shows its own colours, and dielectrics reflect as much as
-// theirs says.
+// Materials of glTF's extensions: unlit ones show their own colours, dielectrics reflect what theirs say.
 #include "Spheres.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/math/Brdf.h"
@@ -112,8 +111,7 @@ TEST_F(MaterialsGL, UnlitSurfacesHaveAlphaModes) {
     }
 }
 
-// Head on a black dielectric sends back the split sum's share of even light, and what bounces on between its
-// facets.
+// A black dielectric sends back the split sum's share of even light, and what its facets pass on.
 TEST_F(MaterialsGL, DielectricsReflectTheirShareHeadOn) {
     const Lit lit(uniformFrame(200, 180, 160));
     const glm::vec3 arrives = light::radianceFromDisplay(glm::vec3(200, 180, 160) / 255.0f);
@@ -142,8 +140,7 @@ TEST_F(MaterialsGL, DielectricsReflectTheirShareHeadOn) {
             }
 }
 
-// KHR_materials_specular with a factor of 0: nothing is reflected at the surface, from the middle to the rim,
-// and all enters.
+// KHR_materials_specular with a factor of 0: from the middle to the rim nothing is reflected, all enters.
 TEST_F(MaterialsGL, WithoutSpecularASurfaceIsMatte) {
     const Lit lit(uniformFrame(200, 180, 160));
     for (const float base : {1.0f, 0.3f})
@@ -158,8 +155,7 @@ TEST_F(MaterialsGL, WithoutSpecularASurfaceIsMatte) {
             }
 }
 
-// An index of refraction next to 1.5 differs from it by as little, though another program draws it; no metal
-// knows of either.
+// An index of refraction next to 1.5 differs as little, though another program draws it; no metal knows it.
 TEST_F(MaterialsGL, DielectricsNextToTheUsualOneLookLikeIt) {
     const Lit lit(uniformFrame(200, 180, 160));
     for (const float metallic : {0.0f, 1.0f})
@@ -173,8 +169,7 @@ TEST_F(MaterialsGL, DielectricsNextToTheUsualOneLookLikeIt) {
         }
 }
 
-// The strongest channel of a coloured reflection decides what it takes: the matte light has no opposite
-// colour.
+// A coloured reflection takes as much as its strongest channel: matte light has no opposite colour.
 TEST_F(MaterialsGL, ColouredReflectionsLeaveTheMatteLightWithoutColour) {
     const Lit lit(uniformFrame(128, 128, 128));
     for (const render::Detail detail : kDetails) {
@@ -252,8 +247,7 @@ TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
         }
 }
 
-// Light that a coat reflects does not reach what lies below: white in even light stays white, and what glows
-// is dimmed by as much.
+// What a coat reflects does not reach below it: white in even light stays white, what glows is dimmed.
 TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
     const glm::vec4 video(200, 180, 160, 255);
     const Lit lit(uniformFrame(200, 180, 160));

@@ -30,8 +30,7 @@ render::BodyOccluders itself() {
     return body;
 }
 
-// At rest a body's own parts add nothing to its self-occlusion; once it is bent far they count in full, at
-// any size.
+// At rest a body's own parts add nothing to its self-occlusion; bent far they count in full, at any size.
 TEST_F(OcclusionGL, OwnPartsCountOnceTheBodyIsBent) {
     const render::BodyOccluders body = itself();
     const auto strength = [&](const glm::vec3& moved, float scale) {

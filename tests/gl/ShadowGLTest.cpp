@@ -153,7 +153,6 @@ TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
     EXPECT_EQ(drawn(view).pixels, before.pixels);
 }
 
-// A shadow disappears with the object that cast it.
 TEST_P(ShadowGL, IsGoneWithWhatCastIt) {
     const render::View view = downwards();
     cast(view);

@@ -8,6 +8,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/platform/Window.h"
 #include "engine/render/ObjectPass.h"
+#include "tests/Cells.h"
 #include "tests/Test.h"
 
 namespace shoal {
@@ -39,20 +40,9 @@ inline scene::Model modelOf(scene::Primitive primitive, const scene::Material& m
 // A sphere of radius 1 at the origin.
 inline scene::Model sphere(float metallic, float roughness) {
     scene::Primitive primitive;
-    constexpr int kAround = 96, kDown = 48;
-    for (int y = 0; y <= kDown; ++y)
-        for (int x = 0; x <= kAround; ++x) {
-            const glm::vec3 p = directionFromLatLong(
-                glm::vec2(static_cast<float>(x) / kAround, static_cast<float>(y) / kDown));
-            primitive.positions.push_back(p);
-            primitive.normals.push_back(p);
-        }
-    for (int y = 0; y < kDown; ++y)
-        for (int x = 0; x < kAround; ++x) {
-            const auto a = static_cast<uint32_t>(y * (kAround + 1) + x);
-            const uint32_t b = a + kAround + 1;
-            primitive.indices.insert(primitive.indices.end(), {a, a + 1, b, a + 1, b + 1, b});
-        }
+    tests::addCells(primitive.positions, primitive.indices, 96, 48,
+                    [](float u, float v) { return directionFromLatLong(glm::vec2(u, v)); });
+    primitive.normals = primitive.positions;
     return modelOf(std::move(primitive), {.metallic = metallic, .roughness = roughness, .doubleSided = true});
 }
 
@@ -82,15 +72,7 @@ inline void fill(int x, int y, int width, int height, const glm::vec4& colour) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-inline ImageRgb8 uniformFrame(uint8_t r, uint8_t g, uint8_t b) {
-    ImageRgb8 frame(64, 32);
-    for (size_t i = 0; i < frame.pixels.size(); i += 3) {
-        frame.pixels[i] = r;
-        frame.pixels[i + 1] = g;
-        frame.pixels[i + 2] = b;
-    }
-    return frame;
-}
+inline ImageRgb8 uniformFrame(uint8_t r, uint8_t g, uint8_t b) { return evenFrame(64, 32, r, g, b); }
 
 inline light::EnvironmentLight lightMadeOf(const ImageRgb8& frame,
                                            light::FrameRadiance frames = light::FrameRadiance::Thesis) {

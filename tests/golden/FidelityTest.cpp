@@ -25,8 +25,7 @@ cv::Mat readPng(const Path& file) {
 }
 
 // The goldens were kept as lossy WebP, which stores colour at half the resolution: along an edge between
-// blue and black that costs more than two renderers differ by. So ours is kept the same way, at the best
-// quality, before it is compared.
+// blue and black that costs more than two renderers differ by. So ours is kept so too, at the best quality.
 cv::Mat colourAtHalfResolution(const cv::Mat& picture) {
     std::vector<uint8_t> webp;
     if (!cv::imencode(".webp", picture, webp, {cv::IMWRITE_WEBP_QUALITY, 100})) return {};
@@ -155,15 +154,9 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
     distances.ours = rmse(ours, truth);
 }
 
-constexpr const char* kScenarios[] = {"DamagedHelmet",
-                                      "Suzanne",
-                                      "Duck",
-                                      "Fox",
-                                      "CesiumMan",
-                                      "NormalTangentTest",
-                                      "VertexColorTest",
-                                      "AnimatedMorphCube",
-                                      "MetalRoughSpheresNoTextures"};
+constexpr auto kScenarios =
+    std::to_array<const char*>({"DamagedHelmet", "Suzanne", "Duck", "Fox", "CesiumMan", "NormalTangentTest",
+                                "VertexColorTest", "AnimatedMorphCube", "MetalRoughSpheresNoTextures"});
 
 class Fidelity : public testing::TestWithParam<const char*> {};
 

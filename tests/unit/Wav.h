@@ -6,22 +6,19 @@
 
 #include <cstring>
 #include <fstream>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace shoal {
 
-// claimedBytes: size of the samples that the header claims; empty: the true size.
-inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<int16_t>& samples,
-                         std::optional<uint32_t> claimedBytes = {}) {
+inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<int16_t>& samples) {
     std::string out;
     const auto put = [&](const auto value) {
         char bytes[sizeof value];
         std::memcpy(bytes, &value, sizeof value);
         out.append(bytes, sizeof value);
     };
-    const auto size = claimedBytes.value_or(static_cast<uint32_t>(samples.size() * 2));
+    const auto size = static_cast<uint32_t>(samples.size() * 2);
     out += "RIFF";
     put(uint32_t{36 + size});
     out += "WAVEfmt ";

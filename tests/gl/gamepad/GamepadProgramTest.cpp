@@ -1,5 +1,4 @@
-// The whole program in a window, played with a gamepad alone: GLFW, its mappings and our rumble find the pad
-// where Linux would have it.
+// The program in a window, played with a gamepad alone: GLFW and our rumble find it where Linux has one.
 #include "engine/media/Pictures.h"
 #include "game/app/Application.h"
 #include "game/rules/Dive.h"

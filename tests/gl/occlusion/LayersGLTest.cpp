@@ -116,8 +116,7 @@ TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
         EXPECT_GT(met, 1000u); // half of the rays leave the surface
         EXPECT_LE(a.met, 0.005);
         EXPECT_LE(a.distance, 0.02);
-        // Cured: the same layers, read in another order of rounding; rays on the border of two cells or two
-        // views.
+        // Cured: the same layers, rounded in another order; rays on the border of two cells or views.
         EXPECT_LE(b.met, 0.002);
         EXPECT_LE(b.distance, 0.005);
         EXPECT_LE(b.normal, 0.01);

@@ -31,8 +31,7 @@ class LayersPicture : public WithContext {
             {.baseColourLin = glm::vec4(base, 1), .metallic = metallic, .roughness = roughness});
     }
 
-    // Mean radiance around the middle of a picture that looks at a place of the body. No method: nothing is
-    // in the light's way.
+    // Mean radiance around the middle of a picture of a place of the body. No method: nothing hides light.
     glm::vec3 radianceAt(const scene::Model& model, const glm::vec3& place, const glm::vec3& towardsEye,
                          std::optional<LayerMethod> method,
                          const occlusion::Ollfb::Options& options = {}) const {

@@ -63,11 +63,9 @@ class WithFakeRuntime : public testing::Test {
         window_.reset();
         EXPECT_EQ(fake.complaints, std::vector<std::string>());
         EXPECT_EQ(validationReport(), "");
-        EXPECT_EQ(fake.instances, 0);
-        EXPECT_EQ(fake.sessions, 0);
-        EXPECT_EQ(fake.swapchains, 0);
-        EXPECT_EQ(fake.spaces, 0);
-        EXPECT_EQ(fake.handTrackers, 0);
+        EXPECT_THAT(
+            (std::array{fake.instances, fake.sessions, fake.swapchains, fake.spaces, fake.handTrackers}),
+            testing::Each(0));
     }
 };
 

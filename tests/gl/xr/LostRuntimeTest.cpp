@@ -58,8 +58,7 @@ TEST_F(LostRuntime, ARuntimeThatCrashesWhileItsPictureIsDrawn) {
            "xrReleaseSwapchainImage says XR_ERROR_INSTANCE_LOST");
 }
 
-// The program looks for the runtime again and again while the window goes on. The dive then continues in the
-// headset where it was.
+// The program looks for the runtime while the window goes on. The dive then continues where it was.
 TEST_F(LostRuntime, ComesBackAndTheDiveGoesOnInIt) {
     std::promise<void> windowGoesOn;
     std::atomic<int> gone = 0, polls = 0, asked = 0;
@@ -102,7 +101,7 @@ TEST_F(LostRuntime, APlayerWithTheMouseIsLeftAlone) {
     };
     fake.onGone = [&](FakeRuntime&) {
         test::onEachPoll([&] {
-            if (++polls == 5) test::strikeKey(GLFW_KEY_ESCAPE); // leaves the pause menu
+            if (++polls == 5) test::strikeKey("Escape"); // leaves the pause menu
             if (polls == 30) glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);
             return polls < 30;
         });

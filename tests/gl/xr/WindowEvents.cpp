@@ -3,9 +3,7 @@
 
 #include <GLFW/glfw3.h>
 #include <X11/Xlib.h>
-#include <X11/keysym.h>
 
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -34,12 +32,6 @@ std::function<bool()>& eachPoll() {
     return then;
 }
 
-const std::map<int, KeySym> kSymbols = {{GLFW_KEY_ESCAPE, XK_Escape},
-                                        {GLFW_KEY_ENTER, XK_Return},
-                                        {GLFW_KEY_DOWN, XK_Down},
-                                        {GLFW_KEY_HOME, XK_Home},
-                                        {GLFW_KEY_F2, XK_F2}};
-
 void sendExposure() {
     XEvent event{};
     event.xexpose = {.type = Expose};
@@ -48,11 +40,11 @@ void sendExposure() {
 
 } // namespace
 
-void strikeKey(int glfwKey) {
+void strikeKey(const char* key) {
     for (const int type : {KeyPress, KeyRelease}) {
         XEvent event{};
         event.xkey = {
-            .type = type, .keycode = static_cast<unsigned>(kSymbols.at(glfwKey)), .same_screen = True};
+            .type = type, .keycode = static_cast<unsigned>(XStringToKeysym(key)), .same_screen = True};
         send(event, KeyPressMask);
     }
 }

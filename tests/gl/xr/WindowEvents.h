@@ -5,9 +5,8 @@
 
 namespace shoal::test {
 
-// Presses and releases a key; the window gets both events at its next poll. glfwKey: F2, Escape, Enter, Down
-// or Home.
-void strikeKey(int glfwKey);
+// Presses and releases a key of X; the window gets both events at its next poll.
+void strikeKey(const char* key);
 
 // Calls the function whenever the window polls events, until it returns false.
 void onEachPoll(std::function<bool()> then);

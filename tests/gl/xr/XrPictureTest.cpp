@@ -114,6 +114,7 @@ class XrPicture : public test::WithFakeRuntime {
 
 TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
     for (const int samples : {1, 4}) {
+        placeHead({});
         auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, samples));
         for (const float scale : {1.0f, 0.6f}) {
             show(headset, scale);
@@ -122,20 +123,13 @@ TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
             expectOrdinary(size, samples);
             EXPECT_NE((*fake.last.eyes)[0].rgba, (*fake.last.eyes)[1].rgba);
         }
+        // The head leans, turns and tilts.
+        placeHead({0.1f, -0.05f, 0.2f}, glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f)));
+        show(headset, 1);
+        expectOrdinary({200, 240}, samples);
     }
 }
 
-TEST_F(XrPicture, MovesWithTheHead) {
-    auto headset = tests::valueOf(HeadsetDisplay::open(*window_, plan_->rig, 1));
-    show(headset, 1);
-    // Leans, turns and tilts the head.
-    const glm::quat turn = glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f));
-    placeHead({0.1f, -0.05f, 0.2f}, turn);
-    show(headset, 1);
-    expectOrdinary({200, 240}, 1);
-}
-
-// In the player's room only animals are drawn, lit by the film, and hands only hide them.
 TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
     const glm::ivec2 size(200, 240);
     const render::View view{.verticalFov = 1.2f, .aspect = 200.0f / 240, .heightPixels = size.y};
@@ -183,8 +177,7 @@ TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
     }
 }
 
-// The runtime decodes the picture and adds what is left of the room: light is multiplied by alpha, not what
-// is coded.
+// The runtime decodes the picture and adds what is left of the room: alpha multiplies light, not codes.
 TEST_F(XrPicture, HalfCoverageOfTheRoomGivesHalfTheLight) {
     fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
     const Painter half{*sceneRenderer_, [](HudPart part, Audience, const render::View&, glm::ivec2) {
@@ -199,8 +192,7 @@ TEST_F(XrPicture, HalfCoverageOfTheRoomGivesHalfTheLight) {
             show(headset, 1, half);
             const auto& rgba = (*fake.last.eyes)[0].rgba;
             // 8 bits in, which are 2 of what was covered, and 8 bits out.
-            EXPECT_NEAR(rgba[0], 255 * (room ? 0.5855 : 0.4),
-                        2); // by the curve of sRGB 0.8 is 0.604, half of it 0.5855
+            EXPECT_NEAR(rgba[0], 255 * (room ? 0.5855 : 0.4), 2); // sRGB: 0.8 is 0.604, half of it 0.5855
             EXPECT_NEAR(rgba[1], 255 * (room ? 0.4357 : 0.3), 2); // 0.6 is 0.319
             EXPECT_NEAR(rgba[2], 255 * (room ? 0.2859 : 0.2), 2); // 0.4 is 0.133
             EXPECT_NEAR(rgba[3], 127.5, 1);
@@ -284,8 +276,7 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     }
 }
 
-// The depth of the film is that of its track, seen from each eye. No depth is made for a runtime that does
-// not take it.
+// The film's depth is that of its track, from each eye. A runtime that takes no depth is given none.
 TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
     ASSERT_TRUE(environment_->depth()) << "the reef's film comes with a track of distances";
     showOnly_ = [](game::Snapshot& shown) {
@@ -378,8 +369,7 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
                         if (value == 1) continue;
                         // OpenGL's window depth of a perspective: the specification's, with depths 0 to 1.
                         const float away_m = near_m * far_m / (far_m - value * (far_m - near_m));
-                        EXPECT_NEAR(away_m, kAway_m,
-                                    kLength_m / 4); // from the side: half its width, tail swung
+                        EXPECT_NEAR(away_m, kAway_m, kLength_m / 4); // half its width, and the tail's swing
                         ++count;
                         sum += glm::vec2(x, y) + 0.5f;
                     }

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const Path kScratch = SHOAL_SCRATCH;
+const Path kScratch = SHOAL_SCRATCH, kMetadata = "share/metainfo/org.shoalgame.shoal.metainfo.xml";
 
 std::string quoted(const Path& path) { return "'" + path.string() + "'"; }
 
@@ -122,8 +122,7 @@ TEST_F(Package, SaysOneVersionEverywhere) {
     EXPECT_THAT(changes.substr(changes.find("\n## ")), testing::StartsWith("\n## " + version() + ", "));
     EXPECT_THAT(text("share/doc/shoal/changelog.gz"), testing::StartsWith("shoal (" + version() + ")"));
     EXPECT_THAT(text("share/man/man6/shoal.6.gz"), HasSubstr("Shoal " + version()));
-    EXPECT_THAT(text("share/metainfo/org.shoalgame.shoal.metainfo.xml"),
-                HasSubstr("version=\"" + version() + "\""));
+    EXPECT_THAT(text(kMetadata), HasSubstr("version=\"" + version() + "\""));
 }
 
 TEST_F(Package, ManualPageNamesOnlyOptionsThatThereAre) {
@@ -169,12 +168,11 @@ TEST_F(Package, DesktopEntryStartsTheGameWithAndWithoutAFile) {
 }
 
 TEST_F(Package, AppStreamMetadataAreValid) {
-    const std::string metadata = text("share/metainfo/org.shoalgame.shoal.metainfo.xml");
+    const std::string metadata = text(kMetadata);
     EXPECT_THAT(metadata, HasSubstr("<content_rating type=\"oars-1.1\">"));
     EXPECT_THAT(metadata, HasSubstr(">shoal.desktop<"));
     if (!installed("appstreamcli")) GTEST_SKIP() << "needs appstream";
-    const Outcome outcome = run("appstreamcli validate --no-net " +
-                                quoted(prefix() / "share/metainfo/org.shoalgame.shoal.metainfo.xml"));
+    const Outcome outcome = run("appstreamcli validate --no-net " + quoted(prefix() / kMetadata));
     EXPECT_THAT(outcome.said, HasSubstr("alidation"));
     EXPECT_EQ(complaints(outcome), "");
 }
@@ -193,7 +191,7 @@ TEST_F(Package, DebianFindsNoErrorInIt) {
     EXPECT_THAT(control, HasSubstr("Version: " + version() + "\n"));
     // Every file has the time of the release, so that equal sources give equal packages.
     std::smatch date;
-    const std::string metadata = text("share/metainfo/org.shoalgame.shoal.metainfo.xml");
+    const std::string metadata = text(kMetadata);
     ASSERT_TRUE(std::regex_search(metadata, date, std::regex(" date=\"([0-9-]+)\"")));
     std::istringstream files(run("TZ=UTC dpkg-deb -c " + quoted(kScratch / "shoal.deb")).said);
     for (std::string line; std::getline(files, line);)
@@ -205,8 +203,7 @@ TEST_F(Package, DebianFindsNoErrorInIt) {
     EXPECT_LE(looked.status, 2) << looked.said; // 2: it complained
 }
 
-// Made as `cpack -G TXZ` makes it, but compressed more quickly, and unpacked in a folder with a space in its
-// name.
+// Made as by `cpack -G TXZ`, but compressed more quickly, and unpacked where a name has a space.
 TEST_F(Package, ArchiveBringsItsLibrariesAndPlaysInAnyFolder) {
     if (run("grep -qx VERSION_CODENAME=bookworm /etc/os-release").status != 0)
         GTEST_SKIP() << "needs Debian 12: an archive made on it runs on newer systems too";
@@ -237,8 +234,7 @@ TEST_F(Package, ArchiveBringsItsLibrariesAndPlaysInAnyFolder) {
     EXPECT_EQ(dive.status, 0) << dive.said;
     EXPECT_TRUE(fs::exists(picture));
     EXPECT_EQ(run(shoal + program + " devices").status, 0);
-    // It may load its own libraries, those of C, C++ and OpenGL, and those that it has for systems without
-    // them.
+    // It may load its own libraries, those of C, C++ and OpenGL, and its spare ones where a system has none.
     const std::regex system(
         ".*/(ld-linux.*|lib(c|m|dl|pthread|rt|resolv|gcc_s|stdc\\+\\+|GL.*|EGL.*)\\.so.*)");
     const Outcome checked = run(shoal + "LD_DEBUG=files " + program + " check " + quoted(picture) +

@@ -15,14 +15,12 @@ using media::test::HttpServer;
 // A sea whose light swings from left to right, so that neighbours differ.
 std::string pictureOf(int number, cv::Size size) {
     cv::Mat picture(size, CV_8UC3);
-    const double turn = 0.05 * number;
     for (int y = 0; y < picture.rows; ++y)
         for (int x = 0; x < picture.cols; ++x) {
-            const double light = 0.5 + 0.5 * std::cos(2 * CV_PI * x / picture.cols - turn);
+            const double light = 0.5 + 0.5 * std::cos(2 * CV_PI * x / picture.cols - 0.05 * number);
             const double down = 1 - static_cast<double>(y) / picture.rows;
-            picture.at<cv::Vec3b>(y, x) = {cv::saturate_cast<uint8_t>(60 + 150 * down),
-                                           cv::saturate_cast<uint8_t>(40 + 150 * down * light),
-                                           cv::saturate_cast<uint8_t>(10 + 60 * down * light)};
+            picture.at<cv::Vec3b>(y, x) =
+                cv::Vec3d(60 + 150 * down, 40 + 150 * down * light, 10 + 60 * down * light);
         }
     std::vector<uint8_t> bytes;
     cv::imencode(".jpg", picture, bytes);

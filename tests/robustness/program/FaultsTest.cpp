@@ -120,7 +120,6 @@ TEST_F(Faults, OutputsAreNeitherOneFileNorAnInput) {
     EXPECT_THAT(err(), HasSubstr("would overwrite"));
 }
 
-// With few files that may be open at once, the program plays or says what is missing.
 TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
     for (const rlim_t files : {8, 12, 16, 20, 40}) {
         const int status =
@@ -162,7 +161,6 @@ TEST_F(Faults, LackOfMemoryIsSaid) {
     EXPECT_NE(err(), "");
 }
 
-// Drivers and sound work without shared memory.
 TEST_F(Faults, SharedMemoryIsNotNeeded) {
     if (std::system("unshare -rm umount /dev/shm 2>/dev/null") != 0)
         GTEST_SKIP() << "this user may not unmount";

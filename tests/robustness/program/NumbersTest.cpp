@@ -1,5 +1,4 @@
-// Invalid numbers are refused wherever they come from: one sentence names the option or the key, and nothing
-// is done.
+// Invalid numbers are refused wherever they come from: one sentence names the option or the key.
 #include "Program.h"
 
 #include <span>
@@ -14,11 +13,11 @@ struct Place {
 
 class Numbers : public tests::Program {
   protected:
-    // Calls use(the place's text) with each of these in place of the #.
+    // Calls use(text) with each of these in place of the #.
     template <class Use>
-    static void fill(const Place& place, std::span<const char* const> words, const Use& use) {
+    static void fill(const std::string& with, std::span<const char* const> words, const Use& use) {
         for (const char* word : words) {
-            std::string text = place.text;
+            std::string text = with;
             text.replace(text.find('#'), 1, word);
             SCOPED_TRACE(text);
             use(text);
@@ -28,7 +27,7 @@ class Numbers : public tests::Program {
     // Expects that a file of that name, which the arguments read, is refused.
     void expectRefused(const std::string& name, const std::string& arguments, const Place& place,
                        std::span<const char* const> words) const {
-        fill(place, words, [&](const std::string& text) {
+        fill(place.text, words, [&](const std::string& text) {
             write(name, text);
             expectOneMessage(run(arguments), place.named);
         });
@@ -48,10 +47,10 @@ TEST_F(Numbers, OptionsRefuseThem) {
              {"view m.glb --occlusion ollfb", {"ollfb-views", "ollfb-size"}},
              {"panorama a.jpg -o a.png", {"fov"}}})
         for (const std::string& option : options)
-            fill({command + " --" + option + "='#'", "--" + option}, kNone, [&](const std::string& words) {
+            fill(command + " --" + option + "='#'", kNone, [&](const std::string& words) {
                 expectOneMessage(run(words), "--" + option + ": wants", 2);
             });
-    fill({"a.mp4 -o a.mkv --height='#'", ""}, kNone, [&](const std::string& words) {
+    fill("a.mp4 -o a.mkv --height='#'", kNone, [&](const std::string& words) {
         expectOneMessage(run(words, depthProgram()), "--height: wants", 2);
     });
 }
@@ -59,7 +58,7 @@ TEST_F(Numbers, OptionsRefuseThem) {
 TEST_F(Numbers, EveryKindThatIsNoneIsRefused) {
     constexpr std::array kNone = {"-nan",   "NaN", "nan(1)", "inf", "infinity", "1e",
                                   "1e-999", " 5",  "5 ",     "+-5", "0,5"};
-    fill({"play --headless --env-yaw='#'", ""}, kNone, [&](const std::string& words) {
+    fill("play --headless --env-yaw='#'", kNone, [&](const std::string& words) {
         expectOneMessage(run(words), "--env-yaw: wants a number from -360 to 360 (shoal play --help", 2);
     });
 }
@@ -78,7 +77,8 @@ TEST_F(Numbers, OptionsThatHoldSeveralRefuseThem) {
         {"devices --leap='localhost:#'", "--leap: wants"},
     };
     for (const Place& place : places)
-        fill(place, kNone, [&](const std::string& words) { expectOneMessage(run(words), place.named, 2); });
+        fill(place.text, kNone,
+             [&](const std::string& words) { expectOneMessage(run(words), place.named, 2); });
     for (const char* words :
          {"view m.glb --out a.png --orbit=1e30,0,1", "view m.glb --out a.png --orbit=0,90",
           "view m.glb --out a.png --orbit=0,90,1,1", "light a.hdr -o out --roughness=0.2,0.2",
@@ -98,14 +98,10 @@ TEST_F(Numbers, AllUsualFormsAreRead) {
 
 TEST_F(Numbers, SettingsRefuseThem) {
     std::filesystem::create_directories(folder_ / "shoal");
-    const std::vector<Place> places = {{R"({"fov": #})", ""},
-                                       {R"({"text-size": #})", ""},
-                                       {R"({"exposure": #})", ""},
-                                       {R"({"leap": "local:#"})", ""},
-                                       {R"({"volume": "#"})", ""}};
     constexpr std::array kNone = {"nan", "1e999", "1e300"};
-    for (const Place& place : places)
-        fill(place, kNone, [&](const std::string& text) {
+    for (const char* settings : {R"({"fov": #})", R"({"text-size": #})", R"({"exposure": #})",
+                                 R"({"leap": "local:#"})", R"({"volume": "#"})"})
+        fill(settings, kNone, [&](const std::string& text) {
             write("shoal/settings.json", text);
             const std::string err = run("play").err; // fails because there is no display
             EXPECT_NE(err.find("settings.json: "), std::string::npos) << err;

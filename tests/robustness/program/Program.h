@@ -1,5 +1,4 @@
-// Runs the program as a person would, by a command line in a folder of its own, and returns its output and
-// exit status.
+// Runs the program as a person would, by a command line in a folder of its own.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -40,8 +39,7 @@ class Program : public testing::Test {
         return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}) == 1;
     }
 
-    // Runs the game in a copy of this process, whose libraries are loaded already, where neither environment_
-    // nor the shell has a part in it.
+    // Runs the game in a copy of this process, which has its libraries, unless it needs env or the shell.
     Outcome run(const std::string& arguments, const std::string& which = program()) const {
         wordexp_t words{.we_offs = 1};
         if (isFresh_ || which != program() || !environment_.empty() || !canBeCopied() ||

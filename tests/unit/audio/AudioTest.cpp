@@ -11,8 +11,7 @@ TEST(Audio, ASoundOnTheLeftIsLouderOnTheLeft) {
         EXPECT_GT(left.left, 1.2 * left.right);
         const Loudness right = hear(tone(400, 1), {.position = {1, 0, 0}}, headphones);
         EXPECT_GT(right.right, 1.2 * right.left);
-        EXPECT_NEAR(left.left / right.right, 1,
-                    0.25); // alike but for the reverberation, which is not symmetric
+        EXPECT_NEAR(left.left / right.right, 1, 0.25); // alike but for reverberation, which is not symmetric
     }
 }
 
@@ -26,8 +25,7 @@ TEST(Audio, TheHeadTurnsTheWorld) {
 
 TEST(Audio, HeadphonesLetTheNearEarHearFirst) {
     // Low noise-free click from the left: the right ear hears it later by the width of a head. The HRTF is
-    // that of air, 0.6 to 0.8 ms at the side; in water it would be a quarter, and nobody could tell left from
-    // right.
+    // that of air, 0.6 to 0.8 ms at the side; in water a quarter: nobody could tell left from right.
     Clip click;
     click.samples.assign(4800, 0);
     for (int i = 0; i < 24; ++i) click.samples[200 + i] = 16000;
@@ -78,8 +76,7 @@ TEST(Audio, WaterTakesTheHighTonesOfWhatIsFar) {
     EXPECT_LT(ratio(6), 0.6 * ratio(0.7f));
 }
 
-// Level of a band around some frequencies, left and right: a windowed sum of Goertzel's kind over the second
-// half of what was rendered.
+// Level around some frequencies, left and right: Goertzel's sum over the second half of what was rendered.
 Loudness bandOf(std::span<const float> stereo, std::initializer_list<double> frequencies_Hz) {
     Loudness sum;
     const size_t frames = stereo.size() / 2, begin = frames / 4;
@@ -148,8 +145,7 @@ double echo(float enclosure) {
 
 TEST(Audio, ATunnelReverberatesAndOpenWaterHardly) {
     const double open = echo(0), half = echo(0.5f), tunnel = echo(1);
-    EXPECT_NEAR(tunnel / open, 0.8 / 0.12,
-                0.15 * 0.8 / 0.12); // the gains of VoicePool; the sound itself is in both
+    EXPECT_NEAR(tunnel / open, 0.8 / 0.12, 0.15 * 0.8 / 0.12); // VoicePool's gains; the sound is in both
     EXPECT_NEAR(half / open, std::sqrt(0.8 / 0.12), 0.15 * std::sqrt(0.8 / 0.12)); // geometrically between
     EXPECT_EQ(echo(7), tunnel);
     EXPECT_EQ(echo(-1), open);
@@ -178,8 +174,7 @@ TEST(Audio, EnteringATunnelDoesNotClick) {
 }
 
 TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
-    // A busy moment of the game: a bed, tense music, eight creatures within reach, a bite. Below full scale,
-    // tunnel or not.
+    // A busy moment of the game: a bed, tense music, creatures within reach, a bite; in a tunnel or not.
     for (const float enclosure : {0.0f, 1.0f}) {
         auto audio = tests::valueOf(Audio::open({.loopback = true}));
         for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small", "music_reef_calm",
@@ -247,8 +242,7 @@ TEST(Audio, AStereoBedComesOutAsItIs) {
 
 TEST(Audio, ASourceThatComesNearerSoundsHigher) {
     // Cycles counted by zero crossings. Doppler: f' = f c / (c - k v), c = 1500 m/s, v = 20 m/s towards the
-    // head: as in air (k = 4.37) 1.062. Half a second counts 500 half cycles at 500 Hz: one is
-    // 0.2 %.
+    // head: as in air (k = 4.37) 1.062. Half a second counts 500 half cycles at 500 Hz: one is 0.2 %.
     const auto crossings = [](float velocity_mps) {
         const auto samples =
             render(tone(500, 1), {.position = {0, 0, -20}, .velocity = {0, 0, velocity_mps}}, {}, {});
@@ -276,16 +270,6 @@ TEST(Audio, AMovingShotPassesFromEarToEar) {
     }
     EXPECT_GT(first.left, 1.2 * first.right);
     EXPECT_GT(last.right, 1.2 * last.left);
-}
-
-TEST(Audio, TheSameCallsGiveTheSameSamples) {
-    const auto once = [](bool headphones) {
-        return render(tone(500, 1), {.position = {0.4f, 0.2f, -0.7f}}, {},
-                      {.headphones = headphones, .loopback = true});
-    };
-    EXPECT_EQ(once(false), once(false));
-    EXPECT_EQ(once(true), once(true));
-    EXPECT_NE(once(false), once(true));
 }
 
 TEST(Audio, TwoAtOnceDoNotMix) {
@@ -344,12 +328,12 @@ TEST(Clip, ReadsWhatWasWritten) {
 
 TEST(Clip, SaysWhyItCannotBeRead) {
     const auto reason = [](const auto& clip) { return tests::errorOf(clip).reason; };
-    const std::vector<int16_t> some(64);
+    const std::vector<int16_t> some(60);
     EXPECT_EQ(reason(readClip("/nowhere/a.flac")), "there is no such sound");
     EXPECT_EQ(reason(readClip("/")), "there is no such sound");
     EXPECT_EQ(reason(readClip(dataRoot() / "content" / "species.toml")), "is not a sound that can be read");
     EXPECT_EQ(reason(read("")), "is not a sound that can be read");
-    EXPECT_EQ(reason(read(wavOf(3, 48000, some, 120))), "has neither one nor two channels");
+    EXPECT_EQ(reason(read(wavOf(3, 48000, some))), "has neither one nor two channels");
     EXPECT_EQ(reason(read(wavOf(1, 100, some))), "has an unusable sample rate");
     EXPECT_EQ(reason(read(wavOf(1, 4000000, some))), "has an unusable sample rate");
     EXPECT_EQ(reason(read(wavOf(1, 48000, {}))), "is empty or longer than a minute");

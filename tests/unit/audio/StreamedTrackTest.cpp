@@ -131,8 +131,7 @@ TEST(StreamedTrack, PausedItIsSilentAndThenGoesOnInStep) {
         ASSERT_EQ(show.loudest, 0) << i;
     }
     show.expectInStep(300, 4, 20);
-    EXPECT_NEAR(Show::offBeat_ms(show.heard_s.back()), 0,
-                10); // the offset that the pause left is being corrected
+    EXPECT_NEAR(Show::offBeat_ms(show.heard_s.back()), 0, 10); // what the pause left is being corrected
 }
 
 TEST(StreamedTrack, AFrameThatTakesLongIsBridgedOrCaughtUpWith) {
@@ -213,14 +212,10 @@ TEST(StreamedTrack, BFormatSurroundsTheHead) {
     };
     const double ahead = heard(kPi / 4, 0).both();
     EXPECT_GT(ahead, 0.02);
-    for (const auto& [head, track, side] : std::initializer_list<std::array<float, 3>>{{0, 0, -1},
-                                                                                       {kPi / 2, 0, 1},
-                                                                                       {-kPi / 2, 0, -1},
-                                                                                       {0, kPi / 2, -1},
-                                                                                       {0, -kPi / 2, 1},
-                                                                                       {kPi / 2, kPi / 2, -1},
-                                                                                       {kPi / 4, 0, 0},
-                                                                                       {0, -kPi / 4, 0}}) {
+    constexpr std::array<float, 3> kTurns[] = {{0, 0, -1},       {kPi / 2, 0, 1},  {-kPi / 2, 0, -1},
+                                               {0, kPi / 2, -1}, {0, -kPi / 2, 1}, {kPi / 2, kPi / 2, -1},
+                                               {kPi / 4, 0, 0},  {0, -kPi / 4, 0}};
+    for (const auto& [head, track, side] : kTurns) {
         const Loudness at = heard(head, track);
         const std::string where = testing::PrintToString(std::array{head, track});
         const double balance = at.left / at.right;

@@ -70,15 +70,6 @@ TEST(VoicePool, AnEmitterMoves) {
     EXPECT_EQ(scene.audio.sounding(), 1);
 }
 
-TEST(VoicePool, ShotsEndByThemselves) {
-    LoopbackScene scene;
-    const Sound shot{.position = {0, 0, -1}};
-    scene.frame({}, {&shot, 1});
-    EXPECT_EQ(scene.audio.sounding(), 1);
-    for (int i = 0; i < 40; ++i) scene.frame({}); // 0.67 s; the clip lasts 0.5 s
-    EXPECT_EQ(scene.audio.sounding(), 0);
-}
-
 TEST(VoicePool, TheNearTakesThePlaceOfTheFar) {
     LoopbackScene scene;
     const std::vector<Sound> far(Audio::kSources, Sound{.position = {-300, 0, 0}});

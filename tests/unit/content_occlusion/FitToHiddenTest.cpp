@@ -1,5 +1,6 @@
 // An ellipsoid that hides what a skin of just its shape hides is found from one that does not.
 #include "content/make/models/occlusion/FitToHidden.h"
+#include "tests/Cells.h"
 #include "tests/Test.h"
 
 namespace shoal::make {
@@ -9,20 +10,14 @@ const glm::vec3 kSemiAxes(0.01f, 0.015f, 0.03f);
 
 scene::Surface skinOf(const glm::mat4& modelFromSkin) {
     scene::Surface skin;
-    constexpr uint32_t kRound = 32, kHigh = 16;
-    for (uint32_t y = 0; y <= kHigh; ++y)
-        for (uint32_t x = 0; x <= kRound; ++x) {
-            const float a = 6.2831853f * static_cast<float>(x) / kRound,
-                        b = 3.1415927f * static_cast<float>(y) / kHigh;
-            const glm::vec3 unit(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
-            skin.positions.emplace_back(modelFromSkin * glm::vec4(unit * kSemiAxes, 1));
-            skin.normals.push_back(glm::normalize(glm::mat3(modelFromSkin) * (unit / kSemiAxes)));
-        }
-    for (uint32_t y = 0; y < kHigh; ++y)
-        for (uint32_t x = 0; x < kRound; ++x) {
-            const uint32_t i = y * (kRound + 1) + x, below = i + kRound + 1;
-            skin.indices.insert(skin.indices.end(), {i, i + 1, below, i + 1, below + 1, below});
-        }
+    tests::addCells(skin.positions, skin.indices, 32, 16, [](float u, float v) {
+        const float a = 6.2831853f * u, b = 3.1415927f * v;
+        return glm::vec3(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
+    });
+    for (glm::vec3& p : skin.positions) { // from the unit sphere
+        skin.normals.push_back(glm::normalize(glm::mat3(modelFromSkin) * (p / kSemiAxes)));
+        p = glm::vec3(modelFromSkin * glm::vec4(p * kSemiAxes, 1));
+    }
     return skin;
 }
 

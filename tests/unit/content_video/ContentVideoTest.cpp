@@ -63,8 +63,7 @@ SphericalMetadata metadataOf(const std::string& bytes) {
     return tests::valueOf(VideoSource::open(folder / "film.mp4", Layout::Auto)).info().metadata;
 }
 
-// The reader believes the second version before the first; with the second's boxes renamed to free space, the
-// first must serve.
+// The reader believes the second version first; where its boxes are free space, the first must serve.
 TEST_P(ContentVideo, StatesItsProjectionInBothVersions) {
     const auto file = tests::valueOf(readFile(video_, 45u << 20));
     std::string bytes(file.begin(), file.end());
@@ -86,8 +85,7 @@ double meanDifference(const ImageRgb8& a, const ImageRgb8& b) {
 }
 
 // Every eighth pair of neighbours stands for all, those across key frames (every ten seconds) among them: the
-// joint is one, and a key frame is coded anew. The last frame followed by the first differs by no more than
-// such a pair.
+// joint is one, and a key frame is coded anew. The last frame and the first differ no more than such a pair.
 TEST_P(ContentVideo, JoinsItsEndToItsBeginning) {
     auto video = tests::valueOf(VideoSource::open(video_, Layout::Mono));
     ImageRgb8 first, before, now(GetParam().width, GetParam().width / 2);
@@ -133,8 +131,7 @@ double correlation(const ImageRgbF& light, const ImageRgb8& shown) {
 }
 
 // Truth and frame are the same picture on both sides of a camera: where the radiance is brighter, so is the
-// frame. Measured: 0.89 in the reef's tunnel, whose darkness the encoder flattens, more elsewhere. Three
-// seconds on it is less.
+// frame. Measured: 0.89 in the reef's tunnel, whose darkness the encoder flattens; less three seconds on.
 TEST(ContentVideos, TruthBelongsToItsFrames) {
     constexpr int64_t kLater = 72;
     std::map<std::string, int> frames; // by film

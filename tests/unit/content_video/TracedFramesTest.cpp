@@ -1,5 +1,4 @@
-// Traced frames come back from disk as they were, to a step of their coding; scenes state only what differs
-// from their base.
+// Traced frames come back from disk to a step of their coding; scenes state what differs from their base.
 #include "content/make/video/Kept.h"
 #include "content/make/video/Scene.h"
 #include "tests/Test.h"
@@ -7,8 +6,7 @@
 namespace shoal::reef {
 namespace {
 
-// Steps: (64 / 0.002 + 1)^(1 / 4095) = 1.00254 and 512^(1 / 4095) = 1.00153; half of one is the error, and a
-// little for rounding of floats.
+// Steps: (64 / 0.002 + 1)^(1 / 4095) = 1.00254, 512^(1 / 4095) = 1.00153; half is the error, and rounding.
 constexpr float kRadianceTol = 0.00127f * 1.01f, kDistanceTol = 0.000766f * 1.01f;
 
 TEST(TracedFrames, CodesKeepLightAndDistanceToHalfAStep) {

@@ -31,28 +31,19 @@ class WriteFile : public testing::Test {
     tests::ScratchFolder folder_;
 };
 
-// Returns the result of a function that a child process runs; -1 if a signal ended it.
-int inAChild(const std::function<int()>& does) {
+// Writes in a child process on a disk with room for so many bytes of each file. Returns 1 if that succeeds, 0
+// if it fails, -1 if a signal ends the process.
+int writtenWithin(uint64_t bytes, const std::function<Status()>& write) {
     const pid_t child = ::fork();
-    if (child == 0) ::_exit(does());
+    if (child == 0) {
+        const rlimit limit{bytes, bytes};
+        ::signal(SIGXFSZ, SIG_IGN);
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        ::_exit(write() ? 1 : 0);
+    }
     int status = 0;
     ::waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-// Makes a disk with room for so many bytes of each file.
-void limitFiles(uint64_t bytes) {
-    const rlimit limit{bytes, bytes};
-    ::signal(SIGXFSZ, SIG_IGN);
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-}
-
-TEST_F(WriteFile, WritesWholeAndReadsBack) {
-    const Path file = folder_ / "below" / "a.txt";
-    ASSERT_TRUE(writeFileWhole(file, "one"));
-    ASSERT_TRUE(writeFileWhole(file, "two"));
-    EXPECT_EQ(readText(file).value(), "two");
-    EXPECT_EQ(namesIn(file.parent_path()), std::vector<std::string>{"a.txt"});
 }
 
 TEST_F(WriteFile, KeepsThePermissionsOfWhatItReplaces) {
@@ -107,11 +98,7 @@ TEST_F(WriteFile, AFullDiskLeavesWhatIsThere) {
     const std::string old(3 * 4096, 'o'), fresh(5 * 4096 + 17, 'n');
     for (uint64_t room = 0; room < fresh.size(); room += 2048) {
         ASSERT_TRUE(writeFileWhole(folder_ / "a", old));
-        const int result = inAChild([&] {
-            limitFiles(room);
-            return writeFileWhole(folder_ / "a", fresh) ? 1 : 0;
-        });
-        EXPECT_EQ(result, 0) << "said to be written into " << room << " bytes";
+        EXPECT_EQ(writtenWithin(room, [&] { return writeFileWhole(folder_ / "a", fresh); }), 0) << room;
         EXPECT_EQ(text("a"), old);
         EXPECT_EQ(names(), std::vector<std::string>{"a"});
     }
@@ -120,11 +107,7 @@ TEST_F(WriteFile, AFullDiskLeavesWhatIsThere) {
 TEST_F(WriteFile, AFolderAppearsWholeOrNotAtAll) {
     const std::vector<NamedBytes> files = {{"one", std::string(5000, '1')}, {"two", std::string(9000, '2')}};
     for (uint64_t room : {0, 4096, 5000, 8192, 8999}) {
-        const int result = inAChild([&] {
-            limitFiles(room);
-            return writeFolderWhole(folder_ / "out", files) ? 1 : 0;
-        });
-        EXPECT_EQ(result, 0) << room;
+        EXPECT_EQ(writtenWithin(room, [&] { return writeFolderWhole(folder_ / "out", files); }), 0) << room;
         EXPECT_TRUE(names().empty()) << room;
     }
     ASSERT_TRUE(writeFolderWhole((folder_ / "out").string() + "/", files));
@@ -133,11 +116,7 @@ TEST_F(WriteFile, AFolderAppearsWholeOrNotAtAll) {
     // Nothing is replaced in a folder that is there, and nothing else is touched.
     std::ofstream(folder_ / "out/mine") << "stays";
     const std::vector<NamedBytes> later = {{"one", "new"}, {"two", std::string(9000, '3')}};
-    const int result = inAChild([&] {
-        limitFiles(4096);
-        return writeFolderWhole(folder_ / "out", later) ? 1 : 0;
-    });
-    EXPECT_EQ(result, 0);
+    EXPECT_EQ(writtenWithin(4096, [&] { return writeFolderWhole(folder_ / "out", later); }), 0);
     EXPECT_EQ(text("out/one"), files[0].bytes);
     ASSERT_TRUE(writeFolderWhole(folder_ / "out", later));
     EXPECT_EQ(text("out/one"), "new");

@@ -25,8 +25,7 @@ TEST(Analytic, SphereIsHitWhereItIs) {
     const TracedOllfb cured = TracedOllfb::make(body.mesh(), {.views = 54}).value();
     const OllfbThesis thesis = OllfbThesis::make(body.mesh(), {.cells = 3}).value();
     Random random(1);
-    // Facets lie inside the sphere by at most 1 - cos of half their angle across, 2 (pi / 192)^2 / 2, over
-    // the cosine.
+    // Facets lie inside by 1 - cos of half their angle across, 2 (pi / 192)^2 / 2 at most, over the cosine.
     const double facet = std::pow(M_PI / kColumns, 2) / static_cast<double>(kSteepEnough);
     const double pixel = 2.0 / 63;
     int near = 0, all = 0;
@@ -40,8 +39,7 @@ TEST(Analytic, SphereIsHitWhereItIs) {
         // Blended, what is left is of third order in a pixel over the radius, and the normals' 2 x 8 bits:
         // 0.0083 rad over half a pixel. A fifth of a pixel holds both with a steep slope's factor of 1 / 0.4.
         EXPECT_NEAR(static_cast<double>(hit.distance), *expected, facet + pixel / 5) << i;
-        // 0.0167 rad of rounding; in the wall between two cells the layer's own normal, half a pixel away and
-        // steep.
+        // 0.0167 rad of rounding; between two cells the layer's own normal, half a pixel away and steep.
         EXPECT_GT(glm::dot(hit.normal, normal), std::cos(0.06f)) << i;
         // The thesis' step may be a pixel's diagonal aside, where the slope towards the view is up to 3; or
         // it has a gap there and the ray goes on to the far side.
@@ -94,32 +92,6 @@ TEST(Analytic, LayersOfAConvexBodyPairUp) {
         const uint32_t count = thesis.starts[i + 1] - thesis.starts[i];
         EXPECT_TRUE(count == 0 || count == 2) << i << ": " << count;
     }
-}
-
-// The planes y = 0 and y = 1, mirrors that face each other.
-struct Corridor {
-    std::optional<Hit> trace(const glm::vec3& o, const glm::vec3& d, float) const {
-        if (d.y == 0) return {};
-        const bool up = d.y > 0;
-        return Hit{((up ? 1.0f : 0.0f) - o.y) / d.y, {0, up ? -1 : 1, 0}};
-    }
-};
-
-TEST(Mirror, BouncesAsOftenAsAllowed) {
-    const glm::vec3 direction = glm::normalize(glm::vec3(3, 4, 0));
-    for (const int maximum : {0, 1, 2, 8}) {
-        const Reflected end = followMirrors(Corridor{}, {0, 0.5f, 0}, direction, 1e-3f, maximum);
-        EXPECT_EQ(end.bounces, maximum);
-        EXPECT_TRUE(end.caught);
-        // Every bounce turns y; the way to the nth is n - 1/2 high, three quarters of that long.
-        EXPECT_NEAR(end.direction.y, maximum % 2 ? -0.8f : 0.8f, 1e-6f);
-        if (maximum) {
-            EXPECT_NEAR(end.origin.x, 0.75f * (static_cast<float>(maximum) - 0.5f), 1e-5f);
-        }
-    }
-    const Reflected free = followMirrors(Corridor{}, {0, 0.5f, 0}, {1, 0, 0}, 0, 8);
-    EXPECT_EQ(free.bounces, 0);
-    EXPECT_FALSE(free.caught);
 }
 
 } // namespace

@@ -3,12 +3,15 @@
 #include "content/make/models/occlusion/FitEllipsoids.h"
 #include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/occlusion/SmoothLight.h"
+#include "tests/Cells.h"
 #include "tests/Test.h"
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include "tests/unit/light/Environments.h"
 
 namespace shoal::occlusion {
 namespace {
+
+using tests::addCells;
 
 const glm::vec3 kSlants[] = {{0, 1, 0}, {0.6f, 0.8f, 0}, {0.3f, -0.5f, 0.81f}, {-0.7f, 0.1f, -0.7f}};
 
@@ -52,8 +55,7 @@ TEST(Ellipsoid, ASphereAheadTakesTheSquareOfItsSine) {
     }
 }
 
-// Seen from its skin it is a half space: facing it nothing is left, looking away hardly anything is taken,
-// and looking along it half.
+// From its skin it is a half space: facing it all is taken, looking away hardly anything, along it half.
 TEST(Ellipsoid, IsAHalfSpaceFromItsSkinAndWithin) {
     const glm::mat3 turn = glm::mat3_cast(glm::normalize(glm::quat(0.6f, 0.3f, -0.5f, 0.2f)));
     for (const float depth : {0.0f, 0.01f, 0.1f}) {
@@ -144,22 +146,6 @@ TEST(OpenLobe, IsWholeWhereItLooksOutOfASkin) {
     }
 }
 
-// Adds columns x rows cells at place(u, v), u and v from 0 to 1.
-template <class Place>
-void addCells(std::vector<glm::vec3>& positions, std::vector<uint32_t>& indices, uint32_t columns,
-              uint32_t rows, const Place& place) {
-    const auto first = static_cast<uint32_t>(positions.size());
-    for (uint32_t y = 0; y <= rows; ++y)
-        for (uint32_t x = 0; x <= columns; ++x)
-            positions.push_back(place(static_cast<float>(x) / static_cast<float>(columns),
-                                      static_cast<float>(y) / static_cast<float>(rows)));
-    for (uint32_t y = 0; y < rows; ++y)
-        for (uint32_t x = 0; x < columns; ++x) {
-            const uint32_t a = first + y * (columns + 1) + x, b = a + columns + 1;
-            indices.insert(indices.end(), {a, a + 1, b, a + 1, b + 1, b});
-        }
-}
-
 struct Sheets {
     std::vector<glm::vec3> positions, normals;
     std::vector<uint32_t> indices;
@@ -185,8 +171,7 @@ glm::vec4 withSelfOcclusion(const glm::vec4& selfOcclusion, const glm::vec3& nor
 }
 
 // Ground as wide as the horizon hides half of what a wall sees, wherever on it. The wall's lowest corners are
-// buried and see nothing: what is seen of it must not darken for that. Corners that ask for themselves make
-// it 0.69 here.
+// buried and see nothing: what is seen must not darken for that; asking for corners makes it 0.69.
 TEST(TraceSelfOcclusion, ABuriedRootLeavesWhatIsSeenAsItIs) {
     Sheets sheets;
     sheets.add({-0.5f, -0.4f, 0}, {1, 0, 0}, {0, 1.5f, 0}, 2); // the wall, facing +z
@@ -198,8 +183,7 @@ TEST(TraceSelfOcclusion, ABuriedRootLeavesWhatIsSeenAsItIs) {
             withSelfOcclusion(glm::mix(selfOcclusion[1], selfOcclusion[4], (height + 0.4f) / 0.75f),
                               {0, 0, 1}); // in the middle
         EXPECT_NEAR(hidden.w, 0.5f, 0.1f) << height;
-        // The mean over the lower quarter of the sphere, which is half of what a wall sees: (0, -2 / (3 pi),
-        // 1 / 3).
+        // The mean over the sphere's lower quarter, half of what a wall sees: (0, -2 / (3 pi), 1 / 3).
         EXPECT_NEAR(hidden.y, -0.2122f, 0.06f) << height;
         EXPECT_NEAR(hidden.z, 0.3333f, 0.07f) << height;
     }
@@ -215,8 +199,7 @@ TEST(TraceSelfOcclusion, ALabelLeavesTheCornersOfItsWallAsTheyAre) {
         EXPECT_LT(withSelfOcclusion(selfOcclusion[corner], sheets.normals[corner]).w, 0.15f) << corner;
 }
 
-// At rest, own ellipsoids and the self-occlusion that completes them hide together what self-occlusion alone
-// hides.
+// At rest, own ellipsoids and what completes them hide together what self-occlusion alone hides.
 TEST(TraceSelfOcclusion, CompleteTheBodysOwnEllipsoids) {
     Sheets sheets;
     sheets.add({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 12);   // a floor, facing up
@@ -260,8 +243,7 @@ TEST(TraceSelfOcclusion, GiveBackSomeOfTheDominantLightThatOwnEllipsoidsHide) {
 }
 
 // Half a hollow sphere hides half of what each place in it sees, for all of a sphere's inside sees all of it
-// alike. Six rays leave no speckles there; where each corner kept its own noise, neighbours differed by
-// 0.076.
+// alike. Six rays leave no speckles; where each corner kept its own noise, neighbours differed by 0.076.
 TEST(TraceSelfOcclusion, FewRaysAreSmooth) {
     Sheets bowl;
     constexpr int kRound = 64, kDeep = 32;
@@ -368,13 +350,12 @@ TEST(FitEllipsoids, GivesBackAnEllipsoid) {
     ASSERT_EQ(parts.size(), 1u);
     EXPECT_EQ(parts[0].joint, 3);
     EXPECT_LT(glm::distance(parts[0].atRest.centre, glm::vec3(0.1f, -0.2f, 0.3f)), 0.004f);
-    std::vector<float> semi = {parts[0].atRest.semiAxes.x, parts[0].atRest.semiAxes.y,
-                               parts[0].atRest.semiAxes.z};
-    std::sort(semi.begin(), semi.end());
     // A fortieth of the length is a sample's size.
-    EXPECT_NEAR(semi[0], 0.1f, 0.006f);
-    EXPECT_NEAR(semi[1], 0.2f, 0.006f);
-    EXPECT_NEAR(semi[2], 0.4f, 0.01f);
+    const glm::vec3& semi = parts[0].atRest.semiAxes;
+    EXPECT_THAT((std::vector{semi.x, semi.y, semi.z}),
+                testing::UnorderedElementsAre(testing::FloatNear(0.1f, 0.006f),
+                                              testing::FloatNear(0.2f, 0.006f),
+                                              testing::FloatNear(0.4f, 0.01f)));
 }
 
 TEST(FitEllipsoids, GivesEachJointItsOwn) {
@@ -412,19 +393,17 @@ TEST(Bvh, MeetsWhatEveryTriangleTriedInTurnMeets) {
         const auto k = static_cast<float>(i);
         const glm::vec3 origin(std::sin(k), std::cos(1.7f * k), 1.5f * std::sin(2.3f * k));
         const glm::vec3 direction = glm::normalize(glm::vec3(0.2f * std::sin(5 * k), 0.1f, 0.1f) - origin);
-        float nearest = INFINITY;
-        for (size_t t = 0; t < skin.indices.size(); t += 3) {
-            const Bvh alone(skin.positions, std::span(skin.indices).subspan(t, 3));
-            if (i % 50 == 0)
-                if (const auto touch = alone.first(origin, direction, 0, INFINITY))
-                    nearest = std::min(nearest, touch->distance);
-        }
         const auto touch = bvh.first(origin, direction, 0, INFINITY);
         EXPECT_EQ(touch.has_value(), bvh.blocked(origin, direction, 0, INFINITY));
         met += touch.has_value();
-        if (i % 50 == 0) {
-            EXPECT_EQ(touch ? touch->distance : INFINITY, nearest);
+        if (i % 50 != 0) continue;
+        float nearest = INFINITY;
+        for (size_t t = 0; t < skin.indices.size(); t += 3) {
+            const Bvh alone(skin.positions, std::span(skin.indices).subspan(t, 3));
+            if (const auto one = alone.first(origin, direction, 0, INFINITY))
+                nearest = std::min(nearest, one->distance);
         }
+        EXPECT_EQ(touch ? touch->distance : INFINITY, nearest);
     }
     EXPECT_GT(met, 100);
     EXPECT_FALSE(Bvh({}, {}).first({}, {0, 0, 1}, 0, 1));

@@ -204,8 +204,7 @@ void smooth(std::vector<uint32_t>& pixels, const glm::ivec2& size = kPictureSize
     smoothOutlines(pixels, size, changed, [](const glm::ivec2&, const glm::ivec2&) { return true; });
 }
 
-// Root mean square of alpha less coverage, over pixels that the outline crosses, away from the edges of the
-// picture.
+// Root mean square of alpha less coverage, over pixels of the outline away from the picture's edges.
 double error(const std::vector<uint32_t>& pixels, const Inside& inside) {
     double sum = 0;
     int count = 0;

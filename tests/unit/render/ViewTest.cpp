@@ -4,8 +4,7 @@
 namespace shoal::render {
 namespace {
 
-// A view turned about any axis is held by a wider one until a corner of it leaves. The reference tests its
-// edge at many points.
+// A wider view holds one turned about any axis until a corner leaves. The reference tests many points.
 TEST(View, HoldsWhatIsInside) {
     const View wide = widened({.shift = {0.1f, -0.2f}}, 1.2f);
     int held = 0;

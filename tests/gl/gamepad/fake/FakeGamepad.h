@@ -1,6 +1,5 @@
 // A fake gamepad. This library replaces the system's functions for /dev/input, so that GLFW and our force
-// feedback find one Xbox 360 pad through their own code for Linux. It must be linked, or preloaded, by the
-// program that plays.
+// feedback find one Xbox 360 pad through their own code for Linux. The program that plays must link it.
 #pragma once
 
 #include <linux/input-event-codes.h>

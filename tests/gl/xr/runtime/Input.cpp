@@ -11,9 +11,8 @@ namespace {
 
 int handOf(XrPath path) {
     if (path < 1 || path > pathTexts().size()) return -1;
-    return pathTexts()[path - 1] == "/user/hand/left"    ? 0
-           : pathTexts()[path - 1] == "/user/hand/right" ? 1
-                                                         : -1;
+    const std::string& text = pathTexts()[path - 1];
+    return text == "/user/hand/left" ? 0 : text == "/user/hand/right" ? 1 : -1;
 }
 
 // Inputs below /input of the registry's interaction profiles (xr.xml, 1.1.53) for games, no poses or haptics;
@@ -21,26 +20,22 @@ int handOf(XrPath path) {
 struct KnownProfile {
     const char *name, *inputs, *extension = nullptr;
 };
+constexpr char kTouch[] = "squeeze/value trigger/value | menu/click",
+               kPico[] = "squeeze/value squeeze/click trigger/value trigger/click | menu/click";
 constexpr KnownProfile kKnownProfiles[] = {
     {"khr/simple_controller", "select/click menu/click"},
-    {"oculus/touch_controller", "squeeze/value trigger/value | menu/click"},
+    {"oculus/touch_controller", kTouch},
     {"valve/index_controller", "squeeze/value trigger/value trigger/click b/click"},
     {"htc/vive_controller", "squeeze/click trigger/value trigger/click menu/click"},
     {"microsoft/motion_controller", "squeeze/click trigger/value menu/click"},
     {"ext/hand_interaction_ext", "grasp_ext/value pinch_ext/value", "XR_EXT_hand_interaction"},
-    {"facebook/touch_controller_pro", "squeeze/value trigger/value | menu/click",
-     "XR_FB_touch_controller_pro"},
-    {"meta/touch_controller_plus", "squeeze/value trigger/value | menu/click",
-     "XR_META_touch_controller_plus"},
+    {"facebook/touch_controller_pro", kTouch, "XR_FB_touch_controller_pro"},
+    {"meta/touch_controller_plus", kTouch, "XR_META_touch_controller_plus"},
     {"bytedance/pico_neo3_controller", "squeeze/value squeeze/click trigger/value trigger/click menu/click",
      "XR_BD_controller_interaction"},
-    {"bytedance/pico4_controller", "squeeze/value squeeze/click trigger/value trigger/click | menu/click",
-     "XR_BD_controller_interaction"},
-    {"bytedance/pico_ultra_controller_bd",
-     "squeeze/value squeeze/click trigger/value trigger/click | menu/click",
-     "XR_BD_ultra_controller_interaction"},
-    {"htc/vive_focus3_controller", "squeeze/value squeeze/click trigger/value trigger/click | menu/click",
-     "XR_HTC_vive_focus3_controller_interaction"},
+    {"bytedance/pico4_controller", kPico, "XR_BD_controller_interaction"},
+    {"bytedance/pico_ultra_controller_bd", kPico, "XR_BD_ultra_controller_interaction"},
+    {"htc/vive_focus3_controller", kPico, "XR_HTC_vive_focus3_controller_interaction"},
     {"hp/mixed_reality_controller", "squeeze/value trigger/value menu/click",
      "XR_EXT_hp_mixed_reality_controller"},
 };

@@ -52,13 +52,10 @@ void FakeRuntime::sayInstanceLoss() {
     say(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, 0});
 }
 void FakeRuntime::sayRecentred(XrReferenceSpaceType which, XrTime when) {
-    say(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING,
-                                               nullptr,
-                                               handleOf<XrSession>(&session()),
-                                               which,
-                                               when,
-                                               XR_FALSE,
-                                               {{0, 0, 0, 1}, {0, 0, 0}}});
+    constexpr XrPosef kUnknown{{0, 0, 0, 1}, {0, 0, 0}};
+    say(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr,
+                                               handleOf<XrSession>(&session()), which, when, XR_FALSE,
+                                               kUnknown});
 }
 void FakeRuntime::sayWorn(bool worn) {
     say(XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT, nullptr,
