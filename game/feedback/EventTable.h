@@ -84,11 +84,12 @@ struct EventRow {
     float gain = 1;              // gain at rest
     float gainPerMps = 0;        // added gain for each m/s of closing speed; together at most 1
     HapticPulse pulse = {};
+    float quiet_s = 0; // time without another sound or caption of this kind
 };
 
 // clang-format off
 constexpr std::array kEventRows = std::to_array<EventRow>({
-    {EventKind::Touch, "touch", {}, Sound::Touch, 0.4f, 0.4f, {HapticPulse::Where::Part, 0.15f, 1, 140, 260, 0.08f}},
+    {EventKind::Touch, "touch", {}, Sound::Touch, 0.4f, 0.4f, {HapticPulse::Where::Part, 0.15f, 1, 140, 260, 0.08f}, 0.12f}, // one touch has several bones
     {EventKind::Startle, "startle", Text("a fish flees"), Sound::Startle},
     {EventKind::Grab, "grab", {}, Sound::Touch},
     {EventKind::Catch, "catch", Text("caught"), Sound::Catch, 1, 0, {HapticPulse::Where::Hand, 0, 0.8f, 0, 180, 0.18f}},

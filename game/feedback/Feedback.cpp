@@ -16,7 +16,6 @@ constexpr float kPassPeakSmall_s = 0.3f, kPassPeakLarge_s = 0.75f;
 constexpr size_t kCaptions = 3;
 constexpr Text kStruggleCaption = "it struggles", kPassCaption = "something large passes",
                kCountdownCaption = "the last seconds";
-constexpr float kTouchQuiet_s = 0.12f; // time without another touch sound: one touch has several bones
 constexpr int kCountdown_s = 5;
 constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
 constexpr float kCross_s = 2;                          // cross-fade between beds
@@ -168,11 +167,8 @@ void SoundCues::playPass(const CreatureView& creature, const glm::vec3& headWorl
 
 void SoundCues::playEvent(const Event& event) {
     const EventRow& row = rowOf(event.kind);
-    if (event.kind == EventKind::Touch) {
-        const bool again = touchQuiet_s_ > 0;
-        touchQuiet_s_ = kTouchQuiet_s;
-        if (again) return;
-    }
+    const float quiet_s = std::exchange(eventQuiet_s_[static_cast<size_t>(event.kind)], row.quiet_s);
+    if (quiet_s > 0) return;
     const float gain = std::clamp(row.gain + row.gainPerMps * event.closing_mps, 0.0f, 1.0f);
     // Music keeps its pitch; all other sounds vary.
     const bool music = !event.position || row.sound == Sound::Catch;
@@ -211,7 +207,7 @@ void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, flo
     if (shown.paused) return;
     for (Caption& caption : captions_) caption.age_s += dt_s;
     std::erase_if(captions_, [](const Caption& caption) { return caption.age_s > kCaptionStay_s; });
-    touchQuiet_s_ = std::max(0.0f, touchQuiet_s_ - dt_s);
+    for (float& quiet_s : eventQuiet_s_) quiet_s = std::max(0.0f, quiet_s - dt_s);
     quiet_s_.resize(shown.creatures.size(), 0);
     emitters_.reserve(shown.creatures.size() + 2 + kMusicLayers.size());
     for (size_t i = 0; i < shown.creatures.size(); ++i) {

@@ -61,7 +61,8 @@ class SoundCues {
     std::vector<audio::Sound> shots_;
     std::vector<Caption> captions_;
     std::vector<float> quiet_s_; // by creature: seconds until a sound of its passing may play again
-    float volume_ = 1, touchQuiet_s_ = 0;
+    std::array<float, kEventRows.size()> eventQuiet_s_{}; // by EventKind: seconds until it may sound again
+    float volume_ = 1;
     float breath_s_;                          // seconds until the next breath
     float enclosure_ = 0;                     // Snapshot::enclosure, smoothed
     float calm_ = 0, tension_ = 0, lift_ = 0; // levels of the music, 0 to 1, smoothed
