@@ -49,14 +49,6 @@ inline glm::dvec3 meanOf(const ImageRgbF& image) {
     return sum / (4 * std::numbers::pi);
 }
 
-inline double largestDifference(const ImageRgbF& a, const ImageRgbF& b) {
-    double worst = a.pixels.size() == b.pixels.size() ? 0 : 1e30;
-    for (size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
-        worst =
-            std::max(worst, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
-    return worst;
-}
-
 inline double largestDifference(const ImageRgbF& image, const glm::dvec3& value) {
     double worst = 0;
     for (size_t i = 0; i < image.pixels.size(); ++i)
