@@ -298,31 +298,25 @@ TEST(ClippedLight, BlocksAgreeWithPixels) {
 // A cell is 4 x 4 pixels.
 constexpr int kFrameWidth = 1024, kFrameHeight = 512, kAbove = kFrameHeight / 2;
 
-class UpperHalf {
-  public:
-    float& at(int x, int y) { return rows_[static_cast<size_t>(y)][static_cast<size_t>(x)]; }
-    // The values times their densities.
-    UpperHalf weighed() const {
-        ClippedDensity density;
-        const UpperHalf before = filled(); // of which nothing is left
-        for (const UpperHalf* frame : {&before, this}) {
-            density.begin(kFrameWidth, kFrameHeight);
-            for (int y = 0; y < kAbove; ++y) density.addRow(y, frame->rows_[static_cast<size_t>(y)].data());
-            density.finish();
-        }
-        UpperHalf out = *this;
-        for (int y = 0; y < kAbove; ++y) density.weigh(y, out.rows_[static_cast<size_t>(y)].data());
-        return out;
-    }
-    static UpperHalf filled() {
-        UpperHalf frame;
-        for (auto& row : frame.rows_) row.assign(kFrameWidth, 1);
-        return frame;
-    }
+ImageF filled() {
+    ImageF upperHalf(kFrameWidth, kAbove);
+    std::ranges::fill(upperHalf.pixels, 1.0f);
+    return upperHalf;
+}
 
-  private:
-    std::vector<std::vector<float>> rows_ = std::vector(kAbove, std::vector<float>(kFrameWidth));
-};
+// Returns the values of an upper half, times their densities.
+ImageF weighed(const ImageF& upperHalf) {
+    const ImageF before = filled(); // of which nothing is left
+    ClippedDensity density;
+    for (const ImageF* frame : {&before, &upperHalf}) {
+        density.begin(kFrameWidth, kFrameHeight);
+        for (int y = 0; y < kAbove; ++y) density.addRow(y, frame->at(0, y));
+        density.finish();
+    }
+    ImageF out = upperHalf;
+    for (int y = 0; y < kAbove; ++y) density.weigh(y, out.at(0, y));
+    return out;
+}
 
 // Returns the number of cells of a neighbourhood at the elevation of a row.
 float cellsAround(int y) {
@@ -331,31 +325,30 @@ float cellsAround(int y) {
 }
 
 TEST(ClippedDensity, IsOneInsideAndLessAtTheHorizon) {
-    UpperHalf weighed = UpperHalf::filled().weighed();
+    const ImageF out = weighed(filled());
     for (int y = 0; y < kAbove; y += 3)
         for (int x = 0; x < kFrameWidth; x += 7)
-            ASSERT_NEAR(weighed.at(x, y), y < kAbove - 4 ? 1 : 2 / 3.0f, 1e-5) << x << ' ' << y;
+            ASSERT_NEAR(*out.at(x, y), y < kAbove - 4 ? 1 : 2 / 3.0f, 1e-5) << x << ' ' << y;
 }
 
 TEST(ClippedDensity, OneCellCountsItsShareOfTheCellsAround) {
     for (const int y : {8, 40, 128, 240})       // 3 to 84 degrees from the zenith
         for (const int x : {0, 4, 512, 1020}) { // over the seam too
-            UpperHalf frame;
-            for (int dy = 0; dy < 4; ++dy)
-                for (int dx = 0; dx < 4; ++dx) frame.at(x + dx, y + dy) = 1;
-            UpperHalf weighed = frame.weighed();
-            EXPECT_NEAR(weighed.at(x + 1, y + 2), 1 / cellsAround(y), 1e-6) << x << ' ' << y;
-            EXPECT_EQ(weighed.at((x + 4) % kFrameWidth, y), 0);
+            ImageF frame(kFrameWidth, kAbove);
+            for (int dy = 0; dy < 4; ++dy) std::fill_n(frame.at(x, y + dy), 4, 1.0f);
+            const ImageF out = weighed(frame);
+            EXPECT_NEAR(*out.at(x + 1, y + 2), 1 / cellsAround(y), 1e-6) << x << ' ' << y;
+            EXPECT_EQ(*out.at((x + 4) % kFrameWidth, y), 0);
         }
 }
 
 // A glint of a pixel or a lamp of a degree moves a pixel at a time without a flicker.
 TEST(ClippedDensity, StaysWhileSomethingSmallMoves) {
     for (int x = 0; x < 12; ++x) {
-        UpperHalf frame;
-        frame.at(kFrameWidth - 6 + x - (x < 6 ? 0 : kFrameWidth), 160 + x) = 1;
-        EXPECT_NEAR(frame.weighed().at(kFrameWidth - 6 + x - (x < 6 ? 0 : kFrameWidth), 160 + x),
-                    1 / 16.0f / cellsAround(160), 1e-7);
+        const int column = (kFrameWidth - 6 + x) % kFrameWidth; // over the seam
+        ImageF frame(kFrameWidth, kAbove);
+        *frame.at(column, 160 + x) = 1;
+        EXPECT_NEAR(*weighed(frame).at(column, 160 + x), 1 / 16.0f / cellsAround(160), 1e-7);
     }
 }
 

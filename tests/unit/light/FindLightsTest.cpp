@@ -7,12 +7,10 @@ namespace {
 
 template <class Picture> FoundLights lightsIn(const Picture& picture) { return LightWatcher().look(picture); }
 
-constexpr std::array<std::array<int, 2>, 6> kSuns = {
-    {{300, 0}, {511, 255}, {1023, 255}, {200, 4}, {700, 509}, {130, 77}}}; // column, row
-
 // A texel of the pyramid's base is 0.7 degrees wide.
 TEST(FindLights, FourTexelSunsAreFoundWhereTheyStand) {
-    for (const auto& [column, row] : kSuns) {
+    for (const auto& [column, row] :
+         {std::pair(300, 0), {511, 255}, {1023, 255}, {200, 4}, {700, 509}, {130, 77}}) {
         ImageRgbF sky = uniform(1024, glm::dvec3(1));
         for (int i = 0; i < 4; ++i)
             for (int c = 0; c < 3; ++c) sky.at((column + i % 2) % 1024, row + i / 2)[c] = 1e4f;
