@@ -146,19 +146,6 @@ Model bar() {
     return model;
 }
 
-TEST(Skin, AtRestMovesNothing) {
-    const Model model = bar();
-    Pose pose = restOf(model);
-    std::vector<glm::mat4> matrices;
-    skinMatrices(model, 0, pose, matrices);
-    ASSERT_EQ(matrices.size(), 2u);
-    EXPECT_EQ(matrices[0], glm::mat4(1));
-    EXPECT_EQ(matrices[1], glm::mat4(1));
-    const Bounds bounds = posedBounds(model, pose);
-    EXPECT_EQ(bounds.low, glm::vec3(0, 0, 0));
-    EXPECT_EQ(bounds.high, glm::vec3(0, 2, 0));
-}
-
 TEST(Skin, ABentJointCarriesItsVertices) {
     const Model model = bar();
     Pose pose = restOf(model);
@@ -166,6 +153,8 @@ TEST(Skin, ABentJointCarriesItsVertices) {
     updateGlobals(model, pose);
     std::vector<glm::mat4> matrices;
     skinMatrices(model, 0, pose, matrices);
+    ASSERT_EQ(matrices.size(), 2u);
+    EXPECT_EQ(matrices[0], glm::mat4(1));
     expectNear(matrices[1] * glm::vec4(0, 2, 0, 1), {-1, 1, 0}, kTol);
     const Bounds bounds = posedBounds(model, pose);
     expectNear(bounds.low, {-1, 0, 0}, kTol);
