@@ -115,14 +115,5 @@ TEST_F(MediaKinds, AvifIsReadAsAPicture) {
     }
 }
 
-TEST_F(MediaKinds, SharedOnesAreNamed) {
-    const auto shared = [](const char* name) { return sharedData(std::string("files/") + name); };
-    if (shared("pano.heic").empty()) GTEST_SKIP() << "no shared files/pano.heic";
-    EXPECT_EQ(kindOf(shared("pano.heic")), "is a HEIC picture; convert it to JPEG");
-    EXPECT_EQ(kindOf(shared("rot.webp")), "photo");
-    EXPECT_EQ(kindOf(shared("crlf.hdr")), "hdr");
-    EXPECT_EQ(kindOf(shared("vfr.mkv")), "video");
-}
-
 } // namespace
 } // namespace shoal::media

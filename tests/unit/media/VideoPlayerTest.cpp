@@ -40,12 +40,6 @@ TEST_F(VideoPlayers, ShowsEveryFrameInOrderAndLoops) {
     EXPECT_EQ(player.status(), "");
 }
 
-TEST_F(VideoPlayers, AFrameStaysUntilTheNextIsDue) {
-    auto player = greyFilm(12);
-    for (int tick = 0; tick < 48; ++tick) // four ticks a frame, a hair after each
-        EXPECT_EQ(player.waitFor(tick / (4 * kFps) + 1e-5)->index, tick / 4) << tick;
-}
-
 TEST_F(VideoPlayers, WaitForJumpsAheadAndBack) {
     for (const int first : {0, 1000}) { // within the film, and beyond its end before its length is counted
         auto player = greyFilm(37);

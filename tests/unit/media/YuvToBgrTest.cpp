@@ -111,8 +111,6 @@ TEST(ColourMatrix, FramesOfLargeVideosAreTakenForBt709) {
         EXPECT_NEAR(frame.at(1000, 300)[c], wanted[c], 2.6) << c;
         EXPECT_NEAR(frame.at(300, 300)[c], 99, 2.6) << "grey stays";
     }
-    // The difference of the matrices is larger than that tolerance, so that this test can fail.
-    EXPECT_GT(std::abs(wanted[0] - bgr[0]), 2 * 2.6);
 }
 
 // A video coded as red, green and blue has no matrix.
