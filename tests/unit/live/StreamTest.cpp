@@ -58,9 +58,11 @@ Result<LivePlayer> openedBy(HttpServer& server, const FeedTimeouts& patience = {
 TEST(Stream, ItsSizeMayChangeOnTheWay) {
     HttpServer server;
     auto player = tests::valueOf(openedBy(server));
+    EXPECT_EQ(player.newest()->layout, Layout::Mono);
     showBy(server, player, 3, 128, 64);
     EXPECT_EQ(player.newest()->pixelsBgr.width, 128);
     showBy(server, player, 4, 35, 35); // odd: the converter's rows end where ours do
+    EXPECT_EQ(player.newest()->pixelsBgr.height, 35);
     EXPECT_EQ(player.newest()->layout, Layout::TopBottom);
     EXPECT_EQ(player.counts().resized, 2);
     EXPECT_EQ(player.notice(), "");
