@@ -369,41 +369,31 @@ bool meets(const occlusion::Ellipsoid& body, const glm::vec3& from, const glm::v
     return b < 0 && b * b > a * c;
 }
 
-// Level ground around what bodies shade there.
-struct Patch {
-    glm::vec2 low{INFINITY}, high{-INFINITY};
-
-    Patch(std::span<const FlatPiece> body, const CastingLight& light) {
-        const float level = std::sqrt(1 - light.towards.y * light.towards.y);
-        const float rise = light.towards.y - light.tangent * level; // of the disc's lower edge
-        for (const FlatPiece& piece : body) {
-            const float away = (piece.middle.y - kGround_m) / light.towards.y;
-            const glm::vec3 under = piece.middle - away * light.towards;
-            const float reach = (piece.halfAlong_m + piece.halfAside_m + 2 * light.tangent * away) / rise;
-            low = glm::min(low, glm::vec2(under.x, under.z) - reach);
-            high = glm::max(high, glm::vec2(under.x, under.z) + reach);
-        }
-    }
-    glm::vec3 at(float u, float v) const {
-        const glm::vec2 xz = glm::mix(low, high, glm::vec2(u, v));
-        return {xz.x, kGround_m, xz.y};
-    }
-};
-
 struct Difference {
     float maximum = 0;         // largest difference of the hidden share
     float light = 0, rays = 0; // hidden share by the closed form and by rays, summed over square metres
 };
 
+// Compares both on the level ground around what a body shades there.
 Difference compare(const occlusion::Ellipsoid& body, const CastingLight& light) {
     const auto seen = flat({&body, 1}, light);
-    const Patch patch(seen, light);
+    const float level = std::sqrt(1 - light.towards.y * light.towards.y);
+    const float rise = light.towards.y - light.tangent * level; // of the disc's lower edge
+    glm::vec2 low(INFINITY), high(-INFINITY);
+    for (const FlatPiece& piece : seen) {
+        const float away = (piece.middle.y - kGround_m) / light.towards.y;
+        const glm::vec3 under = piece.middle - away * light.towards;
+        const float reach = (piece.halfAlong_m + piece.halfAside_m + 2 * light.tangent * away) / rise;
+        low = glm::min(low, glm::vec2(under.x, under.z) - reach);
+        high = glm::max(high, glm::vec2(under.x, under.z) + reach);
+    }
     Difference all;
     constexpr int kSteps = 40;
-    const glm::vec2 step = (patch.high - patch.low) / static_cast<float>(kSteps);
+    const glm::vec2 step = (high - low) / static_cast<float>(kSteps);
     for (int y = 0; y <= kSteps; ++y)
         for (int x = 0; x <= kSteps; ++x) {
-            const glm::vec3 place = patch.at(static_cast<float>(x) / kSteps, static_cast<float>(y) / kSteps);
+            const glm::vec2 xz = low + step * glm::vec2(x, y);
+            const glm::vec3 place(xz.x, kGround_m, xz.y);
             const float form = covered(seen, light, place),
                         rays = tests::hiddenByRays(
                             light, 4000, [&](const glm::vec3&to) { return meets(body, place, to); });
