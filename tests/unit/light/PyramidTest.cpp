@@ -67,7 +67,7 @@ Bytes frame(int width, int height, bool bgr, bool halfNearWhite = false) {
     for (int y = 0; y < height; ++y)
         for (int i = 0; i < rowBytes; ++i) {
             seed = seed * 1664525u + 1013904223u;
-            bytes.data[static_cast<size_t>(y * stride + i)] =
+            bytes.data[y * stride + i] =
                 static_cast<uint8_t>(halfNearWhite && seed & 0x400000 ? 240 + (seed >> 28) : seed >> 24);
         }
     bytes.view = {bytes.data.data(), width, height, stride, bgr};
@@ -92,7 +92,7 @@ TEST_P(BlockMeans, NoiseGivesWeighedMeansTheSameForEveryLoop) {
                 for (int i = 0; i < 16; ++i) {
                     const int row = 4 * y + i / 4;
                     const uint8_t* p = view.row(row) + 3 * (4 * x + i % 4);
-                    want += 0.25 * static_cast<double>(weights[static_cast<size_t>(row)]) *
+                    want += 0.25 * static_cast<double>(weights[row]) *
                             radianceOf(p[bgr ? 2 : 0], p[1], p[bgr ? 0 : 2]);
                 }
                 for (int c = 0; c < 3; ++c)

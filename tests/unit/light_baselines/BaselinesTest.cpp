@@ -231,7 +231,7 @@ TEST(Harmonics, SquaresOfABandSumUp) {
         for (int l = 0; l < kMaxBands; ++l) {
             double sum = 0;
             for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-                const auto value = static_cast<double>(values[static_cast<size_t>(i)]);
+                const auto value = static_cast<double>(values[i]);
                 sum += value * value;
             }
             EXPECT_NEAR(sum, (2 * l + 1) / (4 * std::numbers::pi), 2e-6 * (2 * l + 1)) << "band " << l;

@@ -111,7 +111,7 @@ TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
         if (made < 12) {
             EXPECT_EQ(number, made.load());
         }
-        if (number >= 0 && number < 12) seen[static_cast<size_t>(number)] = true;
+        if (number >= 0 && number < 12) seen[number] = true;
         ++made;
     };
     auto player = tests::valueOf(LivePlayer::open(feedOf(server.url(), {60, 60}), std::move(options)));
@@ -341,17 +341,16 @@ TEST(NoLookAhead, Rtsp) {
     int next = 0;
     auto player = tests::valueOf(LivePlayer::open(feedOf(server.url(), {60, 60}), eager(), [&] {
         if (server.accepted() == 0 && !server.accept()) return false;
-        return next < kPictures / 2 && server.send(made->pieces[static_cast<size_t>(next++)]);
+        return next < kPictures / 2 && server.send(made->pieces[next++]);
     }));
-    eachIsSeenAtOnce(player, next, 0,
-                     [&](int i) { return server.send(made->pieces[static_cast<size_t>(i)]); });
+    eachIsSeenAtOnce(player, next, 0, [&](int i) { return server.send(made->pieces[i]); });
 
     // It breaks, and is there again.
     server.cut();
     while (player.state() != LiveState::Lost) player.newest();
     ASSERT_TRUE(server.accept());
     for (int i = 0; player.newest(), player.state() != LiveState::Playing; ++i)
-        ASSERT_TRUE(server.send(made->pieces[static_cast<size_t>(i % kPictures)]));
+        ASSERT_TRUE(server.send(made->pieces[i % kPictures]));
 }
 
 void transportStream(const std::string& options, int held) {
@@ -359,7 +358,7 @@ void transportStream(const std::string& options, int held) {
     if (!made) GTEST_SKIP() << "FFmpeg has no H.264 encoder here";
     HttpServer server;
     const auto send = [&](int i) {
-        for (const std::string& piece : made->pieces[static_cast<size_t>(i)])
+        for (const std::string& piece : made->pieces[i])
             if (!server.send(piece)) return false;
         return true;
     };

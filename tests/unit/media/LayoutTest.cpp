@@ -44,9 +44,7 @@ Brightness noise(int across, uint64_t seed) {
     return [=](double u, double v) {
         const double x = (u - std::floor(u)) * across, y = std::clamp(v, 0.0, 0.999) * (across / 2);
         const int column = static_cast<int>(x), row = static_cast<int>(y);
-        const auto cell = [&](int i, int j) {
-            return cells[static_cast<size_t>((row + j) * across + (column + i) % across)];
-        };
+        const auto cell = [&](int i, int j) { return cells[(row + j) * across + (column + i) % across]; };
         return std::lerp(std::lerp(cell(0, 0), cell(1, 0), x - column),
                          std::lerp(cell(0, 1), cell(1, 1), x - column), y - row);
     };

@@ -34,7 +34,7 @@ std::string ftyp(const std::string& brands) {
 
 // A little-endian TIFF of one entry, a number of 32 bits.
 std::string tiff(int tag) {
-    const auto of = [](int value, int bytes) { return number(static_cast<uint64_t>(value), bytes, true); };
+    const auto of = [](int value, int bytes) { return number(value, bytes, true); };
     return "II*\0"s + of(8, 4) + of(1, 2) + of(tag, 2) + of(4, 2) + of(1, 4) + of(1, 4) + of(0, 4);
 }
 

@@ -55,7 +55,7 @@ TEST_F(Pictures, ReadsEachKindByItsContent) {
     const ImageRgb8 image = noise8(24, 16);
     cv::Mat bgr(16, 24, CV_8UC3);
     for (int i = 0; i < 24 * 16; ++i)
-        for (int c = 0; c < 3; ++c) bgr.data[3 * i + c] = image.pixels[static_cast<size_t>(3 * i + 2 - c)];
+        for (int c = 0; c < 3; ++c) bgr.data[3 * i + c] = image.pixels[3 * i + 2 - c];
     for (const char* extension : {".bmp", ".ppm", ".webp", ".png", ".tif"}) {
         const Path real = folder / (std::string("a") + extension), disguised = folder / "a.jpg";
         cv::imwrite(real.string(), bgr, {cv::IMWRITE_WEBP_QUALITY, 101}); // above 100: lossless

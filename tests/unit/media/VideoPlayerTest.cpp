@@ -434,14 +434,11 @@ TEST_P(SharedVideo, PlaysAndSeeksAlike) {
     }
     EXPECT_EQ(player.status(), "");
     ASSERT_EQ(passLength, facts.frames);
-    for (int i = facts.frames; i < played; ++i)
-        EXPECT_EQ(hashes[static_cast<size_t>(i)], hashes[static_cast<size_t>(i - facts.frames)]);
+    for (int i = facts.frames; i < played; ++i) EXPECT_EQ(hashes[i], hashes[i - facts.frames]);
 
     auto jumper = std::move(VideoPlayer::open(file)).value();
     for (const int index : {facts.frames - 1, 7, facts.frames / 2, facts.frames * 3 + 11, 1})
-        EXPECT_EQ(hashOf(jumper.waitFor(index / fps)->pixelsBgr),
-                  hashes[static_cast<size_t>(index % facts.frames)])
-            << index;
+        EXPECT_EQ(hashOf(jumper.waitFor(index / fps)->pixelsBgr), hashes[index % facts.frames]) << index;
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -379,11 +379,11 @@ double apart(const cv::Mat& c, int xa, int ya, int xb, int yb) {
 double costOf(const Case& of, const std::vector<int>& seam) {
     double sum = 0;
     for (int y = 0; y < of.colours.rows; ++y) {
-        const int x = seam[static_cast<size_t>(y)];
+        const int x = seam[y];
         const int left = std::max(x - 1, 0), right = std::min(x + 1, of.colours.cols - 1);
         sum += apart(of.colours, left, y, right, y) + static_cast<double>(of.weight.at<float>(y, x));
         if (y == 0) continue;
-        const int before = seam[static_cast<size_t>(y - 1)];
+        const int before = seam[y - 1];
         // The pixel above stays, and gets the neighbour on the side that the seam came from below it.
         if (before < x) sum += apart(of.colours, x, y - 1, left, y);
         if (before > x) sum += apart(of.colours, x, y - 1, right, y);

@@ -27,7 +27,7 @@ struct Compressed {
     int addView(const std::vector<uint8_t>& stream, size_t count, size_t stride, const char* mode,
                 const char* filter = nullptr) {
         const int view = file.addView(stream);
-        Json& json = file.root["bufferViews"][static_cast<size_t>(view)];
+        Json& json = file.root["bufferViews"][view];
         Json compression = {{"buffer", 0},
                             {"byteOffset", json["byteOffset"]},
                             {"byteLength", stream.size()},

@@ -203,7 +203,7 @@ TEST(SimpleSkin, BendsAsItsKeysSay) {
     ASSERT_EQ(model.animations.size(), 1u);
     Pose pose = restOf(model);
     animate(model, 0, 1.0f, pose);
-    const glm::quat turned = pose.local[static_cast<size_t>(model.skins[0].joints[1])].rotation;
+    const glm::quat turned = pose.local[model.skins[0].joints[1]].rotation;
     // The file holds 0.707 for the root of 1/2: an angle off by 1.5e-4 at most.
     EXPECT_NEAR(std::abs(glm::angle(turned)), glm::half_pi<float>(), 1e-3f);
     updateGlobals(model, pose);

@@ -109,7 +109,7 @@ class ShippedSpines : public testing::TestWithParam<Animal> {
     }
     // Returns how far to the side a point of the chain is after so many loops, metres.
     float sideOf(size_t joint, const glm::vec3& at, float loops, float factor = 1) {
-        const float duration_s = model_.animations[static_cast<size_t>(clip_)].duration_s;
+        const float duration_s = model_.animations[clip_].duration_s;
         restPose(model_, pose_);
         animate(model_, clip_, duration_s * (loops - std::floor(loops)), pose_);
         scaleWave(spine_, factor, pose_);
@@ -136,7 +136,7 @@ class ShippedSpines : public testing::TestWithParam<Animal> {
 TEST_P(ShippedSpines, HaveEightJointsOrMoreFromHeadToTail) {
     ASSERT_GE(spine_.joints.size(), 8u);
     for (const Spine::Joint& joint : spine_.joints)
-        EXPECT_EQ(model_.nodes[static_cast<size_t>(joint.node)].name.substr(0, 6), "spine_");
+        EXPECT_EQ(model_.nodes[joint.node].name.substr(0, 6), "spine_");
 }
 
 // Scaled to a tenth of the length at the tail's tip (Bainbridge 1958), growing from the body's middle to
