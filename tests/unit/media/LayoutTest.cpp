@@ -149,17 +149,11 @@ TEST(StereoView, AFilmGoesByFramesThatHaveStructure) {
 
 std::string be(uint64_t value, int bytes) { return number(value, bytes, false); } // big endian
 
-std::string box(const std::string& name, const std::string& payload) {
-    return be(payload.size() + 8, 4) + name + payload;
-}
-
 std::string fullBox(const std::string& name, const std::string& payload) {
     return box(name, be(0, 4) + payload);
 }
 
-std::string fixed(float degrees) {
-    return be(static_cast<uint32_t>(static_cast<int32_t>(degrees * 65536)), 4);
-}
+std::string fixed(float degrees) { return be(static_cast<int32_t>(degrees * 65536), 4); }
 
 const std::string kHandler = fullBox("hdlr", be(0, 4) + "vide" + be(0, 12) + "v" + be(0, 1));
 

@@ -28,9 +28,7 @@ struct MediaKinds : testing::Test {
     }
 };
 
-std::string ftyp(const std::string& brands) {
-    return std::string("\0\0\0", 3) + static_cast<char>(8 + brands.size()) + "ftyp" + brands;
-}
+std::string ftyp(const std::string& brands) { return box("ftyp", brands); }
 
 // A little-endian TIFF of one entry, a number of 32 bits.
 std::string tiff(int tag) {

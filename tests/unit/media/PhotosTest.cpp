@@ -28,7 +28,7 @@ std::string tiff(bool little, std::vector<std::pair<int, std::string>> entries, 
                                   : tag == 322 || tag == 323 ? std::pair(16, 8)
                                                              : std::pair(3, 2);
         directory +=
-            of(tag, 2) + of(type, 2) + of(value.size() / static_cast<size_t>(size), 4) +
+            of(tag, 2) + of(type, 2) + of(value.size() / size, 4) +
             (value.size() > 4 ? of(end + data.size(), 4) : (value + std::string(3, '\0')).substr(0, 4));
         if (value.size() > 4) data += value;
     }
@@ -152,10 +152,7 @@ TEST_F(Photos, AreTurnedUprightInAllEightWays) {
 // The orientations are those that libavif writes and reads for turns and mirrors (ISO
 // 23008-12, 6.5.10, 6.5.12).
 TEST_F(Photos, AvifBoxesAreObeyedWithinBounds) {
-    const auto box = [](const std::string& name, const std::string& data) {
-        return number(8 + data.size(), 4, false) + name + data;
-    };
-    const auto size = [&](uint64_t width, uint64_t height) {
+    const auto size = [](uint64_t width, uint64_t height) {
         return box("ispe", std::string(4, '\0') + number(width, 4, false) + number(height, 4, false));
     };
     const auto file = [&](const std::string& properties) {

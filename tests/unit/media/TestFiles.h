@@ -42,6 +42,11 @@ inline std::string number(uint64_t value, int bytes, bool little) {
     return text;
 }
 
+// Returns a box of a file of ISO/IEC 14496-12.
+inline std::string box(const std::string& name, const std::string& payload) {
+    return number(payload.size() + 8, 4, false) + name + payload;
+}
+
 // Makes a file by the program; false where there is none or it lacks a coder.
 inline bool ffmpeg(const std::string& arguments, const Path& file) {
     const std::string command =

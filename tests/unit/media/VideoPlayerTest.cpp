@@ -66,10 +66,8 @@ TEST_F(VideoPlayers, NewestNeverGoesBackNorAhead) {
 }
 
 TEST_F(VideoPlayers, NewestReachesTheDueFrameAfterAHangAndSkipsTheRest) {
-    const Path file = folder / "grey.avi";
-    writeGreyVideo(file, 45);
     std::atomic<int> prepared{0};
-    auto player = opened(file, {.prepare = [&](const VideoFrame&) { ++prepared; }});
+    auto player = greyFilm(45, {.prepare = [&](const VideoFrame&) { ++prepared; }});
     // As if the game had hung for half a minute. The clock goes on: a decoder that takes longer than a frame
     // makes one that is due when it is ready.
     int64_t shown = 0;
@@ -300,11 +298,8 @@ TEST_F(VideoPlayers, AnEditListGivesTheLengthShown) {
     std::string bytes = readBytes(file);
     const size_t at = bytes.find("elst") + 12;
     ASSERT_LT(at, bytes.size());
-    const auto byte = [&](size_t i) { return static_cast<uint8_t>(bytes[at + i]); };
-    ASSERT_EQ(byte(2) << 8 | byte(3), 1000) << "thousandths of a second";
-    bytes[at + 2] = static_cast<char>(500 >> 8);
-    bytes[at + 3] = static_cast<char>(500 & 0xff);
-    writeBytes(file, bytes);
+    ASSERT_EQ(bytes.substr(at, 4), number(1000, 4, false)) << "thousandths of a second";
+    writeBytes(file, bytes.replace(at, 4, number(500, 4, false)));
     EXPECT_EQ(opened(file).info().frameCount, 15);
 }
 
