@@ -95,8 +95,7 @@ TEST(MakeLight, StrongSunsKeepTheirEnergy) {
         std::fill_n(sky.at(500, 100), 3, radiance);
         const EnvironmentLight light = lightOf(sky);
         EXPECT_EQ(light.radiance.levels[0].at(500, 100)[0], radiance);
-        const double strongest =
-            1 + static_cast<double>(radiance) * texelSolidAngle(100, 1024, 512) / std::numbers::pi;
+        const double strongest = 1 + radiance * texelSolidAngle(100, 1024, 512) / std::numbers::pi;
         double sum = 0, want = 0;
         for (int y = 0; y < light.diffuse.height; ++y)
             for (int x = 0; x < light.diffuse.width; ++x) {

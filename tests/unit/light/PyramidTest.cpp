@@ -19,7 +19,7 @@ glm::dvec3 radianceOf(int red, int green, int blue) {
 
 // Even weights but for the first rows of blocks, which are a pole's.
 std::vector<float> weightsFor(int height) {
-    std::vector<float> weights(static_cast<size_t>(height), 0.25f);
+    std::vector<float> weights(height, 0.25f);
     for (size_t y = 0; y < 4; ++y) weights[y] = static_cast<float>(2 * y + 1) / 16;
     return weights;
 }
@@ -46,8 +46,8 @@ TEST_P(BlockMeans, OneColourGivesItsRadiance) {
                 const glm::dvec3 want = radianceOf(red, green, blue);
                 for (int x = 0; x < out.width; ++x)
                     for (int c = 0; c < 3; ++c)
-                        worst = std::max(worst, std::abs(static_cast<double>(out.at(x, 0)[c]) - want[c]) /
-                                                    std::max(want[c], 1e-9));
+                        worst =
+                            std::max(worst, std::abs(out.at(x, 0)[c] - want[c]) / std::max(want[c], 1e-9));
             }
     EXPECT_LT(worst, kOff);
 }
@@ -92,8 +92,7 @@ TEST_P(BlockMeans, NoiseGivesWeighedMeansTheSameForEveryLoop) {
                 for (int i = 0; i < 16; ++i) {
                     const int row = 4 * y + i / 4;
                     const uint8_t* p = view.row(row) + 3 * (4 * x + i % 4);
-                    want += 0.25 * static_cast<double>(weights[row]) *
-                            radianceOf(p[bgr ? 2 : 0], p[1], p[bgr ? 0 : 2]);
+                    want += 0.25 * weights[row] * radianceOf(p[bgr ? 2 : 0], p[1], p[bgr ? 0 : 2]);
                 }
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(out.at(x, y)[c], want[c], kOff * want[c]) << x << ", " << y;
@@ -126,7 +125,7 @@ TEST_P(BlockMeans, OneColourGivesDecodedSrgb) {
 // The same for decoded sRGB; half of the values are near white.
 TEST_P(BlockMeans, NoiseGivesDecodedAndClippedMeansTheSameForEveryLoop) {
     const std::vector<float> weights = weightsFor(kNoiseHeight);
-    std::vector<float> shares(size_t{kNoiseHeight}, 1.0f);
+    std::vector<float> shares(kNoiseHeight, 1.0f);
     for (size_t y = 4; y < 8; ++y) shares[y] = static_cast<float>(8 - y) / 8;
     std::fill(shares.begin() + 8, shares.end(), 0.0f);
     for (const bool bgr : {true, false}) {
@@ -145,15 +144,15 @@ TEST_P(BlockMeans, NoiseGivesDecodedAndClippedMeansTheSameForEveryLoop) {
                 glm::dvec3 want(0), off(0);
                 double steps = 0;
                 for (int i = 0; i < 16; ++i) {
-                    const auto row = static_cast<size_t>(4 * y + i / 4);
-                    const uint8_t* p = view.row(4 * y + i / 4) + 3 * (4 * x + i % 4);
-                    const double weight = 0.25 * static_cast<double>(weights[row]);
+                    const int row = 4 * y + i / 4;
+                    const uint8_t* p = view.row(row) + 3 * (4 * x + i % 4);
+                    const double weight = 0.25 * weights[row];
                     for (int c = 0; c < 3; ++c) {
                         const int coded = p[bgr ? 2 - c : c];
                         want[c] += weight * linearOf(coded);
                         off[c] += weight * allowed(coded);
                     }
-                    steps += weight * static_cast<double>(shares[row]) * clippedSteps(p);
+                    steps += weight * shares[row] * clippedSteps(p);
                 }
                 for (int c = 0; c < 3; ++c) EXPECT_NEAR(out.at(x, y)[c], want[c], off[c]) << x << ", " << y;
                 EXPECT_NEAR(*clipped.at(x, y), steps / kClippedSteps, 1e-4) << x << ", " << y;
@@ -229,7 +228,7 @@ TEST(Pyramid, HalvedFrameIsTheWeighedMeanOfFour) {
                     (top * (full.at(2 * x, 2 * y)[c] + full.at(2 * x + 1, 2 * y)[c]) +
                      bottom * (full.at(2 * x, 2 * y + 1)[c] + full.at(2 * x + 1, 2 * y + 1)[c])) /
                     (2 * (top + bottom));
-                worst = std::max(worst, std::abs(want - static_cast<double>(pyramid.levels[0].at(x, y)[c])));
+                worst = std::max(worst, std::abs(want - pyramid.levels[0].at(x, y)[c]));
             }
     }
     EXPECT_LT(worst, 1e-5); // floats up to 11.8

@@ -58,8 +58,8 @@ double rmsOnGradient(const GlossyMethod& method, float roughness) {
     const Lobe lobes[] = {glossyLobe(static_cast<double>(roughness))};
     double squares = 0;
     for (size_t i = 0; i < kDirs.size(); ++i) {
-        const double off = static_cast<double>(got[i].x) -
-                           referenceRadiance(sky, glm::normalize(glm::dvec3(kDirs[i])), lobes)[0].x;
+        const double off =
+            got[i].x - referenceRadiance(sky, glm::normalize(glm::dvec3(kDirs[i])), lobes)[0].x;
         squares += off * off;
     }
     return std::sqrt(squares / static_cast<double>(kDirs.size()));
@@ -137,7 +137,7 @@ double farthest(DiffuseMethod method, const ImageRgbF& environment,
     method.shade(kNormals, got);
     double worst = 0;
     for (size_t i = 0; i < got.size(); ++i)
-        worst = std::max(worst, std::abs(static_cast<double>(got[i].x) - want(glm::dvec3(kNormals[i]))));
+        worst = std::max(worst, std::abs(got[i].x - want(glm::dvec3(kNormals[i]))));
     return worst;
 }
 

@@ -104,11 +104,7 @@ Colour sampled(const ShoalLightTexture& texture, float u, float v) {
         const int column = std::clamp(static_cast<int>(x0) + dx, 0, texture.width - 1);
         const int row = std::clamp(static_cast<int>(y0) + dy, 0, texture.height - 1);
         for (size_t c = 0; c < 3; ++c)
-            sum[c] +=
-                weight * glm::unpackHalf1x16(
-                             texture.rgba[4 * (static_cast<size_t>(row) * static_cast<size_t>(texture.width) +
-                                               static_cast<size_t>(column)) +
-                                          c]);
+            sum[c] += weight * glm::unpackHalf1x16(texture.rgba[4 * (row * texture.width + column) + c]);
     }
     return sum;
 }
@@ -273,7 +269,7 @@ TEST(LightLibrary, NothingAndNonsenseAreBlack) {
 std::vector<float> sunnySky(float sun) {
     std::vector<float> rgb(3 * kWidth * kHeight, 1.0f);
     for (int y = 18; y < 22; ++y)
-        for (int x = 126; x < 130; ++x) std::fill_n(&rgb[3 * static_cast<size_t>(y * kWidth + x)], 3, sun);
+        for (int x = 126; x < 130; ++x) std::fill_n(&rgb[3 * (y * kWidth + x)], 3, sun);
     return rgb;
 }
 

@@ -140,10 +140,8 @@ TEST(FilmShadows, NothingIsShadedBesideTheTiles) {
                 ++shaded;
                 for (int dy = -1; dy <= 1; ++dy)
                     for (int dx = -1; dx <= 1; ++dx) {
-                        const glm::vec2 uv(
-                            (static_cast<float>(x + dx) + 0.5f) / static_cast<float>(left.width),
-                            (static_cast<float>(std::clamp(y + dy, 0, left.height - 1)) + 0.5f) /
-                                static_cast<float>(left.height));
+                        const glm::vec2 texel(x + dx, std::clamp(y + dy, 0, left.height - 1));
+                        const glm::vec2 uv = (texel + 0.5f) / glm::vec2(left.width, left.height);
                         ASSERT_TRUE(shadows.tiles().isChosen(
                             FrameTiles::between(uv, uv, shadows.tiles().frameSize())));
                     }
