@@ -119,10 +119,7 @@ TEST(DepthRefiner, LeavesSlopesAsTheyAre) {
 
 // Ends of a near surface in texels of the map, as the track and as the film have it: at most half a texel of
 // the track apart, as each of its texels is what most of it is.
-struct Displaced {
-    int track, film;
-    friend void PrintTo(const Displaced& edge, std::ostream* out) { *out << edge.track << " " << edge.film; }
-};
+using Displaced = std::pair<int, int>;
 class DepthEdges : public testing::TestWithParam<Displaced> {};
 
 TEST_P(DepthEdges, LieWithinATexelOfTheFilmsAcross) {

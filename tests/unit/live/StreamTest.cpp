@@ -243,10 +243,11 @@ struct MadeStream {
     std::vector<std::vector<std::string>> pieces; // [picture][piece]: bytes to send
 };
 
-// Encodes a grey picture of each level (0 to 255), 30 a second, every eighth a keyframe. format: FFmpeg's
-// name, such as "mpegts" or "rtp". options: "name=value". Returns nothing if FFmpeg lacks the encoder.
-std::optional<MadeStream> makeStream(const std::string& format, const std::string& options,
-                                     const std::vector<int>& greys) {
+constexpr int kPictures = 240, kLevels = 40;
+
+// Encodes grey pictures of rising levels, 30 a second, every eighth a keyframe. format: FFmpeg's name, such
+// as "mpegts" or "rtp". options: "name=value". Returns nothing if FFmpeg lacks the encoder.
+std::optional<MadeStream> makeStream(const std::string& format, const std::string& options) {
     constexpr int kWidth = 64, kHeight = 32;
     const AVCodec* kind = avcodec_find_encoder_by_name("libx264");
     if (!kind) return std::nullopt;
@@ -290,13 +291,13 @@ std::optional<MadeStream> makeStream(const std::string& format, const std::strin
     frame->height = kHeight;
     frame->format = AV_PIX_FMT_YUV420P;
     av_frame_get_buffer(frame.get(), 0);
-    for (size_t i = 0; good && i < greys.size(); ++i) {
+    for (int i = 0; good && i < kPictures; ++i) {
         av_frame_make_writable(frame.get());
-        const int luma = 16 + (219 * greys[i] + 127) / 255;
+        const int grey = kFirstGrey + kGreyStep * (i % kLevels), luma = 16 + (219 * grey + 127) / 255;
         std::memset(frame->data[0], luma, static_cast<size_t>(frame->linesize[0]) * kHeight);
         for (const int plane : {1, 2})
             std::memset(frame->data[plane], 128, static_cast<size_t>(frame->linesize[plane]) * (kHeight / 2));
-        frame->pts = static_cast<int64_t>(i);
+        frame->pts = i;
         good = avcodec_send_frame(encoder.get(), frame.get()) >= 0 &&
                avcodec_receive_packet(encoder.get(), packet.get()) >= 0;
         if (!good) break;
@@ -316,15 +317,7 @@ std::optional<MadeStream> makeStream(const std::string& format, const std::strin
     return made;
 }
 
-constexpr int kPictures = 240, kLevels = 40;
-
-std::vector<int> greys() {
-    std::vector<int> levels;
-    for (int i = 0; i < kPictures; ++i) levels.push_back(kFirstGrey + kGreyStep * (i % kLevels));
-    return levels;
-}
-
-// send(i): picture i, over the line. Begins with `first` of them; then one at a time. held: how many pictures
+// send(i): sends picture i. Sends one at a time, from `next` on. held: how many pictures
 // the format itself holds back.
 template <class Send> void eachIsSeenAtOnce(LivePlayer& player, int next, int held, Send&& send) {
     for (; next < kPictures; ++next) {
@@ -335,7 +328,7 @@ template <class Send> void eachIsSeenAtOnce(LivePlayer& player, int next, int he
 }
 
 TEST(NoLookAhead, Rtsp) {
-    const auto made = makeStream("rtp", "", greys());
+    const auto made = makeStream("rtp", "");
     if (!made) GTEST_SKIP() << "FFmpeg has no H.264 encoder here";
     RtspServer server(made->description);
     int next = 0;
@@ -354,7 +347,7 @@ TEST(NoLookAhead, Rtsp) {
 }
 
 void transportStream(const std::string& options, int held) {
-    const auto made = makeStream("mpegts", options, greys());
+    const auto made = makeStream("mpegts", options);
     if (!made) GTEST_SKIP() << "FFmpeg has no H.264 encoder here";
     HttpServer server;
     const auto send = [&](int i) {

@@ -63,18 +63,6 @@ template <class T> std::vector<uint8_t> encodedVertices(const std::vector<T>& va
     return stream;
 }
 
-std::vector<uint8_t> encodedTriangles(const std::vector<uint32_t>& indices, size_t vertices) {
-    std::vector<uint8_t> stream(meshopt_encodeIndexBufferBound(indices.size(), vertices));
-    stream.resize(meshopt_encodeIndexBuffer(stream.data(), stream.size(), indices.data(), indices.size()));
-    return stream;
-}
-
-std::vector<uint8_t> encodedSequence(const std::vector<uint32_t>& indices, size_t vertices) {
-    std::vector<uint8_t> stream(meshopt_encodeIndexSequenceBound(indices.size(), vertices));
-    stream.resize(meshopt_encodeIndexSequence(stream.data(), stream.size(), indices.data(), indices.size()));
-    return stream;
-}
-
 // A bumpy square of 10 x 10 vertices.
 constexpr uint32_t kSide = 10;
 
@@ -105,8 +93,13 @@ Compressed square(const char* mode = "TRIANGLES", size_t indexBytes = 4) {
     const int positions = made.file.addAccessor(
         made.addView(encodedVertices(squarePositions(), 12), kSide * kSide, 12, "ATTRIBUTES"), kSide * kSide,
         "VEC3", Gltf::kFloat);
-    const auto stream = std::string(mode) == "TRIANGLES" ? encodedTriangles(indices, kSide * kSide)
-                                                         : encodedSequence(indices, kSide * kSide);
+    const bool triangles = std::string(mode) == "TRIANGLES";
+    std::vector<uint8_t> stream(triangles ? meshopt_encodeIndexBufferBound(indices.size(), kSide * kSide)
+                                          : meshopt_encodeIndexSequenceBound(indices.size(), kSide * kSide));
+    stream.resize(
+        triangles
+            ? meshopt_encodeIndexBuffer(stream.data(), stream.size(), indices.data(), indices.size())
+            : meshopt_encodeIndexSequence(stream.data(), stream.size(), indices.data(), indices.size()));
     const int order =
         made.file.addAccessor(made.addView(stream, indices.size(), indexBytes, mode), indices.size(),
                               "SCALAR", indexBytes == 2 ? Gltf::kUnsignedShort : Gltf::kUnsignedInt);
