@@ -160,11 +160,10 @@ TEST_P(BlockMeans, NoiseGivesDecodedAndClippedMeansTheSameForEveryLoop) {
     }
 }
 
-std::string nameOf(const testing::TestParamInfo<BlockLoop>& loop) {
-    return loop.param == BlockLoop::Plain ? "Plain" : "Avx2";
-}
-
-INSTANTIATE_TEST_SUITE_P(Loops, BlockMeans, testing::Values(BlockLoop::Plain, BlockLoop::Avx2), nameOf);
+INSTANTIATE_TEST_SUITE_P(Loops, BlockMeans, testing::Values(BlockLoop::Plain, BlockLoop::Avx2),
+                         [](const auto& loop) {
+                             return std::string(loop.param == BlockLoop::Plain ? "Plain" : "Avx2");
+                         });
 
 ImageRgbF radianceOf(const FrameView& view) {
     ImageRgbF image(view.width, view.height);
