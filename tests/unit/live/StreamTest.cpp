@@ -10,7 +10,6 @@ extern "C" {
 }
 #include <opencv2/imgcodecs.hpp>
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <thread>
 
@@ -22,8 +21,7 @@ using test::HttpServer;
 // Returns a grey picture as those of writeGreyVideo().
 std::string jpegOf(int number, int width = 64, int height = 32) {
     std::vector<uint8_t> bytes;
-    cv::imencode(".jpg", cv::Mat(height, width, CV_8UC3, cv::Scalar::all(kFirstGrey + kGreyStep * number)),
-                 bytes);
+    cv::imencode(".jpg", greyPicture(number, width, height), bytes);
     return {bytes.begin(), bytes.end()};
 }
 
@@ -122,21 +120,6 @@ TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
     for (const auto& each : seen) EXPECT_TRUE(each);
 }
 
-// A writer of a named pipe, on the test's thread.
-class Writer {
-  public:
-    explicit Writer(const Path& pipe) : descriptor_(::open(pipe.c_str(), O_WRONLY)) {}
-    ~Writer() { ::close(descriptor_); }
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
-    bool write(const std::string& bytes) {
-        return ::write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
-    }
-
-  private:
-    int descriptor_;
-};
-
 // Returns more bytes of a picture than FFmpeg needs to recognise the format.
 std::string manyOf(int number) {
     std::string bytes;
@@ -148,21 +131,21 @@ TEST(Pipe, WritersComeAndGo) {
     const TempFolder folder;
     const Path pipe = folder / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    std::optional<Writer> writer;
+    std::ofstream writer;
+    const auto write = [&](int number) { return (writer << manyOf(number) << std::flush).good(); };
     auto player = tests::valueOf(LivePlayer::open(feedOf(pipe.string(), {60, 60}), eager(), [&] {
-        if (!writer) writer.emplace(pipe); // opening waits for the reader, who waits for pictures
-        return writer->write(manyOf(0));
+        if (!writer.is_open()) writer.open(pipe); // waits for the reader, who waits for pictures
+        return write(0);
     }));
     EXPECT_EQ(numberOf(player.newest()->pixelsBgr), 0);
     for (int round = 1; round <= 2; ++round) {
-        writer.reset();
+        writer.close();
         while (player.state() != LiveState::Lost) player.newest();
         EXPECT_NE(player.notice().find("The pipe was ended by its sender; showing its last picture"),
                   std::string::npos)
             << player.notice();
-        writer.emplace(pipe);
-        while (player.newest(), player.state() != LiveState::Playing)
-            ASSERT_TRUE(writer->write(manyOf(10 * round)));
+        writer.open(pipe);
+        while (player.newest(), player.state() != LiveState::Playing) ASSERT_TRUE(write(10 * round));
         EXPECT_EQ(numberOf(player.newest()->pixelsBgr), 10 * round);
     }
 }
