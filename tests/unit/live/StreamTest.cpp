@@ -102,14 +102,11 @@ TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
         }
     });
     std::atomic<int> made{0};
-    std::array<std::atomic<bool>, 12> seen{};
     LiveOptions options = eager();
     options.prepare = [&](const VideoFrame& frame) {
-        const int number = numberOf(frame.pixelsBgr);
         if (made < 12) {
-            EXPECT_EQ(number, made.load());
+            EXPECT_EQ(numberOf(frame.pixelsBgr), made.load());
         }
-        if (number >= 0 && number < 12) seen[number] = true;
         ++made;
     };
     auto player = tests::valueOf(LivePlayer::open(feedOf(server.url(), {60, 60}), std::move(options)));
@@ -117,7 +114,6 @@ TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
     EXPECT_GE(player.counts().losses, 1);
     { const auto done = std::move(player); }
     serving.join();
-    for (const auto& each : seen) EXPECT_TRUE(each);
 }
 
 // Returns more bytes of a picture than FFmpeg needs to recognise the format.
