@@ -356,13 +356,10 @@ TEST(PartialPanorama, PartLiesWhereItSays) {
 
 struct Case {
     cv::Mat colours, weight;
-    Case(int width, int height)
-        : colours(height, width, CV_32FC3, cv::Scalar::all(0)), weight(height, width, CV_32F, cv::Scalar(0)) {
-    }
 };
 
 Case noise(int width, int height, uint64_t seed) {
-    Case made(width, height);
+    Case made{cv::Mat(height, width, CV_32FC3), cv::Mat(height, width, CV_32F)};
     Random random(seed);
     for (float& value : cv::Mat_<float>(made.colours.reshape(1))) value = random.unit();
     for (float& value : cv::Mat_<float>(made.weight)) value = 0.3f * random.unit() - 0.1f;
