@@ -201,6 +201,7 @@ TEST_F(VideoPlayers, AClipIsTurnedUpright) {
                                         {0, 1, -1, 0},
                                         {0, -1, -1, 0},
                                         {0, -1, 1, 0}}) {
+        SCOPED_TRACE(fmt::format("{}", fmt::join(m, " ")));
         std::string turned = upright;
         writeBytes(file, turned.replace(at, 36, matrix(m)));
         auto player = opened(file, {.keepPlanes = true});
@@ -211,16 +212,13 @@ TEST_F(VideoPlayers, AClipIsTurnedUpright) {
         EXPECT_THAT(checked,
                     testing::AllOf(testing::HasSubstr(", 0.1 s, "), testing::HasSubstr("; has no sound")));
         const ImageRgb8& picture = player.waitFor(0)->pixelsBgr;
-        const std::string what = fmt::format("{}", fmt::join(m, " "));
-        ASSERT_EQ(std::pair(picture.width, picture.height), m[0] ? std::pair(96, 32) : std::pair(32, 96))
-            << what;
+        ASSERT_EQ(std::pair(picture.width, picture.height), m[0] ? std::pair(96, 32) : std::pair(32, 96));
         const bool right = m[0] + m[2] < 0, below = m[1] + m[3] < 0;
         for (const bool x : {false, true})
             for (const bool y : {false, true})
                 EXPECT_EQ(*picture.at(picture.width / 4 * (x ? 3 : 1), picture.height / 4 * (y ? 3 : 1)) >
                               180,
-                          x == right && y == below)
-                    << what;
+                          x == right && y == below);
     }
 }
 
