@@ -137,9 +137,8 @@ TEST(Pipe, WritersComeAndGo) {
     for (int round = 1; round <= 2; ++round) {
         writer.close();
         while (player.state() != LiveState::Lost) player.newest();
-        EXPECT_NE(player.notice().find("The pipe was ended by its sender; showing its last picture"),
-                  std::string::npos)
-            << player.notice();
+        EXPECT_THAT(player.notice(),
+                    testing::HasSubstr("The pipe was ended by its sender; showing its last picture"));
         writer.open(pipe);
         while (player.newest(), player.state() != LiveState::Playing) ASSERT_TRUE(write(10 * round));
         EXPECT_EQ(numberOf(player.newest()->pixelsBgr), 10 * round);
