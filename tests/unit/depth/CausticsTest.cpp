@@ -1,6 +1,7 @@
 // The flicker of waves' light on animals is what the film's ground shows where the light's ray meets it.
 #include "engine/depth/Caustics.h"
 #include "tests/Test.h"
+#include "tests/unit/light/Environments.h"
 #include "tests/unit/shadow/ShadowScene.h"
 
 namespace shoal::depth {
@@ -9,19 +10,15 @@ namespace {
 constexpr float kPicture_s = 1 / 30.0f;
 const glm::vec3 kTowards = glm::normalize(glm::vec3(0.3f, 1, 0));
 
-// A frame in which the ground to the right, x > 0, has this radiance, and all else has 1.
-ImageRgbF frameWith(float right) {
-    ImageRgbF frame(64, 32);
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 64; ++x)
-            std::fill_n(frame.at(x, y), 3, texelDirection<float>(x, y, 64, 32).x > 0 ? right : 1.0f);
-    return frame;
-}
-
 struct Film {
     DepthMap map = tests::levelGround(-1.5f);
     Caustics caustics;
-    void show(float right, float passed_s = kPicture_s) { caustics.follow(frameWith(right), passed_s); }
+    // Shows a frame in which the ground to the right, x > 0, has this radiance, and all else has 1.
+    void show(float right, float passed_s = kPicture_s) {
+        caustics.follow(
+            light::paint(64, 32, [=](const glm::dvec3& d) { return glm::dvec3(d.x > 0 ? right : 1); }),
+            passed_s);
+    }
     float at(const glm::vec3& place, float length_m = 0.1f) const {
         return caustics.changeAt(place, kTowards, length_m, map);
     }

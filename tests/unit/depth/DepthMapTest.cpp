@@ -117,17 +117,9 @@ TEST(DepthRefiner, LeavesSlopesAsTheyAre) {
     EXPECT_EQ(refined(track, checkerboard()).inverse.pixels, enlarged(track).inverse.pixels);
 }
 
-TEST(DepthRefiner, ColoursAloneMakeNoEdges) {
-    const DepthMap map = refined(trackOf([](int, int) { return 100.0f; }), checkerboard());
-    EXPECT_TRUE(std::ranges::all_of(map.inverse.pixels, [](uint8_t code) { return code == 100; }));
-}
-
 // Ends of a near surface in texels of the map, as the track and as the film have it: at most half a texel of
 // the track apart, as each of its texels is what most of it is.
-struct Displaced {
-    int track, film;
-    friend void PrintTo(const Displaced& edge, std::ostream* out) { *out << edge.track << " " << edge.film; }
-};
+using Displaced = std::pair<int, int>;
 class DepthEdges : public testing::TestWithParam<Displaced> {};
 
 TEST_P(DepthEdges, LieWithinATexelOfTheFilmsAcross) {
@@ -260,26 +252,17 @@ TEST(Search, MovesNothingThatIsEndlesslyFar) {
     }
 }
 
-// A wall 1 m ahead that ends at x = 0, and nothing behind it: from the right the eye sees past its edge, and
-// from there what the camera did not see is as empty as what it saw.
-TEST(Search, SeesPastAnEdge) {
-    const DepthMap map = mapOf([](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : 0.0f; });
-    const glm::vec3 eye(0.1f, 0, 0);
-    for (float x = -0.4f; x <= 0.3f; x += 0.01f) {
-        if (std::abs(x + 0.1f) < 2 * kTexel_rad) continue; // the edge itself
-        const glm::vec3 seen = searchAlong(map, eye, glm::normalize(glm::vec3(x, 0, -1)));
-        EXPECT_EQ(map.inverse_perM(seen) > 0.5f, x < -0.1f) << x;
-    }
-}
-
-// Seen from the left, the wall hides what the camera saw beside it.
-TEST(Search, IsStoppedByAnEdgeThatComesBefore) {
-    const DepthMap map = mapOf([](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : 0.1f; });
-    const glm::vec3 eye(-0.1f, 0, 0);
-    for (float x = -0.4f; x <= 0.4f; x += 0.01f) {
-        if (std::abs(x - 0.1f) < 2 * kTexel_rad) continue;
-        const glm::vec3 seen = searchAlong(map, eye, glm::normalize(glm::vec3(x, 0, -1)));
-        EXPECT_EQ(map.inverse_perM(seen) > 0.5f, x < 0.1f) << x;
+// A wall 1 m ahead that ends at x = 0. From the right the eye sees past its edge, where nothing is behind it:
+// what the camera did not see is as empty as what it saw. From the left, the wall hides what the camera saw.
+TEST(Search, SeesPastAnEdgeAndIsStoppedByOneThatComesBefore) {
+    for (const auto& [eye_m, behind_perM] : {std::pair(0.1f, 0.0f), {-0.1f, 0.1f}}) {
+        const DepthMap map =
+            mapOf([&](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : behind_perM; });
+        for (float x = -0.4f; x <= 0.4f; x += 0.01f) {
+            if (std::abs(x + eye_m) < 2 * kTexel_rad) continue; // the edge itself
+            const glm::vec3 seen = searchAlong(map, {eye_m, 0, 0}, glm::normalize(glm::vec3(x, 0, -1)));
+            EXPECT_EQ(map.inverse_perM(seen) > 0.5f, x < -eye_m) << x << " from " << eye_m;
+        }
     }
 }
 
@@ -306,19 +289,19 @@ TEST(Range, HoldsEveryTexelOfACap) {
 
 // An infinite matte white wall across +X, at this distance from the camera, with a lit disc.
 struct Wall {
-    float distance_m, litRadius_m;
+    float litRadius_m;
     ImageRgbF radiance{64, 32};
     DepthMap map;
 
-    Wall(float distance, float litRadius)
-        : distance_m(distance), litRadius_m(litRadius),
-          map(mapOf([&](const glm::vec3& d) { return std::max(d.x, 0.0f) / distance; })) {
+    Wall(float distance_m, float litRadius)
+        : litRadius_m(litRadius),
+          map(mapOf([&](const glm::vec3& d) { return std::max(d.x, 0.0f) / distance_m; })) {
         // Each texel is the mean of 16 x 16 looks, so that its edge is smooth.
         for (int y = 0; y < 512; ++y)
             for (int x = 0; x < 1024; ++x) {
                 const glm::vec3 dir = texelDirection(x, y, 1024, 512);
                 const bool lit =
-                    dir.x > 0 && glm::length(glm::vec2(dir.y, dir.z)) / dir.x * distance < litRadius;
+                    dir.x > 0 && glm::length(glm::vec2(dir.y, dir.z)) / dir.x * distance_m < litRadius;
                 for (int c = 0; lit && c < 3; ++c) radiance.at(x / 16, y / 16)[c] += 1 / 256.0f;
             }
     }

@@ -44,24 +44,14 @@ inline glm::dvec3 meanOf(const ImageRgbF& image) {
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < 3; ++c)
-                sum[c] +=
-                    texelSolidAngle(y, image.width, image.height) * static_cast<double>(image.at(x, y)[c]);
+                sum[c] += texelSolidAngle(y, image.width, image.height) * image.at(x, y)[c];
     return sum / (4 * std::numbers::pi);
-}
-
-inline double largestDifference(const ImageRgbF& a, const ImageRgbF& b) {
-    double worst = a.pixels.size() == b.pixels.size() ? 0 : 1e30;
-    for (size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
-        worst =
-            std::max(worst, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
-    return worst;
 }
 
 inline double largestDifference(const ImageRgbF& image, const glm::dvec3& value) {
     double worst = 0;
     for (size_t i = 0; i < image.pixels.size(); ++i)
-        worst =
-            std::max(worst, std::abs(static_cast<double>(image.pixels[i]) - value[static_cast<int>(i % 3)]));
+        worst = std::max(worst, std::abs(image.pixels[i] - value[static_cast<int>(i % 3)]));
     return worst;
 }
 

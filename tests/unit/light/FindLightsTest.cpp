@@ -7,12 +7,10 @@ namespace {
 
 template <class Picture> FoundLights lightsIn(const Picture& picture) { return LightWatcher().look(picture); }
 
-constexpr std::array<std::array<int, 2>, 6> kSuns = {
-    {{300, 0}, {511, 255}, {1023, 255}, {200, 4}, {700, 509}, {130, 77}}}; // column, row
-
 // A texel of the pyramid's base is 0.7 degrees wide.
 TEST(FindLights, FourTexelSunsAreFoundWhereTheyStand) {
-    for (const auto& [column, row] : kSuns) {
+    for (const auto& [column, row] :
+         {std::pair(300, 0), {511, 255}, {1023, 255}, {200, 4}, {700, 509}, {130, 77}}) {
         ImageRgbF sky = uniform(1024, glm::dvec3(1));
         for (int i = 0; i < 4; ++i)
             for (int c = 0; c < 3; ++c) sky.at((column + i % 2) % 1024, row + i / 2)[c] = 1e4f;
@@ -75,11 +73,11 @@ TEST(FindLights, AClippedSunIsFoundInALopsidedGlow) {
                 for (const double ridge_deg : {-90.0, -2.0, -1.0}) { // of the sun's height
                     const FoundLights found =
                         lightsIn(hazySun(sun, at(12), cloud, std::sin(glm::radians(height_deg + ridge_deg))));
+                    SCOPED_TRACE(testing::Message() << "cloud " << cloud << ", ridge " << ridge_deg
+                                                    << ", height " << height_deg);
                     ASSERT_GT(found.count, 0u);
-                    EXPECT_LT(degreesBetween(found.lights[0].direction, sun), 2)
-                        << "cloud " << cloud << ", ridge " << ridge_deg << ", height " << height_deg;
-                    EXPECT_LT(glm::degrees(found.lights[0].radius), 6)
-                        << "cloud " << cloud << ", ridge " << ridge_deg << ", height " << height_deg;
+                    EXPECT_LT(degreesBetween(found.lights[0].direction, sun), 2);
+                    EXPECT_LT(glm::degrees(found.lights[0].radius), 6);
                 }
         }
 }
@@ -96,17 +94,17 @@ TEST(FindLights, CapsAreFoundWithTheirSizeAndStrength) {
             const FoundLights found = lightsIn(paint(512, 256, [&](const glm::dvec3& d) {
                 return glm::dot(d, middle) > cosine ? within : without;
             }));
-            ASSERT_EQ(found.count, 1u) << radius_deg << " degrees";
+            SCOPED_TRACE(radius_deg);
+            ASSERT_EQ(found.count, 1u);
             const FoundLight& light = found.lights[0];
-            EXPECT_LT(degreesBetween(light.direction, middle), 0.6) << radius_deg << " degrees";
+            EXPECT_LT(degreesBetween(light.direction, middle), 0.6);
             EXPECT_NEAR(glm::degrees(static_cast<double>(light.radius)), radius_deg, 0.6 + 0.08 * radius_deg);
             // The edge crosses coarse texels, 5.6 degrees wide: some of them count in part.
             const double form = std::numbers::pi * (1 - cosine * cosine);
             const double slack = radius_deg < 5 ? 0.15 : 0.08;
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(light.irradiance[c], (within - without)[c] * form,
-                            slack * (within - without)[c] * form)
-                    << radius_deg << " degrees";
+                            slack * (within - without)[c] * form);
         }
 }
 

@@ -141,7 +141,6 @@ TEST(HostileServer, RubbishByTcpAndUdpIsLeftToo) {
         EXPECT_LT(sent_MB, 100);
     }
     std::atomic<bool> over{false};
-    uint16_t port = 0;
     const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in to{
         .sin_family = AF_INET, .sin_port = 0, .sin_addr = {htonl(INADDR_LOOPBACK)}, .sin_zero = {}};
@@ -150,7 +149,6 @@ TEST(HostileServer, RubbishByTcpAndUdpIsLeftToo) {
         const int finder = ::socket(AF_INET, SOCK_DGRAM, 0);
         ASSERT_EQ(::bind(finder, reinterpret_cast<sockaddr*>(&to), size), 0);
         ASSERT_EQ(::getsockname(finder, reinterpret_cast<sockaddr*>(&to), &size), 0);
-        port = ntohs(to.sin_port);
         ::close(finder);
     }
     std::thread sending([&] {
@@ -158,7 +156,7 @@ TEST(HostileServer, RubbishByTcpAndUdpIsLeftToo) {
         while (!over)
             ::sendto(socket, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&to), size);
     });
-    const auto address = liveAddress("udp://127.0.0.1:" + std::to_string(port));
+    const auto address = liveAddress("udp://127.0.0.1:" + std::to_string(ntohs(to.sin_port)));
     const auto player = LivePlayer::open(feedFrom(**address, {20, 20}), {.firstPicture_s = 60});
     over = true;
     sending.join();

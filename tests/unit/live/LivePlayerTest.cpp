@@ -16,8 +16,8 @@ class FakeFeed final : public LiveFeed {
     FakeFeed() : LiveFeed("fake:0", "stream") {}
 
     // Sends a grey picture, whose number numberOf() reads back.
-    void send(int number, double arrived_s = 0, int width = 64, int height = 32) {
-        change([&] { events_.push_back({number, arrived_s, width, height, {}}); });
+    void send(int number, double arrived_s = 0) {
+        change([&] { events_.push_back({number, arrived_s, {}}); });
     }
     void breakOff(std::string why) {
         change([&] { events_.push_back({.broken = std::move(why)}); });
@@ -50,7 +50,7 @@ class FakeFeed final : public LiveFeed {
         const Event event = events_.front();
         events_.pop_front();
         if (!event.broken.empty()) return Error{"", event.broken};
-        bgr.fit(event.width, event.height);
+        bgr.fit(64, 32);
         std::fill(bgr.pixels.begin(), bgr.pixels.end(),
                   static_cast<uint8_t>(kFirstGrey + kGreyStep * event.number));
         frame.arrived_s = event.arrived_s;
@@ -65,7 +65,6 @@ class FakeFeed final : public LiveFeed {
     struct Event {
         int number = 0;
         double arrived_s = 0;
-        int width = 0, height = 0;
         std::string broken;
     };
     template <class Change> void change(Change&& change) {
@@ -209,18 +208,6 @@ TEST(LivePlayer, TellsInHowManyOfTheDisplaysPicturesAFrameWasShown) {
     call(200.08);
     EXPECT_EQ(p.player->displayFrames(), 3);
     EXPECT_NEAR(p.player->age_s(), 0.05, 1e-9);
-}
-
-TEST(LivePlayer, AnotherSizeOnTheWayIsAnotherLayout) {
-    Played p;
-    EXPECT_EQ(p.player->newest()->layout, Layout::Mono);
-    p.fake->send(1, 0, 64, 64);
-    p.untilMade(2);
-    const VideoFrame* frame = p.player->newest();
-    EXPECT_EQ(frame->pixelsBgr.width, 64);
-    EXPECT_EQ(frame->pixelsBgr.height, 64);
-    EXPECT_EQ(frame->layout, Layout::TopBottom);
-    EXPECT_EQ(p.player->counts().resized, 1);
 }
 
 TEST(LivePlayer, OpeningFailsWithTheReason) {

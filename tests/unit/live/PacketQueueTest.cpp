@@ -98,11 +98,6 @@ TEST(PacketQueue, LeftOrInterruptedNobodyWaits) {
 
 constexpr double kFrame_s = 1 / 32.0; // exact in binary
 
-TEST(TokenBucket, AStreamAtItsOwnRateNeverWaits) {
-    TokenBucket bucket(0.05);
-    for (int i = 0; i < 100000; ++i) EXPECT_EQ(bucket.wait_s(i * kFrame_s, 7 + i * kFrame_s), 0);
-}
-
 TEST(TokenBucket, ASendersClockMayRunAhead) {
     TokenBucket bucket(3);
     constexpr double kFaster = 1.0005; // half of a thousandth: ten times what quartz does
@@ -169,10 +164,9 @@ TEST(LiveAddress, StreamsByTheirSchemesAlone) {
     for (const char* url : {"file:///etc/passwd", "concat://a|b", "ftp://host/a", "HTTP://host/", "data://x",
                             "rtmp://a/b", "subfile,,start,0,end,9,,://x"})
         EXPECT_FALSE(isStream(liveAddress(url))) << url;
-    const auto refused = liveAddress("rtmp://user:secret@host/a");
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().reason.find("rtsp, http, https, tcp, udp"), std::string::npos);
-    EXPECT_EQ(refused.error().message().find("secret"), std::string::npos);
+    const Error refused = tests::errorOf(liveAddress("rtmp://user:secret@host/a"));
+    EXPECT_THAT(refused.reason, testing::HasSubstr("rtsp, http, https, tcp, udp"));
+    EXPECT_EQ(refused.message().find("secret"), std::string::npos);
     EXPECT_FALSE(liveAddress("http://" + std::string(5000, 'a')));
 }
 

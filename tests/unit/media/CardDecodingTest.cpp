@@ -76,8 +76,7 @@ TEST_F(CardFilms, AreTheSameWithoutTheCard) {
     auto player =
         tests::valueOf(VideoPlayer::open(file, {.layout = Layout::Mono, .decoding = Decoding::Card}));
     for (int i = 0; i < 2 * kFrames; ++i)
-        ASSERT_EQ(player.waitFor(i / 30.0)->pixelsBgr.pixels, expected[static_cast<size_t>(i % kFrames)])
-            << i;
+        ASSERT_EQ(player.waitFor(i / 30.0)->pixelsBgr.pixels, expected[i % kFrames]) << i;
     EXPECT_EQ(player.status(), "");
 }
 
@@ -89,7 +88,7 @@ TEST_F(CardFilms, GoOnWhenTheCardFailsInTheMiddle) {
             if (i == at) source.leaveCard();
             ASSERT_EQ(source.position(), i);
             ASSERT_TRUE(source.grab() && source.retrieve(bgr)) << at;
-            ASSERT_EQ(bgr.pixels, expected[static_cast<size_t>(i)]) << at << ' ' << i;
+            ASSERT_EQ(bgr.pixels, expected[i]) << at << ' ' << i;
         }
         if (at == kFrames) source.leaveCard();
         EXPECT_FALSE(source.grab()) << at;

@@ -169,17 +169,13 @@ TEST_F(DepthTracks, TracksOfAnotherSizeAreRefused) {
     const size_t width = good.find("\xb0\x81\x40"), height = good.find("\xba\x81\x20");
     ASSERT_NE(width, std::string::npos);
     ASSERT_NE(height, std::string::npos);
-    struct Size {
-        uint8_t width, height;
-        const char* why;
-    };
-    for (const Size& size :
-         {Size{64, 64, "no half"}, Size{48, 24, "no power of two"}, Size{8, 4, "too small"}}) {
+    for (const auto& [across, down, why] :
+         {std::tuple(64, 64, "no half"), {48, 24, "no power of two"}, {8, 4, "too small"}}) {
         std::string bad = good;
-        bad[width + 2] = static_cast<char>(size.width);
-        bad[height + 2] = static_cast<char>(size.height);
+        bad[width + 2] = static_cast<char>(across);
+        bad[height + 2] = static_cast<char>(down);
         writeBytes(file_, bad);
-        EXPECT_EQ(reason(), "is damaged: its header makes no sense") << size.why;
+        EXPECT_EQ(reason(), "is damaged: its header makes no sense") << why;
     }
     // A header of a larger track before smaller frames: what the packets hold decides, and is refused.
     std::string bad = good;

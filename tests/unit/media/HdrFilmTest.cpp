@@ -66,21 +66,16 @@ double differenceOfLight(const ImageRgbF& made, const ImageRgbF& truth) {
 // A sky with a sun of 3 degrees, as bright as the film can tell: 900 and 9000 cd/m^2. One beyond the peak is
 // cut off there, and nothing else is lost.
 TEST(HdrFilm, LightsAsThePanoramaThatWasCoded) {
-    struct Film {
-        AVPixelFormat format;
-        AVColorTransferCharacteristic transfer;
-        double sun;
-    };
-    for (const Film& film : {Film{AV_PIX_FMT_YUV420P10, AVCOL_TRC_SMPTE2084, 9000},
-                             Film{AV_PIX_FMT_YUV420P12, AVCOL_TRC_SMPTE2084, 9000},
-                             Film{AV_PIX_FMT_YUV420P10, AVCOL_TRC_ARIB_STD_B67, 900}}) {
+    for (const auto& [format, transfer, sun] : {std::tuple(AV_PIX_FMT_YUV420P10, AVCOL_TRC_SMPTE2084, 9000.0),
+                                                {AV_PIX_FMT_YUV420P12, AVCOL_TRC_SMPTE2084, 9000.0},
+                                                {AV_PIX_FMT_YUV420P10, AVCOL_TRC_ARIB_STD_B67, 900.0}}) {
         const glm::dvec3 to = glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
         const auto paint = [&](const glm::dvec3& d) {
             const double apart = std::acos(std::clamp(glm::dot(d, to), -1.0, 1.0)) / glm::radians(3.0);
             return glm::dvec3(0.1, 0.2, 0.3) * (1.2 + d.y) +
-                   (film.sun / 203 - 0.7) * glm::dvec3(1, 0.9, 0.8) * std::exp(-apart * apart);
+                   (sun / 203 - 0.7) * glm::dvec3(1, 0.9, 0.8) * std::exp(-apart * apart);
         };
-        const ImageRgbF light = filmed(light::paint(2048, 1024, paint), film.format, film.transfer).light;
+        const ImageRgbF light = filmed(light::paint(2048, 1024, paint), format, transfer).light;
         EXPECT_EQ(light.width, 1024);
         EXPECT_EQ(light.height, 512);
         EXPECT_LT(differenceOfLight(light, light::paint(1024, 512, paint)), 0.005);

@@ -44,9 +44,7 @@ Brightness noise(int across, uint64_t seed) {
     return [=](double u, double v) {
         const double x = (u - std::floor(u)) * across, y = std::clamp(v, 0.0, 0.999) * (across / 2);
         const int column = static_cast<int>(x), row = static_cast<int>(y);
-        const auto cell = [&](int i, int j) {
-            return cells[static_cast<size_t>((row + j) * across + (column + i) % across)];
-        };
+        const auto cell = [&](int i, int j) { return cells[(row + j) * across + (column + i) % across]; };
         return std::lerp(std::lerp(cell(0, 0), cell(1, 0), x - column),
                          std::lerp(cell(0, 1), cell(1, 1), x - column), y - row);
     };
@@ -151,17 +149,11 @@ TEST(StereoView, AFilmGoesByFramesThatHaveStructure) {
 
 std::string be(uint64_t value, int bytes) { return number(value, bytes, false); } // big endian
 
-std::string box(const std::string& name, const std::string& payload) {
-    return be(payload.size() + 8, 4) + name + payload;
-}
-
 std::string fullBox(const std::string& name, const std::string& payload) {
     return box(name, be(0, 4) + payload);
 }
 
-std::string fixed(float degrees) {
-    return be(static_cast<uint32_t>(static_cast<int32_t>(degrees * 65536)), 4);
-}
+std::string fixed(float degrees) { return be(static_cast<int32_t>(degrees * 65536), 4); }
 
 const std::string kHandler = fullBox("hdlr", be(0, 4) + "vide" + be(0, 12) + "v" + be(0, 1));
 

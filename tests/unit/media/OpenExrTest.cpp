@@ -49,7 +49,6 @@ class OpenExr : public testing::Test {
         Imf::MultiPartOutputFile out(file.c_str(), headers.data(), static_cast<int>(headers.size()));
         for (size_t i = 0; i < parts.size(); ++i) {
             const Imath::Box2i window = parts[i].header.dataWindow();
-            const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
             std::map<std::string, std::vector<float>> pixels;
             Imf::FrameBuffer buffer;
             for (const auto& [name, value] : parts[i].channels) {
@@ -60,8 +59,7 @@ class OpenExr : public testing::Test {
             }
             Imf::OutputPart part(out, static_cast<int>(i));
             part.setFrameBuffer(buffer);
-            part.writePixels(height);
-            ASSERT_EQ(pixels.begin()->second.size(), static_cast<size_t>(width * height));
+            part.writePixels(window.max.y - window.min.y + 1);
         }
     }
 

@@ -28,8 +28,7 @@ std::string tiff(bool little, std::vector<std::pair<int, std::string>> entries, 
                                   : tag == 322 || tag == 323 ? std::pair(16, 8)
                                                              : std::pair(3, 2);
         directory +=
-            of(static_cast<uint64_t>(tag), 2) + of(static_cast<uint64_t>(type), 2) +
-            of(value.size() / static_cast<size_t>(size), 4) +
+            of(tag, 2) + of(type, 2) + of(value.size() / size, 4) +
             (value.size() > 4 ? of(end + data.size(), 4) : (value + std::string(3, '\0')).substr(0, 4));
         if (value.size() > 4) data += value;
     }
@@ -41,7 +40,7 @@ std::string tiffOf(const cv::Mat& bgr, const Metadata& m, bool little) {
     std::string pixels;
     for (const cv::Vec3b& p : cv::Mat_<cv::Vec3b>(bgr))
         pixels += {static_cast<char>(p[2]), static_cast<char>(p[1]), static_cast<char>(p[0])};
-    const auto of = [&](int value) { return number(static_cast<uint64_t>(value), 2, little); };
+    const auto of = [&](int value) { return number(value, 2, little); };
     std::vector<std::pair<int, std::string>> entries = {
         {256, of(bgr.cols)},
         {257, of(bgr.rows)},
@@ -64,8 +63,7 @@ std::string fileOf(const std::string& kind, const cv::Mat& bgr, const Metadata& 
     std::vector<uint8_t> coded;
     cv::imencode(kind, bgr, coded, {cv::IMWRITE_WEBP_QUALITY, 101, cv::IMWRITE_JPEG_QUALITY, 100});
     std::string file(coded.begin(), coded.end());
-    const std::string oriented =
-        tiff(packed, {{274, number(static_cast<uint64_t>(m.orientation), 2, packed)}}, "");
+    const std::string oriented = tiff(packed, {{274, number(m.orientation, 2, packed)}}, "");
     const auto zip = [](const std::string& text) {
         std::string zipped(compressBound(text.size()), '\0');
         uLongf size = zipped.size();
@@ -103,8 +101,7 @@ std::string fileOf(const std::string& kind, const cv::Mat& bgr, const Metadata& 
                                       std::string("\0en\0\0", 5) + (packed ? zip(m.xmp) : m.xmp)));
     const std::string chunks =
         "WEBP" +
-        chunk("VP8X", number(0x2c, 4, true) + number(static_cast<uint64_t>(bgr.cols - 1), 3, true) +
-                          number(static_cast<uint64_t>(bgr.rows - 1), 3, true)) +
+        chunk("VP8X", number(0x2c, 4, true) + number(bgr.cols - 1, 3, true) + number(bgr.rows - 1, 3, true)) +
         chunk("ICCP", m.profile) + file.substr(12) + chunk("EXIF", oriented) + chunk("XMP ", m.xmp);
     return "RIFF" + number(chunks.size(), 4, true) + chunks;
 }
@@ -155,10 +152,7 @@ TEST_F(Photos, AreTurnedUprightInAllEightWays) {
 // The orientations are those that libavif writes and reads for turns and mirrors (ISO
 // 23008-12, 6.5.10, 6.5.12).
 TEST_F(Photos, AvifBoxesAreObeyedWithinBounds) {
-    const auto box = [](const std::string& name, const std::string& data) {
-        return number(8 + data.size(), 4, false) + name + data;
-    };
-    const auto size = [&](uint64_t width, uint64_t height) {
+    const auto size = [](uint64_t width, uint64_t height) {
         return box("ispe", std::string(4, '\0') + number(width, 4, false) + number(height, 4, false));
     };
     const auto file = [&](const std::string& properties) {
@@ -173,11 +167,9 @@ TEST_F(Photos, AvifBoxesAreObeyedWithinBounds) {
     constexpr int kOrientations[4][3] = {{1, 4, 2}, {8, 5, 7}, {3, 2, 4}, {6, 7, 5}};
     for (int turns = 0; turns < 4; ++turns)
         for (int mirror = -1; mirror < 2; ++mirror) {
-            const std::string mirrored =
-                mirror < 0 ? "" : box("imir", number(static_cast<uint64_t>(mirror), 1, true));
-            const auto bytes =
-                bytesOf(file(size(8, 4) + size(32, 16) + box("colr", "profICC") +
-                             box("irot", number(static_cast<uint64_t>(turns), 1, true)) + mirrored));
+            const std::string mirrored = mirror < 0 ? "" : box("imir", number(mirror, 1, true));
+            const auto bytes = bytesOf(file(size(8, 4) + size(32, 16) + box("colr", "profICC") +
+                                            box("irot", number(turns, 1, true)) + mirrored));
             const auto header = tests::valueOf(readPictureHeader(bytes));
             EXPECT_EQ(std::pair(header.size.width, header.size.height), std::pair(int64_t{32}, int64_t{16}));
             const PhotoMetadata metadata = photoMetadata(bytes, PictureKind::Avif);
@@ -250,7 +242,7 @@ std::string profileOf(std::array<int, 3> order, double gamma, bool grey = false)
     const double srgb[] = {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
     cmsToneCurve* curve =
         gamma > 0 ? cmsBuildGamma(nullptr, gamma) : cmsBuildParametricToneCurve(nullptr, 4, srgb);
-    const auto of = [&](int i) { return kPrimaries[order[static_cast<size_t>(i)]]; };
+    const auto of = [&](int i) { return kPrimaries[order[i]]; };
     const cmsCIExyYTRIPLE primaries = {of(0), of(1), of(2)};
     cmsToneCurve* curves[] = {curve, curve, curve};
     const cmsHPROFILE profile =
@@ -341,9 +333,9 @@ TEST_F(Photos, TiffsSizesAreCheckedBeforeDecoding) {
     const std::string good = tiffOf(cv::Mat(8, 16, CV_8UC3, cv::Scalar::all(1)), {}, true);
     const auto changed = [&](int tag, int to, int value) { // of a short entry
         std::string bytes = good;
-        const size_t at = bytes.find(number(static_cast<uint64_t>(tag), 2, true) + number(3, 2, true), 8);
-        bytes.replace(at, 2, number(static_cast<uint64_t>(to), 2, true));
-        writeBytes(folder / "a.tif", bytes.replace(at + 8, 2, number(static_cast<uint64_t>(value), 2, true)));
+        const size_t at = bytes.find(number(tag, 2, true) + number(3, 2, true), 8);
+        bytes.replace(at, 2, number(to, 2, true));
+        writeBytes(folder / "a.tif", bytes.replace(at + 8, 2, number(value, 2, true)));
         return readPicture(folder / "a.tif", {16, 8});
     };
     EXPECT_TRUE(changed(256, 256, 16));

@@ -32,19 +32,13 @@ ImageRgbF noiseF(int width, int height) {
     return image;
 }
 
-TEST_F(Pictures, PngRoundTripIsExactAndRedStaysRed) {
+TEST_F(Pictures, PngRoundTripIsExact) {
     const ImageRgb8 image = noise8(37, 19);
     ASSERT_TRUE(writePng(folder / "a.png", image));
     const auto read = tests::valueOf(readPicture(folder / "a.png"));
     EXPECT_EQ(read.width, 37);
     EXPECT_EQ(read.height, 19);
     EXPECT_EQ(read.pixels, image.pixels);
-
-    // Against OpenCV directly, which has blue first.
-    ImageRgb8 red(1, 1);
-    red.pixels = {255, 0, 7};
-    ASSERT_TRUE(writePng(folder / "red.png", red));
-    EXPECT_EQ(cv::imread((folder / "red.png").string()).at<cv::Vec3b>(0, 0), cv::Vec3b(7, 0, 255));
 }
 
 TEST_F(Pictures, PngKeepsAlpha) {
@@ -61,7 +55,7 @@ TEST_F(Pictures, ReadsEachKindByItsContent) {
     const ImageRgb8 image = noise8(24, 16);
     cv::Mat bgr(16, 24, CV_8UC3);
     for (int i = 0; i < 24 * 16; ++i)
-        for (int c = 0; c < 3; ++c) bgr.data[3 * i + c] = image.pixels[static_cast<size_t>(3 * i + 2 - c)];
+        for (int c = 0; c < 3; ++c) bgr.data[3 * i + c] = image.pixels[3 * i + 2 - c];
     for (const char* extension : {".bmp", ".ppm", ".webp", ".png", ".tif"}) {
         const Path real = folder / (std::string("a") + extension), disguised = folder / "a.jpg";
         cv::imwrite(real.string(), bgr, {cv::IMWRITE_WEBP_QUALITY, 101}); // above 100: lossless
@@ -82,9 +76,8 @@ TEST_F(Pictures, SizeIsCheckedBeforeDecoding) {
     std::string bytes = readBytes(folder / "a.png");
     bytes.replace(16, 8, "\x7f\xff\xff\xff\x7f\xff\xff\xff");
     writeBytes(folder / "bomb.png", bytes);
-    const auto bomb = readPicture(folder / "bomb.png");
-    ASSERT_FALSE(bomb);
-    EXPECT_NE(bomb.error().reason.find("2147483647x2147483647"), std::string::npos) << bomb.error().reason;
+    EXPECT_THAT(tests::errorOf(readPicture(folder / "bomb.png")).reason,
+                testing::HasSubstr("2147483647x2147483647"));
 }
 
 TEST_F(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
@@ -248,23 +241,15 @@ TEST_F(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
 TEST_F(HdrPictures, ValuesThatAreNoLightAreReplacedAndCounted) {
     constexpr float kInf = std::numeric_limits<float>::infinity();
     ImageRgbF image(2, 2);
-    image.pixels = {1, -2, std::nanf(""), kInf, -kInf, 78944, 3e38f, 0, 1, 2, 3, 4};
+    image.pixels = {1, -2, std::nanf(""), kInf, -kInf, 78944, 3e38f, 0, 1, 2, 3, kMaxRadiance}; // of a sun
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image));
         const auto read = tests::valueOf(readHdr(folder / name));
-        EXPECT_EQ(read.radianceLin.pixels,
-                  (std::vector<float>{1, 0, 0, kMaxRadiance, 0, 78944, kMaxRadiance, 0, 1, 2, 3, 4}))
+        EXPECT_EQ(read.radianceLin.pixels, (std::vector<float>{1, 0, 0, kMaxRadiance, 0, 78944, kMaxRadiance,
+                                                               0, 1, 2, 3, kMaxRadiance}))
             << name;
         EXPECT_EQ(read.note(), "; 4 components were NaN, infinite or negative and are replaced; 1 components "
                                "were above 10^9 and count as 10^9");
-    }
-    // A sun is light.
-    image.pixels.assign(12, kMaxRadiance);
-    for (const char* name : {"a.pfm", "a.exr"}) {
-        ASSERT_TRUE(writeHdr(folder / name, image));
-        const auto read = tests::valueOf(readHdr(folder / name));
-        EXPECT_EQ(read.radianceLin.pixels, image.pixels) << name;
-        EXPECT_EQ(read.note(), "") << name;
     }
 }
 
@@ -280,27 +265,6 @@ TEST_F(HdrPictures, LimitsAndKindsAreChecked) {
     EXPECT_FALSE(readHdr(folder / "a.png"));
     EXPECT_FALSE(writeHdr(folder / "a.jpg", noiseF(4, 2)));
     EXPECT_FALSE(std::filesystem::exists(folder / "a.jpg"));
-}
-
-TEST_F(HdrPictures, SharedLightHasTheStatedMaximum) {
-    const struct {
-        const char* name;
-        double maxLuminance;
-    } kFacts[] = {
-        {"venice_sunset_1k.hdr", 2091}, {"kloppenheim_05_1k.hdr", 78944}, {"dikhololo_night_1k.hdr", 73}};
-    for (const auto& fact : kFacts) {
-        const Path file = sharedData(std::string("hdr/") + fact.name);
-        if (file.empty()) GTEST_SKIP() << "no shared hdr/" << fact.name;
-        const auto read = tests::valueOf(readHdr(file));
-        EXPECT_EQ(read.radianceLin.width, 1024);
-        EXPECT_EQ(read.note().find("components"), std::string::npos);
-        double largest = 0;
-        for (size_t i = 0; i < read.radianceLin.pixels.size(); i += 3) {
-            const float* p = &read.radianceLin.pixels[i];
-            largest = std::max(largest, 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
-        }
-        EXPECT_NEAR(largest, fact.maxLuminance, 1.0) << fact.name; // stated to the unit
-    }
 }
 
 TEST_F(Check, PicturesAreDescribed) {

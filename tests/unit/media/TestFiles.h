@@ -42,6 +42,11 @@ inline std::string number(uint64_t value, int bytes, bool little) {
     return text;
 }
 
+// Returns a box of a file of ISO/IEC 14496-12.
+inline std::string box(const std::string& name, const std::string& payload) {
+    return number(payload.size() + 8, 4, false) + name + payload;
+}
+
 // Makes a file by the program; false where there is none or it lacks a coder.
 inline bool ffmpeg(const std::string& arguments, const Path& file) {
     const std::string command =
@@ -72,11 +77,13 @@ void writeFilm(const Path& file, const char (&codec)[5], int count, Picture&& pi
 // quality keeps a uniform grey within one level, so up to 50 frames stay distinct.
 constexpr int kFirstGrey = 20, kGreyStep = 4;
 
-inline void writeGreyVideo(const Path& file, int frames, double fps = 30, int width = 64, int height = 32) {
-    const auto grey = [=](int i) {
-        return cv::Mat(height, width, CV_8UC3, cv::Scalar::all(kFirstGrey + kGreyStep * i));
-    };
-    writeFilm(file, "MJPG", frames, grey, fps);
+inline cv::Mat greyPicture(int number, int width = 64, int height = 32) {
+    return cv::Mat(height, width, CV_8UC3, cv::Scalar::all(kFirstGrey + kGreyStep * number));
+}
+
+inline void writeGreyVideo(const Path& file, int frames, double fps = 30) {
+    const auto picture = [](int i) { return greyPicture(i); };
+    writeFilm(file, "MJPG", frames, picture, fps);
 }
 
 inline int numberOf(const ImageRgb8& picture) {

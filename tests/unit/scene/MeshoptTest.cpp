@@ -27,7 +27,7 @@ struct Compressed {
     int addView(const std::vector<uint8_t>& stream, size_t count, size_t stride, const char* mode,
                 const char* filter = nullptr) {
         const int view = file.addView(stream);
-        Json& json = file.root["bufferViews"][static_cast<size_t>(view)];
+        Json& json = file.root["bufferViews"][view];
         Json compression = {{"buffer", 0},
                             {"byteOffset", json["byteOffset"]},
                             {"byteLength", stream.size()},
@@ -39,15 +39,6 @@ struct Compressed {
         json["extensions"][kName] = compression;
         decodedBytes += count * stride;
         return view;
-    }
-
-    int addAccessor(int view, size_t count, const char* type, int componentType, bool normalized = false) {
-        file.root["accessors"].push_back({{"bufferView", view},
-                                          {"componentType", componentType},
-                                          {"count", count},
-                                          {"type", type},
-                                          {"normalized", normalized}});
-        return static_cast<int>(file.root["accessors"].size()) - 1;
     }
 
     Json& view(size_t index) { return file.root["bufferViews"][index]; }
@@ -69,18 +60,6 @@ template <class T> std::vector<uint8_t> encodedVertices(const std::vector<T>& va
     const size_t count = values.size() * sizeof(T) / stride;
     std::vector<uint8_t> stream(meshopt_encodeVertexBufferBound(count, stride));
     stream.resize(meshopt_encodeVertexBuffer(stream.data(), stream.size(), values.data(), count, stride));
-    return stream;
-}
-
-std::vector<uint8_t> encodedTriangles(const std::vector<uint32_t>& indices, size_t vertices) {
-    std::vector<uint8_t> stream(meshopt_encodeIndexBufferBound(indices.size(), vertices));
-    stream.resize(meshopt_encodeIndexBuffer(stream.data(), stream.size(), indices.data(), indices.size()));
-    return stream;
-}
-
-std::vector<uint8_t> encodedSequence(const std::vector<uint32_t>& indices, size_t vertices) {
-    std::vector<uint8_t> stream(meshopt_encodeIndexSequenceBound(indices.size(), vertices));
-    stream.resize(meshopt_encodeIndexSequence(stream.data(), stream.size(), indices.data(), indices.size()));
     return stream;
 }
 
@@ -111,13 +90,19 @@ std::vector<uint32_t> squareIndices() {
 Compressed square(const char* mode = "TRIANGLES", size_t indexBytes = 4) {
     const std::vector<uint32_t> indices = squareIndices();
     Compressed made;
-    const int positions = made.addAccessor(
+    const int positions = made.file.addAccessor(
         made.addView(encodedVertices(squarePositions(), 12), kSide * kSide, 12, "ATTRIBUTES"), kSide * kSide,
         "VEC3", Gltf::kFloat);
-    const auto stream = std::string(mode) == "TRIANGLES" ? encodedTriangles(indices, kSide * kSide)
-                                                         : encodedSequence(indices, kSide * kSide);
-    const int order = made.addAccessor(made.addView(stream, indices.size(), indexBytes, mode), indices.size(),
-                                       "SCALAR", indexBytes == 2 ? Gltf::kUnsignedShort : Gltf::kUnsignedInt);
+    const bool triangles = std::string(mode) == "TRIANGLES";
+    std::vector<uint8_t> stream(triangles ? meshopt_encodeIndexBufferBound(indices.size(), kSide * kSide)
+                                          : meshopt_encodeIndexSequenceBound(indices.size(), kSide * kSide));
+    stream.resize(
+        triangles
+            ? meshopt_encodeIndexBuffer(stream.data(), stream.size(), indices.data(), indices.size())
+            : meshopt_encodeIndexSequence(stream.data(), stream.size(), indices.data(), indices.size()));
+    const int order =
+        made.file.addAccessor(made.addView(stream, indices.size(), indexBytes, mode), indices.size(),
+                              "SCALAR", indexBytes == 2 ? Gltf::kUnsignedShort : Gltf::kUnsignedInt);
     made.file.addTriangles(positions)["indices"] = order;
     return made;
 }
@@ -135,13 +120,10 @@ void expectSquare(const Primitive& primitive, const char* what) {
         const auto at = [&](uint32_t v) {
             return glm::vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
         };
-        const auto sorted = [](std::array<glm::vec3, 3> t) {
-            std::rotate(t.begin(),
-                        std::min_element(t.begin(), t.end(),
-                                         [](const glm::vec3& a, const glm::vec3& b) {
-                                             return std::pair(a.x, a.y) < std::pair(b.x, b.y);
-                                         }),
-                        t.end());
+        const auto sorted = [](std::array<glm::vec3, 3> t) { // begins with the corner of least x, then y
+            const auto first =
+                std::ranges::min_element(t, {}, [](const glm::vec3& p) { return std::pair(p.x, p.y); });
+            std::rotate(t.begin(), first, t.end());
             return t;
         };
         got.push_back(
@@ -197,8 +179,8 @@ TEST(Meshopt, OctahedralNormals) {
         const int view = made.addView(encodedVertices(filtered, stride), normals.size(), stride, "ATTRIBUTES",
                                       "OCTAHEDRAL");
         made.view(static_cast<size_t>(view))["byteStride"] = stride;
-        made.file.root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
-            made.addAccessor(view, normals.size(), "VEC3", stride == 4 ? Gltf::kByte : Gltf::kShort, true);
+        made.file.root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = made.file.addAccessor(
+            view, normals.size(), "VEC3", stride == 4 ? Gltf::kByte : Gltf::kShort, true);
         const Primitive primitive = primitiveOf(made.whole());
         ASSERT_EQ(primitive.normals.size(), normals.size());
         for (size_t i = 0; i < normals.size(); ++i)
@@ -223,14 +205,14 @@ TEST(Meshopt, QuaternionsAndExponents) {
     meshopt_encodeFilterQuat(turns.data(), kKeys, 8, 16, rotations.data());
     for (size_t i = 0; i < places.size(); ++i) // each with an exponent of its own
         encodeExponent(moves.data() + 4 * i, places[i]);
-    const int input = made.addAccessor(made.addView(encodedVertices(times, 4), kKeys, 4, "ATTRIBUTES"), kKeys,
-                                       "SCALAR", Gltf::kFloat);
+    const int input = made.file.addAccessor(made.addView(encodedVertices(times, 4), kKeys, 4, "ATTRIBUTES"),
+                                            kKeys, "SCALAR", Gltf::kFloat);
     const int turn =
-        made.addAccessor(made.addView(encodedVertices(turns, 8), kKeys, 8, "ATTRIBUTES", "QUATERNION"), kKeys,
-                         "VEC4", Gltf::kShort, true);
-    const int move =
-        made.addAccessor(made.addView(encodedVertices(moves, 12), kKeys, 12, "ATTRIBUTES", "EXPONENTIAL"),
-                         kKeys, "VEC3", Gltf::kFloat);
+        made.file.addAccessor(made.addView(encodedVertices(turns, 8), kKeys, 8, "ATTRIBUTES", "QUATERNION"),
+                              kKeys, "VEC4", Gltf::kShort, true);
+    const int move = made.file.addAccessor(
+        made.addView(encodedVertices(moves, 12), kKeys, 12, "ATTRIBUTES", "EXPONENTIAL"), kKeys, "VEC3",
+        Gltf::kFloat);
     Gltf file = made.whole();
     file.root["animations"] = {
         {{"channels",

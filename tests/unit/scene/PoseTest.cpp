@@ -146,19 +146,6 @@ Model bar() {
     return model;
 }
 
-TEST(Skin, AtRestMovesNothing) {
-    const Model model = bar();
-    Pose pose = restOf(model);
-    std::vector<glm::mat4> matrices;
-    skinMatrices(model, 0, pose, matrices);
-    ASSERT_EQ(matrices.size(), 2u);
-    EXPECT_EQ(matrices[0], glm::mat4(1));
-    EXPECT_EQ(matrices[1], glm::mat4(1));
-    const Bounds bounds = posedBounds(model, pose);
-    EXPECT_EQ(bounds.low, glm::vec3(0, 0, 0));
-    EXPECT_EQ(bounds.high, glm::vec3(0, 2, 0));
-}
-
 TEST(Skin, ABentJointCarriesItsVertices) {
     const Model model = bar();
     Pose pose = restOf(model);
@@ -166,6 +153,8 @@ TEST(Skin, ABentJointCarriesItsVertices) {
     updateGlobals(model, pose);
     std::vector<glm::mat4> matrices;
     skinMatrices(model, 0, pose, matrices);
+    ASSERT_EQ(matrices.size(), 2u);
+    EXPECT_EQ(matrices[0], glm::mat4(1));
     expectNear(matrices[1] * glm::vec4(0, 2, 0, 1), {-1, 1, 0}, kTol);
     const Bounds bounds = posedBounds(model, pose);
     expectNear(bounds.low, {-1, 0, 0}, kTol);
@@ -214,7 +203,7 @@ TEST(SimpleSkin, BendsAsItsKeysSay) {
     ASSERT_EQ(model.animations.size(), 1u);
     Pose pose = restOf(model);
     animate(model, 0, 1.0f, pose);
-    const glm::quat turned = pose.local[static_cast<size_t>(model.skins[0].joints[1])].rotation;
+    const glm::quat turned = pose.local[model.skins[0].joints[1]].rotation;
     // The file holds 0.707 for the root of 1/2: an angle off by 1.5e-4 at most.
     EXPECT_NEAR(std::abs(glm::angle(turned)), glm::half_pi<float>(), 1e-3f);
     updateGlobals(model, pose);

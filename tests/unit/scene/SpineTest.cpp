@@ -107,17 +107,21 @@ class ShippedSpines : public testing::TestWithParam<Animal> {
         clip_ = model_.findAnimation(GetParam().clip);
         ASSERT_GE(clip_, 0);
     }
-    // Half the sweep of a point of the chain to the sides over a loop, metres.
-    float sweep(size_t joint, glm::vec3 at, float factor) {
+    // Returns how far to the side a point of the chain is after so many loops, metres.
+    float sideOf(size_t joint, const glm::vec3& at, float loops, float factor = 1) {
+        const float duration_s = model_.animations[clip_].duration_s;
+        restPose(model_, pose_);
+        animate(model_, clip_, duration_s * (loops - std::floor(loops)), pose_);
+        scaleWave(spine_, factor, pose_);
+        updateGlobals(model_, pose_);
+        const auto node = static_cast<size_t>(spine_.joints[joint].node);
+        return (pose_.modelFromNode[node] * glm::vec4(at, 1)).x;
+    }
+    // Returns half the sweep of a point of the chain to the sides over a loop, metres.
+    float sweep(size_t joint, const glm::vec3& at, float factor) {
         float low = 1e9f, high = -1e9f;
-        const float duration_s = model_.animations[static_cast<size_t>(clip_)].duration_s;
         for (int i = 0; i < 48; ++i) {
-            restPose(model_, pose_);
-            animate(model_, clip_, duration_s * static_cast<float>(i) / 48, pose_);
-            scaleWave(spine_, factor, pose_);
-            updateGlobals(model_, pose_);
-            const auto node = static_cast<size_t>(spine_.joints[joint].node);
-            const float x = (pose_.modelFromNode[node] * glm::vec4(at, 1)).x;
+            const float x = sideOf(joint, at, static_cast<float>(i) / 48, factor);
             low = std::min(low, x);
             high = std::max(high, x);
         }
@@ -132,7 +136,7 @@ class ShippedSpines : public testing::TestWithParam<Animal> {
 TEST_P(ShippedSpines, HaveEightJointsOrMoreFromHeadToTail) {
     ASSERT_GE(spine_.joints.size(), 8u);
     for (const Spine::Joint& joint : spine_.joints)
-        EXPECT_EQ(model_.nodes[static_cast<size_t>(joint.node)].name.substr(0, 6), "spine_");
+        EXPECT_EQ(model_.nodes[joint.node].name.substr(0, 6), "spine_");
 }
 
 // Scaled to a tenth of the length at the tail's tip (Bainbridge 1958), growing from the body's middle to
@@ -158,13 +162,8 @@ TEST_P(ShippedSpines, SwingAsWideAsAskedAndWiderTowardsTheTail) {
 // At the phase that the beat names, the tail passes the middle to the left.
 TEST_P(ShippedSpines, TellWhenTheTailPassesTheMiddle) {
     const TailBeat beat = measureBeat(model_, spine_, clip_, pose_);
-    const float duration_s = model_.animations[static_cast<size_t>(clip_)].duration_s;
     const auto tailAt = [&](float loops) {
-        restPose(model_, pose_);
-        animate(model_, clip_, duration_s * (loops - std::floor(loops)), pose_);
-        updateGlobals(model_, pose_);
-        const auto node = static_cast<size_t>(spine_.joints[spine_.last].node);
-        return (pose_.modelFromNode[node] * glm::vec4(spine_.tipInLast, 1)).x / spine_.length_m;
+        return sideOf(spine_.last, spine_.tipInLast, loops) / spine_.length_m;
     };
     EXPECT_NEAR(tailAt(beat.offset), 0, 0.2f * beat.amplitude);
     EXPECT_GT(tailAt(beat.offset + 0.25f / beat.perLoop), 0.8f * beat.amplitude);
