@@ -1,7 +1,5 @@
 // Every script of this folder plays headless, in open water and in the room of its film; meets its
-// expectations at every display rate, gives the states stored in tests/equal_hashes.txt, and its recording
-// replays tick for tick.
-#include "engine/sim/FixedStep.h"
+// expectations, gives the states stored in tests/equal_hashes.txt, and its recording replays tick for tick.
 #include "tests/Test.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
@@ -15,31 +13,6 @@ std::vector<Path> scripts() {
         if (entry.path().extension() == ".toml") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
-}
-
-// Plays the script with a display of that rate, in which one frame takes 300 ms.
-std::pair<uint64_t, Status> playAt(int framesPerSecond, const ScriptedDive& dived) {
-    const auto& [script, files] = dived;
-    Dive dive(files.species, files.dive, script.seed, script.rules);
-    ScriptRun run(script, tests::rig(), files.species, files.dive.space != nullptr);
-    sim::FixedStep clock;
-    Snapshot before, now, shown;
-    Events events;
-    TickInput input;
-    dive.snapshot(now);
-    for (int frame = 0; !run.finished() && frame < 100'000; ++frame) {
-        const int ticks = clock.advance(frame == framesPerSecond ? 0.3 : 1.0 / framesPerSecond);
-        for (int i = 0; i < ticks && !run.finished(); ++i) {
-            before = now;
-            run.next(now, input);
-            events.clear();
-            dive.step(input, events);
-            dive.snapshot(now);
-            run.observe(events, 0, now);
-        }
-        if (!before.creatures.empty()) interpolate(before, now, clock.alpha(), shown); // as a display does
-    }
-    return {dive.stateHash(), run.verdict()};
 }
 
 class Playthrough : public testing::TestWithParam<std::tuple<Path, bool>> {
@@ -81,17 +54,6 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     const auto read = tests::valueOf(tests::readRecorded(recording));
     EXPECT_EQ(read.ticks(), played.recording.ticks());
     EXPECT_TRUE(tests::succeeded(replay(read, setup.files)));
-}
-
-TEST_P(Playthrough, MeetsItsExpectationsAtEveryDisplayRate) {
-    const auto setup = tests::valueOf(loadScriptedDive(file(), inFilm()));
-    std::optional<uint64_t> reference;
-    for (int fps : {24, 144}) {
-        const auto [hash, verdict] = playAt(fps, setup);
-        EXPECT_EQ(hash, reference.value_or(hash)) << fps << " frames a second";
-        EXPECT_TRUE(verdict) << verdict.error().message() << " at " << fps << " frames a second";
-        reference = hash;
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scripts, Playthrough,
