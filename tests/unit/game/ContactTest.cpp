@@ -282,13 +282,15 @@ TEST(Contact, AFishIsTornFromAHandThatGoesTooFast) {
     EXPECT_FALSE(caughtAt(10.0f));
 }
 
-// Fingers that tremble by 2 mm about the grip that just holds: one grab, and no flutter of grab and escape.
+// Fingers tremble by 2 mm about the grip that just holds, and its strength between the two thresholds: one
+// grab, and no flutter of grab and escape.
 TEST(Contact, ATremblingGripHasHysteresis) {
     OneFish one;
     Random random(23, 1);
     one.takeFish(0.7f);
     for (int i = 0; i < 100; ++i) {
         one.input.hands[1] = handAt(kPlace, 0.7f);
+        one.input.hands[1].grip = i % 2 ? kGripOpens + 0.02f : kGripCloses + 0.02f;
         for (hands::Joint& joint : one.input.hands[1].joints) joint.position += somewhere(random, 0.002f);
         one.step();
     }

@@ -1,7 +1,6 @@
 // Parts of the simulation one by one, each given its inputs by hand.
 #include "Fixture.h"
 #include "engine/core/WriteFile.h"
-#include "game/rules/Intent.h"
 #include "tests/Recorded.h"
 #include "tests/unit/Heap.h"
 
@@ -183,18 +182,6 @@ TEST(Interpolate, LiesBetweenAndDoesNotSmearJumps) {
     // At the ends: exactly the snapshots' places.
     interpolate(a, b, 0, mid);
     EXPECT_EQ(mid.creatures[5].position, a.creatures[5].position);
-}
-
-TEST(ReachHelp, FindsTheFishUnderTheCursor) {
-    Snapshot now = OpenDive(cove().species, cove().dive, 4).shown();
-    for (CreatureView& c : now.creatures) c.position = {0, 0, 2};
-    now.creatures[0].position = {0.2f, 0, -0.8f};
-    const glm::vec3 ray = glm::normalize(now.creatures[0].position);
-    now.creatures[0].velocity = glm::vec3(0);
-    int target = -1;
-    const auto reach_m = tests::valueOf(reachHelp(now, cove().species, ray, 0.5f, target));
-    EXPECT_NEAR(reach_m, glm::length(now.creatures[0].position), 1e-5f);
-    EXPECT_FALSE(reachHelp(now, cove().species, {-1, 0, 0}, 0.5f, target));
 }
 
 TEST(Allocation, ATickTakesNoMemory) {
