@@ -25,15 +25,6 @@ HandPose strengths(float grip, float pinch) {
     return hand;
 }
 
-// ---- kPosition, kFinger, kOrientation
-
-// The first step of a resting filter goes 1 / (1 + tau / dt) of the way, tau = 1 / (2 pi cut-off).
-TEST(Tuning, SmoothingIsThatOfAFirstOrderLowPass) {
-    EXPECT_FLOAT_EQ(smoothing(1 / (2 * kPi), 1), 0.5f);
-    EXPECT_FLOAT_EQ(smoothing(4, 0), 0);
-    EXPECT_NEAR(smoothing(1e6f, 0.01f), 1, 1e-4f);
-}
-
 // A ramp of speed v is followed at the cut-off f = min + slope v with the lag 1 / (2 pi f) (the continuous
 // filter's; the discrete one's is shorter by at most a sample).
 TEST(Tuning, TheLagOfAMovingHandIsWhatSlopeAndCutoffSay) {
@@ -111,8 +102,6 @@ TEST(Tuning, FingersDoNotTrailBehindAMovingHandAndBonesKeepTheirLength) {
                     0, 1e-5f);
 }
 
-// ---- kHandLost_s, kFastest_mps, kJump_m
-
 TEST(Tuning, AStretchEndsAtAGapAJumpAnotherIdentityOrALoss) {
     const auto stretchesAfter = [](const HandPose& second, int64_t identity, float dt_s) {
         HandFilter filter;
@@ -153,8 +142,6 @@ TEST(Tuning, AbsurdJointsAreALoss) {
     }
 }
 
-// ---- kHandLost_s
-
 TEST(Tuning, ALossIsBridgedForSoLongAndTheGripKept) {
     PoseBlend hand;
     HandPose fist = handAt({0, 0, -0.5f}, 1);
@@ -173,8 +160,6 @@ TEST(Tuning, ALossIsBridgedForSoLongAndTheGripKept) {
     hand.step(fist, 1, lost_s, kTick_s);
     EXPECT_FALSE(hand.pose().tracked);
 }
-
-// ---- kGlide_mps, kGlideMin_s, kGlideMax_s, kNear_m
 
 TEST(Tuning, AHandThatComesBackElsewhereGlidesThereAndIsNotSolid) {
     constexpr float kTears_mps = 6; // what tears a fish out of a hand; see the game's rules
@@ -220,8 +205,6 @@ TEST(Tuning, AGlideInterruptedByAnotherGoesOnFromWhereItIs) {
     EXPECT_FALSE(hand.pose().solid);
 }
 
-// ---- kAppear_s
-
 TEST(Tuning, AHandOutOfNothingIsNotSolidAtFirst) {
     PoseBlend hand;
     EXPECT_FALSE(hand.step({}, 0, 0, kTick_s).tracked);
@@ -234,8 +217,6 @@ TEST(Tuning, AHandOutOfNothingIsNotSolidAtFirst) {
     }
     EXPECT_NEAR(shown_s, kAppear_s, 2 * kTick_s);
 }
-
-// ---- kGripCloses, kGripOpens, kPinchCloses, kPinchOpens, kPinchToFist, kClosedMin, kOpenMax
 
 Gesture after(std::initializer_list<std::pair<float, float>> gripsAndPinches, HandPose* last = nullptr) {
     GestureLatch latch;
