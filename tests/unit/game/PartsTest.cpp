@@ -1,7 +1,5 @@
 // Parts of the simulation one by one, each given its inputs by hand.
 #include "Fixture.h"
-#include "engine/core/WriteFile.h"
-#include "tests/Recorded.h"
 #include "tests/unit/Heap.h"
 
 namespace shoal::game {
@@ -96,35 +94,6 @@ TEST(FingerWrap, FingersPressOnWhatLiesInTheFistFromBothSides) {
     hands[1].grasp.encloses = 4;
     EXPECT_GT(holdOn(4, state, glm::vec3(0)).margin_N, 0);
     EXPECT_EQ(holdOn(5, state, glm::vec3(0)).margin_N, 0) << "another fish is not pressed";
-}
-
-TEST(Script, NamesADiveFileBesideIt) {
-    const tests::ScratchFolder folder;
-    const std::string step = "[[step]]\ndo = \"wait\"\n";
-    ASSERT_TRUE(writeFileWhole(folder / "s.toml", "dive = \"./own/cove.toml\"\n" + step));
-    const auto script = tests::valueOf(loadScript(folder / "s.toml"));
-    EXPECT_EQ(Path(script.dive), folder / "own/cove.toml");
-    EXPECT_FALSE(loadDiveFiles(script.dive)) << "there is no such file";
-    EXPECT_EQ(cove().dive.name, (dataRoot() / "tests/playthrough/dive/cove.toml").string())
-        << "by which a recording finds it again";
-}
-
-TEST(Determinism, AReplayedInputOfOtherBitsIsFoundAtItsTick) {
-    const Played played = playScript(
-        tests::valueOf(loadScript(dataRoot() / "tests/playthrough/two_hands.toml")), rig(), cove());
-    const tests::Recorded& good = played.recording;
-    ASSERT_TRUE(replay(good, cove()));
-    tests::Recorded bad(good.header());
-    for (size_t tick = 0; tick < good.ticks(); ++tick) {
-        std::vector<uint8_t> input(good.input(tick).begin(), good.input(tick).end());
-        if (tick == 321) {
-            TickInput changed = tests::inputAt(good, tick);
-            changed.hands[0].joints[7].position.x += 1e-6f;
-            toBytes(changed, std::span(input).first<kTickInputBytes>());
-        }
-        bad.add(input, good.hash(tick));
-    }
-    EXPECT_THAT(tests::errorOf(replay(bad, cove())).reason, testing::HasSubstr("tick 321"));
 }
 
 // Every field of the state counts: changing any one changes the hash.
