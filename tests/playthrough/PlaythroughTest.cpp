@@ -76,34 +76,5 @@ TEST(Playthroughs, ExpectEveryEvent) {
         EXPECT_TRUE(expected.contains(row.kind)) << "no playthrough expects \"" << row.name << '"';
 }
 
-TEST(Playthroughs, EachFilmSeesTheSharkSteal) {
-    std::set<std::string> films;
-    for (const Path& file : scripts()) {
-        const auto script = tests::valueOf(loadScript(file));
-        for (const ScriptExpect& expect : script.expects)
-            if (expect.event == EventKind::SharkSteal) films.insert(loadDiveFiles(script).value().dive.video);
-    }
-    EXPECT_EQ(films.size(), 3u);
-}
-
-// A player with a mouse and nothing but the picture, in several dives, points at a fish and clicks when the
-// hand is there.
-TEST(MousePlay, CatchesFishWithPointingAndClicking) {
-    for (const bool inFilm : {false, true}) {
-        auto dive = tests::valueOf(loadScriptedDive(dataRoot() / "tests/playthrough/mouse.toml", inFilm));
-        int sum = 0;
-        for (uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
-            dive.script.seed = seed;
-            const Played played = playScript(dive.script, tests::rig(), dive.files);
-            EXPECT_GE(played.end.caught, 5) << "seed " << seed;
-            EXPECT_LT(played.end.caught, 60) << "seed " << seed;
-            sum += played.end.caught;
-        }
-        // Bounds of a difficulty that suits a game: dives differ by a third, the mean of eight by an eighth.
-        EXPECT_GE(sum, 8 * 9);
-        EXPECT_LE(sum, 8 * 17);
-    }
-}
-
 } // namespace
 } // namespace shoal::game

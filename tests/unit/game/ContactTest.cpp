@@ -20,7 +20,6 @@ float checkAll(const OpenDive& world, const char* where) {
     return fastest;
 }
 
-// A generator of its own, so that tests do not depend on the game's.
 glm::vec3 somewhere(Random& random, float maximum) {
     return {random.between(-maximum, maximum), random.between(-maximum, maximum),
             random.between(-maximum, maximum)};

@@ -1,4 +1,5 @@
 // Tests of the constants of HandFilter.h.
+#include "engine/core/Random.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandSourceSelector.h"
 #include "tests/Test.h"
@@ -25,6 +26,13 @@ HandPose strengths(float grip, float pinch) {
     return hand;
 }
 
+// The first step of a resting filter goes 1 / (1 + tau / dt) of the way, tau = 1 / (2 pi cut-off).
+TEST(Tuning, SmoothingIsThatOfAFirstOrderLowPass) {
+    EXPECT_FLOAT_EQ(smoothing(1 / (2 * kPi), 1), 0.5f);
+    EXPECT_FLOAT_EQ(smoothing(4, 0), 0);
+    EXPECT_NEAR(smoothing(1e6f, 0.01f), 1, 1e-4f);
+}
+
 // A ramp of speed v is followed at the cut-off f = min + slope v with the lag 1 / (2 pi f) (the continuous
 // filter's; the discrete one's is shorter by at most a sample).
 TEST(Tuning, TheLagOfAMovingHandIsWhatSlopeAndCutoffSay) {
@@ -46,15 +54,11 @@ TEST(Tuning, AStillHandsNoiseShrinksAsTheCutoffSays) {
     const OneEuroTuning still{kPosition.minCutoff_Hz, 0, kPosition.speedCutoff_Hz};
     OneEuroPoint filter(still);
     filter.reset(glm::vec3(0));
-    uint32_t state = 1;
-    const auto noise = [&] {
-        state = state * 1664525u + 1013904223u;
-        return static_cast<float>(state >> 8) * 0x1p-24f - 0.5f;
-    };
+    Random random(1);
     constexpr int kCount = 200000;
     double in = 0, out = 0;
     for (int i = 0; i < kCount; ++i) {
-        const float x = noise();
+        const float x = random.between(-0.5f, 0.5f);
         const float y = filter.step({x, 0, 0}, 0.01f).x;
         in += static_cast<double>(x) * static_cast<double>(x);
         out += static_cast<double>(y) * static_cast<double>(y);
