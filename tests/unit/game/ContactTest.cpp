@@ -63,20 +63,18 @@ TEST(Contact, AFishPressedBetweenTwoHandsStaysBetweenThem) {
     hands(0.2f);
     one.step();
     one.rest();
-    float fastest = 0, farthest = 0;
+    float fastest = 0;
     glm::vec3 was = one.fish().velocity;
     int reversals = 0;
     for (int i = 0; i < 240; ++i) {
         hands(std::max(0.03f, 0.2f - 0.003f * static_cast<float>(i)));
         one.step();
         fastest = std::max(fastest, checkAll(one.world, "pressed"));
-        farthest = std::max(farthest, glm::distance(one.fish().position, kPlace));
         if (one.fish().heldBy < 0 && glm::dot(was, one.fish().velocity) < -0.04f) ++reversals;
         was = one.fish().velocity;
     }
     EXPECT_LT(fastest, 2.2f) << "it may flee, it is not shot out";
     EXPECT_LT(reversals, 12) << "it does not rattle between them";
-    EXPECT_TRUE(finite(one.fish().position));
 }
 
 // Two flat palms facing one another hold a fish without any fist: contacts oppose each other around it.
