@@ -14,31 +14,25 @@
 namespace shoal::app {
 namespace {
 
-constexpr double kPicture_s = 1.0 / 60;
+// Six animals, more than are updated in each picture, in a room that is white at 1 m all around, except
+// behind the viewer, where it is black.
+struct Swim {
+    depth::LightDifference room;
+    AnimalLight light;
+    game::Snapshot shown{.creatures = std::vector<game::CreatureView>(6)};
 
-// A room white at 1 m all around, except behind the viewer, where it is black.
-struct HalfWhiteRoom {
-    depth::LightDifference light;
-    HalfWhiteRoom() {
+    Swim() {
         ImageRgbF radiance(64, 32);
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 64; ++x) std::fill_n(radiance.at(x, y), 3, x >= 16 && x < 48 ? 1.0f : 0.0f);
-        light.make(radiance, depth::mapOf([](const glm::vec3&) { return 1.0f; }, 256));
+        room.make(radiance, depth::mapOf([](const glm::vec3&) { return 1.0f; }, 256));
     }
-};
-
-struct Swim {
-    HalfWhiteRoom room;
-    AnimalLight light;
-    game::Snapshot shown;
-
-    explicit Swim(size_t animals) { shown.creatures.resize(animals); }
     void picture() {
-        light.follow(shown, &room.light, glm::mat3(1));
-        shown.time_s += kPicture_s;
+        light.follow(shown, &room, glm::mat3(1));
+        shown.time_s += 1 / 60.0;
     }
     glm::vec3 even(size_t animal) const { return light.of(animal)[0]; }
-    glm::vec3 evenAt(const glm::vec3& place) const { return room.light.at(place)[0]; }
+    glm::vec3 evenAt(const glm::vec3& place) const { return room.at(place)[0]; }
 };
 
 const glm::vec3 kAhead(0, 0, -0.5f);
@@ -108,7 +102,7 @@ TEST(AnimalLight, WavesLightBacksByWhatTheGroundGains) {
 }
 
 TEST(AnimalLight, FollowsEveryAnimalWithoutAStep) {
-    Swim swim(6);
+    Swim swim;
     for (auto& animal : swim.shown.creatures) animal.position = kAhead * 0.2f;
     swim.picture();
     const float from = swim.even(0).x;
@@ -127,7 +121,7 @@ TEST(AnimalLight, FollowsEveryAnimalWithoutAStep) {
 }
 
 TEST(AnimalLight, NewAnimalsAndThoseThatComeInElsewhereHaveTheLightOfTheirPlaceAtOnce) {
-    Swim swim(6); // more animals than are updated in each picture
+    Swim swim;
     for (auto& animal : swim.shown.creatures) animal.position = kAhead;
     swim.picture();
     ASSERT_NE(swim.evenAt(kAhead), glm::vec3(0));
