@@ -263,6 +263,8 @@ TEST(Reef, IsADiveInWhichFishSwimWell) {
     EXPECT_GE(fish, 24);
     EXPECT_GE(kinds.size(), 3u);
     EXPECT_GE(reef.dive.shark.species, 0);
+    EXPECT_THAT(reef.dive.enclosure, testing::Contains(testing::Field(&VideoMark::amount, 1)))
+        << "a tunnel, else its bed is never heard";
     expectSwimWell(swimFor(reef, 1, 90), reef.dive);
 }
 

@@ -340,13 +340,6 @@ TEST(Enclosure, TheSnapshotCarriesItAndARestartBeginsAnew) {
     EXPECT_NEAR(dive.shown().enclosure, 0.5f, 0.01f);
 }
 
-TEST(Enclosure, TheShippedDiveHasATunnel) {
-    const auto reef = tests::valueOf(loadDiveFiles("reef"));
-    float maximum = 0;
-    for (const VideoMark& mark : reef.dive.enclosure) maximum = std::max(maximum, mark.amount);
-    EXPECT_EQ(maximum, 1); // else its bed is never heard
-}
-
 constexpr glm::vec3 kFrom{-20, 5, -6}, kTo{20, 5, -6};
 constexpr float kAt_s = 2, kSpeed_mps = 2;
 

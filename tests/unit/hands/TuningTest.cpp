@@ -264,7 +264,6 @@ TEST(Tuning, OneWrongFrameInAHundredDoesNotOpenTheHand) {
         HandPose hand = strengths(i == 50 ? 0.0f : 1.0f, 0);
         EXPECT_EQ(latch.step(hand.grip, hand.pinch, 1.0f / 110), Gesture::Fist) << i;
     }
-    EXPECT_GT(std::exp(-1.0f / 110 / kStrengthTau_s), kGripOpens);
 }
 
 } // namespace

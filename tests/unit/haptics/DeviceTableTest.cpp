@@ -109,13 +109,10 @@ TEST(Switch, TheBodyIsFeltInBothHands) {
 }
 
 TEST(Devices, EachIsThereOnce) {
-    const auto& table = kDevices;
-    for (size_t i = 0; i < table.size(); ++i) {
-        EXPECT_NE(table[i].vendor, kNoVendor) << table[i].name;
-        for (size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(table[i].vendor == table[k].vendor && table[i].product == table[k].product &&
-                         table[i].transport == table[k].transport)
-                << table[i].name;
+    std::set<std::tuple<uint16_t, uint16_t, Transport>> seen;
+    for (const DeviceRow& row : kDevices) {
+        EXPECT_NE(row.vendor, kNoVendor) << row.name;
+        EXPECT_TRUE(seen.insert({row.vendor, row.product, row.transport}).second) << row.name;
     }
 }
 
