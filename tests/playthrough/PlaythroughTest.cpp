@@ -15,15 +15,11 @@ std::vector<Path> scripts() {
     return files;
 }
 
-class Playthrough : public testing::TestWithParam<std::tuple<Path, bool>> {
-  protected:
-    Path file() const { return std::get<0>(GetParam()); }
-    bool inFilm() const { return std::get<1>(GetParam()); }
-};
+class Playthrough : public testing::TestWithParam<std::tuple<Path, bool>> {};
 
 TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
-    const auto setup = tests::valueOf(loadScriptedDive(file(), inFilm()));
-
+    const auto& [file, inFilm] = GetParam();
+    const auto setup = tests::valueOf(loadScriptedDive(file, inFilm));
     std::string story;
     double sharkNear_s = -1e9;
     const auto watch = [&](const Snapshot& now, const Events& events) {
@@ -43,8 +39,7 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     const Played played = playScript(setup.script, tests::rig(), setup.files, watch);
     if (std::getenv("SHOAL_STORY")) std::puts(story.c_str());
     EXPECT_TRUE(played.verdict) << played.verdict.error().message() << "\nwhat happened:\n" << story;
-    EXPECT_EQ(played.hash, storedHash(file().stem(), inFilm()))
-        << "tests/equal_hashes --update stores it anew";
+    EXPECT_EQ(played.hash, storedHash(file.stem(), inFilm)) << "tests/equal_hashes --update stores it anew";
     ASSERT_GT(played.recording.ticks(), 0u);
 
     // The same state after every tick, through the file.

@@ -12,8 +12,6 @@ namespace shoal::hands {
 namespace {
 
 using test::Server;
-using testing::ElementsAre;
-
 using tests::rig;
 
 using Tracker = std::unique_ptr<HandTracker>;
@@ -52,7 +50,7 @@ TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
         ASSERT_TRUE(server.waitForHeard(expected.size()));
         server.say(frameAt(1)); // any further message would have come before this frame
         next(hands);
-        EXPECT_THAT(server.paths(), ElementsAre("/v6.json"));
+        EXPECT_THAT(server.paths(), testing::ElementsAre("/v6.json"));
         EXPECT_EQ(server.heard(), expected);
         for (const std::string& message : expected) EXPECT_LE(message.size(), 31u);
     }

@@ -39,7 +39,7 @@ std::vector<Track> play(const Path& file) {
     std::array<HandFilter, 2> filters;
     std::map<std::pair<int, int>, Track> found; // by side and stretch
     const auto frames = framesOf(file, Mount{});
-    const int64_t first_us = frames.front().time_us;
+    const int64_t first_us = frames.at(0).time_us;
     for (const HandFrame& frame : frames)
         for (int side = 0; side < 2; ++side) {
             HandFilter& filter = filters[side];

@@ -72,8 +72,7 @@ TEST(Contact, NothingTunnelsAtAnySpeedBelowATeleport) {
         for (float offset : {0.1f, 0.35f, 0.5f, 0.77f, 0.9f}) // where in the tick it passes
             for (float aside : {0.0f, 0.012f}) {
                 const float way = speed * kDt;
-                const Mover tip =
-                    sphere({-way * offset - 0.0f, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
+                const Mover tip = sphere({-way * offset, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
                 EXPECT_EQ(collide(fish, tip).size(), 1u)
                     << speed << " m/s, offset " << offset << ", aside " << aside;
             }

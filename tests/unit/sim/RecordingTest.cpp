@@ -10,7 +10,6 @@
 namespace shoal::sim {
 namespace {
 
-using testing::HasSubstr;
 using tests::Recorded;
 
 constexpr size_t kBlockTicks = 120, kInputBytes = 37;
@@ -174,7 +173,7 @@ TEST_F(RecordingFile, NumbersOfItsHeaderThatAreNoneAreRefused) {
 
 TEST(Recording, NamesTheTickThatDiffers) {
     EXPECT_TRUE(sameState(7, 3, 3));
-    EXPECT_THAT(tests::errorOf(sameState(7, 3, 4)).reason, HasSubstr("tick 7"));
+    EXPECT_THAT(tests::errorOf(sameState(7, 3, 4)).reason, testing::HasSubstr("tick 7"));
 }
 
 TEST(FixedStep, AnyDisplayRateGivesTheSameTicks) {
