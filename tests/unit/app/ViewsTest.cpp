@@ -213,8 +213,7 @@ TEST(ArmPose, BendsAtTheElbowThatATrackerGives) {
     }
 }
 
-// For every head and hand: the wrist is the hand's own, joints are rotations, and the shoulder is out of the
-// picture.
+// For every head and hand the wrist is the hand's own, joints are rotations, and no shoulder is in view.
 TEST(ArmPose, HoldsForEveryHeadAndHand) {
     for (const Head& head : heads())
         for (const hands::Side side : {hands::Side::Left, hands::Side::Right})
@@ -239,8 +238,7 @@ TEST(ArmPose, HoldsForEveryHeadAndHand) {
             }
 }
 
-// The game's arm models have their joints where poseArm() expects them, are closed behind, and enclose the
-// wrist.
+// The arm models have their joints where poseArm() expects them, are closed behind, and enclose the wrist.
 TEST(ArmModels, AreWhatTheyArePosedAs) {
     for (const char* name : {"arm_left", "arm_right"}) {
         const auto model =

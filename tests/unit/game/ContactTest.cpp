@@ -1,5 +1,4 @@
-// Physics of hands among fish, in the cases in which it is most likely to fail. The rules of catching are in
-// RulesTest.
+// Physics of hands among fish, in the cases in which it is most likely to fail. RulesTest has the rules.
 #include "Fixture.h"
 
 namespace shoal::game {

@@ -4,8 +4,7 @@
 namespace shoal::game {
 namespace {
 
-// A beat carries a body on by its stride, whatever its speed (Bainbridge 1958); some kinds glide between
-// beats.
+// A beat carries a body on by its stride at any speed (Bainbridge 1958); some kinds glide between beats.
 TEST(Tail, BeatsOnceForEachStrideAndRestsWhileItsKindGlides) {
     OpenDive world(cove().species, calmCove(), 6);
     std::vector<double> swum_m(world.fish.size(), 0);
@@ -268,8 +267,7 @@ TEST(Reef, IsADiveInWhichFishSwimWell) {
     expectSwimWell(swimFor(reef, 1, 90), reef.dive);
 }
 
-// Shoals, pairs and solitary fish, distinguished by quantities that biologists measure in a
-// tank.
+// Shoals, pairs and solitary fish, distinguished by quantities that biologists measure in a tank.
 
 // Order of one school at one moment. Lengths in body lengths.
 struct Order {

@@ -1,5 +1,4 @@
-// Measures the prediction of hands: how late they are, how far they go beyond a stop, and how they tremble at
-// rest.
+// Measures the prediction of hands: how late they are, how far beyond a stop they go, how they tremble.
 #include "input/hands/HandFilter.h"
 #include "tests/Test.h"
 #include "tests/TestRig.h"
@@ -36,8 +35,7 @@ struct Delay {
     double mean_ms = 0, most_ms = 0;
 };
 
-// Returns the delay of a hand that moves steadily in the simulation, over every phase between pictures and
-// display.
+// Returns the delay of a hand that moves steadily, over every phase between pictures and display.
 Delay delayAt(double speed_mps, double rate_Hz) {
     Delay delay;
     int count = 0;
@@ -144,8 +142,7 @@ TEST(Prediction, NothingIsThrownFartherThanFarthest) {
     EXPECT_NEAR(glm::distance(filter.palm(1).position, seen), tuning::kPalmVelocity.farthest, 1e-4f);
 }
 
-// Turned as fast as a wrist turns, the hand is drawn turned on, about its palm, and its bones stay as they
-// are.
+// Turned as fast as a wrist turns, the hand is drawn turned on, about its palm, and keeps its bones.
 TEST(Prediction, AHandThatTurnsIsTurnedOn) {
     constexpr float kSpin_radps = 3, kInterval_s = 0.01f;
     HandFilter filter;

@@ -1,5 +1,4 @@
-// Tests of the client against a real WebSocket server on a loopback port. They wait for frames and messages
-// instead of sleeping.
+// Tests of the client against a real WebSocket server on a loopback port; they wait for frames and messages.
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandTracker.h"
 #include "tests/Test.h"
@@ -244,8 +243,7 @@ std::vector<test::MadeHand> facingHands(float apart_m) {
 }
 
 // Hands that touch before the tracker touch in the game: near each other, the vectors between their joints
-// are as the device sees them. Far apart their distance is scaled by the desk's reach, and between it only
-// grows.
+// are as the device sees them. Far apart the desk's reach scales their distance, and between it only grows.
 TEST_F(LeapSession, ClappingPalmsMeet) {
     constexpr int kFrames = 140;
     std::vector<float> palms_m;

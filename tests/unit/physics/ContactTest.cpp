@@ -200,8 +200,7 @@ TEST(Push, AgainstBonesAtRestNothingGainsSpeed) {
         if (round % 2)
             for (size_t i = 0; i < contacts.size(); i += 2) contacts[i].normal = -contacts[i].normal;
         const glm::vec3 v(random.between(-3, 3), random.between(-3, 3), random.between(-3, 3));
-        // The solver descends on |v|^2 + softness: rounding of some hundred additions is all that may be
-        // added.
+        // The solver descends on |v|^2 + softness: only rounding of some hundred additions may be added.
         EXPECT_LE(glm::length(pushed(v, contacts)), glm::length(v) * (1 + 1e-5f)) << round;
     }
 }

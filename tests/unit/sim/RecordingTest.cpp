@@ -181,8 +181,7 @@ TEST(FixedStep, AnyDisplayRateGivesTheSameTicks) {
         FixedStep step;
         int ticks = 0;
         for (int frame = 0; frame < 100 * fps; ++frame) ticks += step.advance(1.0 / fps);
-        // Frame times are whole nanoseconds: 100 s of them are short or long by at most half of one per
-        // frame.
+        // Frame times are whole nanoseconds: 100 s of them err by at most half of one per frame.
         EXPECT_NEAR(ticks, 12000, 1) << fps;
     }
 }
