@@ -168,14 +168,11 @@ TEST(Seed, IsDrawnForADiveInAWindow) {
     EXPECT_LE(*seeds.rbegin(), 999'999u);
 }
 
-TEST(Seed, IsOneWhereRunsAreCompared) {
+TEST(Seed, IsOneWhereRunsAreComparedAndWhatIsAskedFor) {
     EXPECT_EQ(seedOf({.headless = true}), 1u);
     EXPECT_EQ(seedOf({.hands = {.source = "mouse"}, .timedemo = true}), 1u);
     const std::string script = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
     EXPECT_EQ(seedOf({.hands = {.source = script}}), seedOf({.hands = {.source = script}}));
-}
-
-TEST(Seed, IsWhatIsAskedFor) {
     EXPECT_EQ(seedOf({.seed = 7, .hands = {.source = "mouse"}}), 7u);
     EXPECT_EQ(seedOf({.seed = 7, .headless = true}), 7u);
 }

@@ -14,42 +14,28 @@
 namespace shoal::app {
 namespace {
 
-constexpr double kPicture_s = 1.0 / 60;
+// Six animals, more than are updated in each picture, in a room that is white at 1 m all around, except
+// behind the viewer, where it is black.
+struct Swim {
+    depth::LightDifference room;
+    AnimalLight light;
+    game::Snapshot shown{.creatures = std::vector<game::CreatureView>(6)};
 
-// A room white at 1 m all around, except behind the viewer, where it is black.
-struct HalfWhiteRoom {
-    depth::LightDifference light;
-    HalfWhiteRoom() {
+    Swim() {
         ImageRgbF radiance(64, 32);
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 64; ++x) std::fill_n(radiance.at(x, y), 3, x >= 16 && x < 48 ? 1.0f : 0.0f);
-        light.make(radiance, depth::mapOf([](const glm::vec3&) { return 1.0f; }, 256));
+        room.make(radiance, depth::mapOf([](const glm::vec3&) { return 1.0f; }, 256));
     }
-};
-
-struct Swim {
-    HalfWhiteRoom room;
-    AnimalLight light;
-    game::Snapshot shown;
-
-    explicit Swim(size_t animals) { shown.creatures.resize(animals); }
     void picture() {
-        light.follow(shown, &room.light, glm::mat3(1));
-        shown.time_s += kPicture_s;
+        light.follow(shown, &room, glm::mat3(1));
+        shown.time_s += 1 / 60.0;
     }
     glm::vec3 even(size_t animal) const { return light.of(animal)[0]; }
-    glm::vec3 evenAt(const glm::vec3& place) const { return room.light.at(place)[0]; }
+    glm::vec3 evenAt(const glm::vec3& place) const { return room.at(place)[0]; }
 };
 
 const glm::vec3 kAhead(0, 0, -0.5f);
-
-TEST(AnimalLight, WithoutDistancesIsTheCameras) {
-    AnimalLight light;
-    game::Snapshot shown;
-    shown.creatures.resize(2);
-    light.follow(shown, nullptr, glm::mat3(1));
-    EXPECT_EQ(light.of(0), depth::LightHarmonics{});
-}
 
 // Returns what a matte white surface with this normal sends back in the light of these harmonics.
 float reflected(const depth::LightHarmonics& light, const glm::dvec3& normal) {
@@ -115,16 +101,8 @@ TEST(AnimalLight, WavesLightBacksByWhatTheGroundGains) {
     EXPECT_NEAR(on({0, -1, 0}), 0, gain / 16 + 1e-4f);
 }
 
-TEST(AnimalLight, NewAnimalsHaveTheLightOfTheirPlaceAtOnce) {
-    Swim swim(6); // more animals than are updated in each picture
-    for (auto& animal : swim.shown.creatures) animal.position = kAhead;
-    swim.picture();
-    ASSERT_NE(swim.evenAt(kAhead), glm::vec3(0));
-    for (size_t i = 0; i < 6; ++i) EXPECT_EQ(swim.even(i), swim.evenAt(kAhead)) << i;
-}
-
 TEST(AnimalLight, FollowsEveryAnimalWithoutAStep) {
-    Swim swim(6);
+    Swim swim;
     for (auto& animal : swim.shown.creatures) animal.position = kAhead * 0.2f;
     swim.picture();
     const float from = swim.even(0).x;
@@ -142,13 +120,16 @@ TEST(AnimalLight, FollowsEveryAnimalWithoutAStep) {
     for (size_t i = 0; i < 6; ++i) EXPECT_NEAR(swim.even(i).x, to, 0.01f * (to - from)) << i;
 }
 
-TEST(AnimalLight, FollowsAnAnimalThatComesInElsewhere) {
-    Swim swim(6);
+TEST(AnimalLight, NewAnimalsAndThoseThatComeInElsewhereHaveTheLightOfTheirPlaceAtOnce) {
+    Swim swim;
+    for (auto& animal : swim.shown.creatures) animal.position = kAhead;
     swim.picture();
+    ASSERT_NE(swim.evenAt(kAhead), glm::vec3(0));
+    for (size_t i = 0; i < 6; ++i) EXPECT_EQ(swim.even(i), swim.evenAt(kAhead)) << i;
     swim.picture();
-    swim.shown.creatures[5].position = {0, 0, -0.7f}; // in a sixtieth of a second
+    swim.shown.creatures[5].position = {0, 0, 0.2f}; // in a sixtieth of a second
     swim.picture();
-    EXPECT_EQ(swim.even(5), swim.evenAt({0, 0, -0.7f}));
+    EXPECT_EQ(swim.even(5), swim.evenAt({0, 0, 0.2f}));
 }
 
 // Arms reach from an estimated shoulder to where the hand is, whatever the hand and the head do.
@@ -232,8 +213,7 @@ TEST(ArmPose, BendsAtTheElbowThatATrackerGives) {
     }
 }
 
-// For every head and hand: the wrist is the hand's own, joints are rotations, and the shoulder is out of the
-// picture.
+// For every head and hand the wrist is the hand's own, joints are rotations, and no shoulder is in view.
 TEST(ArmPose, HoldsForEveryHeadAndHand) {
     for (const Head& head : heads())
         for (const hands::Side side : {hands::Side::Left, hands::Side::Right})
@@ -258,8 +238,7 @@ TEST(ArmPose, HoldsForEveryHeadAndHand) {
             }
 }
 
-// The game's arm models have their joints where poseArm() expects them, are closed behind, and enclose the
-// wrist.
+// The arm models have their joints where poseArm() expects them, are closed behind, and enclose the wrist.
 TEST(ArmModels, AreWhatTheyArePosedAs) {
     for (const char* name : {"arm_left", "arm_right"}) {
         const auto model =
@@ -309,7 +288,7 @@ struct Machine {
 
 struct Ride {
     Quality end;
-    int changes = 0, ups = 0;
+    int changes = 0;
     double last_ms = 0;
     float largestStep = 0; // largest change of the scale between two frames
 };
@@ -322,20 +301,11 @@ Ride ride(DynamicQuality& dynamicQuality, const Machine& machine, int frames) {
         dynamicQuality.frame(result.last_ms);
         const Quality now = dynamicQuality.quality();
         result.changes += now.scale != before.scale || now.lightEvery != before.lightEvery;
-        result.ups += now.scale > before.scale || now.lightEvery < before.lightEvery;
         result.largestStep = std::max(result.largestStep, std::abs(now.scale - before.scale));
         before = now;
     }
     result.end = before;
     return result;
-}
-
-TEST(DynamicQuality, LeavesAFastMachineAlone) {
-    DynamicQuality dynamicQuality(kBudget_ms);
-    const Ride result = ride(dynamicQuality, {}, 6000);
-    EXPECT_EQ(result.changes, 0);
-    EXPECT_EQ(result.end.scale, 1.0f);
-    EXPECT_EQ(result.end.lightEvery, 1);
 }
 
 // Frames take 1.5 times the budget: pixels must become fewer within two seconds, and then stay steady.

@@ -207,10 +207,14 @@ TEST(FilmSpace, AHiddenFishIsNeitherShownNorHelpedToNorTaken) {
         EXPECT_EQ(now.creatures[0].hidden, hidden);
         if (!hidden) continue;
         int target = -1;
-        const glm::vec3 ray = glm::normalize(behind);
-        EXPECT_FALSE(reachHelp(now, cove().species, ray, 0.5f, target));
+        const auto reach_m = [&](glm::vec3 ray) { return reachHelp(now, cove().species, ray, 0.5f, target); };
+        const float distance_m = glm::length(now.creatures[0].position);
+        const glm::vec3 ray = now.creatures[0].position / distance_m;
+        EXPECT_FALSE(reach_m(ray));
         now.creatures[0].hidden = false;
-        EXPECT_TRUE(reachHelp(now, cove().species, ray, 0.5f, target));
+        now.creatures[0].velocity = glm::vec3(0);
+        EXPECT_NEAR(tests::valueOf(reach_m(ray)), distance_m, 1e-5f);
+        EXPECT_FALSE(reach_m({-1, 0, 0}));
     }
 }
 

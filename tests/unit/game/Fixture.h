@@ -115,9 +115,8 @@ struct OneFish {
     }
     // Tick of the first event of that kind, 0 if there is none.
     template <EventKind K> uint64_t tickOfFirst() const {
-        for (size_t i = 0; i < events.size(); ++i)
-            if (events[i].kind == K) return eventTicks[i];
-        return 0;
+        const Event* event = first<K>(events);
+        return event ? eventTicks[static_cast<size_t>(event - events.data())] : 0;
     }
     // Brings the right hand to a place for a tick.
     void hand(glm::vec3 at, float closed = 0) {

@@ -132,15 +132,5 @@ TEST(Misses, SayWhy) {
     }
 }
 
-TEST(Misses, AFastHandIsTold) {
-    OneFish one({.rules = {Assist::None}});
-    for (int i = 0; i < 60; ++i) { // 1.5 m/s past the fish, closing on the way
-        one.rest(kPlace + glm::vec3(0, 0, -0.1f));
-        const float way = 1.5f * static_cast<float>(i - 30) / 120;
-        one.hand(kPlace + glm::vec3(way, 0, 0), std::clamp(static_cast<float>(i - 25) / 15, 0.0f, 1.0f));
-    }
-    EXPECT_EQ(count<EventKind::MissTooFast>(one.events), 1);
-}
-
 } // namespace
 } // namespace shoal::game

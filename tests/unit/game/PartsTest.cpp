@@ -1,8 +1,5 @@
 // Parts of the simulation one by one, each given its inputs by hand.
 #include "Fixture.h"
-#include "engine/core/WriteFile.h"
-#include "game/rules/Intent.h"
-#include "tests/Recorded.h"
 #include "tests/unit/Heap.h"
 
 namespace shoal::game {
@@ -99,54 +96,6 @@ TEST(FingerWrap, FingersPressOnWhatLiesInTheFistFromBothSides) {
     EXPECT_EQ(holdOn(5, state, glm::vec3(0)).margin_N, 0) << "another fish is not pressed";
 }
 
-TEST(Script, NamesADiveFileBesideIt) {
-    const tests::ScratchFolder folder;
-    const std::string step = "[[step]]\ndo = \"wait\"\n";
-    ASSERT_TRUE(writeFileWhole(folder / "s.toml", "dive = \"./own/cove.toml\"\n" + step));
-    const auto script = tests::valueOf(loadScript(folder / "s.toml"));
-    EXPECT_EQ(Path(script.dive), folder / "own/cove.toml");
-    EXPECT_FALSE(loadDiveFiles(script.dive)) << "there is no such file";
-    EXPECT_EQ(cove().dive.name, (dataRoot() / "tests/playthrough/dive/cove.toml").string())
-        << "by which a recording finds it again";
-}
-
-TEST(Determinism, TwoDivesWithTheSameSeedAgreeAtEveryTickAndOthersDoNot) {
-    Dive a(cove().species, cove().dive, 11), b(cove().species, cove().dive, 11),
-        c(cove().species, cove().dive, 12);
-    Events events;
-    EXPECT_EQ(a.stateHash(), b.stateHash());
-    for (int i = 0; i < 2400; ++i) {
-        TickInput input;
-        input.hands[1] =
-            handAt({0.3f * static_cast<float>(i % 100) / 100, 0, -0.6f}, i % 60 < 30 ? 0.0f : 1.0f);
-        input.hands[0] = handAt({-0.2f, 0, -0.6f}, i % 80 < 40 ? 0.0f : 1.0f, 0);
-        input.hands[0].solid = i % 700 > 40;
-        a.step(input, events);
-        b.step(input, events);
-        c.step(input, events);
-        ASSERT_EQ(a.stateHash(), b.stateHash()) << "tick " << i;
-        ASSERT_NE(a.stateHash(), c.stateHash());
-    }
-}
-
-TEST(Determinism, AReplayedInputOfOtherBitsIsFoundAtItsTick) {
-    const Played played = playScript(
-        tests::valueOf(loadScript(dataRoot() / "tests/playthrough/two_hands.toml")), rig(), cove());
-    const tests::Recorded& good = played.recording;
-    ASSERT_TRUE(replay(good, cove()));
-    tests::Recorded bad(good.header());
-    for (size_t tick = 0; tick < good.ticks(); ++tick) {
-        std::vector<uint8_t> input(good.input(tick).begin(), good.input(tick).end());
-        if (tick == 321) {
-            TickInput changed = tests::inputAt(good, tick);
-            changed.hands[0].joints[7].position.x += 1e-6f;
-            toBytes(changed, std::span(input).first<kTickInputBytes>());
-        }
-        bad.add(input, good.hash(tick));
-    }
-    EXPECT_THAT(tests::errorOf(replay(bad, cove())).reason, testing::HasSubstr("tick 321"));
-}
-
 // Every field of the state counts: changing any one changes the hash.
 TEST(Determinism, TheHashDependsOnSmallPartsOfTheState) {
     OpenDive dive(cove().species, cove().dive, 3);
@@ -202,18 +151,6 @@ TEST(Interpolate, LiesBetweenAndDoesNotSmearJumps) {
     // At the ends: exactly the snapshots' places.
     interpolate(a, b, 0, mid);
     EXPECT_EQ(mid.creatures[5].position, a.creatures[5].position);
-}
-
-TEST(ReachHelp, FindsTheFishUnderTheCursor) {
-    Snapshot now = OpenDive(cove().species, cove().dive, 4).shown();
-    for (CreatureView& c : now.creatures) c.position = {0, 0, 2};
-    now.creatures[0].position = {0.2f, 0, -0.8f};
-    const glm::vec3 ray = glm::normalize(now.creatures[0].position);
-    now.creatures[0].velocity = glm::vec3(0);
-    int target = -1;
-    const auto reach_m = tests::valueOf(reachHelp(now, cove().species, ray, 0.5f, target));
-    EXPECT_NEAR(reach_m, glm::length(now.creatures[0].position), 1e-5f);
-    EXPECT_FALSE(reachHelp(now, cove().species, {-1, 0, 0}, 0.5f, target));
 }
 
 TEST(Allocation, ATickTakesNoMemory) {

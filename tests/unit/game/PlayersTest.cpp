@@ -29,8 +29,7 @@ TEST_P(Players, CatchAsManyAsTheyShould) {
         inTime += dive.firstCatch_s <= kind.firstBefore_s;
     }
     // The goal is nine of ten; practised hands reach it in 92 and 93 % of 60 dives from seeds 201 and 5001.
-    // With such chances two or more of six dives fail in one run of ten, three or more in one run of a
-    // hundred.
+    // With such chances two or more of six dives fail in one run of ten, three or more in one of a hundred.
     EXPECT_GE(met, 4);
     EXPECT_GE(inTime, 5);
 }
@@ -67,8 +66,7 @@ TEST(SharkRoom, ItStealsKeepsItsDistanceAndSwimsFartherOutThanFish) {
     for (const char* film : {"reef", "night", "kelp"}) {
         ASSERT_TRUE(game::roomOf(film).moveTo(files.dive.space)) << film;
         const SharkWatch w = watched();
-        // A fish that is offered counts after a second, before which the shark gets to it in 2 to 5 of 8
-        // dives.
+        // An offered fish counts after a second, before which the shark gets to it in 2 to 5 of 8 dives.
         EXPECT_GE(w.steals, 2) << film;
         EXPECT_GE(w.fartherWithRoom, 0.85 * w.roomTicks) << film;
         EXPECT_LE(w.middleNear, 0.05 * w.ticks) << film; // the reef's tunnel leaves no other place at times

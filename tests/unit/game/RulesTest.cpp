@@ -48,34 +48,6 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     EXPECT_EQ(count<EventKind::Miss>(one.events), 1);
 }
 
-TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
-    OneFish one;
-    const glm::vec3 aside = kPlace + glm::vec3(0, 0, 0.35f);
-    one.moveGrip(aside, 0, 0);
-    one.moveGrip(aside, 0, 1);
-    one.step(30);
-    one.events.clear();
-    one.rest();
-    for (int i = 0; i <= 60; ++i) // 0.8 m/s
-        one.hand(glm::mix(aside, kPlace - glm::vec3(0, 0, 0.05f), static_cast<float>(i) / 60), 1);
-    EXPECT_FALSE(one.took());
-    EXPECT_GE(count<EventKind::Touch>(one.events), 1);
-    EXPECT_EQ(count<EventKind::Startle>(one.events), 1);
-    EXPECT_EQ(count<EventKind::Miss>(one.events), 0);
-}
-
-TEST(Catching, GripNeedsToCrossWithHysteresis) {
-    OneFish one;
-    one.takeFish();
-    // A trembling grip between the thresholds neither drops nor grabs anew.
-    for (int i = 0; i < 40; ++i) {
-        one.input.hands[1].grip = i % 2 ? kGripOpens + 0.02f : kGripCloses + 0.02f;
-        one.step();
-    }
-    EXPECT_EQ(count<EventKind::Escape>(one.events), 0);
-    EXPECT_EQ(count<EventKind::Grab>(one.events), 1);
-}
-
 TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
     OneFish one;
     one.takeFish();
@@ -115,15 +87,6 @@ TEST(Touching, AGentleStrokePushesAwayAndIsFeltForAsLongAsItLasts) {
     EXPECT_LT(glm::length(push), 0.3f) << "gently";
     EXPECT_GT(felt, 10);
     EXPECT_LT(fastest, 0.3f) << "as slow as the hand";
-}
-
-TEST(Fright, ASlowHandDoesNotFrighten) {
-    OneFish one;
-    for (int i = 0; i <= 90; ++i) { // 0.4 m/s from below, to where the palm nearly touches it
-        one.rest();
-        one.hand(kPlace + glm::vec3(0.05f, -0.36f + 0.3f * static_cast<float>(i) / 90, 0.04f));
-    }
-    EXPECT_EQ(count<EventKind::Startle>(one.events), 0);
 }
 
 // A hand that a turning head takes along does not frighten fish, though one moved as fast would.
@@ -204,33 +167,15 @@ TEST(BadInput, IsNotBelieved) {
 
 // For a seated player, who cannot step or bend, fish circle above the lap, and nearer.
 TEST(Seated, FishCircleWhereTheyAreReached) {
-    const auto reef = tests::valueOf(loadDiveFiles("reef"));
-    struct Found {
-        double belowLap = 0, radius_m = 0; // share, mean
-        float lowest_m = 0;
-    };
-    const auto find = [&](bool seated) {
-        Dive dive(reef.species, reef.dive, 3, {.freeSwim = true, .seated = seated}); // without the shark
-        Events events;
-        Found found;
-        int count = 0;
-        for (int tick = 0; tick < 60 * 120; ++tick) {
-            dive.step({}, events);
-            for (const Fish& fish : dive.state().fish) {
-                found.belowLap += fish.position.y < -0.5f;
-                found.radius_m += std::hypot(fish.position.x, fish.position.z);
-                found.lowest_m = std::min(found.lowest_m, fish.position.y);
-                ++count;
-            }
-        }
-        found.belowLap /= count;
-        found.radius_m /= count;
-        return found;
-    };
-    const Found standing = find(false), seated = find(true);
-    EXPECT_LT(seated.belowLap, standing.belowLap / 4);
-    EXPECT_LT(seated.radius_m, standing.radius_m - 0.1);
-    EXPECT_GT(seated.lowest_m, -0.9f); // the floor of a room in which somebody sits
+    const Dive dive(cove().species, cove().dive, 3, {.seated = true});
+    EXPECT_EQ(dive.file().floor_m, -0.9f); // the floor of a room in which somebody sits
+    for (size_t i = 0; i < cove().dive.schools.size(); ++i) {
+        const School &sits = dive.file().schools[i], &stands = cove().dive.schools[i];
+        EXPECT_GE(sits.heightLow_m, -0.45f);
+        EXPECT_LT(sits.heightLow_m, sits.heightHigh_m);
+        EXPECT_LT(sits.radiusHigh_m, stands.radiusHigh_m - 0.2f);
+        EXPECT_LT(sits.radiusLow_m, sits.radiusHigh_m);
+    }
 }
 
 TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {

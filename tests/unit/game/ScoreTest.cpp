@@ -325,15 +325,6 @@ TEST(Enclosure, MarksOfALongerVideoAreNotHeard) {
     EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 12, 11), 0.5f);
 }
 
-TEST(Enclosure, NeverJumps) {
-    float before = enclosureAt(kEnclosures, 30, 0);
-    for (int tick = 1; tick < 90 * 120; ++tick) {
-        const float now = enclosureAt(kEnclosures, 30, tick / 120.0);
-        ASSERT_LE(std::abs(now - before), 1.01f / 240); // all of it in two seconds
-        before = now;
-    }
-}
-
 TEST(Enclosure, TheSnapshotCarriesItAndARestartBeginsAnew) {
     DiveFile file = cove().dive;
     file.enclosure = {{1, 2, 1}};
@@ -347,13 +338,6 @@ TEST(Enclosure, TheSnapshotCarriesItAndARestartBeginsAnew) {
     dive.input = {.pause = true};
     dive.step(240);
     EXPECT_NEAR(dive.shown().enclosure, 0.5f, 0.01f);
-}
-
-TEST(Enclosure, TheShippedDiveHasATunnel) {
-    const auto reef = tests::valueOf(loadDiveFiles("reef"));
-    float maximum = 0;
-    for (const VideoMark& mark : reef.dive.enclosure) maximum = std::max(maximum, mark.amount);
-    EXPECT_EQ(maximum, 1); // else its bed is never heard
 }
 
 constexpr glm::vec3 kFrom{-20, 5, -6}, kTo{20, 5, -6};

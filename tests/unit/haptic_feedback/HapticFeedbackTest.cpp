@@ -118,16 +118,11 @@ TEST(HapticFeedback, TheSharkIsFeltByTheBody) {
     }
 }
 
-TEST(HapticFeedback, PausedHandsAreStill) {
-    HapticFeedback feel;
-    const Event event = touch(0, 0, 1);
-    expectOthersStill(feel.frame({.paused = true, .hands = {{{.holds = 1}}}}, {&event, 1}, kTick_s, 1));
-}
-
-TEST(HapticFeedback, WrongFingersAreIgnored) {
-    HapticFeedback feel;
-    const Event event = touch(5, 77, 1);
-    expectOthersStill(feel.frame({}, {&event, 1}, kTick_s, 1));
+TEST(HapticFeedback, PausedHandsAndFingersThatAreNoneAreStill) {
+    HapticFeedback paused, diving;
+    const Event right = touch(0, 0, 1), wrong = touch(5, 77, 1);
+    expectOthersStill(paused.frame({.paused = true, .hands = {{{.holds = 1}}}}, {&right, 1}, kTick_s, 1));
+    expectOthersStill(diving.frame({}, {&wrong, 1}, kTick_s, 1));
 }
 
 } // namespace

@@ -60,23 +60,16 @@ TEST(Devices, NonsenseIsBounded) {
 
 // The known packets: all other bytes 0.
 TEST(Sony, ChecksumsAreAsRecorded) {
-    Report sense{.size = 78};
-    sense.bytes[0] = 0x31;
-    sense.bytes[2] = 0x10;
-    sense.bytes[3] = 0x03;
-    sense.bytes[5] = sense.bytes[6] = 0x40;
-    driverNamed("DualSense", Transport::Bluetooth).seal(sense, 0);
-    EXPECT_EQ((std::vector<uint8_t>(sense.bytes.begin() + 74, sense.bytes.end())),
-              (std::vector<uint8_t>{0xf2, 0xf8, 0x89, 0x41}));
-    Report shock{.size = 78};
-    shock.bytes[0] = 0x11;
-    shock.bytes[1] = 0xC0;
-    shock.bytes[3] = 0x01;
-    shock.bytes[6] = 0x40;
-    shock.bytes[7] = 0x80;
-    driverNamed("DualShock 4", Transport::Bluetooth).seal(shock, 0);
-    EXPECT_EQ((std::vector<uint8_t>(shock.bytes.begin() + 74, shock.bytes.end())),
-              (std::vector<uint8_t>{0x34, 0xd9, 0x31, 0x0a}));
+    const auto checksum = [](const char* name, const std::map<int, uint8_t>& bytes) {
+        Report report{.size = 78};
+        for (const auto& [at, byte] : bytes) report.bytes[at] = byte;
+        driverNamed(name, Transport::Bluetooth).seal(report, 0);
+        return std::vector<uint8_t>(report.bytes.begin() + 74, report.bytes.end());
+    };
+    EXPECT_THAT(checksum("DualSense", {{0, 0x31}, {2, 0x10}, {3, 0x03}, {5, 0x40}, {6, 0x40}}),
+                testing::ElementsAre(0xf2, 0xf8, 0x89, 0x41));
+    EXPECT_THAT(checksum("DualShock 4", {{0, 0x11}, {1, 0xC0}, {3, 0x01}, {6, 0x40}, {7, 0x80}}),
+                testing::ElementsAre(0x34, 0xd9, 0x31, 0x0a));
 }
 
 TEST(Switch, AmplitudesAreThoseOfTheTable) {
@@ -116,13 +109,10 @@ TEST(Switch, TheBodyIsFeltInBothHands) {
 }
 
 TEST(Devices, EachIsThereOnce) {
-    const auto& table = kDevices;
-    for (size_t i = 0; i < table.size(); ++i) {
-        EXPECT_NE(table[i].vendor, kNoVendor) << table[i].name;
-        for (size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(table[i].vendor == table[k].vendor && table[i].product == table[k].product &&
-                         table[i].transport == table[k].transport)
-                << table[i].name;
+    std::set<std::tuple<uint16_t, uint16_t, Transport>> seen;
+    for (const DeviceRow& row : kDevices) {
+        EXPECT_NE(row.vendor, kNoVendor) << row.name;
+        EXPECT_TRUE(seen.insert({row.vendor, row.product, row.transport}).second) << row.name;
     }
 }
 

@@ -1,5 +1,4 @@
-// Tests of the client against a real WebSocket server on a loopback port. They wait for frames and messages
-// instead of sleeping.
+// Tests of the client against a real WebSocket server on a loopback port; they wait for frames and messages.
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandTracker.h"
 #include "tests/Test.h"
@@ -12,8 +11,6 @@ namespace shoal::hands {
 namespace {
 
 using test::Server;
-using testing::ElementsAre;
-
 using tests::rig;
 
 using Tracker = std::unique_ptr<HandTracker>;
@@ -52,7 +49,7 @@ TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
         ASSERT_TRUE(server.waitForHeard(expected.size()));
         server.say(frameAt(1)); // any further message would have come before this frame
         next(hands);
-        EXPECT_THAT(server.paths(), ElementsAre("/v6.json"));
+        EXPECT_THAT(server.paths(), testing::ElementsAre("/v6.json"));
         EXPECT_EQ(server.heard(), expected);
         for (const std::string& message : expected) EXPECT_LE(message.size(), 31u);
     }
@@ -113,7 +110,7 @@ TEST(LeapHands, EveryVersionWithJointsGivesAWholeHandWhereItIs) {
     for (int version = 1; version <= 6; ++version) {
         Server server(0, version);
         const Tracker hands = connectTo(server);
-        const auto made = test::closingHand(rig(), 1, 0).front();
+        const auto made = test::closingHand(rig(), 1).front();
         server.say(test::madeFrame(version, 1, 1000, {made}));
         const HandFrame frame = next(hands);
         std::vector<std::string> asked; // down to the version that the service speaks
@@ -138,7 +135,7 @@ TEST(LeapHands, TheElbowIsWhereTheServiceSeesItOrNotKnown) {
     for (const bool onHeadset : {false, true}) {
         Server server;
         const Tracker hands = connectTo(server, onHeadset);
-        auto made = test::closingHand(rig(), 1, 0).front();
+        auto made = test::closingHand(rig(), 1).front();
         const glm::vec3 wrist = made.pose.joints[kWristJoint].position, forearm(0.06f, -0.03f, 0.25f);
         made.elbow = wrist + forearm;
         server.say(test::madeFrame(6, 1, 1000, {made}));
@@ -246,8 +243,7 @@ std::vector<test::MadeHand> facingHands(float apart_m) {
 }
 
 // Hands that touch before the tracker touch in the game: near each other, the vectors between their joints
-// are as the device sees them. Far apart their distance is scaled by the desk's reach, and between it only
-// grows.
+// are as the device sees them. Far apart the desk's reach scales their distance, and between it only grows.
 TEST_F(LeapSession, ClappingPalmsMeet) {
     constexpr int kFrames = 140;
     std::vector<float> palms_m;
@@ -421,38 +417,6 @@ TEST_F(LeapSession, AbsurdHandsAreNotHands) {
     EXPECT_TRUE(seen.tracked);
     EXPECT_FALSE(plausible(seen));
 }
-
-class Recorded : public testing::TestWithParam<const char*> {};
-
-TEST_P(Recorded, ArrivesWholeOverTheSocket) {
-    const Path file = test::sharedRecording(GetParam());
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs the reference data: " << file;
-    const auto messages = test::readRecordingMessages(file);
-    ASSERT_GT(messages.size(), 100u);
-    Server server;
-    const Tracker hands = connectTo(server);
-    server.say(messages);
-    int64_t last_us = 0;
-    int seen = 0;
-    for (size_t i = 0; i < messages.size(); ++i) {
-        const HandFrame frame = next(hands);
-        EXPECT_GT(frame.time_us, last_us);
-        last_us = frame.time_us;
-        for (const HandPose& hand : frame.hands) {
-            if (!hand.tracked) continue;
-            ++seen;
-            ASSERT_TRUE(plausible(hand)) << "frame " << i;
-        }
-    }
-    EXPECT_GT(seen, 100);
-}
-
-INSTANTIATE_TEST_SUITE_P(Files, Recorded,
-                         testing::Values("grab", "flapping", "confidence-37fps", "pinch-57fps"),
-                         [](const auto& parameter) {
-                             std::string name = parameter.param;
-                             return name.substr(0, name.find('-'));
-                         });
 
 } // namespace
 } // namespace shoal::hands

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/core/Files.h"
-#include "input/hands/HandRig.h"
 #include "tests/TestPaths.h"
+#include "tests/TestRig.h"
 
 #include <nlohmann/json.hpp>
 
@@ -121,26 +121,21 @@ inline std::string madeFrame(int version, int64_t id, int64_t time_us, const std
 }
 
 // Returns a right hand over the device that closes, stays closed and opens again, 100 frames a second.
-inline std::vector<MadeHand> closingHand(const HandRig& rig, int frames, float amplitude = 1) {
+inline std::vector<MadeHand> closingHand(const HandRig& rig, int frames) {
     std::vector<MadeHand> hands;
     for (int i = 0; i < frames; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(std::max(frames - 1, 1));
-        const float closed =
-            amplitude * std::clamp(std::min((t - 0.1f) / 0.1f, (0.95f - t) / 0.05f), 0.0f, 1.0f);
-        HandShape shape;
-        shape.curl.fill(0.05f + 0.9f * closed);
-        MadeHand made;
-        made.pose = rig.pose(Side::Right, shape, {{0.06f, 0.19f, 0.09f}, {1, 0, 0, 0}});
-        hands.push_back(made);
+        const float closed = std::clamp(std::min((t - 0.1f) / 0.1f, (0.95f - t) / 0.05f), 0.0f, 1.0f);
+        hands.push_back({.pose = rig.pose(Side::Right, tests::shape(0.05f + 0.9f * closed),
+                                          {{0.06f, 0.19f, 0.09f}, {1, 0, 0, 0}})});
     }
     return hands;
 }
 inline std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames) {
     std::vector<std::string> messages;
-    int64_t i = 0;
     for (const MadeHand& made : closingHand(rig, frames)) {
+        const auto i = static_cast<int64_t>(messages.size());
         messages.push_back(madeFrame(version, i, i * 10000, {made}));
-        ++i;
     }
     return messages;
 }

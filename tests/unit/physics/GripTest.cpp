@@ -48,18 +48,6 @@ TEST(Hold, TwoFingersCloseWhileTheirAngleIsWithinBothCones) {
     }
 }
 
-// Three fingers around: every 120 degrees in a plane. Ponce and Faverjon 1995: their cones span the plane.
-TEST(Hold, ThreeFingersAroundHoldFromEverySide) {
-    std::vector<Press> around;
-    for (int i = 0; i < 3; ++i) {
-        const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / 3;
-        around.push_back(press({std::cos(a), std::sin(a), 0}, 5));
-    }
-    EXPECT_GT(hold(around, glm::vec3(0)).margin_N, 4);
-    around.pop_back();
-    EXPECT_LE(hold(around, glm::vec3(0)).margin_N, 0.5f) << "two at 120 degrees lie just beside their cones";
-}
-
 // The search over directions against twenty thousand of them.
 TEST(Hold, FindsTheWorstDirection) {
     Random random(7, 1);

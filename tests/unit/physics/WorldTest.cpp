@@ -131,8 +131,7 @@ struct Fall {
     }
 };
 
-// The other world has made its objects in another order and of another size, and comes in while they fall on
-// one another.
+// The other world has made objects in another order and of another size, and comes in while bodies fall.
 TEST(World, KeepsNothingFromTickToTick) {
     for (const int from : {30, 60, 120, 500}) {
         Fall one;

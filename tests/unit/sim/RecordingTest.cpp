@@ -10,7 +10,6 @@
 namespace shoal::sim {
 namespace {
 
-using testing::HasSubstr;
 using tests::Recorded;
 
 constexpr size_t kBlockTicks = 120, kInputBytes = 37;
@@ -174,7 +173,7 @@ TEST_F(RecordingFile, NumbersOfItsHeaderThatAreNoneAreRefused) {
 
 TEST(Recording, NamesTheTickThatDiffers) {
     EXPECT_TRUE(sameState(7, 3, 3));
-    EXPECT_THAT(tests::errorOf(sameState(7, 3, 4)).reason, HasSubstr("tick 7"));
+    EXPECT_THAT(tests::errorOf(sameState(7, 3, 4)).reason, testing::HasSubstr("tick 7"));
 }
 
 TEST(FixedStep, AnyDisplayRateGivesTheSameTicks) {
@@ -182,8 +181,7 @@ TEST(FixedStep, AnyDisplayRateGivesTheSameTicks) {
         FixedStep step;
         int ticks = 0;
         for (int frame = 0; frame < 100 * fps; ++frame) ticks += step.advance(1.0 / fps);
-        // Frame times are whole nanoseconds: 100 s of them are short or long by at most half of one per
-        // frame.
+        // Frame times are whole nanoseconds: 100 s of them err by at most half of one per frame.
         EXPECT_NEAR(ticks, 12000, 1) << fps;
     }
 }
