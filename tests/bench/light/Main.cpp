@@ -9,9 +9,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     const Path folder = argv[1];
-    const bool quick = argc == 3;
-    bench::Chart chart =
-        bench::measure({.cache = folder / "truth", .spread = quick ? 16 : 64, .quick = quick});
+    bench::Chart chart = bench::measure(argc == 3);
     Status done = bench::lightBalls(folder / "balls.jpg").moveTo(chart.balls);
     for (const auto write : {bench::writeMarkdown, bench::writePicture})
         if (done) done = write(chart, folder);

@@ -32,7 +32,7 @@ EnvironmentError pyramidError(const PyramidMethod& method, const Environment& en
 
 } // namespace
 
-Chart measure(const SessionConfig& plan) {
+Chart measure(bool quick) {
     Chart chart;
     auto diffuse = diffuseMethods();
     auto glossy = glossyMethods();
@@ -40,12 +40,12 @@ Chart measure(const SessionConfig& plan) {
     for (const auto& each : diffuse) chart.diffuse.push_back({each.label, {}, {}});
     for (const auto& each : glossy) chart.glossy.push_back({each.label, {}, {}});
     for (const auto& each : pyramids) chart.pyramids.push_back({each.label, {}, {}});
-    timeMethods(chart, diffuse, glossy, pyramids, plan.quick);
+    timeMethods(chart, diffuse, glossy, pyramids, quick);
 
-    const auto dirs = chartDirections(plan.spread);
+    const auto dirs = chartDirections(quick ? 16 : 64);
     const std::vector<glm::vec3> floatDirs(dirs.begin(), dirs.end());
     std::vector<glm::vec3> out(dirs.size());
-    for (const EnvironmentSource& source : environmentSources(plan.quick)) {
+    for (const EnvironmentSource& source : environmentSources(quick)) {
         const auto environment = source.load();
         if (!environment) {
             std::fprintf(stderr, "chart: left out, not at hand: %s\n", source.name.c_str());
@@ -55,7 +55,7 @@ Chart measure(const SessionConfig& plan) {
                      environment->radianceLin.height);
         chart.environments.push_back(
             {source.name, environment->coded(), hasPointSun(environment->radianceLin)});
-        const Truth truth = truthOf(environment->radianceLin, dirs, plan.cache);
+        const Truth truth = truthOf(environment->radianceLin, dirs);
         std::fprintf(stderr, ", methods");
         const auto pyramid = pyramidOf(*environment);
         const Input input = inputOf(*environment, pyramid);
@@ -80,7 +80,7 @@ Chart measure(const SessionConfig& plan) {
         }
         std::fprintf(stderr, ".\n");
     }
-    measureToneMaps(chart, plan, dirs);
+    measureToneMaps(chart, quick, dirs);
     return chart;
 }
 

@@ -101,22 +101,16 @@ struct Chart {
     std::vector<BallErrors> balls; // one for each of filmedSources()
 };
 
-struct SessionConfig {
-    Path cache;
-    int spread = 64; // directions besides the six axes
-    bool quick = false;
-};
-
 // Measures the costs of all methods; the chart has their labels in the same order.
 void timeMethods(Chart& chart, std::vector<light::baselines::DiffuseMethod>& diffuse,
                  std::vector<light::baselines::GlossyMethod>& glossy,
                  std::vector<light::baselines::PyramidMethod>& pyramids, bool quick);
 
 // Fills toneMaps and toneMapEnvironments.
-void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs);
+void measureToneMaps(Chart& chart, bool quick, std::span<const glm::dvec3> dirs);
 
 // Measures the whole chart. Reports its progress on standard error.
-Chart measure(const SessionConfig& plan);
+Chart measure(bool quick);
 
 // Returns an environment as methods get it.
 inline light::baselines::Input inputOf(const Environment& environment,

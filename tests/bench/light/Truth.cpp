@@ -1,7 +1,4 @@
 #include "tests/bench/light/Truth.h"
-#include "engine/core/Hash.h"
-
-#include <fmt/format.h>
 
 namespace shoal::bench {
 
@@ -21,22 +18,6 @@ std::vector<glm::dvec3> chartDirections(int spread) {
     return dirs;
 }
 
-namespace {
-
-constexpr uint64_t kVersion = 1; // raise it when lobes or the integral change
-
-Path fileOf(const ImageRgbF& image, std::span<const glm::dvec3> dirs, const Path& folder) {
-    Hash hash;
-    hash.add(kVersion);
-    hash.add(image.width);
-    hash.bytes(image.pixels.data(), image.pixels.size() * sizeof(float));
-    for (const glm::dvec3& dir : dirs) hash.bytes(&dir[0], 3 * sizeof(double));
-    for (const float roughness : kRoughnesses) hash.add(roughness);
-    return folder / fmt::format("{:016x}", hash.value());
-}
-
-} // namespace
-
 Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
                 std::span<const light::Lobe> lobes) {
     Truth truth(dirs.size());
@@ -45,24 +26,10 @@ Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
     return truth;
 }
 
-Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, const Path& folder) {
-    Truth truth(dirs.size(), std::vector<glm::dvec3>(kLobes));
-    const size_t rowBytes = kLobes * sizeof(glm::dvec3);
-    const Path file = fileOf(radianceLin, dirs, folder);
-    if (const auto kept = readFile(file, 1u << 24); kept && kept->size() == dirs.size() * rowBytes) {
-        for (size_t i = 0; i < dirs.size(); ++i)
-            std::memcpy(truth[i].data(), kept->data() + i * rowBytes, rowBytes);
-        return truth;
-    }
-
+Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs) {
     std::vector<light::Lobe> lobes = {light::diffuseLobe()};
     for (const float roughness : kRoughnesses) lobes.push_back(light::glossyLobe(roughness));
-    truth = integrals(radianceLin, dirs, lobes);
-    std::string bytes;
-    for (const auto& row : truth) bytes.append(reinterpret_cast<const char*>(row.data()), rowBytes);
-    if (const auto written = writeFileWhole(file, bytes); !written)
-        std::fprintf(stderr, "chart: %s\n", written.error().message().c_str());
-    return truth;
+    return integrals(radianceLin, dirs, lobes);
 }
 
 } // namespace shoal::bench

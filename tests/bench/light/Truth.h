@@ -1,4 +1,4 @@
-// The true light of an environment, cached on disk because it takes seconds.
+// The true light of an environment.
 #pragma once
 
 #include "tests/baselines/light/Reference.h"
@@ -7,7 +7,6 @@
 namespace shoal::bench {
 
 constexpr float kRoughnesses[] = {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f, 1.0f};
-constexpr size_t kLobes = 1 + std::size(kRoughnesses); // the diffuse one first
 
 // Returns directions spread evenly over the sphere (Fibonacci lattice), then the six axes: both poles, the
 // seam, ahead, left and right.
@@ -26,7 +25,7 @@ inline std::vector<glm::dvec3> column(const Truth& truth, size_t lobe) {
 Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
                 std::span<const light::Lobe> lobes);
 
-// Returns the diffuse lobe, then those of kRoughnesses. folder: cache of files named by a hash of all inputs.
-Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, const Path& folder);
+// Returns the diffuse lobe, then those of kRoughnesses.
+Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs);
 
 } // namespace shoal::bench
