@@ -2,7 +2,7 @@
 // FOLDER holds the truth, FILM_NNNN.depth.mkv: distances of frames of content/video/FILM.mp4, in runs of
 // frames that follow each other. Writes FOLDER/depth.tsv.
 #include "engine/math/Quantile.h"
-#include "engine/media/VideoSource.h"
+#include "engine/media/VideoPlayer.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/depth/Hiding.h"
 
@@ -41,8 +41,7 @@ struct Clip {
     std::string film;
     std::vector<media::DepthFrame> truth;
     std::vector<HiddenTexels> hidden; // by the truth
-    std::vector<ImageRgb8> shown;
-    double fps = 0;
+    std::vector<ImageRgb8> shown;     // blue first
 };
 
 struct Figures {
@@ -55,22 +54,16 @@ struct Figures {
 };
 
 Result<Clip> readClip(const Path& folder, const std::string& film, const std::vector<int>& frames) {
-    Clip clip{film, {}, {}, {}, 0};
-    auto video =
-        media::VideoSource::open(dataRoot() / "content/video" / (film + ".mp4"), media::Layout::Mono);
-    if (!video) return video.error();
-    clip.fps = video->info().fps;
-    if (!video->seek(frames[0])) return Error{film, "cannot be sought in"};
+    Clip clip{film, {}, {}, {}};
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video" / (film + ".mp4"));
+    if (!player) return player.error();
     for (const int frame : frames) {
         auto track = media::DepthTrack::open(folder / fmt::format("{}_{:04}.depth.mkv", film, frame));
         if (!track) return track.error();
         media::DepthFrame& truth = clip.truth.emplace_back();
         if (!track->read(0, truth)) return Error{film, "its truth is damaged"};
         hiddenInTruth(truth, clip.hidden.emplace_back());
-        while (video->position() <= frame)
-            if (!video->grab()) return Error{film, "cannot be decoded"};
-        ImageRgb8& shown = clip.shown.emplace_back(video->info().width, video->info().height);
-        if (!video->retrieve(shown)) return Error{film, "cannot be decoded"};
+        clip.shown.push_back(player->waitFor((frame + 0.5) / player->info().fps)->pixelsBgr);
     }
     return clip;
 }
