@@ -121,12 +121,12 @@ Result<std::vector<BallErrors>> lightBalls(const Path& sheet) {
     for (size_t s = 0; s < sources.size(); ++s) {
         const auto filmed = sources[s].load();
         if (!filmed) return Error{sources[s].name, "film or true light cannot be read"};
-        std::fprintf(stderr, "chart: balls, %s\n", filmed->name.c_str());
+        std::fprintf(stderr, "chart: balls, %s\n", sources[s].name.c_str());
         const bool onSheet = s % kEvery == 1 && s / kEvery < sources.size() / kEvery;
         ImageRgb8& on = onSheet ? picture : unseen;
         const int top = onSheet ? static_cast<int>(s / kEvery) * kTile : 0;
         const light::EnvironmentLight truth = trueLight(*filmed);
-        BallErrors& errors = balls.emplace_back(filmed->name);
+        BallErrors& errors = balls.emplace_back(sources[s].name);
         std::array<light::EnvironmentLight, kWays.size()> lights;
         for (size_t way = 0; way < kWays.size(); ++way) lights[way] = lightOf(*filmed, kWays[way]);
         for (const light::EnvironmentLight& each : lights) errors.shadow.push_back(shadowOf(each));

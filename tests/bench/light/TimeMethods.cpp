@@ -44,7 +44,7 @@ SHOAL_VECTORISE void readBytesWide(const ImageRgb8& frame, volatile uint64_t& ke
 
 void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<GlossyMethod>& glossy,
                  std::vector<PyramidMethod>& pyramids, bool quick) {
-    const Environment timed{"timed", timedFrame(), {}};
+    const Environment timed{timedFrame(), {}};
     const auto normals = sphereNormals();
     std::vector<glm::vec3> out(normals.size());
     light::PyramidMaker maker;

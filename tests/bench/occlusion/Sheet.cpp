@@ -95,7 +95,7 @@ Result<Lit> reefLight() {
     const auto sources = filmedSources();
     const auto environment = sources.empty() ? std::nullopt : sources.front().load();
     if (!environment) return Error{"content/video/reef.mp4", "cannot be read"};
-    Lit lit{.name = environment->name};
+    Lit lit;
     light::LightMaker({.baseWidth = 2048, .minRoughness = 0.25f}).make(environment->view(), lit.light);
     lit.harmonics = math::shProject(lit.light.radiance.levels[2]);
     return lit;
