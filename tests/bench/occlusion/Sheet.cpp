@@ -37,7 +37,7 @@ std::vector<Sample> samplesOf(const Scene& scene, const Rays& rays) {
                                 -1);
             Sample sample{glm::normalize(worldFromEye * eye), {}};
             if (const auto at = rays.touch(scene.camera.eye, sample.look, 0))
-                sample.at = receiverAt(scene, at->mesh, at->triangle, {1 - at->u - at->v, at->u, at->v});
+                sample.at = receiverAt(scene, *at);
             samples.push_back(sample);
         }
     return samples;
