@@ -67,12 +67,10 @@ Status Report::write(const Path& folder) const {
     std::string tsv = "way\twall_ms\tprocessor_ms\tof_plain\tprocessor_of_plain\tluma\tcolour\tbeyond\t"
                       "spectrum_db\tdetail_db\tnoise\n";
     std::string md =
-        "# Objects beside the same objects filmed\n\nMade by tests/bench/compose_chart; what each "
-        "figure means stands in tests/bench/compose/Distance.h.\n\n| way | a frame, ms | more than plain, ms "
-        "| processor ms | more than plain | distance "
-        "of luma, of 255 "
-        "| of colour | of luma, beyond filming again | of spectra, dB | finer than around, dB | "
-        "noise, of 255 |\n"
+        "# Objects beside the same objects filmed\n\nMade by tests/bench/compose_chart; what each figure "
+        "means stands in tests/bench/compose/Distance.h.\n\n| way | a frame, ms | more than plain, ms | "
+        "processor ms | more than plain | distance of luma, of 255 | of colour | of luma, beyond filming "
+        "again | of spectra, dB | finer than around, dB | noise, of 255 |\n"
         "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     const Row* best = nullptr;
     for (const Row& row : all) {
