@@ -50,7 +50,7 @@ void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<
     light::PyramidMaker maker;
     light::RadiancePyramid pyramid, made;
     maker.make(timed.view(), timed.baseWidth(), pyramid);
-    const Input input = inputOf(timed, pyramid);
+    const Input input{&pyramid, timed.view(), nullptr};
     light::LightMaker reefMaker({512, kReefRoughness});
     light::EnvironmentLight reefLight;
     volatile uint64_t read = 0;
