@@ -56,6 +56,12 @@ template <class Job> void onAllCores(size_t count, Job&& job) {
         .parallelFor(static_cast<int>(count), [&](int i) { job(static_cast<size_t>(i)); });
 }
 
+// Says how a program is used if it was started with too few arguments.
+inline bool lacksArguments(int argc, int least, const char* usage) {
+    if (argc <= least) std::fprintf(stderr, "usage: %s\n", usage);
+    return argc <= least;
+}
+
 // Returns the exit status of a program, and says what went wrong.
 inline int exitStatus(const char* program, const Status& done) {
     if (!done) std::fprintf(stderr, "%s: %s\n", program, done.error().message().c_str());

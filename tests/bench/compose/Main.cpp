@@ -260,10 +260,7 @@ Status run(const Path& folder, bool quick) {
 } // namespace shoal::bench
 
 int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::fprintf(stderr, "bench_compose FOLDER [--quick]: see tests/bench/compose_chart\n");
-        return 2;
-    }
-    return shoal::bench::exitStatus(
-        "bench_compose", shoal::bench::run(argv[1], argc > 2 && std::string(argv[2]) == "--quick"));
+    using namespace shoal::bench;
+    if (lacksArguments(argc, 1, "bench_compose FOLDER [--quick]")) return 2;
+    return exitStatus("bench_compose", run(argv[1], argc > 2));
 }

@@ -324,7 +324,6 @@ Status run(const Path& folder, int part) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 2 || argc == 3) return exitStatus("bench_contact", run(argv[1], argc == 3 ? 8 : 1));
-    fmt::print(stderr, "usage: bench_contact FOLDER [--quick]\n");
-    return 2;
+    if (lacksArguments(argc, 1, "bench_contact FOLDER [--quick]")) return 2;
+    return exitStatus("bench_contact", run(argv[1], argc == 3 ? 8 : 1));
 }

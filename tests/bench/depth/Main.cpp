@@ -184,6 +184,6 @@ Status run(const Path& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) return 2;
+    if (lacksArguments(argc, 1, "bench_depth FOLDER")) return 2;
     return exitStatus("bench_depth", run(argv[1]));
 }

@@ -4,10 +4,7 @@
 
 int main(int argc, char** argv) {
     using namespace shoal;
-    if (argc < 2 || argc > 3 || (argc == 3 && std::strcmp(argv[2], "--quick") != 0)) {
-        std::fprintf(stderr, "usage: bench_chart FOLDER [--quick]\n");
-        return 2;
-    }
+    if (bench::lacksArguments(argc, 1, "bench_chart FOLDER [--quick]")) return 2;
     const Path folder = argv[1];
     bench::Chart chart = bench::measure(argc == 3);
     Status done = bench::lightBalls(folder / "balls.jpg").moveTo(chart.balls);

@@ -73,10 +73,7 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
 } // namespace
 
 int main(int count, char** arguments) {
-    if (count < 2) {
-        std::fputs("bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]\n", stderr);
-        return 2;
-    }
+    if (bench::lacksArguments(count, 1, "bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]")) return 2;
     const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 50;
     const int from = count > 3 ? std::max(1, std::atoi(arguments[3])) : 1;
     auto files = game::loadDiveFiles(count > 5 ? arguments[5] : "reef");

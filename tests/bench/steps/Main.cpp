@@ -99,10 +99,7 @@ void printClip(const std::string& name, const std::vector<Lights>& lights) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 5 || argc % 2 == 0) {
-        fmt::print(stderr, "usage: bench_steps FOLDER COUNT {{FILM FIRST}}...\n");
-        return 2;
-    }
+    if (bench::lacksArguments(argc, 4, "bench_steps FOLDER COUNT {FILM FIRST}...")) return 2;
     fmt::print("| clip | light | true step, median % | step, median % | above the true one, median % | "
                "90 of 100 below % | most % |\n|---|---|---|---|---|---|---|\n");
     for (int i = 3; i + 1 < argc; i += 2) {
