@@ -186,8 +186,8 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
         if (Status s = drawPicture(renderers.back(), view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         if (!second) truth = shown;
-        report.add(scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage),
-                   look);
+        report.shown.push_back(
+            {scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage), look});
     }
     for (size_t way = 0; way + 1 < std::size(kWays); ++way) {
         // A fresh frame for each: one of them paints it.
@@ -196,7 +196,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
         renderers[way].set(moment, **empty, {});
         if (Status s = drawPicture(renderers[way], view, target); !s) return s;
         const ImageRgba8 shown = target.read();
-        report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look);
+        report.shown.push_back({scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look});
     }
     return Done{};
 }
@@ -220,7 +220,8 @@ Status measureCost(const app::SessionConfig& plan, Renderers& renderers, int rou
             if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0), target); !s) return s;
             glFinish();
             const double wall_ms = 1e-3 * (now_us() - began_us);
-            if (round >= 5) report.addTime(kWays[way].name, {wall_ms, processor_ms() - processorBegan_ms});
+            if (round >= 5)
+                report.costs[kWays[way].name].push_back({wall_ms, processor_ms() - processorBegan_ms});
         }
     }
     return Done{};
