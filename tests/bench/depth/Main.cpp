@@ -14,9 +14,7 @@ using namespace shoal;
 using namespace shoal::bench;
 
 enum class Way { Nothing, Enlarged, Refined };
-const char* nameOf(Way way) {
-    return way == Way::Nothing ? "no occlusion" : way == Way::Enlarged ? "linear" : "refined";
-}
+constexpr const char* kWayNames[] = {"no occlusion", "linear", "refined"};
 
 struct Format {
     Way way;
@@ -158,11 +156,12 @@ std::string table(const std::vector<Figures>& all) {
         };
         text += fmt::format("{}\t{}\t{}\t{}\t{}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.2f}\t"
                             "{:.2f}\t{:.2f}\t{:.3f}\t{:.3f}\t{:.2f}\t{:.2f}\t{:.2f}\n",
-                            nameOf(format.way), format.width, format.every, format.steps, format.mapWidth,
-                            minute_MB("reef"), minute_MB("night"), minute_MB("kelp"), f.decode_ms / f.decoded,
-                            math::median(times_ms), f.error.wronglyHidden(), f.error.wronglyShown(),
-                            f.error.wronglyHiddenAnywhere(), f.error.wronglyShownAnywhere(),
-                            f.error.boundary(), f.error.flicker(), f.error.trueChange());
+                            kWayNames[static_cast<size_t>(format.way)], format.width, format.every,
+                            format.steps, format.mapWidth, minute_MB("reef"), minute_MB("night"),
+                            minute_MB("kelp"), f.decode_ms / f.decoded, math::median(times_ms),
+                            f.error.wronglyHidden(), f.error.wronglyShown(), f.error.wronglyHiddenAnywhere(),
+                            f.error.wronglyShownAnywhere(), f.error.boundary(), f.error.flicker(),
+                            f.error.trueChange());
     }
     return text;
 }
