@@ -65,21 +65,10 @@ cv::Mat background(Behind behind, cv::Size size) {
 }
 
 HandShape shapeOf(Gesture gesture) {
-    HandShape shape;
-    switch (gesture) {
-    case Gesture::Open:
-        shape.curl = {0.0f, 0.04f, 0.04f, 0.05f, 0.06f};
-        shape.spread = 1;
-        break;
-    case Gesture::Fist:
-        shape.curl = {0.9f, 0.95f, 0.95f, 0.95f, 0.95f};
-        break;
-    case Gesture::Pinch: // thumb and index meet; the others stand
-        shape.curl = {0.85f, 0.68f, 0.10f, 0.08f, 0.08f};
-        shape.spread = 0.8f;
-        break;
-    }
-    return shape;
+    if (gesture == Gesture::Open) return {.curl = {0.0f, 0.04f, 0.04f, 0.05f, 0.06f}, .spread = 1};
+    if (gesture == Gesture::Fist) return {.curl = {0.9f, 0.95f, 0.95f, 0.95f, 0.95f}};
+    // Pinching, thumb and index meet; the others stand.
+    return {.curl = {0.85f, 0.68f, 0.10f, 0.08f, 0.08f}, .spread = 0.8f};
 }
 
 } // namespace

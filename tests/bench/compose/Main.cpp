@@ -101,10 +101,8 @@ Result<std::vector<ImageRgb8>> readFilm(int shown) {
     if (!player) return player.error();
     std::vector<ImageRgb8> frames;
     for (int frame = shown - kShown; frame < shown - kShown + kTaken; ++frame) {
-        const ImageRgb8& bgr = player->waitFor((frame + 0.5) / kFps)->pixelsBgr;
-        ImageRgb8 rgb = bgr;
+        ImageRgb8& rgb = frames.emplace_back(player->waitFor((frame + 0.5) / kFps)->pixelsBgr);
         for (size_t i = 0; i < rgb.pixels.size(); i += 3) std::swap(rgb.pixels[i], rgb.pixels[i + 2]);
-        frames.push_back(std::move(rgb));
     }
     return frames;
 }

@@ -23,11 +23,6 @@ constexpr std::array kWays = {light::FrameRadiance::Thesis, light::FrameRadiance
 
 enum class Ball { Matte, Glossy };
 
-glm::vec3 srgb(const glm::vec3& lin) {
-    const glm::vec3 in = glm::clamp(lin, 0.0f, 1.0f);
-    return {math::srgbFromLinear(in.x), math::srgbFromLinear(in.y), math::srgbFromLinear(in.z)};
-}
-
 // Radiance that an eye far away, looking along -Z, gets from the ball at normal n, of unit reflectance.
 glm::vec3 radianceAt(const light::EnvironmentLight& light, Ball ball, const glm::vec3& n) {
     if (ball == Ball::Matte) return light::lookUp(light.diffuse, n);
@@ -37,8 +32,11 @@ glm::vec3 radianceAt(const light::EnvironmentLight& light, Ball ball, const glm:
 // The display value, as in the game: the thesis' light is between coded and linear and takes coded
 // reflectances.
 glm::vec3 shownOf(const glm::vec3& radiance, bool thesis) {
-    if (!thesis) return srgb(kReflectance * radiance);
-    return glm::clamp(light::displayFromRadiance(math::srgbFromLinear(kReflectance) * radiance), 0.0f, 1.0f);
+    if (thesis)
+        return glm::clamp(light::displayFromRadiance(math::srgbFromLinear(kReflectance) * radiance), 0.0f,
+                          1.0f);
+    const glm::vec3 lin = glm::clamp(kReflectance * radiance, 0.0f, 1.0f);
+    return {math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y), math::srgbFromLinear(lin.z)};
 }
 
 // Draws a ball before 90 degrees of the frame around -Z; visits the ball's pixels with their display values.
