@@ -50,29 +50,16 @@ template <class Run> double shortest_us(double budget_ms, Run&& run) {
     return best;
 }
 
-// Times several runs in turn, so that they find the same state of caches and machine.
-template <class... Runs>
-std::array<double, sizeof...(Runs)> shortestInTurn_us(double budget_ms, Runs&&... runs) {
-    std::array<double, sizeof...(Runs)> best;
-    best.fill(1e30);
-    const double end = now_us() + 1e3 * budget_ms;
-    for (int i = 0; i < 3 || now_us() < end; ++i) {
-        size_t which = 0;
-        const auto time = [&](auto&& run) {
-            const double begin = now_us();
-            run();
-            best[which] = std::min(best[which], now_us() - begin);
-            ++which;
-        };
-        (time(runs), ...);
-    }
-    return best;
-}
-
 // Runs job(i) for 0 .. count - 1 on all cores.
 template <class Job> void onAllCores(size_t count, Job&& job) {
     ThreadPool(std::max(0, static_cast<int>(std::thread::hardware_concurrency()) - 1))
         .parallelFor(static_cast<int>(count), [&](int i) { job(static_cast<size_t>(i)); });
+}
+
+// Says how a program is used if it was started with too few arguments.
+inline bool lacksArguments(int argc, int least, const char* usage) {
+    if (argc <= least) std::fprintf(stderr, "usage: %s\n", usage);
+    return argc <= least;
 }
 
 // Returns the exit status of a program, and says what went wrong.

@@ -10,8 +10,7 @@ namespace shoal::light {
 namespace {
 
 TEST(FilmSun, IsFoundAndDoesNotJump) {
-    const Path file = dataRoot() / "content/video/reef.mp4";
-    auto player = media::VideoPlayer::open(file);
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4");
     if (!player) GTEST_SKIP() << player.error().message();
     // content/make/video/Reef.toml: 58 degrees high in air, 66.7 in water of index 1.34; azimuth 205 degrees
     // from -Z over +X.
@@ -20,8 +19,8 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
     LightWatcher eye;
     glm::dvec3 before(0);
     double sum = 0;
-    int seen = 0;
-    for (int i = 0; i < 240; ++i) { // the camera glides over open sand
+    constexpr int kFrames = 240;
+    for (int i = 0; i < kFrames; ++i) { // the camera glides over open sand
         const auto* frame = player->waitFor(4 + (i + 0.5) / player->info().fps);
         const ShadowLight& now =
             eye.steady.follow(eye.look(frame->pixelsBgr, true), static_cast<float>(1 / player->info().fps));
@@ -33,9 +32,8 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
         EXPECT_EQ(now.presence, 1) << "frame " << i;
         before = now.light.direction;
         sum += degreesBetween(now.light.direction, sun);
-        ++seen;
     }
-    EXPECT_LT(sum / seen, 3);
+    EXPECT_LT(sum / kFrames, 3);
 }
 
 // content/truth holds a few frames as they were before the camera: suns with a clipped glow, clouds and waves

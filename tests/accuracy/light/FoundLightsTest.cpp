@@ -15,8 +15,7 @@ struct Picture {
 class FoundLightsHdr : public testing::TestWithParam<Picture> {};
 
 TEST_P(FoundLightsHdr, ClippedTheyAreFoundWhereTheyWere) {
-    const Path folder = tests::sharedDataFolder() / "hdr";
-    const Path file = folder / (std::string(GetParam().name) + "_1k.hdr");
+    const Path file = tests::sharedDataFolder() / "hdr" / (std::string(GetParam().name) + "_1k.hdr");
     const auto picture = readRadianceFile(file);
     if (!picture) GTEST_SKIP() << file << " is not at hand";
     LightWatcher eye;

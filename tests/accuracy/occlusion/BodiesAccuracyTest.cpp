@@ -58,8 +58,9 @@ class Bodies : public testing::TestWithParam<Case> {};
 
 TEST_P(Bodies, LeaveNearlyTheLightThatRaysFind) {
     const ImageRgbF light = reefLight(560);
+    const OcclusionScene scene = GetParam().make();
     for (const bool bouncing : {false, true}) {
-        const ErrorSums error = measure(GetParam().make(), light, bouncing ? 4 : 0);
+        const ErrorSums error = measure(scene, light, bouncing ? 4 : 0);
         const double ours = std::sqrt(error.ours / error.truth),
                      ignoring = std::sqrt(error.ignoring / error.truth);
         std::printf("[ BODIES ] %-20s %s: %.3f; ignoring occlusion %.3f\n", GetParam().name,

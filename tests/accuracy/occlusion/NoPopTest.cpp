@@ -109,8 +109,7 @@ TEST(ClosingHand, DarkensAFishWithoutAPop) {
         }
     }
     std::printf("[ BODIES ] closing hand: light on the fish from %.3f to %.3f; a tick changes it by %.4f at "
-                "most, a pop "
-                "by %.4f, at the worst point by %.3f; above %.2f %d times\n",
+                "most, a pop by %.4f, at the worst point by %.3f; above %.2f %d times\n",
                 means.front(), means.back(), steepest, jump, worst, kPop, explained);
     EXPECT_LT(means.back(), 0.9f * means.front());
     EXPECT_LT(steepest, kPop);

@@ -1,6 +1,6 @@
 #include "Truth.h"
 
-#include "engine/math/LatLong.h"
+#include "engine/math/SphericalHarmonics.h"
 
 #include <algorithm>
 #include <numbers>
@@ -28,18 +28,7 @@ glm::vec3 cosineDirection(const glm::vec3& normal, double u, double v) {
                           static_cast<float>(std::sqrt(std::max(0.0, 1 - u))) * normal);
 }
 
-occlusion::Bvh treeOf(const OcclusionScene& scene, size_t leftOut) {
-    std::vector<glm::vec3> positions;
-    std::vector<uint32_t> indices;
-    for (size_t b = 0; b < scene.bodies.size(); ++b) {
-        if (b == leftOut) continue;
-        const auto first = static_cast<uint32_t>(positions.size());
-        const scene::Surface& s = scene.bodies[b].surface;
-        positions.insert(positions.end(), s.positions.begin(), s.positions.end());
-        for (const uint32_t i : s.indices) indices.push_back(first + i);
-    }
-    return {positions, indices};
-}
+constexpr size_t kNone = ~size_t{0};
 
 } // namespace
 
@@ -71,18 +60,29 @@ std::vector<SurfacePoint> scatter(const OcclusionScene& scene, size_t body, int 
     return points;
 }
 
-Truth::Truth(const OcclusionScene& scene, const ImageRgbF& light)
-    : scene_(scene), light_(light), all_(treeOf(scene, scene.bodies.size())) {
-    for (size_t b = 0; b < scene.bodies.size(); ++b) {
-        without_.push_back(treeOf(scene, b));
-        const scene::Surface& s = scene.bodies[b].surface;
-        for (size_t i = 0; i < s.indices.size(); i += 3) {
-            const glm::vec3& a = s.positions[s.indices[i]];
-            bodyOf_.push_back(b);
-            normals_.push_back(glm::normalize(
-                glm::cross(s.positions[s.indices[i + 1]] - a, s.positions[s.indices[i + 2]] - a)));
-        }
+Truth::Truth(const OcclusionScene& scene, const ImageRgbF& light) : scene_(scene), light_(light) {
+    for (const SceneBody& body : scene.bodies)
+        trees_.emplace_back(body.surface.positions, body.surface.indices);
+}
+
+std::optional<Truth::Met> Truth::meet(const glm::vec3& from, const glm::vec3& direction,
+                                      size_t leftOut) const {
+    std::optional<occlusion::Bvh::Touch> nearest;
+    Met met;
+    for (size_t b = 0; b < trees_.size(); ++b) {
+        if (b == leftOut) continue;
+        const auto touch = trees_[b].first(from, direction, kGap_m, nearest ? nearest->distance : kFar_m);
+        if (touch) nearest = touch, met.body = b;
     }
+    if (!nearest) return {};
+    const scene::Surface& s = scene_.bodies[met.body].surface;
+    const uint32_t* corner = &s.indices[3 * size_t{nearest->triangle}];
+    const glm::vec3& a = s.positions[corner[0]];
+    met.normal = glm::normalize(glm::cross(s.positions[corner[1]] - a, s.positions[corner[2]] - a));
+    met.fromInside = glm::dot(met.normal, direction) > 0;
+    if (met.fromInside) met.normal = -met.normal;
+    met.place = from + nearest->distance * direction;
+    return met;
 }
 
 glm::dvec3 Truth::radiance(const glm::vec3& direction) const {
@@ -95,36 +95,20 @@ glm::dvec3 Truth::radiance(const glm::vec3& direction) const {
 
 glm::dvec3 Truth::unoccluded(const glm::vec3& normal) const {
     glm::dvec3 sum(0);
-    for (int y = 0; y < light_.height; ++y)
-        for (int x = 0; x < light_.width; ++x) {
-            const glm::vec3 dir = texelDirection(x, y, light_.width, light_.height);
-            const double cosine = std::max(0.0, static_cast<double>(glm::dot(dir, normal)));
-            const float* texel = light_.at(x, y);
-            sum += cosine * texelSolidAngle(y, light_.width, light_.height) *
-                   glm::dvec3(texel[0], texel[1], texel[2]);
-        }
+    math::eachTexel(light_, [&](const glm::dvec3& radiance, double solidAngle, const glm::dvec3& dir) {
+        sum += std::max(0.0, glm::dot(dir, glm::dvec3(normal))) * solidAngle * radiance;
+    });
     return sum / std::numbers::pi;
 }
 
-// Returns the light along one path.
-glm::dvec3 Truth::arriving(const glm::vec3& from, const glm::vec3& normal, int bounces,
-                           uint64_t& state) const {
-    const double u = uniform(state), v = uniform(state);
-    const glm::vec3 direction = cosineDirection(normal, u, v);
-    const auto touch = all_.first(from, direction, kGap_m, kFar_m);
-    if (!touch) return radiance(direction);
+// Returns the light that a surface reflects along one path.
+glm::dvec3 Truth::reflected(const Met& at, int bounces, uint64_t& state) const {
     if (bounces == 0) return glm::dvec3(0);
-    const glm::vec3 there = from + touch->distance * direction;
-    glm::vec3 facing = normals_[touch->triangle];
-    if (glm::dot(facing, direction) > 0) facing = -facing;
-    return glm::dvec3(scene_.bodies[bodyOf_[touch->triangle]].albedo) *
-           arriving(there, facing, bounces - 1, state);
-}
-
-size_t Truth::triangleOf(size_t inTreeWithout, size_t body) const {
-    size_t before = 0;
-    for (size_t b = 0; b < body; ++b) before += scene_.bodies[b].surface.indices.size() / 3;
-    return inTreeWithout + (inTreeWithout >= before ? scene_.bodies[body].surface.indices.size() / 3 : 0);
+    const double u = uniform(state), v = uniform(state);
+    const glm::vec3 direction = cosineDirection(at.normal, u, v);
+    const auto met = meet(at.place, direction, kNone);
+    return glm::dvec3(scene_.bodies[at.body].albedo) *
+           (met ? reflected(*met, bounces - 1, state) : radiance(direction));
 }
 
 bool Truth::buried(const SurfacePoint& at) const {
@@ -133,8 +117,8 @@ bool Truth::buried(const SurfacePoint& at) const {
     for (int k = 0; k < rays; ++k) {
         const double u = uniform(state), v = uniform(state);
         const glm::vec3 direction = cosineDirection(at.normal, u, v);
-        const auto touch = without_[at.body].first(at.position, direction, kGap_m, kFar_m);
-        behind += touch && glm::dot(normals_[triangleOf(touch->triangle, at.body)], direction) > 0;
+        const auto met = meet(at.position, direction, at.body);
+        behind += met && met->fromInside;
     }
     return 2 * behind > rays;
 }
@@ -148,15 +132,8 @@ glm::dvec3 Truth::lost(const SurfacePoint& at, bool self, int bounces, int rays)
         double u = (k + 0.5) / rays + shift, v = k * 0.6180339887498949 + turn;
         u -= std::floor(u), v -= std::floor(v);
         const glm::vec3 direction = cosineDirection(at.normal, u, v);
-        const auto touch = (self ? all_ : without_[at.body]).first(at.position, direction, kGap_m, kFar_m);
-        if (!touch) continue;
-        sum += radiance(direction);
-        if (bounces == 0) continue;
-        const size_t triangle = self ? touch->triangle : triangleOf(touch->triangle, at.body);
-        glm::vec3 facing = normals_[triangle];
-        if (glm::dot(facing, direction) > 0) facing = -facing;
-        sum -= glm::dvec3(scene_.bodies[bodyOf_[triangle]].albedo) *
-               arriving(at.position + touch->distance * direction, facing, bounces - 1, state);
+        if (const auto met = meet(at.position, direction, self ? kNone : at.body))
+            sum += radiance(direction) - reflected(*met, bounces, state);
     }
     return sum / static_cast<double>(rays);
 }

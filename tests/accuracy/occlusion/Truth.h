@@ -31,16 +31,19 @@ class Truth {
     bool buried(const SurfacePoint& at) const;
 
   private:
-    size_t triangleOf(size_t inTreeWithout, size_t body) const;
-    glm::dvec3 arriving(const glm::vec3& from, const glm::vec3& normal, int bounces, uint64_t& state) const;
+    struct Met {
+        size_t body = 0;
+        glm::vec3 place{0}, normal{0}; // normal: towards the ray's origin
+        bool fromInside = false;
+    };
+    // Returns the first surface on a ray, but for those of one body.
+    std::optional<Met> meet(const glm::vec3& from, const glm::vec3& direction, size_t leftOut) const;
+    glm::dvec3 reflected(const Met& at, int bounces, uint64_t& state) const;
     glm::dvec3 radiance(const glm::vec3& direction) const;
 
     const OcclusionScene& scene_;
     const ImageRgbF& light_;
-    std::vector<size_t> bodyOf_;     // by triangle
-    std::vector<glm::vec3> normals_; // by triangle
-    occlusion::Bvh all_;
-    std::vector<occlusion::Bvh> without_; // by body
+    std::vector<occlusion::Bvh> trees_; // by body
 };
 
 } // namespace shoal

@@ -29,17 +29,13 @@ ImageRgb8 room() {
 
 cv::Mat background(Behind behind, cv::Size size) {
     cv::Mat picture(size, CV_8UC3, cv::Scalar(120, 122, 125));
-    switch (behind) {
-    case Behind::Grey:
-        break;
-    case Behind::Gradient:
+    if (behind == Behind::Gradient) {
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 picture.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(60 + 160 * x / size.width),
                                                         static_cast<uchar>(200 - 120 * y / size.height),
                                                         static_cast<uchar>(80 + 60 * y / size.height));
-        break;
-    case Behind::Wood: // the hue of skin, in grained boards, somewhat darker
+    } else if (behind == Behind::Wood) { // the hue of skin, in grained boards, somewhat darker
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
                 const double grain =
@@ -49,8 +45,7 @@ cv::Mat background(Behind behind, cv::Size size) {
                     cv::Vec3b(static_cast<uchar>(0.55 * value), static_cast<uchar>(0.76 * value),
                               static_cast<uchar>(value));
             }
-        break;
-    case Behind::Room: // furniture in strong colours
+    } else if (behind == Behind::Room) { // furniture in strong colours
         picture = cv::Scalar(170, 180, 185);
         cv::rectangle(picture, {0, 0, size.width / 4, size.height}, {140, 90, 60}, cv::FILLED);
         cv::rectangle(picture, {size.width * 3 / 5, size.height / 3, size.width / 4, size.height},
@@ -59,27 +54,15 @@ cv::Mat background(Behind behind, cv::Size size) {
                    cv::FILLED);
         cv::circle(picture, {size.width / 3, size.height / 4}, size.height / 10, {50, 40, 150}, cv::FILLED);
         cv::GaussianBlur(picture, picture, {}, 2);
-        break;
     }
     return picture;
 }
 
 HandShape shapeOf(Gesture gesture) {
-    HandShape shape;
-    switch (gesture) {
-    case Gesture::Open:
-        shape.curl = {0.0f, 0.04f, 0.04f, 0.05f, 0.06f};
-        shape.spread = 1;
-        break;
-    case Gesture::Fist:
-        shape.curl = {0.9f, 0.95f, 0.95f, 0.95f, 0.95f};
-        break;
-    case Gesture::Pinch: // thumb and index meet; the others stand
-        shape.curl = {0.85f, 0.68f, 0.10f, 0.08f, 0.08f};
-        shape.spread = 0.8f;
-        break;
-    }
-    return shape;
+    if (gesture == Gesture::Open) return {.curl = {0.0f, 0.04f, 0.04f, 0.05f, 0.06f}, .spread = 1};
+    if (gesture == Gesture::Fist) return {.curl = {0.9f, 0.95f, 0.95f, 0.95f, 0.95f}};
+    // Pinching, thumb and index meet; the others stand.
+    return {.curl = {0.85f, 0.68f, 0.10f, 0.08f, 0.08f}, .spread = 0.8f};
 }
 
 } // namespace

@@ -103,23 +103,16 @@ cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<Han
               cv::RNG& random) {
     ImageRgba8 hands = clip.hands(poses);
     std::function<void(cv::Mat&)> paint;
-    switch (row.trouble) {
-    case Trouble::Backlight: {
+    if (row.trouble == Trouble::Backlight) {
         paint = drawWindow;
         cv::Mat drawn(hands.height, hands.width, CV_8UC4, hands.pixels.data());
         cv::multiply(drawn, cv::Scalar(0.3, 0.3, 0.3, 1), drawn);
-        break;
-    }
-    case Trouble::SkinWall:
+    } else if (row.trouble == Trouble::SkinWall) {
         paint = drawSkinWall;
-        break;
-    case Trouble::SwayingFace:
+    } else if (row.trouble == Trouble::SwayingFace) {
         paint = [number](cv::Mat& picture) { drawPerson(picture, cvRound(70 * std::sin(0.07 * number))); };
-        break;
-    case Trouble::None:
-    case Trouble::Sleeves:
-    case Trouble::Crossing:
-        if (row.face) paint = [](cv::Mat& picture) { drawPerson(picture, 0); };
+    } else if (row.face) {
+        paint = [](cv::Mat& picture) { drawPerson(picture, 0); };
     }
     cv::Mat picture = clip.picture(hands, row.behind, paint);
     if (row.trouble == Trouble::Sleeves)

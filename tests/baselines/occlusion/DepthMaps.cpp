@@ -13,12 +13,13 @@ constexpr float kFar = 1e30f;
 
 // right x up = along, so that a front, wound counter-clockwise for who looks at it, runs clockwise in x and
 // y.
-OrthoView viewAlong(const glm::vec3& direction, const glm::vec3& centre, float radius, int size) {
+static OrthoView viewAlong(const glm::vec3& direction, const glm::vec3& centre, float radius, int size) {
     const glm::mat3 frame = frameAround(direction);
     return {frame[0], frame[1], frame[2], centre, radius, size};
 }
 
-Sphere boundingSphereOf(std::span<const BodyMesh> bodies) {
+// Returns the sphere around the middle of the bodies' box.
+static Sphere boundingSphereOf(std::span<const BodyMesh> bodies) {
     glm::vec3 low(1e30f), high(-1e30f);
     for (const BodyMesh& body : bodies)
         for (const glm::vec3& p : body.positions) {

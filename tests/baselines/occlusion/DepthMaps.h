@@ -29,10 +29,6 @@ struct OrthoView {
     }
 };
 
-OrthoView viewAlong(const glm::vec3& direction, const glm::vec3& centre, float radius, int size);
-
-Sphere boundingSphereOf(std::span<const BodyMesh> bodies); // around their box
-
 // visit(pixel index, depth, whether the triangle's front faces the viewer) for every covered pixel centre.
 template <class Visit> void rasterise(const OrthoView& view, const BodyMesh& body, const Visit& visit) {
     for (const glm::uvec3& corner : body.triangles) {

@@ -1,6 +1,6 @@
 #include "tests/baselines/occlusion/Directions.h"
 
-#include "engine/math/LatLong.h"
+#include "engine/math/SphericalHarmonics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,16 +20,11 @@ std::vector<glm::vec3> evenDirections(int count) {
 DirectedLight directedLight(const ImageRgbF& image, std::vector<glm::vec3> directions) {
     DirectedLight light{std::move(directions), {}};
     std::vector<glm::dvec3> sums(light.directions.size());
-    for (int y = 0; y < image.height; ++y) {
-        const double solidAngle = texelSolidAngle(y, image.width, image.height);
-        for (int x = 0; x < image.width; ++x) {
-            const glm::vec3 to = texelDirection(x, y, image.width, image.height);
-            const auto nearest = std::ranges::max_element(
-                light.directions, {}, [&](const glm::vec3& d) { return glm::dot(d, to); });
-            const float* texel = image.at(x, y);
-            sums[nearest - light.directions.begin()] += solidAngle * glm::dvec3(texel[0], texel[1], texel[2]);
-        }
-    }
+    math::eachTexel(image, [&](const glm::dvec3& radiance, double solidAngle, const glm::vec3& to) {
+        const auto nearest = std::ranges::max_element(light.directions, {},
+                                                      [&](const glm::vec3& d) { return glm::dot(d, to); });
+        sums[nearest - light.directions.begin()] += solidAngle * radiance;
+    });
     light.power.assign(sums.begin(), sums.end());
     return light;
 }

@@ -140,11 +140,12 @@ class Drawing {
         app::PlayOptions options;
         options.headless = true;
         if (Status s = app::makeSessionConfig(options).moveTo(plan_); !s) return s;
-        const app::EnvironmentSetup setup{.player = {.source = {.video = film().string()},
-                                                     .minRoughness = 0.25f,
-                                                     .water = true,
-                                                     .lights = true,
-                                                     .cameraResponse = true}};
+        const app::EnvironmentSetup setup{
+            .player = {.source = {.video = (dataRoot() / "content/video/reef.mp4").string()},
+                       .minRoughness = 0.25f,
+                       .water = true,
+                       .lights = true,
+                       .cameraResponse = true}};
         if (Status s = app::Environment::open(setup).moveTo(environment_); !s) return s;
         if (Status s = app::CreatureModels::load(
                            plan_->species, game::speciesShown(plan_->species, plan_->dive), "light",
@@ -187,7 +188,6 @@ class Drawing {
     }
 
   private:
-    static Path film() { return dataRoot() / "content/video/reef.mp4"; }
     static double middle(int frame) { return (frame + 0.5) / kFps; }
 
     std::optional<platform::Headless> context_;

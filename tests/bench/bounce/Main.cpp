@@ -37,56 +37,39 @@ constexpr int kPasses = 20; // of what is timed
 // Span of the tunnel in the reef's film, with its mouths; its frames count apart.
 constexpr double kTunnel_s[2] = {37, 59};
 
-struct Places {
-    int frame = 0;                   // of the film
-    std::vector<glm::ivec3> fish_mm; // env frame, from the camera
-};
-
 constexpr size_t kFish = 6; // in a frame
 
-// Returns places of a few fish of all kinds every so many seconds of the dive's film, first at half of that.
-Result<std::vector<Places>> placesOf(const std::string& name, double every_s) {
-    auto files = game::loadDiveFiles(name);
+// Writes the camera's place, and those of a few fish of all kinds, every so many seconds of the dive's film,
+// first at half of that; millimetres, env frame. And the numbers of these frames.
+Status writePlaces(const Path& folder, const Film& of) {
+    auto files = game::loadDiveFiles(of.name);
     if (!files) return files.error();
     const Path film = dataRoot() / "content" / files->dive.video;
     files->dive.space = app::filmSpaceOf(film, 0);
     const auto video = media::VideoSource::open(film, media::Layout::Mono);
     if (!video) return video.error();
     game::Dive dive(files->species, files->dive, 1);
-    std::vector<Places> all;
+    std::string places, frames;
     game::Events events;
-    double next_s = every_s / 2;
+    double next_s = of.every_s / 2;
+    size_t moments = 0;
     for (int tick = 1; next_s < video->info().duration_s; ++tick) {
         events.clear();
         dive.step({}, events);
         if (static_cast<double>(tick) / sim::kTickRate_Hz < next_s) continue;
-        Places places{static_cast<int>(next_s * video->info().fps), {}};
+        const int frame = static_cast<int>(next_s * video->info().fps);
+        frames += fmt::format("{} ", frame);
+        places += fmt::format("{} 0 0 0\n", frame);
         const auto& fish = dive.state().fish;
-        for (size_t i = 0; i < kFish; ++i)
-            places.fish_mm.emplace_back(1000.0f *
-                                        fish[(i * fish.size() / kFish + all.size()) % fish.size()].position);
-        all.push_back(std::move(places));
-        next_s += every_s;
-    }
-    return all;
-}
-
-Status writePlaces(const Path& folder) {
-    for (const Film& film : kFilms) {
-        const auto all = placesOf(film.name, film.every_s);
-        if (!all) return all.error();
-        std::string places, frames;
-        for (const Places& one : *all) {
-            frames += fmt::format("{} ", one.frame);
-            places += fmt::format("{} 0 0 0\n", one.frame);
-            for (const glm::ivec3& mm : one.fish_mm)
-                places += fmt::format("{} {} {} {}\n", one.frame, mm.x, mm.y, mm.z);
+        for (size_t i = 0; i < kFish; ++i) {
+            const glm::ivec3 mm(1000.0f * fish[(i * fish.size() / kFish + moments) % fish.size()].position);
+            places += fmt::format("{} {} {} {}\n", frame, mm.x, mm.y, mm.z);
         }
-        if (Status s = writeFileWhole(folder / (std::string(film.name) + ".places"), places); !s) return s;
-        if (Status s = writeFileWhole(folder / (std::string(film.name) + ".frames"), frames + "\n"); !s)
-            return s;
+        ++moments;
+        next_s += of.every_s;
     }
-    return Done{};
+    if (Status s = writeFileWhole(folder / (std::string(of.name) + ".places"), places); !s) return s;
+    return writeFileWhole(folder / (std::string(of.name) + ".frames"), frames + "\n");
 }
 
 struct Probe {
@@ -177,13 +160,11 @@ class Footage {
     static Result<Footage> open(const char* name) {
         Footage footage;
         footage.file_ = dataRoot() / "content/video" / (std::string(name) + ".mp4");
-        if (Status s = media::VideoSource::open(footage.file_, media::Layout::Mono).moveTo(footage.video_);
-            !s)
-            return s.error();
-        if (Status s = media::DepthTrack::open(media::depthTrackOf(footage.file_), footage.file_)
-                           .moveTo(footage.track_);
-            !s)
-            return s.error();
+        Status s = media::VideoSource::open(footage.file_, media::Layout::Mono).moveTo(footage.video_);
+        if (s)
+            s = media::DepthTrack::open(media::depthTrackOf(footage.file_), footage.file_)
+                    .moveTo(footage.track_);
+        if (!s) return s.error();
         footage.shown_ = ImageRgb8(footage.video_->info().width, footage.video_->info().height);
         return footage;
     }
@@ -381,7 +362,12 @@ class Measuring {
 
 Status run(int argc, char** argv) {
     const std::string task = argc >= 3 ? argv[1] : "";
-    if (task == "places") return writePlaces(argv[2]);
+    if (task == "places") {
+        Status done = Done{};
+        for (const Film& film : kFilms)
+            if (done) done = writePlaces(argv[2], film);
+        return done;
+    }
     if (task == "animals") return bench::writeAnimals(argv[2]);
     if (task == "pictures") {
         std::vector<int> frames;

@@ -101,10 +101,8 @@ Result<std::vector<ImageRgb8>> readFilm(int shown) {
     if (!player) return player.error();
     std::vector<ImageRgb8> frames;
     for (int frame = shown - kShown; frame < shown - kShown + kTaken; ++frame) {
-        const ImageRgb8& bgr = player->waitFor((frame + 0.5) / kFps)->pixelsBgr;
-        ImageRgb8 rgb = bgr;
+        ImageRgb8& rgb = frames.emplace_back(player->waitFor((frame + 0.5) / kFps)->pixelsBgr);
         for (size_t i = 0; i < rgb.pixels.size(); i += 3) std::swap(rgb.pixels[i], rgb.pixels[i + 2]);
-        frames.push_back(std::move(rgb));
     }
     return frames;
 }
@@ -186,8 +184,8 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
         if (Status s = drawPicture(renderers.back(), view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         if (!second) truth = shown;
-        report.add(scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage),
-                   look);
+        report.shown.push_back(
+            {scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage), look});
     }
     for (size_t way = 0; way + 1 < std::size(kWays); ++way) {
         // A fresh frame for each: one of them paints it.
@@ -196,7 +194,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Renderer
         renderers[way].set(moment, **empty, {});
         if (Status s = drawPicture(renderers[way], view, target); !s) return s;
         const ImageRgba8 shown = target.read();
-        report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look);
+        report.shown.push_back({scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look});
     }
     return Done{};
 }
@@ -220,7 +218,8 @@ Status measureCost(const app::SessionConfig& plan, Renderers& renderers, int rou
             if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0), target); !s) return s;
             glFinish();
             const double wall_ms = 1e-3 * (now_us() - began_us);
-            if (round >= 5) report.addTime(kWays[way].name, {wall_ms, processor_ms() - processorBegan_ms});
+            if (round >= 5)
+                report.costs[kWays[way].name].push_back({wall_ms, processor_ms() - processorBegan_ms});
         }
     }
     return Done{};
@@ -260,10 +259,7 @@ Status run(const Path& folder, bool quick) {
 } // namespace shoal::bench
 
 int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::fprintf(stderr, "bench_compose FOLDER [--quick]: see tests/bench/compose_chart\n");
-        return 2;
-    }
-    return shoal::bench::exitStatus(
-        "bench_compose", shoal::bench::run(argv[1], argc > 2 && std::string(argv[2]) == "--quick"));
+    using namespace shoal::bench;
+    if (lacksArguments(argc, 1, "bench_compose FOLDER [--quick]")) return 2;
+    return exitStatus("bench_compose", run(argv[1], argc > 2));
 }

@@ -19,24 +19,21 @@ Cost medians(const std::vector<Cost>& costs, const std::vector<Cost>& less) {
     return {math::median(wall), math::median(processor)};
 }
 
-} // namespace
+struct Row {
+    std::string way;
+    Cost cost, overPlain; // medians; overPlain: excess over the plain way in the same round
+    Distance distance;    // root mean squares over the scenes; detail: the mean
+    double beyond = 0;    // luma error beyond that of filming again
+};
 
-void Report::add(int scene, const std::string& way, const ImageRgba8& shown, const Distance& distance,
-                 glm::ivec2 look) {
-    shown_.push_back({scene, way, shown, distance, look});
-}
-
-void Report::addTime(const std::string& way, const Cost& cost) { costs_[way].push_back(cost); }
-
-std::vector<Report::Row> Report::rows() const {
+std::vector<Row> rowsOf(const Report& report) {
     std::vector<Row> rows;
-    for (const Shown& each : shown_) {
+    for (const Shown& each : report.shown)
         if (std::ranges::find(rows, each.way, &Row::way) == rows.end()) rows.push_back({each.way});
-    }
     double floor = 0;
     for (Row& row : rows) {
         double count = 0;
-        for (const Shown& each : shown_) {
+        for (const Shown& each : report.shown) {
             if (each.way != row.way) continue;
             const Distance& d = each.distance;
             row.distance.luma += d.luma * d.luma;
@@ -51,8 +48,8 @@ std::vector<Report::Row> Report::rows() const {
             *square = std::sqrt(*square / count);
         d.detail_db /= count;
         if (row.way == kFilmedAgain) floor = d.luma;
-        const auto costs = costs_.find(row.way), plain = costs_.find("plain");
-        if (costs == costs_.end() || plain == costs_.end()) continue;
+        const auto costs = report.costs.find(row.way), plain = report.costs.find("plain");
+        if (costs == report.costs.end() || plain == report.costs.end()) continue;
         row.cost = medians(costs->second, {});
         row.overPlain = medians(costs->second, plain->second);
     }
@@ -61,18 +58,47 @@ std::vector<Report::Row> Report::rows() const {
     return rows;
 }
 
+Status writeSheet(const Report& report, const Path& file) {
+    constexpr int kTimes = 4;
+    constexpr glm::ivec2 kCrop(78, 64);
+    std::vector<std::string> ways;
+    std::vector<int> scenes;
+    for (const Shown& each : report.shown) {
+        if (each.way != kFilmedAgain && std::ranges::find(ways, each.way) == ways.end())
+            ways.push_back(each.way);
+        if (std::ranges::find(scenes, each.scene) == scenes.end()) scenes.push_back(each.scene);
+    }
+    const glm::ivec2 cell = kCrop * kTimes + 4;
+    ImageRgb8 sheet(cell.x * static_cast<int>(ways.size()), cell.y * static_cast<int>(scenes.size()));
+    std::ranges::fill(sheet.pixels, uint8_t{255});
+    for (const Shown& each : report.shown) {
+        const auto way = std::ranges::find(ways, each.way);
+        if (way == ways.end()) continue;
+        const glm::ivec2 to(cell.x * static_cast<int>(way - ways.begin()),
+                            cell.y *
+                                static_cast<int>(std::ranges::find(scenes, each.scene) - scenes.begin()));
+        const glm::ivec2 size(each.picture.width, each.picture.height);
+        const glm::ivec2 from = glm::clamp(each.look - kCrop / 2, glm::ivec2(0), size - kCrop);
+        for (int y = 0; y < kCrop.y * kTimes; ++y)
+            for (int x = 0; x < kCrop.x * kTimes; ++x)
+                std::copy_n(each.picture.at(from.x + x / kTimes, from.y + y / kTimes), 3,
+                            sheet.at(to.x + x, to.y + y));
+    }
+    return media::writePng(file, sheet);
+}
+
+} // namespace
+
 Status Report::write(const Path& folder) const {
-    const std::vector<Row> all = rows();
+    const std::vector<Row> all = rowsOf(*this);
     const Row& plain = *std::ranges::find(all, "plain", &Row::way);
     std::string tsv = "way\twall_ms\tprocessor_ms\tof_plain\tprocessor_of_plain\tluma\tcolour\tbeyond\t"
                       "spectrum_db\tdetail_db\tnoise\n";
     std::string md =
-        "# Objects beside the same objects filmed\n\nMade by tests/bench/compose_chart; what each "
-        "figure means stands in tests/bench/compose/Distance.h.\n\n| way | a frame, ms | more than plain, ms "
-        "| processor ms | more than plain | distance "
-        "of luma, of 255 "
-        "| of colour | of luma, beyond filming again | of spectra, dB | finer than around, dB | "
-        "noise, of 255 |\n"
+        "# Objects beside the same objects filmed\n\nMade by tests/bench/compose_chart; what each figure "
+        "means stands in tests/bench/compose/Distance.h.\n\n| way | a frame, ms | more than plain, ms | "
+        "processor ms | more than plain | distance of luma, of 255 | of colour | of luma, beyond filming "
+        "again | of spectra, dB | finer than around, dB | noise, of 255 |\n"
         "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     const Row* best = nullptr;
     for (const Row& row : all) {
@@ -92,7 +118,7 @@ Status Report::write(const Path& folder) const {
         const bool halves = row.beyond <= plain.beyond / 2 && d.spectrum_db <= plain.distance.spectrum_db / 2;
         if (way && halves && (!best || row.overPlain.wall_ms < best->overPlain.wall_ms)) best = &row;
     }
-    if (const auto alone = costs_.find(kBackgroundAlone); alone != costs_.end()) {
+    if (const auto alone = costs.find(kBackgroundAlone); alone != costs.end()) {
         const Cost cost = medians(alone->second, {});
         md += fmt::format("\nThe background alone: {:.2f} ms, of the processor {:.2f} ms.\n", cost.wall_ms,
                           cost.processor_ms);
@@ -100,39 +126,10 @@ Status Report::write(const Path& folder) const {
     md += best ? "\nThe cheapest that halves both distances (of luma beyond filming again, of spectra): " +
                      best->way + ".\n"
                : std::string("\nNo way halves both distances (of luma beyond filming again, of spectra).\n");
-    if (Status s = writeSheet(folder / "sheet.png"); !s) return s;
+    if (Status s = writeSheet(*this, folder / "sheet.png"); !s) return s;
     if (Status s = writeFileWhole(folder / "compose.tsv", tsv); !s) return s;
     std::printf("%s", md.c_str());
     return writeFileWhole(folder / "compose.md", md);
-}
-
-Status Report::writeSheet(const Path& file) const {
-    constexpr int kTimes = 4;
-    constexpr glm::ivec2 kCrop(78, 64);
-    std::vector<std::string> ways;
-    std::vector<int> scenes;
-    for (const Shown& each : shown_) {
-        if (each.way != kFilmedAgain && std::ranges::find(ways, each.way) == ways.end())
-            ways.push_back(each.way);
-        if (std::ranges::find(scenes, each.scene) == scenes.end()) scenes.push_back(each.scene);
-    }
-    const glm::ivec2 cell = kCrop * kTimes + 4;
-    ImageRgb8 sheet(cell.x * static_cast<int>(ways.size()), cell.y * static_cast<int>(scenes.size()));
-    std::ranges::fill(sheet.pixels, uint8_t{255});
-    for (const Shown& each : shown_) {
-        const auto way = std::ranges::find(ways, each.way);
-        if (way == ways.end()) continue;
-        const glm::ivec2 to(cell.x * static_cast<int>(way - ways.begin()),
-                            cell.y *
-                                static_cast<int>(std::ranges::find(scenes, each.scene) - scenes.begin()));
-        const glm::ivec2 size(each.picture.width, each.picture.height);
-        const glm::ivec2 from = glm::clamp(each.look - kCrop / 2, glm::ivec2(0), size - kCrop);
-        for (int y = 0; y < kCrop.y * kTimes; ++y)
-            for (int x = 0; x < kCrop.x * kTimes; ++x)
-                std::copy_n(each.picture.at(from.x + x / kTimes, from.y + y / kTimes), 3,
-                            sheet.at(to.x + x, to.y + y));
-    }
-    return media::writePng(file, sheet);
 }
 
 } // namespace shoal::bench

@@ -17,36 +17,21 @@ struct Cost {
     double processor_ms = 0; // of all cores; on a graphics card, only what the driver takes
 };
 
-class Report {
-  public:
-    // look: centre of the detail for the sheet, in pixels.
-    void add(int scene, const std::string& way, const ImageRgba8& shown, const Distance& distance,
-             glm::ivec2 look);
-    void addTime(const std::string& way, const Cost& cost);
+struct Shown {
+    int scene;
+    std::string way;
+    ImageRgba8 picture;
+    Distance distance;
+    glm::ivec2 look; // centre of the detail for the sheet, pixels
+};
+
+struct Report {
+    std::vector<Shown> shown;
+    std::map<std::string, std::vector<Cost>> costs; // of each round, by way
 
     // Writes compose.tsv and compose.md, with a line for each way over all scenes, and sheet.png, with a row
     // for each scene and a column for each way at 400 %.
     Status write(const Path& folder) const;
-
-  private:
-    struct Shown {
-        int scene;
-        std::string way;
-        ImageRgba8 picture;
-        Distance distance;
-        glm::ivec2 look;
-    };
-    struct Row {
-        std::string way;
-        Cost cost, overPlain; // medians; overPlain: excess over the plain way in the same round
-        Distance distance;    // root mean squares over the scenes; detail: the mean
-        double beyond = 0;    // luma error beyond that of filming again
-    };
-    std::vector<Row> rows() const;
-    Status writeSheet(const Path& file) const;
-
-    std::vector<Shown> shown_;
-    std::map<std::string, std::vector<Cost>> costs_;
 };
 
 } // namespace shoal::bench

@@ -1,6 +1,6 @@
 # Draws the chart: gnuplot -c chart.gp FOLDER, where bench_contact left contact.tsv. Colours: Okabe and Ito 2008.
 # Cost and mean of a measure of the methods whose names match, no mean below the lower edge.
-rows(names) = sprintf("< awk -F'\\t' -v least=%g '$1 ~ /^%s$/ { if ($5 == \"cost, times ours\") cost[$1] = $6; if ($2 \"\\t\" $5 == \"%s\") { sum[$1] += $6 * $8; count[$1] += $8 } if (!seen[$1]++) name[++n] = $1 } END { for (i = 1; i <= n; ++i) { mean = sum[name[i]] / count[name[i]]; print cost[name[i]] \"\\t\" (mean < least ? least : mean) } }' '%s/contact.tsv'", least, names, measure, ARG1)
+rows(names) = sprintf("< awk -F'\\t' -v least=%g '$1 ~ /^%s$/ { if ($5 == \"cost, times ours\") cost[$1] = $6; if ($2 \"\\t\" $5 == \"%s\") { sum[$1] += $6 * $7; count[$1] += $7 } if (!seen[$1]++) name[++n] = $1 } END { for (i = 1; i <= n; ++i) { mean = sum[name[i]] / count[name[i]]; print cost[name[i]] \"\\t\" (mean < least ? least : mean) } }' '%s/contact.tsv'", least, names, measure, ARG1)
 set terminal svg size 1000,860 font "DejaVu Sans,11" background "white" noenhanced
 set output ARG1 . "/contact.svg"
 set datafile separator "\t"

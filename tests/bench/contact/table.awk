@@ -1,8 +1,7 @@
 # contact.tsv as tables: all means, weighted by the number of values.
 function put(scene, measure, speed, rate) { # adds the row to the cell of its scene, or to one of all speeds or rates
     key = $1 SUBSEP scene SUBSEP measure SUBSEP speed SUBSEP rate
-    sum[key] += $6 * $8; count[key] += $8
-    if ($7 > worst[key]) worst[key] = $7
+    sum[key] += $6 * $7; count[key] += $7
 }
 function mean(method, scene, measure, speed, rate) {
     key = method SUBSEP scene SUBSEP measure SUBSEP speed SUBSEP rate

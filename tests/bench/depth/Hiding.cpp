@@ -36,11 +36,6 @@ double borderLength(const Mask& hidden) {
     return length * kPi / 4;
 }
 
-// counts(truth, found) as solid angles over all texels.
-template <class Count> void sumOver(const Mask& like, Count&& count) {
-    for (int y = 0; y < like.height; ++y) count(y, texelSolidAngle(y, like.width, like.height));
-}
-
 // A fish seen from the side, 0.24 m long: a body and a tail; x ahead and y up, in half lengths.
 bool isFish(float x, float y) {
     const float body = (x - 0.2f) / 0.8f;
@@ -113,14 +108,15 @@ void HidingError::add(const HiddenTexels& truth, const HiddenTexels& found) {
     texel_ = 2 * kPi / truth[0].width;
     for (size_t i = 0; i < kAnimals_m.size(); ++i) {
         const Mask &is = truth[i], &taken = found[i];
-        sumOver(is, [&](int y, double area) {
+        for (int y = 0; y < is.height; ++y) {
+            const double area = texelSolidAngle(y, is.width, is.height);
             int hidden = 0, shown = 0;
             for (int x = 0; x < is.width; ++x) {
                 hidden += *taken.at(x, y) > *is.at(x, y);
                 shown += *taken.at(x, y) < *is.at(x, y);
             }
             hidden_ += hidden * area, shown_ += shown * area, all_ += is.width * area;
-        });
+        }
         length_ += borderLength(is);
         addFish(is, taken, kAnimals_m[i]);
     }
@@ -163,7 +159,8 @@ void HidingError::addFish(const Mask& truth, const Mask& found, float distance_m
 void HidingError::addFlicker(const HiddenTexels& truthBefore, const HiddenTexels& truth,
                              const HiddenTexels& foundBefore, const HiddenTexels& found) {
     for (size_t i = 0; i < kAnimals_m.size(); ++i) {
-        sumOver(truth[i], [&](int y, double area) {
+        for (int y = 0; y < truth[i].height; ++y) {
+            const double area = texelSolidAngle(y, truth[i].width, truth[i].height);
             int toggled = 0, truly = 0;
             for (int x = 0; x < truth[i].width; ++x) {
                 const bool is = *truth[i].at(x, y) != *truthBefore[i].at(x, y);
@@ -171,7 +168,7 @@ void HidingError::addFlicker(const HiddenTexels& truthBefore, const HiddenTexels
                 truly += is;
             }
             toggled_ += toggled * area, truthToggled_ += truly * area;
-        });
+        }
         flickerLength_ += borderLength(truth[i]);
     }
 }

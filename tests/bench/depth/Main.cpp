@@ -2,7 +2,7 @@
 // FOLDER holds the truth, FILM_NNNN.depth.mkv: distances of frames of content/video/FILM.mp4, in runs of
 // frames that follow each other. Writes FOLDER/depth.tsv.
 #include "engine/math/Quantile.h"
-#include "engine/media/VideoSource.h"
+#include "engine/media/VideoPlayer.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/depth/Hiding.h"
 
@@ -14,9 +14,7 @@ using namespace shoal;
 using namespace shoal::bench;
 
 enum class Way { Nothing, Enlarged, Refined };
-const char* nameOf(Way way) {
-    return way == Way::Nothing ? "no occlusion" : way == Way::Enlarged ? "linear" : "refined";
-}
+constexpr const char* kWayNames[] = {"no occlusion", "linear", "refined"};
 
 struct Format {
     Way way;
@@ -41,8 +39,7 @@ struct Clip {
     std::string film;
     std::vector<media::DepthFrame> truth;
     std::vector<HiddenTexels> hidden; // by the truth
-    std::vector<ImageRgb8> shown;
-    double fps = 0;
+    std::vector<ImageRgb8> shown;     // blue first
 };
 
 struct Figures {
@@ -55,22 +52,16 @@ struct Figures {
 };
 
 Result<Clip> readClip(const Path& folder, const std::string& film, const std::vector<int>& frames) {
-    Clip clip{film, {}, {}, {}, 0};
-    auto video =
-        media::VideoSource::open(dataRoot() / "content/video" / (film + ".mp4"), media::Layout::Mono);
-    if (!video) return video.error();
-    clip.fps = video->info().fps;
-    if (!video->seek(frames[0])) return Error{film, "cannot be sought in"};
+    Clip clip{film, {}, {}, {}};
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video" / (film + ".mp4"));
+    if (!player) return player.error();
     for (const int frame : frames) {
         auto track = media::DepthTrack::open(folder / fmt::format("{}_{:04}.depth.mkv", film, frame));
         if (!track) return track.error();
         media::DepthFrame& truth = clip.truth.emplace_back();
         if (!track->read(0, truth)) return Error{film, "its truth is damaged"};
         hiddenInTruth(truth, clip.hidden.emplace_back());
-        while (video->position() <= frame)
-            if (!video->grab()) return Error{film, "cannot be decoded"};
-        ImageRgb8& shown = clip.shown.emplace_back(video->info().width, video->info().height);
-        if (!video->retrieve(shown)) return Error{film, "cannot be decoded"};
+        clip.shown.push_back(player->waitFor((frame + 0.5) / player->info().fps)->pixelsBgr);
     }
     return clip;
 }
@@ -165,11 +156,12 @@ std::string table(const std::vector<Figures>& all) {
         };
         text += fmt::format("{}\t{}\t{}\t{}\t{}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.2f}\t"
                             "{:.2f}\t{:.2f}\t{:.3f}\t{:.3f}\t{:.2f}\t{:.2f}\t{:.2f}\n",
-                            nameOf(format.way), format.width, format.every, format.steps, format.mapWidth,
-                            minute_MB("reef"), minute_MB("night"), minute_MB("kelp"), f.decode_ms / f.decoded,
-                            math::median(times_ms), f.error.wronglyHidden(), f.error.wronglyShown(),
-                            f.error.wronglyHiddenAnywhere(), f.error.wronglyShownAnywhere(),
-                            f.error.boundary(), f.error.flicker(), f.error.trueChange());
+                            kWayNames[static_cast<size_t>(format.way)], format.width, format.every,
+                            format.steps, format.mapWidth, minute_MB("reef"), minute_MB("night"),
+                            minute_MB("kelp"), f.decode_ms / f.decoded, math::median(times_ms),
+                            f.error.wronglyHidden(), f.error.wronglyShown(), f.error.wronglyHiddenAnywhere(),
+                            f.error.wronglyShownAnywhere(), f.error.boundary(), f.error.flicker(),
+                            f.error.trueChange());
     }
     return text;
 }
@@ -191,6 +183,6 @@ Status run(const Path& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) return 2;
+    if (lacksArguments(argc, 1, "bench_depth FOLDER")) return 2;
     return exitStatus("bench_depth", run(argv[1]));
 }

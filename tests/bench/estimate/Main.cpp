@@ -161,17 +161,10 @@ struct CameraPose {
 
 CameraPose poseAt(Hardship hardship, int frame) {
     const auto n = static_cast<float>(frame);
-    switch (hardship) {
-    case Hardship::Rotation:
-        return {{0, 0, 0}, 0.01f * n};
-    case Hardship::Still:
-    case Hardship::Stereo:
-        return {};
-    case Hardship::Forward:
-        return {{0, 0, -kPace_m * n}, 0};
-    default:
-        return {{kPace_m * n - 0.7f, 0.05f * std::sin(0.2f * n), 0}, 0.002f * n};
-    }
+    if (hardship == Hardship::Still || hardship == Hardship::Stereo) return {};
+    if (hardship == Hardship::Rotation) return {{0, 0, 0}, 0.01f * n};
+    if (hardship == Hardship::Forward) return {{0, 0, -kPace_m * n}, 0};
+    return {{kPace_m * n - 0.7f, 0.05f * std::sin(0.2f * n), 0}, 0.002f * n};
 }
 
 glm::vec3 turned(const glm::vec3& dir, float by_rad) {

@@ -206,7 +206,7 @@ bool measure(const Path& clip, const Path& truth, bool water, Figures& figures) 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) return 2;
+    if (lacksArguments(argc, 2, "bench_film FOLDER CLIP...")) return 2;
     media::setUpDecoders();
     const Path folder = argv[1];
     std::map<std::string, Figures> all; // by CODEC_WIDTH_QUALITY

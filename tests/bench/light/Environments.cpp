@@ -1,6 +1,7 @@
 #include "tests/bench/light/Environments.h"
 
 #include "engine/light/InverseToneMap.h"
+#include "engine/math/SphericalHarmonics.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
 #include "tests/baselines/light/Expand.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr int kWidth = 1024; // of made environments
 
 EnvironmentSource made(const std::string& name, std::function<ImageRgbF()> make) {
-    return {name, [=] { return std::optional(Environment{name, {}, make()}); }};
+    return {name, [=] { return std::optional(Environment{{}, make()}); }};
 }
 
 EnvironmentSource painted(const std::string& name, const std::function<double(const glm::dvec3&)>& radiance) {
@@ -31,12 +32,6 @@ EnvironmentSource sun(const std::string& where, const glm::dvec2& centre) {
                    [=](const glm::dvec3& d) { return glm::dot(d, to) > reach ? 1e4 : 1.0; });
 }
 
-Environment fromFrame(const std::string& name, ImageRgb8 frame) {
-    Environment environment{name, std::move(frame), {}};
-    light::baselines::forEach(environment.frame, environment.radianceLin, light::radianceFromDisplay);
-    return environment;
-}
-
 std::optional<ImageRgb8> frameOf(const Path& file, std::optional<int> number = std::nullopt) {
     auto player = media::VideoPlayer::open(file);
     if (!player) return std::nullopt;
@@ -48,36 +43,30 @@ std::optional<ImageRgb8> frameOf(const Path& file, std::optional<int> number = s
 Path gameVideo(const std::string& name) { return dataRoot() / "content/video" / (name + ".mp4"); }
 
 EnvironmentSource video(const std::string& film) {
-    const std::string name = "video: " + film;
-    return {name, [=]() -> std::optional<Environment> {
+    return {"video: " + film, [=]() -> std::optional<Environment> {
                 auto frame = frameOf(gameVideo(film));
                 if (!frame) return std::nullopt;
-                return fromFrame(name, std::move(*frame));
+                Environment environment{std::move(*frame), {}};
+                light::baselines::forEach(environment.frame, environment.radianceLin,
+                                          light::radianceFromDisplay);
+                return environment;
             }};
 }
 
-// Returns a source of a panorama that tests/bench/get_pictures fetched.
-EnvironmentSource hdr(const std::string& stem) {
-    const std::string name = "hdr: " + stem;
-    return {name, [=]() -> std::optional<Environment> {
-                auto picture = media::readHdr(dataRoot() / "build/bench-pictures" / (stem + ".exr"));
-                if (!picture) return std::nullopt;
-                return Environment{name, {}, std::move(picture->radianceLin)};
-            }};
-}
-
-std::vector<EnvironmentSource> hdrs(std::initializer_list<const char*> stems) {
+// Returns sources of panoramas that tests/bench/get_pictures fetched.
+std::vector<EnvironmentSource> hdrs(std::initializer_list<std::string> stems) {
     std::vector<EnvironmentSource> sources;
-    for (const char* stem : stems) sources.push_back(hdr(stem));
+    for (const std::string& stem : stems)
+        sources.push_back({"hdr: " + stem, [=]() -> std::optional<Environment> {
+                               auto picture =
+                                   media::readHdr(dataRoot() / "build/bench-pictures" / (stem + ".exr"));
+                               if (!picture) return std::nullopt;
+                               return Environment{{}, std::move(picture->radianceLin)};
+                           }});
     return sources;
 }
 
 } // namespace
-
-std::vector<EnvironmentSource> hdrSources() {
-    return hdrs({"blender_courtyard", "blender_sunrise", "blender_city", "blender_forest", "blender_interior",
-                 "blender_night", "blender_studio", "blender_sunset"});
-}
 
 std::vector<EnvironmentSource> apartSources() {
     return hdrs({"blender_sunset", "pmndrs_lobby", "pmndrs_night", "pmndrs_studio"});
@@ -85,49 +74,38 @@ std::vector<EnvironmentSource> apartSources() {
 
 std::vector<EnvironmentSource> clippedSources() {
     auto sources = apartSources();
-    for (const auto& each :
-         hdrs({"blender_city",     "blender_courtyard", "blender_forest",  "blender_interior",
-               "blender_night",    "blender_studio",    "blender_sunrise", "pmndrs_apartment",
-               "pmndrs_bridge",    "pmndrs_city",       "pmndrs_dawn",     "pmndrs_esplanade",
-               "pmndrs_forest",    "pmndrs_hall",       "pmndrs_lab",      "pmndrs_park",
-               "pmndrs_sky",       "pmndrs_sunrise",    "pmndrs_sunset",   "pmndrs_venice",
-               "pmndrs_warehouse", "pmndrs_workshop"}))
-        sources.push_back(each);
+    std::ranges::move(hdrs({"blender_city",     "blender_courtyard", "blender_forest",  "blender_interior",
+                            "blender_night",    "blender_studio",    "blender_sunrise", "pmndrs_apartment",
+                            "pmndrs_bridge",    "pmndrs_city",       "pmndrs_dawn",     "pmndrs_esplanade",
+                            "pmndrs_forest",    "pmndrs_hall",       "pmndrs_lab",      "pmndrs_park",
+                            "pmndrs_sky",       "pmndrs_sunrise",    "pmndrs_sunset",   "pmndrs_venice",
+                            "pmndrs_warehouse", "pmndrs_workshop"}),
+                      std::back_inserter(sources));
     return sources;
 }
 
 std::vector<EnvironmentSource> environmentSources(bool quick) {
     const auto step = painted("made: half black, half white", [](const glm::dvec3& d) { return d.x > 0; });
     const auto gradient = painted("made: smooth gradient", [](const glm::dvec3& d) { return 1 + 0.8 * d.y; });
+    auto all = hdrs({"blender_courtyard", "blender_sunrise", "blender_city", "blender_forest",
+                     "blender_interior", "blender_night", "blender_studio", "blender_sunset"});
     if (quick) {
-        auto some = hdrSources();
-        some.resize(2);
-        for (const auto& each : {video("reef.small"), step, gradient, sun("at the zenith", {0.5, 0})})
-            some.push_back(each);
-        return some;
+        all.resize(2);
+        all.insert(all.end(), {video("reef.small"), step, gradient, sun("at the zenith", {0.5, 0})});
+        return all;
     }
-    auto all = hdrSources();
-    for (const EnvironmentSource& each : {
-             video("reef"),
-             video("night"),
-             video("kelp"),
-             painted("made: uniform", [](const glm::dvec3&) { return 1.0; }),
-             gradient,
-             step,
-             made("made: checkerboard of single texels",
-                  [] {
-                      ImageRgbF image(kWidth, kWidth / 2);
-                      for (int y = 0; y < image.height; ++y)
-                          for (int x = 0; x < image.width; ++x)
-                              for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>((x + y) % 2);
-                      return image;
-                  }),
-             sun("at the zenith", {0.5, 0}),
-             sun("beside the pole", {0.3, 0.015}),
-             sun("at the horizon", {0.5, 0.5}),
-             sun("on the seam", {0, 0.5}),
-         })
-        all.push_back(each);
+    const auto checkerboard = [] {
+        ImageRgbF image(kWidth, kWidth / 2);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>((x + y) % 2);
+        return image;
+    };
+    all.insert(all.end(), {video("reef"), video("night"), video("kelp"),
+                           painted("made: uniform", [](const glm::dvec3&) { return 1.0; }), gradient, step,
+                           made("made: checkerboard of single texels", checkerboard),
+                           sun("at the zenith", {0.5, 0}), sun("beside the pole", {0.3, 0.015}),
+                           sun("at the horizon", {0.5, 0.5}), sun("on the seam", {0, 0.5})});
     return all;
 }
 
@@ -141,13 +119,12 @@ std::vector<EnvironmentSource> filmedSources() {
         const size_t end = stem.find('_');
         const Path video = gameVideo(stem.substr(0, end));
         const int number = std::atoi(stem.substr(end + 1).c_str());
-        all.push_back(
-            {"film: " + stem, [=]() -> std::optional<Environment> {
-                 auto frame = frameOf(video, number);
-                 auto truth = media::readHdr(file);
-                 if (!frame || !truth) return std::nullopt;
-                 return Environment{"film: " + stem, std::move(*frame), std::move(truth->radianceLin)};
-             }});
+        all.push_back({"film: " + stem, [=]() -> std::optional<Environment> {
+                           auto frame = frameOf(video, number);
+                           auto truth = media::readHdr(file);
+                           if (!frame || !truth) return std::nullopt;
+                           return Environment{std::move(*frame), std::move(truth->radianceLin)};
+                       }});
     }
     std::ranges::sort(all, {}, &EnvironmentSource::name);
     return all;
@@ -161,16 +138,12 @@ bool hasPointSun(const ImageRgbF& radianceLin) {
     };
     std::vector<Texel> texels;
     double whole = 0;
-    for (int y = 0; y < radianceLin.height; ++y) {
-        const double solidAngle = texelSolidAngle(y, radianceLin.width, radianceLin.height);
-        for (int x = 0; x < radianceLin.width; ++x) {
-            const float* t = radianceLin.at(x, y);
-            const double luminance = light::thesisLuminance({t[0], t[1], t[2]});
-            texels.push_back({luminance, solidAngle});
-            whole += luminance * solidAngle;
-        }
-    }
-    std::sort(texels.begin(), texels.end(), [](auto& a, auto& b) { return a.luminance > b.luminance; });
+    math::eachTexel(radianceLin, [&](const glm::vec3& radiance, double solidAngle, const glm::vec3&) {
+        const double luminance = light::thesisLuminance(radiance);
+        texels.push_back({luminance, solidAngle});
+        whole += luminance * solidAngle;
+    });
+    std::ranges::sort(texels, std::greater{}, &Texel::luminance);
     double sphere = 0, bright = 0;
     for (const Texel& each : texels) {
         if (sphere > 4e-4 * std::numbers::pi) break;

@@ -8,7 +8,6 @@
 namespace shoal::bench {
 
 struct Environment {
-    std::string name;
     ImageRgb8 frame;       // red first; empty where the environment is linear
     ImageRgbF radianceLin; // full resolution; of a frame: by the thesis' inverse tone mapping of every texel
 
@@ -29,9 +28,6 @@ struct EnvironmentSource {
 
 // quick: only a few.
 std::vector<EnvironmentSource> environmentSources(bool quick);
-
-// Returns the eight pictures of high dynamic range of 1024x512 alone.
-std::vector<EnvironmentSource> hdrSources();
 
 // Returns all pictures of high dynamic range, to measure the light that clipping loses; apartSources() first.
 std::vector<EnvironmentSource> clippedSources();

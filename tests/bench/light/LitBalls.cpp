@@ -23,11 +23,6 @@ constexpr std::array kWays = {light::FrameRadiance::Thesis, light::FrameRadiance
 
 enum class Ball { Matte, Glossy };
 
-glm::vec3 srgb(const glm::vec3& lin) {
-    const glm::vec3 in = glm::clamp(lin, 0.0f, 1.0f);
-    return {math::srgbFromLinear(in.x), math::srgbFromLinear(in.y), math::srgbFromLinear(in.z)};
-}
-
 // Radiance that an eye far away, looking along -Z, gets from the ball at normal n, of unit reflectance.
 glm::vec3 radianceAt(const light::EnvironmentLight& light, Ball ball, const glm::vec3& n) {
     if (ball == Ball::Matte) return light::lookUp(light.diffuse, n);
@@ -37,8 +32,11 @@ glm::vec3 radianceAt(const light::EnvironmentLight& light, Ball ball, const glm:
 // The display value, as in the game: the thesis' light is between coded and linear and takes coded
 // reflectances.
 glm::vec3 shownOf(const glm::vec3& radiance, bool thesis) {
-    if (!thesis) return srgb(kReflectance * radiance);
-    return glm::clamp(light::displayFromRadiance(math::srgbFromLinear(kReflectance) * radiance), 0.0f, 1.0f);
+    if (thesis)
+        return glm::clamp(light::displayFromRadiance(math::srgbFromLinear(kReflectance) * radiance), 0.0f,
+                          1.0f);
+    const glm::vec3 lin = glm::clamp(kReflectance * radiance, 0.0f, 1.0f);
+    return {math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y), math::srgbFromLinear(lin.z)};
 }
 
 // Draws a ball before 90 degrees of the frame around -Z; visits the ball's pixels with their display values.
@@ -121,12 +119,12 @@ Result<std::vector<BallErrors>> lightBalls(const Path& sheet) {
     for (size_t s = 0; s < sources.size(); ++s) {
         const auto filmed = sources[s].load();
         if (!filmed) return Error{sources[s].name, "film or true light cannot be read"};
-        std::fprintf(stderr, "chart: balls, %s\n", filmed->name.c_str());
+        std::fprintf(stderr, "chart: balls, %s\n", sources[s].name.c_str());
         const bool onSheet = s % kEvery == 1 && s / kEvery < sources.size() / kEvery;
         ImageRgb8& on = onSheet ? picture : unseen;
         const int top = onSheet ? static_cast<int>(s / kEvery) * kTile : 0;
         const light::EnvironmentLight truth = trueLight(*filmed);
-        BallErrors& errors = balls.emplace_back(filmed->name);
+        BallErrors& errors = balls.emplace_back(sources[s].name);
         std::array<light::EnvironmentLight, kWays.size()> lights;
         for (size_t way = 0; way < kWays.size(); ++way) lights[way] = lightOf(*filmed, kWays[way]);
         for (const light::EnvironmentLight& each : lights) errors.shadow.push_back(shadowOf(each));

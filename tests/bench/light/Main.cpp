@@ -4,14 +4,9 @@
 
 int main(int argc, char** argv) {
     using namespace shoal;
-    if (argc < 2 || argc > 3 || (argc == 3 && std::strcmp(argv[2], "--quick") != 0)) {
-        std::fprintf(stderr, "usage: bench_chart FOLDER [--quick]\n");
-        return 2;
-    }
+    if (bench::lacksArguments(argc, 1, "bench_chart FOLDER [--quick]")) return 2;
     const Path folder = argv[1];
-    const bool quick = argc == 3;
-    bench::Chart chart =
-        bench::measure({.cache = folder / "truth", .spread = quick ? 16 : 64, .quick = quick});
+    bench::Chart chart = bench::measure(argc == 3);
     Status done = bench::lightBalls(folder / "balls.jpg").moveTo(chart.balls);
     for (const auto write : {bench::writeMarkdown, bench::writePicture})
         if (done) done = write(chart, folder);

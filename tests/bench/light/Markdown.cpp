@@ -37,10 +37,10 @@ std::string diffuseTable(const Chart& chart) {
 }
 
 std::string glossyTable(const Chart& chart) {
-    std::string out = "| method | update, us | ns a pixel | both, us | times a plain read | error, % | "
-                      "roughness 0.1 to 0.4 "
-                      "| 0.5 to 1 | worst direction | with suns: error, % | worst | source |\n"
-                      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+    std::string out =
+        "| method | update, us | ns a pixel | both, us | times a plain read | error, % | roughness "
+        "0.1 to 0.4 | 0.5 to 1 | worst direction | with suns: error, % | worst | source |\n"
+        "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
     for (const Measured& each : chart.glossy) {
         const Pool all = pooled(chart, each, Suns::Without, 0, kGlossyLobes);
         const Pool suns = pooled(chart, each, Suns::Only, 0, kGlossyLobes);

@@ -21,6 +21,24 @@ EnvironmentError errorOfLobe(const std::vector<glm::vec3>& got, const Truth& tru
     return errorOf(std::vector<glm::dvec3>(got.begin(), got.end()), column(truth, lobe));
 }
 
+// Returns directions spread evenly over the sphere (Fibonacci lattice), then the six axes: both poles, the
+// seam, ahead, left and right.
+std::vector<glm::dvec3> chartDirections(int spread) {
+    std::vector<glm::dvec3> dirs;
+    for (int i = 0; i < spread; ++i) {
+        const double y = 1 - (2 * i + 1.0) / spread, turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
+        const double ring = std::sqrt(1 - y * y);
+        dirs.emplace_back(ring * std::cos(turn), y, ring * std::sin(turn));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            glm::dvec3 dir(0);
+            dir[axis] = sign;
+            dirs.push_back(dir);
+        }
+    return dirs;
+}
+
 // Returns the error of the diffuse light that is integrated over a pyramid's level of 128 texels.
 EnvironmentError pyramidError(const PyramidMethod& method, const Environment& environment,
                               std::span<const glm::dvec3> dirs, const Truth& truth) {
@@ -32,7 +50,15 @@ EnvironmentError pyramidError(const PyramidMethod& method, const Environment& en
 
 } // namespace
 
-Chart measure(const SessionConfig& plan) {
+Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
+                std::span<const light::Lobe> lobes) {
+    Truth truth(dirs.size());
+    onAllCores(dirs.size(),
+               [&](size_t k) { truth[k] = light::referenceRadiance(radianceLin, dirs[k], lobes); });
+    return truth;
+}
+
+Chart measure(bool quick) {
     Chart chart;
     auto diffuse = diffuseMethods();
     auto glossy = glossyMethods();
@@ -40,12 +66,14 @@ Chart measure(const SessionConfig& plan) {
     for (const auto& each : diffuse) chart.diffuse.push_back({each.label, {}, {}});
     for (const auto& each : glossy) chart.glossy.push_back({each.label, {}, {}});
     for (const auto& each : pyramids) chart.pyramids.push_back({each.label, {}, {}});
-    timeMethods(chart, diffuse, glossy, pyramids, plan.quick);
+    timeMethods(chart, diffuse, glossy, pyramids, quick);
 
-    const auto dirs = chartDirections(plan.spread);
+    const auto dirs = chartDirections(quick ? 16 : 64);
     const std::vector<glm::vec3> floatDirs(dirs.begin(), dirs.end());
     std::vector<glm::vec3> out(dirs.size());
-    for (const EnvironmentSource& source : environmentSources(plan.quick)) {
+    std::vector<light::Lobe> lobes = {light::diffuseLobe()};
+    for (const float roughness : kRoughnesses) lobes.push_back(light::glossyLobe(roughness));
+    for (const EnvironmentSource& source : environmentSources(quick)) {
         const auto environment = source.load();
         if (!environment) {
             std::fprintf(stderr, "chart: left out, not at hand: %s\n", source.name.c_str());
@@ -55,10 +83,11 @@ Chart measure(const SessionConfig& plan) {
                      environment->radianceLin.height);
         chart.environments.push_back(
             {source.name, environment->coded(), hasPointSun(environment->radianceLin)});
-        const Truth truth = truthOf(environment->radianceLin, dirs, plan.cache);
+        const Truth truth = integrals(environment->radianceLin, dirs, lobes);
         std::fprintf(stderr, ", methods");
         const auto pyramid = pyramidOf(*environment);
-        const Input input = inputOf(*environment, pyramid);
+        const Input input{&pyramid, environment->view(),
+                          environment->coded() ? nullptr : &environment->radianceLin};
         for (size_t i = 0; i < diffuse.size(); ++i) {
             diffuse[i].update(input);
             diffuse[i].shade(floatDirs, out);
@@ -80,7 +109,7 @@ Chart measure(const SessionConfig& plan) {
         }
         std::fprintf(stderr, ".\n");
     }
-    measureToneMaps(chart, plan, dirs);
+    measureToneMaps(chart, quick, dirs);
     return chart;
 }
 

@@ -2,10 +2,25 @@
 #pragma once
 
 #include "tests/baselines/light/Baselines.h"
+#include "tests/baselines/light/Reference.h"
 #include "tests/bench/light/Environments.h"
-#include "tests/bench/light/Truth.h"
 
 namespace shoal::bench {
+
+constexpr float kRoughnesses[] = {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f, 1.0f};
+
+// [direction][lobe]
+using Truth = std::vector<std::vector<glm::dvec3>>;
+
+inline std::vector<glm::dvec3> column(const Truth& truth, size_t lobe) {
+    std::vector<glm::dvec3> values;
+    for (const auto& row : truth) values.push_back(row[lobe]);
+    return values;
+}
+
+// Returns light::referenceRadiance() over every texel, computed on all cores.
+Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
+                std::span<const light::Lobe> lobes);
 
 // Errors over the directions of one environment, relative to the truth.
 struct EnvironmentError {
@@ -101,33 +116,16 @@ struct Chart {
     std::vector<BallErrors> balls; // one for each of filmedSources()
 };
 
-struct SessionConfig {
-    Path cache;
-    int spread = 64; // directions besides the six axes
-    bool quick = false;
-};
-
 // Measures the costs of all methods; the chart has their labels in the same order.
 void timeMethods(Chart& chart, std::vector<light::baselines::DiffuseMethod>& diffuse,
                  std::vector<light::baselines::GlossyMethod>& glossy,
                  std::vector<light::baselines::PyramidMethod>& pyramids, bool quick);
 
 // Fills toneMaps and toneMapEnvironments.
-void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs);
+void measureToneMaps(Chart& chart, bool quick, std::span<const glm::dvec3> dirs);
 
 // Measures the whole chart. Reports its progress on standard error.
-Chart measure(const SessionConfig& plan);
-
-// Returns an environment as methods get it.
-inline light::baselines::Input inputOf(const Environment& environment,
-                                       const light::RadiancePyramid& pyramid) {
-    light::baselines::Input input{&pyramid, {}, nullptr};
-    if (environment.coded())
-        input.coded = environment.view();
-    else
-        input.radianceLin = &environment.radianceLin;
-    return input;
-}
+Chart measure(bool quick);
 
 constexpr size_t kGlossyLobes = std::size(kRoughnesses);
 constexpr double kGlossyPixels = 100000; // shaded in a frame, for one figure of a glossy method's cost

@@ -115,7 +115,7 @@ ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit, double e
 
 } // namespace
 
-void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs) {
+void measureToneMaps(Chart& chart, bool quick, std::span<const glm::dvec3> dirs) {
     const auto methods = inverseToneMapMethods();
     for (const auto& each : methods) chart.toneMaps.push_back({each.label, {}, {}});
     // Bounds that use the truth, which no method knows; they have no time.
@@ -165,7 +165,7 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         }
     };
     for (const EnvironmentSource& source : clippedSources()) {
-        if (plan.quick && chart.toneMapEnvironments.size() == 2) break;
+        if (quick && chart.toneMapEnvironments.size() == 2) break;
         const auto environment = source.load();
         if (!environment) continue;
         const Exposed exposed = expose(environment->radianceLin);
@@ -177,14 +177,14 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
         if (const auto one = source.load()) {
             measure(source.name, one->frame, one->radianceLin, one->radianceLin,
                     exposureOf(one->frame, one->radianceLin));
-            if (plan.quick) break;
+            if (quick) break;
         }
 
     const ImageRgb8 frame = timedFrame();
     ImageRgbF expanded;
     for (size_t i = 0; i < methods.size(); ++i)
         chart.toneMaps[i].cost.update_us =
-            shortest_us(plan.quick ? 0 : 200, [&] { methods[i].expand(frame, expanded); });
+            shortest_us(quick ? 0 : 200, [&] { methods[i].expand(frame, expanded); });
 }
 
 } // namespace shoal::bench

@@ -60,7 +60,6 @@ OcclusionMethod ignored() {
 
 OcclusionMethod bakedOcclusion(bool ownBodyAtRest) {
     struct State {
-        const Scene* scene = nullptr;
         const ImageRgbF* map = nullptr;
         std::vector<std::vector<float>> free; // [body][vertex]
     };
@@ -68,7 +67,6 @@ OcclusionMethod bakedOcclusion(bool ownBodyAtRest) {
     return {{ownBodyAtRest ? "ambient occlusion, own body at rest" : "ambient occlusion, whole scene baked",
              ownBodyAtRest ? "AO" : "AO, scene", "baked at vertices", "Landis 2002"},
             [=](const Scene& scene, const Rays& rays) {
-                state->scene = &scene;
                 state->free.clear();
                 for (const Body& body : scene.bodies) {
                     const Baking baking = bakingOf(body, rays, ownBodyAtRest, scene.nearest);
@@ -83,13 +81,8 @@ OcclusionMethod bakedOcclusion(bool ownBodyAtRest) {
             },
             [=](const Lit& lit) { state->map = &lit.light.diffuse; },
             [=](std::span<const Receiver> at, std::span<glm::vec3> out) {
-                for (size_t i = 0; i < at.size(); ++i) {
-                    const auto& free = state->free[at[i].body];
-                    const glm::uvec3 corner =
-                        state->scene->bodies[at[i].body].posed.triangles[at[i].triangle];
-                    const glm::vec3 corners(free[corner.x], free[corner.y], free[corner.z]);
-                    out[i] = glm::dot(at[i].weights, corners) * light::lookUp(*state->map, at[i].normal);
-                }
+                for (size_t i = 0; i < at.size(); ++i)
+                    out[i] = at[i].mix(state->free[at[i].body]) * light::lookUp(*state->map, at[i].normal);
             },
             ownBodyAtRest ? OcclusionMethod::Moves::Free : OcclusionMethod::Moves::Rebuilt};
 }
@@ -132,13 +125,13 @@ OcclusionMethod transfer(int bands, bool ownBodyAtRest) {
             },
             [=](std::span<const Receiver> at, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < at.size(); ++i) {
-                    const Body& body = state->scene->bodies[at[i].body];
-                    const glm::uvec3 corner = body.posed.triangles[at[i].triangle];
+                    const auto& boneOf = state->scene->bodies[at[i].body].boneOf;
                     glm::vec3 sum(0);
-                    for (int k = 0; k < 3; ++k)
-                        sum += at[i].weights[k] *
-                               state->bodies[at[i].body].radiance(
-                                   corner[k], state->light[at[i].body][body.boneOf[corner[k]]]);
+                    for (int k = 0; k < 3; ++k) {
+                        const uint32_t vertex = at[i].corners[k];
+                        sum += at[i].weights[k] * state->bodies[at[i].body].radiance(
+                                                      vertex, state->light[at[i].body][boneOf[vertex]]);
+                    }
                     out[i] = glm::max(sum, 0.0f);
                 }
             },

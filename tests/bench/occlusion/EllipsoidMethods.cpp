@@ -122,10 +122,9 @@ OcclusionMethod ellipsoids(Casting casting) {
             [=](std::span<const Receiver> at, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < at.size(); ++i) {
                     const size_t body = at[i].body;
-                    const glm::uvec3 corner = state->scene->bodies[body].posed.triangles[at[i].triangle];
                     occlusion::SelfOcclusion selfOcclusion{glm::vec4(0), state->scene->bodies[body].sentBack};
-                    for (int k = 0; k < 3 && !state->selfOcclusion.empty(); ++k)
-                        selfOcclusion.hidden += at[i].weights[k] * state->selfOcclusion[body][corner[k]];
+                    if (!state->selfOcclusion.empty())
+                        selfOcclusion.hidden = at[i].mix(state->selfOcclusion[body]);
                     const glm::vec3 open = light::lookUp(*state->map, at[i].normal);
                     const auto taken = occlusion::occlude(at[i].position, at[i].normal, state->own[body],
                                                           selfOcclusion, state->others[body], state->smooth);

@@ -85,9 +85,7 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
     // Lagarde and de Rousiers 2014, "Moving Frostbite to Physically Based Rendering", listing 26.
     const auto fromBaked = [&](size_t i) {
         const Receiver& at = receivers[i];
-        const glm::uvec3 corner = scene.bodies[at.body].posed.triangles[at.triangle];
-        const auto& free = baked[at.body];
-        const float ao = glm::dot(at.weights, glm::vec3(free[corner.x], free[corner.y], free[corner.z]));
+        const float ao = at.mix(baked[at.body]);
         const float nv = std::max(glm::dot(at.normal, at.mirrored), 0.0f);
         return std::clamp(std::pow(nv + ao, std::exp2(-16 * kGlossyRoughness - 1)) - 1 + ao, 0.0f, 1.0f);
     };

@@ -17,14 +17,8 @@ template <class Buffers> class LayeredBodies {
     LayeredBodies(const Scene& scene, const typename Buffers::Options& options)
         : nearest_(2 * startOf<Buffers> / static_cast<float>(options.resolution)) {
         for (const Body& body : scene.bodies) {
-            auto made = Buffers::make(body.posed.view(), options);
-            if (!made) {
-                std::fprintf(stderr, "occlusion: %s: %s\n", body.name.c_str(),
-                             made.error().message().c_str());
-                std::abort();
-            }
-            const Sphere sphere = occlusion::boundingSphere(body.posed.view());
-            bodies_.push_back({std::move(*made), sphere});
+            const occlusion::BodyMesh mesh = body.posed.view();
+            bodies_.push_back({Buffers::make(mesh, options).value(), occlusion::boundingSphere(mesh)});
         }
     }
 

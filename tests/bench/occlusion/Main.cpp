@@ -4,11 +4,8 @@
 
 int main(int argc, char** argv) {
     using namespace shoal;
+    if (bench::lacksArguments(argc, 1, "bench_occlusion FOLDER [--quick | --sheet]")) return 2;
     const std::string option = argc == 3 ? argv[2] : "";
-    if (argc < 2 || argc > 3 || (!option.empty() && option != "--quick" && option != "--sheet")) {
-        std::fprintf(stderr, "usage: bench_occlusion FOLDER [--quick | --sheet]\n");
-        return 2;
-    }
     const bool quick = option == "--quick";
     const Path folder = argv[1];
     const auto scenes = bench::makeScenes();

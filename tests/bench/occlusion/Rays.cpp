@@ -36,7 +36,8 @@ std::optional<Touch> Rays::touch(const glm::vec3& o, const glm::vec3& d, float n
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     intersect(scene_.get(), ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    return Touch{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, ray.hit.u, ray.hit.v};
+    const glm::vec3 weights(1 - ray.hit.u - ray.hit.v, ray.hit.u, ray.hit.v);
+    return Touch{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, weights};
 }
 
 std::optional<occlusion::Hit> Rays::trace(glm::vec3 origin, glm::vec3 direction, float nearest) const {
@@ -44,8 +45,9 @@ std::optional<occlusion::Hit> Rays::trace(glm::vec3 origin, glm::vec3 direction,
     if (!at) return std::nullopt;
     const Mesh& mesh = *meshes_[at->mesh];
     const glm::uvec3 corner = mesh.triangles[at->triangle];
-    const glm::vec3 normal = glm::normalize((1 - at->u - at->v) * mesh.normals[corner.x] +
-                                            at->u * mesh.normals[corner.y] + at->v * mesh.normals[corner.z]);
+    const glm::vec3 normal =
+        glm::normalize(at->weights.x * mesh.normals[corner.x] + at->weights.y * mesh.normals[corner.y] +
+                       at->weights.z * mesh.normals[corner.z]);
     return occlusion::Hit{at->distance, glm::dot(normal, direction) > 0 ? -normal : normal};
 }
 

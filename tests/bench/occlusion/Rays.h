@@ -14,7 +14,7 @@ namespace shoal::bench {
 struct Touch {
     float distance = 0;
     uint32_t mesh = 0, triangle = 0;
-    float u = 0, v = 0; // weights of the triangle's second and third corner
+    glm::vec3 weights{0}; // of the triangle's corners
 };
 
 // Many threads may use it at once. Copies share their data.

@@ -5,20 +5,16 @@ namespace shoal::bench {
 
 // Returns a receiver moved out to the tangent planes of the corners, so that a facet does not shadow itself
 // at grazing angles. Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II.
-Receiver receiverAt(const Scene& scene, size_t body, uint32_t triangle, const glm::vec3& weights) {
-    const Mesh& mesh = scene.bodies[body].posed;
-    const glm::uvec3 corner = mesh.triangles[triangle];
-    Receiver at{.body = body, .triangle = triangle, .weights = weights};
-    for (int i = 0; i < 3; ++i) {
-        at.position += weights[i] * mesh.positions[corner[i]];
-        at.normal += weights[i] * mesh.normals[corner[i]];
-    }
-    at.normal = glm::normalize(at.normal);
+Receiver receiverAt(const Scene& scene, const Touch& touch) {
+    const Mesh& mesh = scene.bodies[touch.mesh].posed;
+    Receiver at{.body = touch.mesh, .corners = mesh.triangles[touch.triangle], .weights = touch.weights};
+    at.position = at.mix(mesh.positions);
+    at.normal = glm::normalize(at.mix(mesh.normals));
     glm::vec3 out(0);
     for (int i = 0; i < 3; ++i) {
-        const glm::vec3& normal = mesh.normals[corner[i]];
-        out -=
-            weights[i] * std::min(0.0f, glm::dot(at.position - mesh.positions[corner[i]], normal)) * normal;
+        const glm::vec3& normal = mesh.normals[at.corners[i]];
+        out -= at.weights[i] * std::min(0.0f, glm::dot(at.position - mesh.positions[at.corners[i]], normal)) *
+               normal;
     }
     at.position += out;
     at.mirrored = glm::reflect(glm::normalize(at.position - scene.camera.eye), at.normal);
@@ -26,13 +22,9 @@ Receiver receiverAt(const Scene& scene, size_t body, uint32_t triangle, const gl
 }
 
 std::vector<Receiver> spreadReceivers(const Scene& scene, int count) {
-    struct Facet {
-        size_t body = 0;
-        uint32_t triangle = 0;
-    };
-    std::vector<Facet> facets[2];
+    std::vector<Touch> facets[2];
     std::vector<double> upTo[2];
-    for (size_t b = 0; b < scene.bodies.size(); ++b) {
+    for (uint32_t b = 0; b < scene.bodies.size(); ++b) {
         const Body& body = scene.bodies[b];
         auto& sums = upTo[body.group];
         for (uint32_t t = 0; t < body.posed.triangles.size(); ++t) {
@@ -40,7 +32,7 @@ std::vector<Receiver> spreadReceivers(const Scene& scene, int count) {
             const glm::vec3 a = body.posed.positions[corner.x];
             const double area = glm::length(
                 glm::cross(body.posed.positions[corner.y] - a, body.posed.positions[corner.z] - a));
-            facets[body.group].push_back({b, t});
+            facets[body.group].push_back({0, b, t});
             sums.push_back((sums.empty() ? 0 : sums.back()) + area);
         }
     }
@@ -52,10 +44,10 @@ std::vector<Receiver> spreadReceivers(const Scene& scene, int count) {
         for (int i = 0; i < share; ++i) {
             const double place = (i + static_cast<double>(random.unit())) / share * upTo[group].back();
             const auto found = std::ranges::lower_bound(upTo[group], place) - upTo[group].begin();
-            const Facet& facet = facets[group][found];
+            Touch& facet = facets[group][found];
             const float root = std::sqrt(random.unit()), part = random.unit();
-            receivers.push_back(
-                receiverAt(scene, facet.body, facet.triangle, {1 - root, root * (1 - part), root * part}));
+            facet.weights = {1 - root, root * (1 - part), root * part};
+            receivers.push_back(receiverAt(scene, facet));
         }
     }
     return receivers;

@@ -77,9 +77,8 @@ square, the truth being followed for as many bounces.
 
 std::string glossyTable(const OcclusionChart& chart) {
     std::string out =
-        fmt::format("\n## Glossy light, roughness {:.2f}\n\nEnvironments without point suns; error in % "
-                    "and ns a receiver, for "
-                    "each scene. Noise of the truth:",
+        fmt::format("\n## Glossy light, roughness {:.2f}\n\nEnvironments without point suns; error in % and "
+                    "ns a receiver, for each scene. Noise of the truth:",
                     kGlossyRoughness);
     for (const double noise : chart.glossy.noise) out += " " + percent(noise);
     out += " %.\n\n| method |";
@@ -162,15 +161,13 @@ methods only ellipsoids do, over one; elsewhere bodies are black.
 )";
     for (const double limit : {0.05, 0.10, 0.20})
         md += fmt::format(
-            "Cheapest that moves and is at most {:.0f} % wrong in both the hand's and the shark's "
-            "scene: {}; in the reef's "
-            "video: {}.\n",
+            "Cheapest that moves and is at most {:.0f} % wrong in both the hand's and the shark's scene: {}; "
+            "in the reef's video: {}.\n",
             100 * limit, answer(chart, Under::NoSuns, limit), answer(chart, Under::Reef, limit));
     for (size_t k = 0; k < chart.scenes.size(); ++k) {
         md += fmt::format(
-            "\n## {}\n\n{:.1f} % of the hemisphere is free on the mean. Noise of the truth at most {} "
-            "%, with point suns "
-            "{} %.\n\n",
+            "\n## {}\n\n{:.1f} % of the hemisphere is free on the mean. Noise of the truth at most {} %, "
+            "with point suns {} %.\n\n",
             chart.scenes[k], 100 * chart.open[k], percent(worstNoise(chart, k, false)),
             percent(worstNoise(chart, k, true)));
         md += sceneTable(chart, k);

@@ -52,11 +52,16 @@ struct Receiver {
     glm::vec3 normal{0};   // smooth
     glm::vec3 mirrored{0}; // direction of the reflected camera ray
     size_t body = 0;
-    uint32_t triangle = 0;
-    glm::vec3 weights{0}; // of its corners
+    glm::uvec3 corners{0}; // of the triangle: vertices of the body's meshes
+    glm::vec3 weights{0};  // of the corners
+
+    // Interpolates values of the body's vertices.
+    template <class T> T mix(const std::vector<T>& values) const {
+        return weights.x * values[corners.x] + weights.y * values[corners.y] + weights.z * values[corners.z];
+    }
 };
 
-Receiver receiverAt(const Scene& scene, size_t body, uint32_t triangle, const glm::vec3& weights);
+Receiver receiverAt(const Scene& scene, const Touch& touch);
 
 // Receivers spread by area: half on each group's bodies.
 std::vector<Receiver> spreadReceivers(const Scene& scene, int count);

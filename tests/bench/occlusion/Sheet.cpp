@@ -37,7 +37,7 @@ std::vector<Sample> samplesOf(const Scene& scene, const Rays& rays) {
                                 -1);
             Sample sample{glm::normalize(worldFromEye * eye), {}};
             if (const auto at = rays.touch(scene.camera.eye, sample.look, 0))
-                sample.at = receiverAt(scene, at->mesh, at->triangle, {1 - at->u - at->v, at->u, at->v});
+                sample.at = receiverAt(scene, *at);
             samples.push_back(sample);
         }
     return samples;
@@ -95,7 +95,7 @@ Result<Lit> reefLight() {
     const auto sources = filmedSources();
     const auto environment = sources.empty() ? std::nullopt : sources.front().load();
     if (!environment) return Error{"content/video/reef.mp4", "cannot be read"};
-    Lit lit{.name = environment->name};
+    Lit lit;
     light::LightMaker({.baseWidth = 2048, .minRoughness = 0.25f}).make(environment->view(), lit.light);
     lit.harmonics = math::shProject(lit.light.radiance.levels[2]);
     return lit;

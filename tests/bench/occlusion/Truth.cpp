@@ -26,8 +26,7 @@ Path follow(const Scene& scene, const Rays& rays, const Cells& cells, glm::vec3 
         const Body& body = scene.bodies[touch->mesh];
         path.left *= body.sentBack;
         if (bounce == kBounces || path.left == glm::vec3(0)) return {};
-        const glm::vec3 u(1 - touch->u - touch->v, touch->u, touch->v);
-        const Receiver there = receiverAt(scene, touch->mesh, touch->triangle, u);
+        const Receiver there = receiverAt(scene, *touch);
         const glm::vec3 normal = glm::dot(there.normal, direction) > 0 ? -there.normal : there.normal;
         origin = origin + touch->distance * direction;
         // A point of the unit sphere that touches the surface gives a cosine-weighted direction.

@@ -1,4 +1,4 @@
-// Synthetic photos in which the light and the upright lines are known.
+// A synthetic photo in which the light and the upright lines are known.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -13,9 +13,6 @@ struct Scene {
 };
 
 inline constexpr double kSceneFov_deg = 65; // horizontal
-
-// Returns a clipped sun of two degrees over the sea, seen between wooden posts on a beach.
-Scene beach(int width, int height);
 
 // Returns a forest with a bright clearing between trunks.
 Scene forest(int width, int height);

@@ -1,6 +1,6 @@
-// bench_parallax FOLDER FILM.depth.mkv FPS FRAME...: compares what an eye beside the camera sees of a film
-// with distances with what the ray tracer sees from there: FOLDER/reef_X_Y_Z_NNNN.hdr, X Y Z in millimetres.
-// Writes FOLDER/parallax.tsv: way of drawing, movement, PSNR, and the same of what is nearer than 4 m.
+// bench_parallax FOLDER FRAME...: compares what an eye beside the camera sees of the reef's film with its
+// distances with what the ray tracer sees from there: FOLDER/reef_X_Y_Z_NNNN.hdr, X Y Z in millimetres.
+// Writes FOLDER/parallax.tsv: way of drawing, movement, PSNR, and the processor's time for a view.
 #include "engine/depth/DepthMap.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
@@ -19,7 +19,6 @@ using namespace shoal;
 using namespace shoal::bench;
 
 constexpr int kSize = 1024; // of a view of 90 degrees: about a pixel to half a texel
-constexpr float kNearby_m = 4;
 // Millimetres from the camera: right, up, back.
 constexpr std::array<glm::ivec3, 5> kEyes = {
     {{32, 0, 0}, {100, 0, 0}, {300, 0, 0}, {0, 0, -300}, {0, 150, 0}}};
@@ -166,17 +165,8 @@ Picture seenByGrid(const Frame& frame, const glm::vec3& eyeInFilm, const glm::ma
     return picture;
 }
 
-struct Error {
-    double sum = 0, count = 0;
-    void add(const glm::vec3& a, const glm::vec3& b) {
-        const glm::vec3 off = a - b;
-        sum += glm::dot(off, off) / 3, ++count;
-    }
-    double psnr() const { return count > 0 ? -10 * std::log10(std::max(sum / count, 1e-10)) : 0; }
-};
 struct Figures {
-    Error all, nearby;
-    double processor_ms = 0;
+    double squares = 0, processor_ms = 0; // squares: sum over the views of their mean squared error
     int views = 0;
 };
 
@@ -208,7 +198,7 @@ Result<Frame> readFrame(const Path& folder, media::DepthTrack& track, double tim
     for (size_t i = 0; i < coded.pixels.size(); ++i)
         coded.pixels[i] = static_cast<uint8_t>(255 * frame.display.pixels[i] + 0.5f);
     media::DepthFrame depth;
-    if (!track.read(track.frameAt(time_s), depth)) return shoal::Error{"the track", "is damaged"};
+    if (!track.read(track.frameAt(time_s), depth)) return Error{"the track", "is damaged"};
     depth::DepthRefiner().refine(
         depth, {coded.at(0, 0), coded.width, coded.height, coded.width * ptrdiff_t{3}, false}, frame.depth);
     depth::widenNear(frame.depth, frame.widened);
@@ -226,16 +216,16 @@ constexpr std::pair<const char*, Draw> kWays[] = {
 };
 
 Status run(int argc, char** argv) {
-    if (argc < 5) return shoal::Error{"", "bench_parallax FOLDER FILM.depth.mkv FPS FRAME..."};
+    if (argc < 3) return Error{"", "bench_parallax FOLDER FRAME..."};
     const Path folder = argv[1];
-    auto track = media::DepthTrack::open(argv[2]);
+    auto track = media::DepthTrack::open(dataRoot() / "content/video/reef.depth.mkv");
     if (!track) return track.error();
-    const double fps = std::atof(argv[3]);
+    constexpr double kFps = 24;
     std::map<std::pair<size_t, size_t>, Figures> figures; // by way and movement
-    for (int i = 4; i < argc; ++i) {
+    for (int i = 2; i < argc; ++i) {
         const int number = std::atoi(argv[i]);
         float exposure = 0;
-        const auto frame = readFrame(folder, *track, number / fps, number, exposure);
+        const auto frame = readFrame(folder, *track, number / kFps, number, exposure);
         if (!frame) return frame.error();
         for (size_t e = 0; e < kEyes.size(); ++e) {
             const auto truth = readDisplay(tracedFile(folder, kEyes[e], number), exposure);
@@ -253,21 +243,18 @@ Status run(int argc, char** argv) {
                     const Picture seen = kWays[way].second(*frame, eye, turn);
                     found.processor_ms += processor_ms() - began, ++found.views;
                     for (size_t p = 0; p < kPixels; ++p) {
-                        found.all.add(seen[p], right[p]);
-                        const glm::vec3 ray = rayOf({p % kSize, p / kSize}, turn);
-                        if (frame->depth.inverse_perM(glm::normalize(ray)) > 1 / kNearby_m)
-                            found.nearby.add(seen[p], right[p]);
+                        const glm::dvec3 off(seen[p] - right[p]);
+                        found.squares += glm::dot(off, off) / (3 * kPixels);
                     }
                 }
             }
         }
     }
-    std::string table = "way\tright_mm\tup_mm\tback_mm\tpsnr_db\tnearby_psnr_db\tprocessor_ms\n";
+    std::string table = "way\tright_mm\tup_mm\tback_mm\tpsnr_db\tprocessor_ms\n";
     for (const auto& [of, found] : figures)
-        table += fmt::format("{}\t{}\t{}\t{}\t{:.1f}\t{:.1f}\t{:.0f}\n", kWays[of.first].first,
-                             kEyes[of.second].x, kEyes[of.second].y, kEyes[of.second].z, found.all.psnr(),
-                             found.nearby.psnr(), found.processor_ms / found.views);
-    std::fputs(table.c_str(), stdout);
+        table += fmt::format("{}\t{}\t{}\t{}\t{:.1f}\t{:.0f}\n", kWays[of.first].first, kEyes[of.second].x,
+                             kEyes[of.second].y, kEyes[of.second].z,
+                             -10 * std::log10(found.squares / found.views), found.processor_ms / found.views);
     return writeFileWhole(folder / "parallax.tsv", table);
 }
 

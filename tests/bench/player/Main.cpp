@@ -1,6 +1,7 @@
 // bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]: plays dives by modelled persons over many seeds, by
 // PLAYER alone unless it is "all", in the reef if no dive is named. Prints a table and how often each of the
 // dive's goals is reached, and writes FOLDER/players.tsv, with a row for each dive.
+#include "engine/math/Quantile.h"
 #include "tests/bench/Bench.h"
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/playthrough/Rooms.h"
@@ -47,7 +48,7 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
     double closings = 0, escapes = 0, lost = 0, startles = 0;
     std::array<double, 6> misses{};
     std::array<double, player::kDoings> spent_s{};
-    std::vector<float> firsts;
+    std::vector<double> firsts;
     for (const player::PlayedDive& dive : dives) {
         caught.push_back(dive.caught);
         firsts.push_back(dive.firstCatch_s);
@@ -57,32 +58,22 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
         for (size_t i = 0; i < misses.size(); ++i) misses[i] += dive.misses[i];
         for (size_t i = 0; i < spent_s.size(); ++i) spent_s[i] += dive.spent_s[i];
     }
-    std::sort(caught.begin(), caught.end());
-    std::sort(firsts.begin(), firsts.end());
     const auto n = static_cast<double>(dives.size());
-    const auto share = [&](auto& sorted, double at) {
-        return static_cast<double>(sorted[static_cast<size_t>(at * (n - 1) + 0.5)]);
-    };
-    std::printf("%-30s caught %2.0f %2.0f %2.0f (10, 50, 90 %%)  in goal %3.0f %%  first %4.1f %4.1f s (50, "
-                "90 %%), in "
-                "time %3.0f %%\n    a dive: %.1f closings, %.1f escapes, %.1f lost, %.1f startled; missed: "
-                "nothing %.1f, "
-                "far %.1f, fast %.1f, early %.1f, behind %.1f\n    seconds: looking %.0f, waiting %.0f, "
-                "chasing %.0f, "
-                "holding %.0f, resting %.0f\n",
-                kind.name, share(caught, 0.1), share(caught, 0.5), share(caught, 0.9), 100 * met / n,
-                share(firsts, 0.5), share(firsts, 0.9), 100 * first / n, closings / n, escapes / n, lost / n,
-                startles / n, misses[1] / n, misses[2] / n, misses[3] / n, misses[4] / n, misses[5] / n,
-                spent_s[0] / n, spent_s[1] / n, spent_s[2] / n, spent_s[3] / n, spent_s[4] / n);
+    std::printf(
+        "%-30s caught %2d %2d %2d (10, 50, 90 %%)  in goal %3.0f %%  first %4.1f %4.1f s (50, 90 %%), "
+        "in time %3.0f %%\n    a dive: %.1f closings, %.1f escapes, %.1f lost, %.1f startled; "
+        "missed: nothing %.1f, far %.1f, fast %.1f, early %.1f, behind %.1f\n"
+        "    seconds: looking %.0f, waiting %.0f, chasing %.0f, holding %.0f, resting %.0f\n",
+        kind.name, math::quantile(caught, 0.1), math::median(caught), math::quantile(caught, 0.9),
+        100 * met / n, math::median(firsts), math::quantile(firsts, 0.9), 100 * first / n, closings / n,
+        escapes / n, lost / n, startles / n, misses[1] / n, misses[2] / n, misses[3] / n, misses[4] / n,
+        misses[5] / n, spent_s[0] / n, spent_s[1] / n, spent_s[2] / n, spent_s[3] / n, spent_s[4] / n);
 }
 
 } // namespace
 
 int main(int count, char** arguments) {
-    if (count < 2) {
-        std::fputs("bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]\n", stderr);
-        return 2;
-    }
+    if (bench::lacksArguments(count, 1, "bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]")) return 2;
     const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 50;
     const int from = count > 3 ? std::max(1, std::atoi(arguments[3])) : 1;
     auto files = game::loadDiveFiles(count > 5 ? arguments[5] : "reef");

@@ -109,23 +109,15 @@ float gauss(Random& random) { // Box & Muller 1958
 Action Player::frame(const game::Snapshot& shown, double time_s) {
     eyes_.look(shown, species_, time_s);
     if (time_s >= idleUntil_s_) {
-        switch (doing_) {
-        case Doing::Resting:
-            begin(Doing::Looking, time_s);
-            [[fallthrough]];
-        case Doing::Looking:
+        if (doing_ == Doing::Resting) begin(Doing::Looking, time_s);
+        if (doing_ == Doing::Looking)
             look(time_s);
-            break;
-        case Doing::Waiting:
+        else if (doing_ == Doing::Waiting)
             wait(time_s);
-            break;
-        case Doing::Chasing:
+        else if (doing_ == Doing::Chasing)
             chase(time_s);
-            break;
-        case Doing::Holding:
+        else
             hold(time_s);
-            break;
-        }
     }
     Action action;
     const glm::vec3 place = movement_.at(time_s);

@@ -6,7 +6,7 @@
 #include "engine/math/LatLong.h"
 #include "engine/math/Quantile.h"
 #include "engine/media/Pictures.h"
-#include "engine/media/VideoSource.h"
+#include "engine/media/VideoPlayer.h"
 #include "tests/bench/Bench.h"
 
 #include <fmt/core.h>
@@ -55,24 +55,19 @@ double stepBetween(const ImageRgbF& before, const ImageRgbF& after) {
 }
 
 Result<std::vector<Lights>> lightsOf(const Path& folder, const std::string& film, int first, int count) {
-    auto video =
-        media::VideoSource::open(dataRoot() / "content/video" / (film + ".mp4"), media::Layout::Mono);
-    if (!video) return video.error();
-    if (!video->seek(first)) return Error{film, "cannot be sought in"};
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video" / (film + ".mp4"));
+    if (!player) return player.error();
     std::vector<light::LightMaker> makers;
     for (const Method& method : kMethods)
         makers.emplace_back(
             light::LightOptions{.baseWidth = 512, .minRoughness = 0.5f, .frames = method.frames});
     light::LightMaker trueMaker({.baseWidth = 512, .minRoughness = 0.5f});
-    ImageRgb8 shown(video->info().width, video->info().height);
     light::EnvironmentLight made;
     std::vector<Lights> lights;
     for (int frame = first; frame < first + count; ++frame) {
-        while (video->position() <= frame)
-            if (!video->grab()) return Error{film, "cannot be decoded"};
+        const ImageRgb8& shown = player->waitFor((frame + 0.5) / player->info().fps)->pixelsBgr;
         auto truth = media::readHdr(folder / fmt::format("{}_{:04}.hdr", film, frame));
         if (!truth) return truth.error();
-        if (!video->retrieve(shown)) return Error{film, "cannot be decoded"};
         Lights& out = lights.emplace_back();
         for (size_t i = 0; i < makers.size(); ++i) {
             makers[i].make({shown.pixels.data(), shown.width, shown.height, ptrdiff_t{3} * shown.width},
@@ -104,10 +99,7 @@ void printClip(const std::string& name, const std::vector<Lights>& lights) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 5 || argc % 2 == 0) {
-        fmt::print(stderr, "usage: bench_steps FOLDER COUNT {{FILM FIRST}}...\n");
-        return 2;
-    }
+    if (bench::lacksArguments(argc, 4, "bench_steps FOLDER COUNT {FILM FIRST}...")) return 2;
     fmt::print("| clip | light | true step, median % | step, median % | above the true one, median % | "
                "90 of 100 below % | most % |\n|---|---|---|---|---|---|---|\n");
     for (int i = 3; i + 1 < argc; i += 2) {

@@ -177,15 +177,14 @@ TEST(WrapBlend, EndsMeet) {
 }
 
 TEST(Panorama, WrapStepIsNoStrongerThanThePicturesOwnGradients) {
-    for (const bench::Scene& scene : {bench::beach(480, 360), bench::forest(480, 360)}) {
-        cv::Mat ring = colours(scene.photo);
-        blendWrapAround(ring);
-        const WrapDiscontinuity seam = wrapDiscontinuity(ring);
-        EXPECT_LE(seam.wrapStep, seam.usualStep);
-        const auto grown = tests::valueOf(panoramaFromPhoto(scene.photo, {.fov_deg = bench::kSceneFov_deg}));
-        // Both lights are wider than 2 degrees and one has a ragged edge.
-        EXPECT_LT(glm::distance(grown.lightInPhoto, scene.light) / 480 * bench::kSceneFov_deg, 0.5);
-    }
+    const bench::Scene scene = bench::forest(480, 360);
+    cv::Mat ring = colours(scene.photo);
+    blendWrapAround(ring);
+    const WrapDiscontinuity seam = wrapDiscontinuity(ring);
+    EXPECT_LE(seam.wrapStep, seam.usualStep);
+    const auto grown = tests::valueOf(panoramaFromPhoto(scene.photo, {.fov_deg = bench::kSceneFov_deg}));
+    // The light is wider than 2 degrees and has a ragged edge.
+    EXPECT_LT(glm::distance(grown.lightInPhoto, scene.light) / 480 * bench::kSceneFov_deg, 0.5);
 }
 
 // Middle of the brightest texels of the columns around the middle.
@@ -260,7 +259,7 @@ TEST(Panorama, FullReachesBothPolesAndKeepsTheMiddle) {
 }
 
 TEST(Panorama, SameBytesTwice) {
-    const ImageRgb8 photo = bench::beach(320, 240).photo;
+    const ImageRgb8 photo = bench::forest(320, 240).photo;
     const auto a = panoramaFromPhoto(photo, {}), b = panoramaFromPhoto(photo, {});
     ASSERT_TRUE(a && b);
     EXPECT_EQ(a->latLong.pixels, b->latLong.pixels);
