@@ -195,7 +195,7 @@ static void grab(Fish& f, int id, Hand& hand, int h, const DiveContext& in, Even
     f.state = Fish::State::Held;
     f.heldBy = h;
     f.push = glm::vec3(0);
-    f.gait.set(in.thingOf(f) == Thing::None ? Motion::Struggle : Motion::Loose);
+    f.gait.set(in.thingOf(f) == Thing::None ? Motion::Struggle : Motion::Detached);
     f.hold = {};
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
     f.hold.palmFromBody = palmFromWorld * f.worldFromBody;
