@@ -189,7 +189,7 @@ static void showHand(int h, const DiveContext& in, HandView& view) {
     view.ready = view.haste = view.holdProgress = 0;
     for (const Fish& f : in.state.fish)
         if (f.catchableBy == h) view.ready = std::max(view.ready, f.catchable);
-    view.outOfReach = outOfReach(hand, in.state.fish, in);
+    view.outOfReach = fishOutOfReach(hand, in.state.fish, in);
     if (hand.solid && view.ready == 0 && !hand.grasp.closed) view.haste = hasteOf(hand, in.state.fish, in);
     if (view.holds < 0) return;
     const Fish& held = in.state.fish[view.holds];

@@ -293,7 +293,7 @@ static void closeHand(Hand& hand, int h, std::span<Fish> fish, const DiveContext
     Grasp& grasp = hand.grasp;
     const bool wasClosed = grasp.closed;
     readGrip(hand);
-    if (grasp.closed && !wasClosed) hand.intent.miss = missOf(hand, fish, in);
+    if (grasp.closed && !wasClosed) hand.intent.miss = whyMissed(hand, fish, in);
     grasp.encloses = grasp.holds;
     if (grasp.holds >= 0) return wrapAround(fish[grasp.holds], hand, in);
     if (in.state.phase != Phase::Diving) return;
