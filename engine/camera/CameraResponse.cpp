@@ -228,10 +228,10 @@ static float luma(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0
 // samples: luma of each cell's samples.
 static void readCells(const light::FrameView& frame, ImageRgbF& out,
                       std::vector<std::array<float, kCellSamples>>& samples) {
-    constexpr int kDown = kGlowHeight * kSamples, kAcross = kGlowWidth * kSamples;
+    constexpr int kDown = kGlareHeight * kSamples, kAcross = kGlareWidth * kSamples;
     constexpr float kShare = 1.0f / kCellSamples;
     std::ranges::fill(out.pixels, 0.0f);
-    samples.resize(size_t{kGlowWidth} * kGlowHeight);
+    samples.resize(size_t{kGlareWidth} * kGlareHeight);
     for (int j = 0; j < kDown; ++j) {
         const uint8_t* row = frame.row((2 * j + 1) * frame.height / (2 * kDown));
         for (int i = 0; i < kAcross; ++i) {
@@ -243,7 +243,7 @@ static void readCells(const light::FrameView& frame, ImageRgbF& out,
                 light[c] = static_cast<float>(value * value) / (255.0f * 255.0f);
                 to[c] += kShare * light[c];
             }
-            samples[j / kSamples * kGlowWidth + i / kSamples][j % kSamples * kSamples + i % kSamples] =
+            samples[j / kSamples * kGlareWidth + i / kSamples][j % kSamples * kSamples + i % kSamples] =
                 luma(light.data());
         }
     }
@@ -251,23 +251,23 @@ static void readCells(const light::FrameView& frame, ImageRgbF& out,
 
 // Averages over three cells down and as many across as are equally wide on the sphere.
 static void spread(ImageRgbF& map, ImageRgbF& across) {
-    for (int y = 0; y < kGlowHeight; ++y) {
-        const float ring = std::sin((static_cast<float>(y) + 0.5f) / kGlowHeight * std::numbers::pi_v<float>);
-        const int reach = std::min(static_cast<int>(1 / ring + 0.5f), kGlowWidth / 2 - 1);
+    for (int y = 0; y < kGlareHeight; ++y) {
+        const auto ring = std::sin((static_cast<float>(y) + 0.5f) / kGlareHeight * std::numbers::pi_v<float>);
+        const int reach = std::min(static_cast<int>(1 / ring + 0.5f), kGlareWidth / 2 - 1);
         const float share = 1 / static_cast<float>(2 * reach + 1);
-        const auto at = [&](int x) { return map.at((x + kGlowWidth) % kGlowWidth, y); };
+        const auto at = [&](int x) { return map.at((x + kGlareWidth) % kGlareWidth, y); };
         std::array<float, 3> sum{};
         for (int i = -reach; i <= reach; ++i)
             for (size_t c = 0; c < 3; ++c) sum[c] += at(i)[c];
-        for (int x = 0; x < kGlowWidth; ++x)
+        for (int x = 0; x < kGlareWidth; ++x)
             for (size_t c = 0; c < 3; ++c) {
                 across.at(x, y)[c] = std::max(sum[c], 0.0f) * share;
                 sum[c] += at(x + reach + 1)[c] - at(x - reach)[c];
             }
     }
-    for (int y = 0; y < kGlowHeight; ++y) {
-        const int up = std::max(y - 1, 0), down = std::min(y + 1, kGlowHeight - 1);
-        for (int x = 0; x < kGlowWidth; ++x)
+    for (int y = 0; y < kGlareHeight; ++y) {
+        const int up = std::max(y - 1, 0), down = std::min(y + 1, kGlareHeight - 1);
+        for (int x = 0; x < kGlareWidth; ++x)
             for (int c = 0; c < 3; ++c)
                 map.at(x, y)[c] = (across.at(x, up)[c] + across.at(x, y)[c] + across.at(x, down)[c]) / 3;
     }
@@ -283,11 +283,11 @@ void GlareFilter::make(const light::FrameView& frame, Glare& out) {
 
     shares_.clear();
     smallShares_.clear();
-    for (int y = kGlowHeight / 8; y < kGlowHeight * 7 / 8; ++y)
-        for (int x = 0; x < kGlowWidth; ++x)
+    for (int y = kGlareHeight / 8; y < kGlareHeight * 7 / 8; ++y)
+        for (int x = 0; x < kGlareWidth; ++x)
             if (const float around = luma(out.spread.at(x, y)); around > kBright) {
                 shares_.push_back(luma(cells_.at(x, y)) / around);
-                auto& samples = samples_[y * kGlowWidth + x];
+                auto& samples = samples_[y * kGlareWidth + x];
                 float dark = std::ranges::min(samples);
                 if (dark < kUsualGlare * around) { // else their mean is not below it either
                     const auto bright = samples.begin() + kDarkSamples;

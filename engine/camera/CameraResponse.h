@@ -1,7 +1,7 @@
-// Response of a video's camera and codec, estimated from its frames: blur, noise, levels, glare and chroma
-// subsampling. Values are display-coded, 0 to 1; lengths are texels of the frame at its equator.
+// Estimates the response of a video's camera and codec from its frames: blur, noise, levels and glare.
+// Values are display-coded, 0 to 1; lengths are texels of the frame at its equator.
 //
-// Buffers stay; a frame with more edges or blocks than any before it enlarges them. One thread at a time.
+// Buffers are reused, and grow only for a frame with more edges or blocks. One thread at a time.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -37,17 +37,17 @@ struct CameraResponse {
 struct CameraResponseEstimate {
     CameraResponse response{.chromaTexels = glm::ivec2(2)}; // chroma is not estimated: the caller sets it
     int edges = 0;                                          // edges measured; below kFewEdges blur is 0
-    // Blocks without clipped texels; a band with fewer than kFewBlocks takes the noise of the nearest other.
+    // Blocks without clipped texels. A band with fewer than kFewBlocks copies the nearest band with enough.
     std::array<int, kBrightnesses> unclippedBlocks{};
 };
 
 constexpr int kFewEdges = 12;
-constexpr int kFewBlocks = 8; // least blocks of a band: of fewer, even the flattest probably shows texture
+constexpr int kFewBlocks = 8; // with fewer blocks in a band, even the flattest probably shows texture
 
 class CameraResponseEstimator {
   public:
-    // Reads five stripes of the frame's middle half, where a texel is at most 1.4 times as high as it is wide
-    // (8 % of 2048 x 1024), and for the levels one texel in 64 of the middle three quarters.
+    // Reads five stripes (8 % of 2048 x 1024) of the frame's middle half, where a texel is at most 1.4 times
+    // as high as wide. For the levels, reads one texel in 64 of the middle three quarters.
     CameraResponseEstimate estimate(const light::FrameView& frame);
 
   private:
@@ -56,7 +56,7 @@ class CameraResponseEstimator {
     void measureBlur(CameraResponseEstimate& out);
     void measureNoise(CameraResponseEstimate& out);
 
-    // The current stripe, row by row: luma, 0 to 255; clipped: whether any channel is.
+    // The current stripe, row by row. Luma is 0 to 255; clipped tells whether any channel is clipped.
     int width_ = 0;
     std::vector<float> luma_;
     std::vector<unsigned char> clipped_;
@@ -73,17 +73,17 @@ class CameraResponseEstimator {
     std::array<Blocks, kBrightnesses> blocks_;
 };
 
-constexpr int kGlowWidth = 128, kGlowHeight = 64; // cells of the lat-long map
+constexpr int kGlareWidth = 128, kGlareHeight = 64; // cells of the lat-long map
 constexpr int kCellSamples = 16;
 
 // Veiling glare: port and lens scatter a fraction of the surrounding light to every texel, most visibly to
-// dark objects in front of bright ones (ISO 9358). Virtual objects need it added.
+// dark objects in front of bright ones (ISO 9358). It must be added to virtual objects.
 struct Glare {
-    // Light blurred with a standard deviation of five degrees. Light is the square of display values, which
-    // approximates any camera's coding well enough for this.
-    ImageRgbF spread{kGlowWidth, kGlowHeight};
-    // Upper bound of the fraction that the lens scatters, from the darkest texels in bright surroundings; 1
-    // if no bright texels are seen.
+    // The frame's light, blurred with a standard deviation of five degrees. Squared display values stand for
+    // light, which is close enough to any camera's coding.
+    ImageRgbF spread{kGlareWidth, kGlareHeight};
+    // Upper bound of the fraction that the lens scatters, measured at the darkest texels in bright
+    // surroundings; 1 if no bright texels are seen.
     float maxShare = 1;
 };
 
@@ -92,9 +92,9 @@ class GlareFilter {
     void make(const light::FrameView& frame, Glare& out);
 
   private:
-    ImageRgbF cells_{kGlowWidth, kGlowHeight}, across_{kGlowWidth, kGlowHeight};
-    std::vector<std::array<float, kCellSamples>> samples_; // scratch, as below
-    std::vector<float> shares_, smallShares_;
+    ImageRgbF cells_{kGlareWidth, kGlareHeight}, across_{kGlareWidth, kGlareHeight};
+    std::vector<std::array<float, kCellSamples>> samples_; // scratch
+    std::vector<float> shares_, smallShares_;              // scratch
 };
 
 // Temporal smoothing of estimates. Deterministic: depends only on the estimates and the times between them.
@@ -109,7 +109,7 @@ class CameraResponseOverTime {
     // useful bound, a typical lens is assumed.
     void followGlare(float maxShare, float dt_s);
 
-    const CameraResponse& response() const { return response_; } // before the first estimate: no effect
+    const CameraResponse& response() const { return response_; } // has no effect before the first estimate
 
   private:
     float maxGlare_ = 1;

@@ -26,7 +26,7 @@ class Random {
     // Uniform in [0, 1); 24 bits, so every value is exact in a float.
     float unit() { return static_cast<float>(next() >> 8) * 0x1p-24f; }
 
-    // Uniform from low to high, which rounding may give too.
+    // Uniform in [low, high); rounding may return high too.
     float between(float low, float high) { return low + (high - low) * unit(); }
 
     // Uniform in 0 .. count - 1; count > 0. The bias is below count / 2^32.

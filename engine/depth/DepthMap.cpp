@@ -12,19 +12,19 @@ namespace shoal::depth {
 
 namespace {
 
-// Least difference, in DepthMap's steps, between the inverse distances of two sides of an edge: those of
-// neighbours on a slope seen at a small angle differ less.
+// Least difference between the inverse distances of an edge's two sides, in DepthMap's steps. Neighbours on a
+// slope seen at a grazing angle differ by less.
 constexpr int kEdge = 8;
 
-// Colours of one surface differ by about this (of 255, all channels) due to grain, caustics and coding.
+// Grain, caustics and coding make colours of one surface differ by about this (of 255, over all channels).
 constexpr float kSameColour = 16;
 
 constexpr size_t kLanes = 16;   // texels of the map that are processed at once
 constexpr float kReach = 1.3f;  // reach of a texel's vote, in texels of the track
-constexpr float kSharpness = 3; // depth goes from far to near while the near share grows by 1 / kSharpness
+constexpr float kSharpness = 3; // depth blends from far to near over 1 / kSharpness of the near share
 
-// Confidence up to which a distance is ignored, and confidence from which on it counts in full.
-constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
+// A distance is ignored up to the first confidence and counts in full from the second on.
+constexpr float kNoTrust = 0.25f, kFullTrust = 0.6f;
 
 // Blends two rows; weight: the second's, in 256ths.
 SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int weight, uint8_t* out,
@@ -55,11 +55,11 @@ SHOAL_VECTORISE void addRow(const uint8_t* codes, size_t count, uint8_t* min, ui
 
 // The nine texels of a track around an edge, which vote.
 struct Voters {
-    const uint8_t* colours; // colours of the map's texels in the middle texel: channels `stride` apart
-    const float* nearness;  // nearness of these to each of the nine: `stride` apart
+    const uint8_t* colours; // of the map's texels in the middle texel: channels are `stride` apart
+    const float* nearness;  // of the same texels to each of the nine, which are `stride` apart
     size_t stride;
     const DepthEdge& edge;
-    std::array<const float*, 9> means; // colours of the nine
+    std::array<const float*, 9> means; // mean colour of each of the nine
 };
 
 // Assigns each texel of the map to the texels of the track around it that are close and share its colour:
@@ -102,7 +102,7 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
     if (inverse.empty()) return 0;
     const int width = inverse.width, height = inverse.height;
     const glm::vec2 uv = latLongRoughly(dirEnv);
-    // Counted from half a texel left of the map: never negative, so that truncation rounds down.
+    // x starts half a texel left of the map, so it is never negative and truncation rounds it down.
     const float x = uv.x * static_cast<float>(width) + 0.5f;
     const float y =
         std::clamp(uv.y * static_cast<float>(height) - 0.5f, 0.0f, static_cast<float>(height - 1));
@@ -120,7 +120,7 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
 // s, which is 0 at infinity. It goes from near to far, each time to where the ray would meet the surface that
 // the film shows towards the point, by FILM_STEP_RAD at most, so that it passes over no wide surface. A point
 // a little behind that surface is moved back to it; one far behind it has passed an edge.
-glm::vec3 searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
+glm::vec3 filmDirectionSeen(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
     struct Point {
         float inverse;     // inverse distance from the eye
         glm::vec3 towards; // direction from the film's camera
@@ -145,7 +145,7 @@ glm::vec3 searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::v
         point = at(std::max(point.met, point.inverse - maxStep));
     }
     const Point nearer = at(point.met);
-    if (isMet(nearer)) return nearer.towards; // a step went past it
+    if (isMet(nearer)) return nearer.towards; // a step had gone past this surface
     const Point beyond = at(before.met);
     if (isMet(beyond)) return beyond.towards;
     return nearer.met < point.met ? nearer.towards : before.towards;
@@ -191,7 +191,7 @@ DepthRange::Range DepthRange::around(const glm::vec3& dirEnv, float halfAngle) c
     return {DepthMap::perM(codes.min), DepthMap::perM(codes.max)};
 }
 
-void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
+void DepthRefiner::weightByConfidence(const media::DepthFrame& depth) {
     coarse_.fit(depth.width, depth.height);
     constexpr float kScale = media::kMaxInverse_perM / media::kMaxDepthCode * kNearest_m * DepthMap::kSteps;
     for (int y = 0; y < depth.height; ++y)
@@ -199,7 +199,7 @@ void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
             const size_t of = static_cast<size_t>(y / 2) * (depth.width / 2) + x / 2;
             const float confidence = static_cast<float>(depth.confidence[of]) / media::kMaxDepthCode;
             const float trust =
-                std::clamp((confidence - kDoubted) / (kBelieved - kDoubted), 0.0f, 1.0f) * kScale;
+                std::clamp((confidence - kNoTrust) / (kFullTrust - kNoTrust), 0.0f, 1.0f) * kScale;
             const auto code = static_cast<float>(depth.inverse[static_cast<size_t>(y) * depth.width + x]);
             *coarse_.at(x, y) = static_cast<uint8_t>(std::min(code * trust + 0.5f, DepthMap::kSteps));
         }
@@ -214,7 +214,7 @@ DepthRefiner::Interpolation DepthRefiner::interpolationOf(int fine, int fineCoun
 }
 
 void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
-    readTrusted(depth);
+    weightByConfidence(depth);
     out.inverse.fit(mapWidth_, mapWidth_ / 2);
     columns_.resize(static_cast<size_t>(mapWidth_));
     for (int x = 0; x < mapWidth_; ++x)
@@ -261,8 +261,8 @@ bool DepthRefiner::findEdge(int x, int y, DepthEdge& edge) const {
     return furthestNear - nearestFar >= kEdge;
 }
 
-// Computes how close the map's texels within one of the track are to that and its eight neighbours: 1 at a
-// neighbour's middle, 0 from kReach texels of the track on, along both axes.
+// Computes nearness_ of the map's texels in a track texel to that texel and its eight neighbours: along each
+// axis 1 at the middle, falling to 0 at kReach texels of the track.
 void DepthRefiner::placeTexels(int scale) {
     const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
     padded_ = (count + kLanes - 1) / kLanes * kLanes;
@@ -277,8 +277,8 @@ void DepthRefiner::placeTexels(int scale) {
                 nearness_[n * padded_ + y * scale + x] = along(x, n % 3 - 1) * along(y, n / 3 - 1);
 }
 
-// Reads the film's colours at the map's texels, channel by channel for each wanted texel of the track: the
-// mean of four pixels if the film is fine enough.
+// Reads the film's colours at the map's texels, channel by channel for each wanted texel of the track. Each
+// is the mean of four pixels of the film, if the film is fine enough.
 void DepthRefiner::readColours(const light::FrameView& film, int scale) {
     colours_.resize(static_cast<size_t>(coarse_.width) * coarse_.height * 3 * padded_);
     means_.fit(coarse_.width, coarse_.height);

@@ -1,5 +1,5 @@
-// The distances of the surfaces that one frame of a film shows, in every direction, aligned to the film's own
-// edges. Objects, shadows and moving eyes' views are drawn with them. env frame, from the film's camera.
+// Holds the distance in every direction (env frame) from the film's camera to the surface that a frame shows,
+// aligned to the frame's edges. It serves to hide objects, cast shadows and shift the film for moved eyes.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -16,7 +16,7 @@
 
 namespace shoal::depth {
 
-// The least distance in the map. So the film never hides a hand that is nearer.
+// The map's least distance: the film never hides a hand that is nearer.
 constexpr auto kNearest_m = static_cast<float>(FILM_NEAREST_M);
 
 constexpr int kMapWidth = 1024; // chosen by tests/bench/figures/depth.md
@@ -33,18 +33,18 @@ struct DepthMap {
     float inverse_perM(const glm::vec3& dirEnv) const;
 };
 
-// Returns what an eye beside the film's camera sees in a direction, as a direction from that camera: the
-// first point of the film on the ray, found by fixed-point iteration from the near end. Where the ray passes
-// behind a depth edge, in a place that no frame shows, it returns the surface behind, beside that edge.
+// Finds the first surface of the film on the ray from an eye beside the camera, by fixed-point iteration from
+// the near end. Returns the direction from the camera to it. Where the ray passes behind a depth edge, which
+// the frame does not show, returns the direction to the far surface beside that edge.
 // eyeEnv: metres from the film's camera, at most a third of a metre; dirEnv: unit length.
-glm::vec3 searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv);
+glm::vec3 filmDirectionSeen(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv);
 
-// Widens near surfaces by a texel. Texels at a film's edges mix the colours of both sides: if they moved with
-// the far side, an eye would see a ghost of the edge.
+// Widens near surfaces by a texel. A film's texels at an edge mix the colours of both sides: if they shifted
+// with the far side, a moved eye would see a ghost of the edge.
 void widenNear(const DepthMap& map, DepthMap& out);
 
-// Nearest and farthest distance within a part of a film, found without reading every texel: tells whether the
-// film can hide an object at all, or hides it fully.
+// Finds the nearest and farthest distance within a part of a film without reading every texel: they tell
+// whether the film can hide an object at all, or hides it fully.
 class DepthRange {
   public:
     struct Range {
@@ -65,10 +65,10 @@ class DepthRange {
 
   private:
     std::vector<Codes> cells_;
-    std::vector<uint8_t> columnMin_, columnMax_; // scratch: extremes over the rows of a cell
+    std::vector<uint8_t> columnMin_, columnMax_; // scratch: range of each column in a row of cells
 };
 
-// A texel of a depth track at which near and far surfaces meet, with the eight texels around it.
+// A texel of a depth track where a near and a far surface meet, with its eight neighbours.
 struct DepthEdge {
     int x, y;
     std::array<float, 9> inverse; // steps of DepthMap, row by row
@@ -94,7 +94,7 @@ class DepthRefiner {
     static Interpolation interpolationOf(int fine, int fineCount, int coarseCount, bool repeats);
 
     bool findEdge(int x, int y, DepthEdge& edge) const;
-    void readTrusted(const media::DepthFrame& depth);
+    void weightByConfidence(const media::DepthFrame& depth);
     void placeTexels(int scale);
     void readColours(const light::FrameView& film, int scale);
     void split(const DepthEdge& edge, int scale, DepthMap& out) const;
@@ -103,12 +103,12 @@ class DepthRefiner {
     Image<uint8_t, 1> coarse_; // inverse distances in DepthMap's steps, less where confidence is low
     // Scratch.
     std::vector<DepthEdge> edges_;
-    size_t padded_ = 0;                  // the map's texels in one of the track, to a multiple of kLanes
+    size_t padded_ = 0;                  // map texels per track texel, rounded up to a multiple of kLanes
     std::vector<Interpolation> columns_; // by column of the map
     Image<uint16_t, 1> wide_;            // the track enlarged to the map's width, in 256ths
     std::vector<int> filmColumns_;       // by column of the map: its first byte in the film
     std::vector<float> nearness_;        // see placeTexels()
-    Image<uint8_t, 1> wanted_;           // texels of the track whose colours are needed
+    Image<uint8_t, 1> wanted_;           // by texel of the track: whether its colours are needed
     std::vector<uint8_t> colours_;       // by texel of the map, see readColours()
     Image<float, 3> means_;              // mean colours of the track's texels
 };

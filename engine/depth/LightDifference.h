@@ -1,8 +1,8 @@
-// Difference of the light at a place from that at the film's camera: near a sunlit rock it has the rock's
-// colour, in a cave's mouth there is less of the light outside. Rays are marched from the place to the first
-// surface that the film shows, as in parallax-corrected cube maps (Lagarde and Zanuttini 2012, "Local
-// Image-based Lighting With Parallax-corrected Cubemaps") with the film's distances in place of a box. env
-// frame, metres from the film's camera.
+// Computes how the light at a place differs from the light at the film's camera: a sunlit rock nearby adds
+// its colour, a cave's mouth takes away light from outside. Marches rays from the place to the first surface
+// that the film shows, as in parallax-corrected cube maps (Lagarde and Zanuttini 2012, "Local Image-based
+// Lighting With Parallax-corrected Cubemaps") with the film's distances in place of a box. Places are in the
+// env frame, metres from the film's camera.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -20,22 +20,21 @@ using LightHarmonics = std::array<glm::vec3, 9>;
 
 class LightDifference {
   public:
-    // Surfaces beyond kFar_m count as infinitely far, those from half of it on in part. At places beyond it
-    // the difference fades; from 1.5 times it on there is none.
+    // A surface's effect fades from kFar_m / 2 to kFar_m; farther ones count as infinitely far. The
+    // difference at a place fades from kFar_m to 1.5 kFar_m from the camera.
     static constexpr float kFar_m = 4;
 
-    // radianceLin: lat-long, about 64 texels around, of the frame that the map belongs to. Allocates only on
-    // the first call.
+    // radianceLin: lat-long map of the same frame, about 64 texels wide. Allocates only on the first call.
     void make(const ImageRgbF& radianceLin, const DepthMap& map);
 
-    // Returns the radiance at the place minus that at the camera; exactly 0 if its rays all go to infinity.
+    // Returns the radiance at the place minus that at the camera; exactly 0 if no ray hits a surface.
     LightHarmonics at(const glm::vec3& placeEnv) const;
 
   private:
-    int firstMet(const glm::vec3& place, const glm::vec3& dir) const; // index of a fine cell; -1: none
+    int firstHit(const glm::vec3& place, const glm::vec3& dir) const; // fine cell that the ray hits; -1: none
 
-    std::vector<float> inverse_perM_; // by fine cell
-    std::vector<glm::vec3> radiance_; // by coarse cell
+    std::vector<float> inverse_perM_; // inverse distance from the camera, by fine cell
+    std::vector<glm::vec3> radiance_; // mean, by coarse cell
 };
 
 } // namespace shoal::depth

@@ -210,7 +210,7 @@ void Player::pack(light::TooBright tooBright, FrameFindings& out) {
     out.radianceLin = made_.radiance.ofWidth(kBesideWidth);
 }
 
-bool Player::update(double time_s, bool exact) {
+bool Player::update(double time_s, bool exactFrame) {
     if (live_) {
         const media::VideoFrame& frame = *live_->newest();
         if (liveNotice_ != live_->notice()) {
@@ -223,7 +223,7 @@ bool Player::update(double time_s, bool exact) {
         return show(frame, time_s);
     }
     if (!player_) return false;
-    const media::VideoFrame* frame = exact ? player_->waitFor(time_s) : player_->newest(time_s);
+    const media::VideoFrame* frame = exactFrame ? player_->waitFor(time_s) : player_->newest(time_s);
     if (const std::string status = player_->status(); !status.empty()) {
         log::warn("{}", status);
         trouble_ = Trouble::Damaged;

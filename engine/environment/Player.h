@@ -101,10 +101,10 @@ class Player {
     // Opens an environment, with its first frame.
     static Result<std::unique_ptr<Player>> open(const Setup& setup, const Wait& wait = {});
 
-    // Shows the video's frame at a time, seconds; the video repeats for ever. exact: waits for just that
-    // frame, so that equal times give equal pictures; else takes the newest complete one. A live video always
-    // shows its newest frame. Returns whether the frame changed.
-    bool update(double time_s, bool exact);
+    // Shows the video's frame at a time, seconds; the video repeats for ever. exactFrame: waits until that
+    // frame is decoded, so that equal times give equal pictures; else takes the newest complete one. A live
+    // video always shows its newest frame. Returns whether the frame changed.
+    bool update(double time_s, bool exactFrame);
 
     // Returns the frame of the last update(), valid until the next; the functions below describe it too.
     const Frame& frame() const { return *shown_; }

@@ -56,7 +56,7 @@ BackgroundCells::Corner BackgroundCells::Rays::at(const glm::vec2& pixel) const 
     const glm::vec3 towards = direction(pixel);
     const float length = glm::length(towards);
     if (!film.depth) return {towards, latLongFromDirection(towards / length)};
-    const glm::vec3 seen = depth::searchAlong(*film.depth, film.eyeInFilm, towards / length);
+    const glm::vec3 seen = depth::filmDirectionSeen(*film.depth, film.eyeInFilm, towards / length);
     return {seen * length, latLongFromDirection(seen), seen * length - towards};
 }
 

@@ -42,29 +42,29 @@ Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bo
 
 void BackgroundPass::markTiles(const CellRange& tiles) {
     for (int y = tiles.first.y; y <= tiles.last.y; ++y)
-        for (int x = tiles.first.x; x <= tiles.last.x; ++x) wanted_[FrameTiles::indexOf(x, y)] = true;
+        for (int x = tiles.first.x; x <= tiles.last.x; ++x) tilesToPaint_[FrameTiles::indexOf(x, y)] = true;
 }
 
 Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) {
     cells_.make(picture.view, picture.envFromEye(), picture.size(), picture.filmParallax());
-    drawn_.clear();
+    cellsToDraw_.clear();
     for (const BackgroundCell& cell : cells_.all())
-        drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.tiles(layer->tiles.frameSize()))});
+        cellsToDraw_.push_back({&cell, layer && layer->tiles.isChosen(cell.tiles(layer->tiles.frameSize()))});
     return drawCells(picture, layer);
 }
 
 Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* layer) {
-    if (drawn_.empty()) return Done{};
-    wanted_.assign(FrameTiles::kAll, false);
-    for (const auto& [cell, isPainted] : drawn_)
+    if (cellsToDraw_.empty()) return Done{};
+    tilesToPaint_.assign(FrameTiles::kAll, false);
+    for (const auto& [cell, isPainted] : cellsToDraw_)
         if (isPainted) markTiles(cell->tiles(layer->tiles.frameSize()));
     const FilmShadows* seen = picture.seenShadows();
     if (seen && std::exchange(uploadedShadows_, seen->version()) != seen->version())
         uploadTexels(shadowTexture_, frameOf(seen->remaining()), shadowSize_);
     const GLuint shadows = seen ? shadowTexture_.name() : 0;
-    if (std::ranges::find(wanted_, true) != wanted_.end()) {
+    if (std::ranges::find(tilesToPaint_, true) != tilesToPaint_.end()) {
         const FilmedFrame* filmed = layer->filmed ? &picture.filmed : nullptr;
-        composite_.paint(picture.environment, layer->tiles, wanted_, layer->layer.layer().texture(),
+        composite_.paint(picture.environment, layer->tiles, tilesToPaint_, layer->layer.layer().texture(),
                          layer->view, picture.envFromWorld, filmed, shadows);
         picture.canvas.bindColour();
     }
@@ -72,7 +72,7 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
     for (const auto& [shownPainted, polar] :
          {std::pair(false, false), std::pair(false, true), std::pair(true, false), std::pair(true, true)}) {
         corners_.clear();
-        for (const auto& [cell, isPainted] : drawn_) {
+        for (const auto& [cell, isPainted] : cellsToDraw_) {
             if (isPainted != shownPainted || cell->polar != polar) continue;
             for (const int i : {0, 1, 2, 2, 1, 3}) {
                 const glm::ivec2 at(i & 1 ? cell->high.x : cell->low.x, i >> 1 ? cell->high.y : cell->low.y);

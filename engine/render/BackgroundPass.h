@@ -1,7 +1,6 @@
-// Draws the environment behind everything, with the shadows of bodies on it, and a layer of objects in the
-// texels of its frame if there is one. Pairs with shaders/render/Background. This is the OpenGL
-// implementation, for any context from 3.3; where the driver renders on the processor, make() returns
-// software/SoftwareBackground instead.
+// Draws the environment behind everything, with the bodies' shadows. If there is a layer of objects,
+// resamples it into the texels of the frame first. Pairs with shaders/render/Background. This class needs
+// OpenGL 3.3; where the driver renders on the processor, make() returns software/SoftwareBackground.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -21,13 +20,13 @@ struct TexelLayer {
     LayerPass& layer;
     View view; // the layer's view, a little wider than the picture's
     const FrameTiles& tiles;
-    bool filmed = false; // whether the layer gets the response of the frame's camera
+    bool filmed = false; // whether the camera's blur, noise and glare are applied to the layer
 };
 
 class BackgroundPass {
   public:
-    // Makes the implementation for this context. Backend::Software works in every context; it draws with
-    // OpenGL the pictures that the processor cannot sample. withLayers: whether draw() will be given layers.
+    // Makes the implementation for this context. Backend::Software works in every context; it falls back to
+    // OpenGL for frames that the processor cannot sample. withLayers: whether draw() will be given layers.
     static Result<std::unique_ptr<BackgroundPass>> make(Backend backend, bool withLayers);
     virtual ~BackgroundPass() = default;
 
@@ -40,11 +39,11 @@ class BackgroundPass {
     virtual Status draw(const EyePicture& picture, const TexelLayer* layer);
 
   protected:
-    Status drawCells(const EyePicture& picture, const TexelLayer* layer); // draws the cells in drawn_
-    void markTiles(const CellRange& tiles);                               // marks them in wanted_
+    Status drawCells(const EyePicture& picture, const TexelLayer* layer); // draws cellsToDraw_
+    void markTiles(const CellRange& tiles);                               // adds them to tilesToPaint_
 
-    std::vector<CellToDraw> drawn_; // cells that OpenGL draws
-    std::vector<bool> wanted_;      // by tile: whether it must be painted
+    std::vector<CellToDraw> cellsToDraw_; // cells that OpenGL draws
+    std::vector<bool> tilesToPaint_;      // by tile: whether it shows objects
 
   private:
     struct Corner {

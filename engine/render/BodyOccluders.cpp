@@ -111,10 +111,10 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
 }
 
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
-                                std::span<const occlusion::BodyPart> parts, bool onItself) {
+                                std::span<const occlusion::BodyPart> parts, bool occludesItself) {
     BodyOccluders body;
     body.albedo = scene::meanBaseColour(model);
-    body.onItself = onItself;
+    body.occludesItself = occludesItself;
     for (const occlusion::BodyPart& part : parts) {
         const glm::mat4 nodeFromModel = glm::inverse(rest.modelFromNode[part.joint]);
         body.parts.push_back({transformed(part.atRest, nodeFromModel), part.joint});
@@ -130,7 +130,7 @@ BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& re
 }
 
 float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid> parts) {
-    if (!body.onItself || parts.empty() || body.length <= 0) return 0;
+    if (!body.occludesItself || parts.empty() || body.length <= 0) return 0;
     const float scale = parts[0].semiAxes.x / body.parts[0].inNode.semiAxes.x;
     float moved = 0;
     for (size_t k = 0; k < parts.size(); ++k)

@@ -18,15 +18,15 @@ struct BodyOccluders {
         glm::vec3 atRest{0}; // centre at rest, relative to the first part's centre, in that part's axes
     };
     std::vector<Part> parts;
-    glm::vec3 albedo{0};   // mean; linear
-    bool onItself = false; // whether the parts occlude their own body when it bends
-    float length = 0;      // greatest distance of two centres at rest
+    glm::vec3 albedo{0};         // mean; linear
+    bool occludesItself = false; // whether the parts occlude their own body when it bends
+    float length = 0;            // greatest distance of two centres at rest
 };
 
 // parts: in the model's frame, at rest; BodyPart::joint: node that carries the part. The model's meshes and
 // pictures must be loaded.
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
-                                std::span<const occlusion::BodyPart> parts, bool onItself);
+                                std::span<const occlusion::BodyPart> parts, bool occludesItself);
 
 // Returns how strongly the body's parts occlude the body itself: from 0 at rest, where its baked occlusion
 // is complete, to 1 when bent. parts: all parts of the body, world frame.

@@ -407,7 +407,7 @@ void Application::measureHand() {
 void Application::globalActions(const Controls& controls) {
     if (screens_.capturesKey()) return;
     const auto toggle = [&](Action action, bool& setting, std::string_view key) {
-        if (!controls.was(action)) return;
+        if (!controls.wasPressed(action)) return;
         setting = !setting;
         screens_.keep(key);
     };
@@ -419,9 +419,9 @@ void Application::globalActions(const Controls& controls) {
             if (Status reloaded = content_.renderer().reloadShaders(); !reloaded)
                 log::warn("{}", reloaded.error().message());
 #endif
-    if (controls.was(Action::Recentre)) display_->recentre();
+    if (controls.wasPressed(Action::Recentre)) display_->recentre();
     if (inHeadset()) toggle(Action::Room, options_.passthrough, "passthrough");
-    const int louder = controls.was(Action::Louder) - controls.was(Action::Quieter);
+    const int louder = controls.wasPressed(Action::Louder) - controls.wasPressed(Action::Quieter);
     if (louder != 0 && !options_.mute) {
         options_.volume = std::clamp(options_.volume + 0.1f * static_cast<float>(louder), 0.0f, 1.0f);
         volumeShown_s_ = glfwGetTime();

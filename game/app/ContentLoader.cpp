@@ -31,8 +31,8 @@ static EnvironmentSetup environmentSetup(const PlayOptions& options, const game:
     const bool own = options.environment.isOwnVideo();
     const bool inSoftware = gl::rendersInSoftware();
     const bool cardDraws = !inSoftware && options.look.backend != render::Backend::Software;
-    const bool slow = inSoftware || std::thread::hardware_concurrency() < 4;
-    const Path film = filmFor(dataRoot() / "content" / dive.video, options.film, slow);
+    const bool slowComputer = inSoftware || std::thread::hardware_concurrency() < 4;
+    const Path film = filmFor(dataRoot() / "content" / dive.video, options.film, slowComputer);
     return {.player = {.source = options.environment.orOwn(film),
                        .drawsDepth = options.look.skip != render::SkippedPass::Depth,
                        .roomIsSeen = seesRoom,

@@ -27,7 +27,7 @@ static glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
     return {std::max(1, static_cast<int>(std::lround(picture.y * shape))), picture.y};
 }
 
-// Returns whether the index finger is stretched: its tip as far from its root as its bones are long.
+// Returns whether the index finger is straight: root and tip are almost a finger's length apart.
 static bool points(const hands::HandPose& hand) {
     constexpr float kStretched = 0.93f;
     const hands::FingerJoints& index = hands::kFingerJoints[1];
@@ -112,45 +112,45 @@ void FlatDisplay::present() {
 void HeadsetPause::step(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart) {
     fade_ = std::clamp(fade_ + (now.headTracked ? -dt_s / kFadeIn_s : dt_s / kFadeOut_s), 0.0f, 1.0f);
     followHeadset(now, dt_s, paused);
-    if (now.menu && !menuWas_ && now.plays && begun_ && !now.results) {
+    if (now.menu && !menuWasDown_ && now.plays && begun_ && !now.results) {
         paused = !paused;
-        byItself_ = false;
+        endsByItself_ = false;
     }
-    menuWas_ = now.menu;
+    menuWasDown_ = now.menu;
     readFists(now, dt_s, paused, restart);
 }
 
 void HeadsetPause::followHeadset(const HeadsetMoment& now, float dt_s, bool& paused) {
     if (now.plays && now.headTracked) {
         steady_s_ += dt_s;
-        if (begun_ && !(paused && byItself_)) return;
+        if (begun_ && !(paused && endsByItself_)) return;
         const bool steady = steady_s_ >= kSteady_s;
         begun_ |= steady;
-        paused = byItself_ = !steady;
+        paused = endsByItself_ = !steady;
         return;
     }
     steady_s_ = 0;
     const bool takenOff = !now.plays && begun_;
-    if (!paused || takenOff) byItself_ = !takenOff;
+    if (!paused || takenOff) endsByItself_ = !takenOff;
     paused = true;
 }
 
 void HeadsetPause::readFists(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart) {
-    const bool asks = now.plays && (now.results || (paused && !byItself_));
-    if (!asks || !waiting_) {
+    const bool asks = now.plays && (now.results || (paused && !endsByItself_));
+    if (!asks || !asked_) {
         opened_ = {};
         fist_s_ = {};
     }
-    waiting_ = asks;
+    asked_ = asks;
     if (!asks) return;
     for (size_t i = 0; i < 2; ++i) {
         if (now.grip[i] >= 0 && now.grip[i] < kOpen) opened_[i] = true;
         fist_s_[i] = opened_[i] && now.grip[i] > kFist ? fist_s_[i] + dt_s : 0;
     }
     if (now.results) {
-        restart |= std::min(fist_s_[0], fist_s_[1]) >= kAgain_s;
+        restart |= std::min(fist_s_[0], fist_s_[1]) >= kRestart_s;
         if (restart) fist_s_ = {};
-    } else if (std::max(fist_s_[0], fist_s_[1]) >= kGoOn_s) {
+    } else if (std::max(fist_s_[0], fist_s_[1]) >= kResume_s) {
         paused = false;
     }
 }
@@ -193,7 +193,7 @@ void HeadsetDisplay::feed(GameSession& session) {
                       .results = session.after.phase == game::Phase::Results};
     for (size_t i = 0; i < poses.size(); ++i) {
         now.menu |= tracking.controllers[i].menu;
-        // A hand that points counts as open, however closed its other fingers are: it chooses in a menu.
+        // A pointing hand counts as open, although its other fingers are closed: it chooses in a menu.
         if (poses[i].tracked) now.grip[i] = points(poses[i]) ? 0 : poses[i].grip;
         pointing_[i] = pointingOf(i, poses[i]);
     }
@@ -336,10 +336,10 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
         if (windowSize.x > 0 && windowSize.y > 0) {
             glBindFramebuffer(GL_FRAMEBUFFER, 0);
             glViewport(0, 0, windowSize.x, windowSize.y);
-            // The marks are in the picture already.
+            // The mirrored picture already contains HudPart::Marks.
             painter.hud(HudPart::Panel, Audience::Onlooker, windowView_, windowSize);
         }
-        // The panel comes after the onlookers' text: fingers point at the menu as it was drawn last.
+        // The player's panel is drawn last, because fingers point at the menu's last drawn layout.
         if (Status done = drawPanel(painter); !done) return done.error();
         shown.eyes = shown.panel = true;
         shown.eyeSize = size;

@@ -1,5 +1,5 @@
-// Output of a dive: a window or off-screen picture (FlatDisplay), or a headset (HeadsetDisplay). A frame is
-// begin(), draw() and, if there is a picture, present(). Only on the thread of the OpenGL context.
+// A display shows a dive: FlatDisplay in a window or off-screen picture, HeadsetDisplay in a headset. Each
+// frame calls begin(), draw() and, if draw() returned true, present(), on the OpenGL context's thread.
 #pragma once
 
 #include "engine/gl/Target.h"
@@ -26,7 +26,7 @@ namespace shoal::app {
 
 // Draws the content of a frame; the display provides eyes and targets.
 struct Painter {
-    SceneRenderer& renderer; // of the scene that has been set
+    SceneRenderer& renderer; // has its scene set already
     // Draws the text into the bound framebuffer of `size` pixels.
     std::function<void(HudPart, Audience, const render::View&, glm::ivec2 size)> hud;
 };
@@ -35,7 +35,7 @@ class Display {
   public:
     virtual ~Display() = default;
 
-    // Begins a frame; waits until the display wants one, if it sets the pace.
+    // Begins a frame. A display that sets the pace waits here until it wants one.
     virtual Status begin() { return Done{}; }
     // Time between the display of the last frame and of this one; empty: the display does not know.
     virtual std::optional<double> elapsed_s() const { return std::nullopt; }
@@ -119,7 +119,7 @@ class PanelPlacement {
     static constexpr float kSettled_rad = 0.05f; // remaining angle at which it stops
     static constexpr float kTurn_s = 0.35f, kMove_s = 0.5f; // time constants
 
-    // Returns the panel's pose, at first ahead of the head; once a frame. Worlds as in xr::Tracking.
+    // Returns the panel's pose in the world of xr::Tracking, at first ahead of the head. Call once a frame.
     xr::Pose follow(const xr::Pose& worldFromHead, float dt_s) {
         const xr::Pose upright = xr::originAt(worldFromHead);
         const float headYaw = 2 * std::atan2(upright.orientation.y, upright.orientation.w);
@@ -152,7 +152,7 @@ struct HeadsetMoment {
 };
 
 // Pauses and resumes a dive in a headset, whose player may have bare hands only. The dive pauses when the
-// headset is taken off or loses the head's orientation; closed hands are the player's answers. Has no clock.
+// headset is taken off or loses the head's orientation; the player closes a hand to resume or restart it.
 class HeadsetPause {
   public:
     // Updates `paused`, which a key may have changed too, once a frame: taking the headset off pauses until a
@@ -164,8 +164,8 @@ class HeadsetPause {
     float fade() const { return fade_; }
 
     static constexpr float kFist = 0.7f, kOpen = 0.4f; // grip above and below which a hand is closed and open
-    static constexpr float kGoOn_s = 0.4f;             // time with one fist that ends a pause
-    static constexpr float kAgain_s = 1.0f;            // time with both fists that starts another dive
+    static constexpr float kResume_s = 0.4f;           // time with one fist that ends a pause
+    static constexpr float kRestart_s = 1.0f;          // time with both fists that starts another dive
     static constexpr float kSteady_s = 0.3f;           // time with a tracked head that ends its pause
     static constexpr float kFadeOut_s = 0.25f, kFadeIn_s = 0.5f;
 
@@ -173,19 +173,19 @@ class HeadsetPause {
     void followHeadset(const HeadsetMoment& now, float dt_s, bool& paused);
     void readFists(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart);
 
-    bool begun_ = false;    // the headset has been worn and tracked once
-    bool byItself_ = false; // the present pause ends without an answer
-    bool waiting_ = false;  // paused or over in the frame before
-    bool menuWas_ = false;
+    bool begun_ = false;        // the headset has been worn and tracked once
+    bool endsByItself_ = false; // the pause ends once the head is tracked, without a fist
+    bool asked_ = false;        // the frame before asked the player for a fist
+    bool menuWasDown_ = false;
     float steady_s_ = 0;
-    // Hands opened since the pause began: a hand that holds a fish does not end it.
+    // Whether the hand has opened since the pause began: a fist that still holds a fish does not end it.
     std::array<bool, 2> opened_{};
     std::array<float, 2> fist_s_{};
     float fade_ = 1;
 };
 
 // A display in an OpenXR headset: pictures for both eyes, text on a panel in front of the player, and the
-// middle of the left eye's picture in a window for onlookers. The headset's clock is the game's.
+// middle of the left eye's picture in a window for onlookers. The headset's clock drives the game.
 class HeadsetDisplay : public Display {
   public:
     // Opens the headset. The window, whose OpenGL context must be current, and the rig, for hands that hold
@@ -245,7 +245,7 @@ class HeadsetDisplay : public Display {
     render::Surroundings surroundings_ = render::Surroundings::Film;
     double noRoom_s_ = 0; // seconds for which the notice "cannot show the room" is still shown
     std::vector<gl::Target> targets_;
-    std::optional<xr::Planes> planes_; // planes of the depth drawn; empty: the headset takes no depth
+    std::optional<xr::Planes> planes_; // near and far plane of the depth drawn; empty: no depth is taken
     HeadsetPause pause_;
     PanelPlacement panel_;
     xr::Pose worldFromPanel_;            // panel's pose as last shown

@@ -25,7 +25,7 @@ const game::Snapshot& GuideAnimal::show(const game::Snapshot& viewer, int specie
     animal.worldFromBody =
         viewer.worldFromView * glm::angleAxis(kYaw + (turns ? kYaw_radps * age_s_ : 0), glm::vec3(0, 1, 0));
     animal.length = kSize * kFar_m * std::min(tanHalf.x, kWidest * tanHalf.y) / extent;
-    animal.gait.motion = kind.thing != game::Thing::None ? game::Motion::Loose
+    animal.gait.motion = kind.thing != game::Thing::None ? game::Motion::Detached
                          : kind.shark                    ? game::Motion::Cruise
                                                          : game::Motion::Swim;
     animal.gait.phase_s = age_s_;

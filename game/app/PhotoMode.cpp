@@ -110,20 +110,20 @@ PhotoMode::Command PhotoMode::step(const Controls& c, float sensitivity, float d
     const glm::vec2 drag = glm::vec2(c.dragged().x, -c.dragged().y) * (kDragTurn_rad * sensitivity);
     look_.turnBy(c.input.gamepad.leftStick * (kTurn_radps * dt_s) + drag);
     shown.worldFromView = look_.worldFromView();
-    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
-                        c.between(Action::Farther, Action::Nearer),
-                        c.between(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
+    const glm::vec3 way(c.axis(Action::LookRight, Action::LookLeft) + c.input.gamepad.rightStick.x,
+                        c.axis(Action::Farther, Action::Nearer),
+                        c.axis(Action::LookDown, Action::LookUp) - c.input.gamepad.rightStick.y);
     glm::vec3 from = shown.headWorld + shown.worldFromView * way * (kMove_mps * dt_s) - player.positionWorld;
     if (const float length = glm::length(from); length > kFarthest_m) from *= kFarthest_m / length;
     shown.headWorld = player.positionWorld + from;
-    if (c.was(Action::SwapHands))
+    if (c.wasPressed(Action::SwapHands))
         for (size_t side = 0; side < hands_.size(); ++side)
             shown.hands[side].visible = hands_[side] && !shown.hands[side].visible;
     fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.input.wheel), 20.0f, 130.0f);
     const platform::WindowInput& input = c.input;
-    if (c.was(Action::Pause) || std::ranges::count(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) > 0)
+    if (c.wasPressed(Action::Pause) || std::ranges::count(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) > 0)
         return Command::Leave;
-    const bool takes = input.leftPressed || c.was(Action::CloseHand) ||
+    const bool takes = input.leftPressed || c.wasPressed(Action::CloseHand) ||
                        std::ranges::count(input.keysPressed, GLFW_KEY_ENTER) > 0;
     return takes ? Command::Picture : Command::None;
 }

@@ -70,7 +70,7 @@ static void printTimes(const Statistics& s) {
     if (s.live.shown == 0) return; // no live video
     std::printf("live: %lld frames shown, %lld passed over; from arrival to picture median %.1f ms, 99th "
                 "percentile %.1f ms; in pictures of the display %.0f and %.0f, at most %.0f\n",
-                static_cast<long long>(s.live.shown), static_cast<long long>(s.live.passedOver),
+                static_cast<long long>(s.live.shown), static_cast<long long>(s.live.skipped),
                 quantile(s.liveLatency_ms, 0.5), quantile(s.liveLatency_ms, 0.99),
                 quantile(s.liveDisplayFrames, 0.5), quantile(s.liveDisplayFrames, 0.99),
                 quantile(s.liveDisplayFrames, 1));
@@ -104,7 +104,7 @@ static Status writeStatistics(const Path& file, const Statistics& s) {
                         {"display_frames", summary(s.liveDisplayFrames)},
                         {"shown", s.live.shown},
                         {"made", s.live.made},
-                        {"passed_over", s.live.passedOver},
+                        {"passed_over", s.live.skipped},
                         {"stops", s.live.stops},
                         {"losses", s.live.losses},
                         {"resized", s.live.resized}};

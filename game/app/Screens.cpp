@@ -583,7 +583,7 @@ ProgramStates::State ProgramStates::state() const {
 }
 
 void ProgramStates::input(const Controls& controls, bool lostFocus, bool& leaving) {
-    const bool pause = controls.was(Action::Pause);
+    const bool pause = controls.wasPressed(Action::Pause);
     if (!byPerson()) { // a script or replay pauses and ends by itself
         leaving |= pause;
         return;

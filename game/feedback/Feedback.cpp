@@ -58,12 +58,12 @@ SoundCues::SoundCues() : breath_s_(kBreathShortest_s) {
 void SoundCues::caption(Text text, const glm::vec3& position) {
     const auto same = std::ranges::find(captions_, text, &Caption::text);
     const bool isShown = same != captions_.end() && same->age_s >= 0;
-    // A repeated caption moves to the front. A new one waits until kCaptionEach_s after the last; it replaces
+    // A repeated caption moves to the front. A new one waits until kCaptionGap_s after the last; it replaces
     // a caption that still waits.
     std::erase_if(captions_,
                   [&](const Caption& other) { return other.text == text || (!isShown && other.age_s < 0); });
     const bool waits = !isShown && !captions_.empty();
-    const float age_s = waits ? std::min(captions_.front().age_s - kCaptionEach_s, 0.0f) : 0;
+    const float age_s = waits ? std::min(captions_.front().age_s - kCaptionGap_s, 0.0f) : 0;
     captions_.insert(captions_.begin(), Caption{text, position, age_s});
     if (captions_.size() > kCaptions) captions_.pop_back();
 }

@@ -13,7 +13,7 @@
 
 namespace shoal::game {
 
-constexpr float kCaptionStay_s = 2.2f, kCaptionEach_s = 1; // time on display; time between new captions
+constexpr float kCaptionStay_s = 2.2f, kCaptionGap_s = 1; // time on display; time between new captions
 
 struct Caption {
     Text text;

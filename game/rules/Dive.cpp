@@ -93,8 +93,8 @@ void Dive::begin(uint64_t seed) {
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
     state_.giant = {};
-    startInRoom(state_.fish, context());
-    startInRoom(state_.shark, context());
+    startInOpenWater(state_.fish, context());
+    startInOpenWater(state_.shark, context());
 }
 
 void Dive::step(const TickInput& input, Events& events) {
@@ -189,7 +189,7 @@ static void showHand(int h, const DiveContext& in, HandView& view) {
     view.ready = view.haste = view.holdProgress = 0;
     for (const Fish& f : in.state.fish)
         if (f.catchableBy == h) view.ready = std::max(view.ready, f.catchable);
-    view.outOfReach = outOfReach(hand, in.state.fish, in);
+    view.outOfReach = fishOutOfReach(hand, in.state.fish, in);
     if (hand.solid && view.ready == 0 && !hand.grasp.closed) view.haste = hasteOf(hand, in.state.fish, in);
     if (view.holds < 0) return;
     const Fish& held = in.state.fish[view.holds];

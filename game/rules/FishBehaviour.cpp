@@ -41,7 +41,7 @@ static void gatherPair(const Fish& a, const Species& kindA, Neighbours& ofA, con
     const float squared = glm::dot(apart, apart);
     if ((!companions && squared > kSight_m * kSight_m) || !b.swims()) return;
     const float spacing = kindA.spacing * kindA.length_m;
-    // Below this distance, centre to centre, two start to give way.
+    // Fish whose centres are, or soon will be, nearer than this give way.
     const float room = companions ? spacing : 0.45f * (kindA.length_m + kindB.length_m) + 0.08f;
     const float distance = std::sqrt(squared);
     const glm::vec3 soon = apart + kForesee_s * (a.velocity - b.velocity);
@@ -82,16 +82,16 @@ void startle(Fish& f, int id, glm::vec3 from, const DiveContext& in, Random& ran
     events.push_back({.kind = EventKind::Startle, .creature = id, .position = f.position});
 }
 
-constexpr float kFrightens_mps = 1.2f; // closing speed from which a hand frightens fish
+constexpr float kFrightens_mps = 1.2f; // approach speed from which a hand frightens fish
 
-// Returns the hand's closing speed on a fish that notices the hand; 0: it does not. margin_m is added to the
-// distance from which the fish notices it.
+// Returns the speed at which the hand approaches a fish that notices it; 0 if the fish does not. margin_m is
+// added to the distance from which the fish notices the hand.
 static float noticed_mps(const Fish& f, const Hand& hand, float margin_m, const DiveContext& in) {
     if (f.state != Fish::State::Cruise || f.flight.rest_s > 0 || feeds(f, in.state.hands)) return 0;
     const glm::vec3 apart = f.position - hand.graspCentre;
     const float distance = glm::length(apart);
     if (distance > 0.8f || distance < 1e-4f) return 0;
-    // A hand coming on at 1.2 m/s is noticed at 0.23 m, at 3 m/s at 0.5 m.
+    // With shyness 1, a hand at 1.2 m/s is noticed from 0.23 m, and at 3 m/s from 0.5 m.
     const float closing = glm::dot(hand.ownVelocity - f.velocity, apart / distance);
     const float from_m =
         in.kindOf(f).shyness * (0.05f + 0.15f * std::max(closing, kFrightens_mps)) + margin_m;
@@ -119,19 +119,19 @@ void frightenByHands(std::span<Fish> fish, const DiveContext& in, Random& random
 
 // Visits.
 
-constexpr float kStill_mps = 0.2f;   // a hand slower than this rests...
-constexpr float kFast_mps = 0.6f;    // ...until it is faster than this
-constexpr float kRest_s = 1;         // rest before the first visitor comes
+constexpr float kStill_mps = 0.2f;   // a hand comes to rest below this speed...
+constexpr float kFast_mps = 0.6f;    // ...and rests until it exceeds this one
+constexpr float kRest_s = 1;         // time a hand must rest before the first visitor comes
 constexpr float kNext_s = 2;         // time between two visitors
-constexpr int kVisitors = 2;         // visitors of a hand at a time
-constexpr int kGuests = 5;           // the same where it has a cracked mussel...
+constexpr int kVisitors = 2;         // most visitors of a hand at a time
+constexpr int kGuests = 5;           // most visitors of a hand with a cracked mussel...
 constexpr float kSmell_m = 3;        // ...the distance from which they come...
 constexpr float kNextGuest_s = 0.2f; // ...and the time between two of them
 constexpr float kInView = 0.82f;     // cosine of the angle from the middle of the view: 35 degrees
 constexpr float kNearest_m = 0.25f, kFarthest_m = 2.2f; // distance of a possible visitor from the hand
-constexpr float kComes_s = 7;                           // longest time on its way
-constexpr float kThere_m = 0.12f;                       // distance from its place at which it has arrived
-constexpr float kBefore_m = 0.06f;                      // distance from the grasp centre to its place
+constexpr float kComes_s = 7;                           // longest time on the way to the hand
+constexpr float kThere_m = 0.12f;                       // distance to visitedPlace() at which it has arrived
+constexpr float kBefore_m = 0.06f;                      // distance from the grasp centre to visitedPlace()
 
 static bool isStill(const Hand& hand, const Viewpoint& view) {
     const bool open = hand.visible && hand.solid && hand.grip < kGripOpens && hand.stung_s == 0;
@@ -205,11 +205,11 @@ namespace {
 constexpr float kInner_m = 0.45f;     // least distance from the vertical axis through the player
 constexpr float kEyeRoom_m = 0.35f;   // least distance of any part of a fish from the eyes
 constexpr float kEyeShy_m = 0.45f;    // margin beyond kEyeRoom_m in which it turns away
-constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish may leave its band
+constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish may leave its school's ring
 constexpr float kCeiling_m = 1.3f;
 constexpr float kRockShy_m = 0.4f;     // gap to the film's surfaces below which it turns away
-constexpr float kRockForesee_s = 0.5f; // look-ahead at which it wants that gap
-constexpr float kGiveRoom_mps = 2.0f;  // greatest speed at which an approaching wall moves it
+constexpr float kRockForesee_s = 0.5f; // how far ahead it looks for that gap
+constexpr float kGiveRoom_mps = 2.0f;  // greatest speed at which an approaching surface pushes it
 constexpr float kSharkShy_m = 0.95f;
 constexpr float kHungry = 4.5f;       // speed on the way to food, in cruising speeds
 constexpr float kVisitSlow_m = 0.25f; // distance from a visited place below which it slows down
@@ -336,7 +336,7 @@ Desire desireOf(const Fish& f, const Neighbours& around, const DiveContext& in) 
     avoidHands(f, in.state.hands, desire);
     avoidShark(f, in, desire);
     desire.way += around.giveWay * (desire.afraid ? 3.5f : 1.0f);
-    if (!desire.afraid) // brakes for fish in its way
+    if (!desire.afraid) // it brakes for fish ahead
         desire.speed = std::max(visits ? 0.0f : 0.3f * f.route.cruise_mps,
                                 desire.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
     avoidFloor(f, in.dive.floor_m, desire);
@@ -410,7 +410,7 @@ void keepInBounds(Fish& f, const DiveContext& in) {
 }
 
 // Moves a fish out of the film's surfaces, but not into the room around the eyes.
-void keepInRoom(Fish& f, const DiveContext& in, float most_m) {
+void keepInOpenWater(Fish& f, const DiveContext& in, float most_m) {
     const Species& kind = in.kindOf(f);
     const float spare_m = glm::distance(f.position, in.head()) - kEyeRoom_m - 0.5f * kind.length_m;
     f.position = in.film.pulledIn(f.position, capsuleOf(f, kind), std::min(spare_m, most_m));
@@ -423,7 +423,7 @@ void move(Fish& f, const DiveContext& in) {
     const glm::vec3 from = f.position;
     f.position += goal * kDt;
     keepInBounds(f, in);
-    keepInRoom(f, in, kGiveRoom_mps * kDt);
+    keepInOpenWater(f, in, kGiveRoom_mps * kDt);
     f.velocity = limited((f.position - from) / kDt, kMaxSpeed_mps);
     f.worldFromBody = bodyTurn(f.forward, f.bank);
 }
@@ -478,10 +478,10 @@ void swim(Fish& f, int id, const Neighbours& around, const DiveContext& in) {
 
 } // namespace
 
-void startInRoom(std::span<Fish> fish, const DiveContext& in) {
+void startInOpenWater(std::span<Fish> fish, const DiveContext& in) {
     // Each move changes the directions that the body covers, so it is repeated; four rounds converge.
     for (int round = 0; round < 4; ++round)
-        for (Fish& f : fish) keepInRoom(f, in, FilmSpace::kFar_m);
+        for (Fish& f : fish) keepInOpenWater(f, in, FilmSpace::kFar_m);
 }
 
 void swimFish(std::span<Fish> fish, const DiveContext& in, std::span<Neighbours> neighbours, Random& random) {

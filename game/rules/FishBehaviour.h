@@ -11,16 +11,16 @@
 
 namespace shoal::game {
 
-// Moves fish that would be behind a surface of the film towards the camera, before they are first seen.
-void startInRoom(std::span<Fish>, const DiveContext&);
+// Moves fish that would start behind a surface of the film towards the camera, before they are first seen.
+void startInOpenWater(std::span<Fish>, const DiveContext&);
 
 // Influence of all other fish on one fish, gathered once a tick.
 struct Neighbours {
-    glm::vec3 giveWay{0};  // m/s, away from fish that are or soon will be too near
-    glm::vec3 push{0};     // m/s, separates bodies that touch, where steering is too slow
+    glm::vec3 giveWay{0};  // m/s, away from fish that are, or soon will be, too near
+    glm::vec3 push{0};     // m/s, added to Fish::push: separates touching bodies faster than steering
     glm::vec3 headings{0}; // sum of the headings of companions in the zone of orientation
     glm::vec3 towards{0};  // sum of the vectors to companions in the zone of attraction, metres
-    int aligned = 0, attracted = 0;
+    int aligned = 0, attracted = 0; // number of companions in `headings`, in `towards`
 };
 
 // Writes one entry of `out` for each fish.
@@ -41,9 +41,9 @@ float hasteOf(const Hand&, std::span<const Fish>, const DiveContext&);
 void frightenByHands(std::span<Fish>, const DiveContext&, Random&, Events&);
 
 // Fish come to look at a hand that rests, open and in the player's view, one or two at a time: they swim to
-// about a hand's width before the palm, linger and leave. So fish that are out of reach come within reach of
-// a player who waits. A fast or closing hand ends a visit. A cracked mussel in a hand (Hand::baitLeft_s)
-// draws more of them, from all around, and they do not fear it. Begins and ends visits; called every tick.
+// about a hand's width before the palm, linger and leave. So distant fish come within reach of a player who
+// waits. A fast or closing hand ends a visit. A cracked mussel in a hand (Hand::baitLeft_s) draws more of
+// them, from all around, and they do not fear it. Begins and ends visits; called every tick.
 void chooseVisitors(Hands&, std::span<Fish>, const DiveContext&, Random&);
 
 // Returns whether the fish comes to feed on a mussel.

@@ -195,7 +195,7 @@ static void grab(Fish& f, int id, Hand& hand, int h, const DiveContext& in, Even
     f.state = Fish::State::Held;
     f.heldBy = h;
     f.push = glm::vec3(0);
-    f.gait.set(in.thingOf(f) == Thing::None ? Motion::Struggle : Motion::Loose);
+    f.gait.set(in.thingOf(f) == Thing::None ? Motion::Struggle : Motion::Detached);
     f.hold = {};
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
     f.hold.palmFromBody = palmFromWorld * f.worldFromBody;
@@ -293,7 +293,7 @@ static void closeHand(Hand& hand, int h, std::span<Fish> fish, const DiveContext
     Grasp& grasp = hand.grasp;
     const bool wasClosed = grasp.closed;
     readGrip(hand);
-    if (grasp.closed && !wasClosed) hand.intent.miss = missOf(hand, fish, in);
+    if (grasp.closed && !wasClosed) hand.intent.miss = whyMissed(hand, fish, in);
     grasp.encloses = grasp.holds;
     if (grasp.holds >= 0) return wrapAround(fish[grasp.holds], hand, in);
     if (in.state.phase != Phase::Diving) return;

@@ -172,7 +172,7 @@ static float reachBeyond(const Fish& f, const DiveContext& in) {
     return kGraspRadius_m + in.kindOf(f).bodyRadius_m;
 }
 
-Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
+Miss whyMissed(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     const PointedAt at = pointedAt(hand, fish, in);
     if (at.id < 0) return Miss::Nothing;
     const Fish& meant = fish[at.id];
@@ -184,7 +184,7 @@ Miss missOf(const Hand& hand, std::span<const Fish> fish, const DiveContext& in)
     return Miss::TooEarly;
 }
 
-int outOfReach(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
+int fishOutOfReach(const Hand& hand, std::span<const Fish> fish, const DiveContext& in) {
     constexpr float kAhead = 0.82f; // cosine of 35 degrees from the middle of the view, where no hand rests
     const glm::vec3 way = normalizedOr(hand.graspCentre - in.head(), in.state.view.ahead());
     const bool points = hand.solid && !hand.grasp.closed && glm::dot(way, in.state.view.ahead()) > kAhead;

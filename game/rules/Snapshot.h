@@ -25,8 +25,8 @@ constexpr float kDt = sim::kTick_s;
 enum class Phase { Diving, Results };
 
 // The animation clips of a species' model; kMotionNames are their names in the file.
-// The last three are a loose thing's: hanging on seaweed, loose, and a mussel that opens.
-enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite, Drift, Loose, Open };
+// The last three are for things: hanging on seaweed, detached from it, and a mussel opening.
+enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite, Drift, Detached, Open };
 constexpr std::array<const char*, 9> kMotionNames = {"swim", "dart",  "struggle", "cruise", "lunge",
                                                      "bite", "drift", "loose",    "open"};
 

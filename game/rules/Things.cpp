@@ -205,7 +205,7 @@ void startDrifting(Fish& f, const Species& kind) {
     // A bottle comes up some seconds into the dive, each at a time of its own.
     f.state = Fish::State::Gone;
     f.loose.time_s = first ? 5 + 10 * f.gait.phase_s : 10;
-    f.gait.set(Motion::Loose);
+    f.gait.set(Motion::Detached);
 }
 
 float holdTime_s(const Species& kind) {

@@ -40,7 +40,7 @@ class TomlTable {
     void text(std::string_view key, std::string& value);
     // Reads a list of texts, at most values.size() of them.
     void texts(std::string_view key, std::span<std::string> values);
-    // Reads one of the names; the value becomes its index in the list.
+    // Reads a string that must be one of the names; value: its index among them.
     template <class E> void choice(std::string_view key, std::span<const char* const> names, E& value) {
         if (const auto index = readChoice(key, names)) value = static_cast<E>(*index);
     }
@@ -48,9 +48,9 @@ class TomlTable {
     void choice(std::string_view key, std::span<const char* const> names, std::optional<E>& value) {
         if (has(key)) choice(key, names, value.emplace());
     }
-    // [low, high], low <= high
+    // Reads [first, second], where low <= first <= second <= high.
     void range(std::string_view key, float& first, float& second, float low, float high);
-    // [x, y, z], each from low to high
+    // Reads [x, y, z], each from low to high.
     void triple(std::string_view key, glm::vec3& value, float low, float high);
     const toml::array* list(std::string_view key);
     // Calls read for the table [key], or for each of at most `maximum` tables [[key]].
@@ -66,13 +66,13 @@ class TomlTable {
   private:
     explicit TomlTable(const toml::table& table) : table_(table) {}
     const toml::node* at(std::string_view key);
-    // Returns the key's value; empty if it is missing.
+    // Returns the key's value; empty if it is missing. mustBe: the complaint about a value of another type.
     template <class T> std::optional<T> read(std::string_view key, std::string_view mustBe);
     std::optional<int64_t> readWhole(std::string_view key, int64_t low, int64_t high);
     std::optional<size_t> readChoice(std::string_view key, std::span<const char* const> names);
 
     const toml::table& table_;
-    std::set<std::string, std::less<>> read_;
+    std::set<std::string, std::less<>> read_; // keys read so far
 };
 
 // Reads a file: calls read with its root table.

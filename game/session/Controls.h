@@ -77,11 +77,11 @@ struct Controls {
     platform::WindowInput input;
     std::bitset<kActions> down, pressed;
 
-    bool is(Action action) const { return down[static_cast<size_t>(action)]; }
-    bool was(Action action) const { return pressed[static_cast<size_t>(action)]; }
+    bool isDown(Action action) const { return down[static_cast<size_t>(action)]; }
+    bool wasPressed(Action action) const { return pressed[static_cast<size_t>(action)]; }
     // Returns 1 if only the first is held down, -1 if only the second is, else 0.
-    float between(Action plus, Action minus) const {
-        return static_cast<float>(is(plus)) - static_cast<float>(is(minus));
+    float axis(Action plus, Action minus) const {
+        return static_cast<float>(isDown(plus)) - static_cast<float>(isDown(minus));
     }
     // Returns the mouse's movement with its right button down, pixels.
     glm::dvec2 dragged() const { return input.rightButton ? input.cursorMoved : glm::dvec2(0); }

@@ -39,14 +39,14 @@ static Result<HandSourceChoice> parseHandSource(const std::string& text) {
 
 // Returns the turn of the view in this frame: +x right, +y up, radians. snapped: MouseSource::snapped_.
 static glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
-    const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
-                         c.between(Action::LookUp, Action::LookDown));
+    const glm::vec2 keys(c.axis(Action::LookRight, Action::LookLeft),
+                         c.axis(Action::LookUp, Action::LookDown));
     const float up = options.invertLook ? -1.0f : 1.0f;
     glm::vec2 turn = (keys + c.input.gamepad.leftStick * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
     if (options.turning == Turning::Snap) {
         constexpr float kOn = 0.6f, kOff = 0.3f; // hysteresis of a snap turn; 1: full stick
-        const float step =
-            static_cast<float>(c.was(Action::LookRight)) - static_cast<float>(c.was(Action::LookLeft));
+        const float step = static_cast<float>(c.wasPressed(Action::LookRight)) -
+                           static_cast<float>(c.wasPressed(Action::LookLeft));
         const float stick = c.input.gamepad.leftStick.x;
         const bool pushed = std::abs(stick) > kOn && !snapped;
         if (pushed) snapped = true;
@@ -84,19 +84,19 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
         look_.turnBy(turn);
         const float rate = dt_s > 0 ? glm::length(turn) / dt_s : 0;
         turning_radps_ += (rate - turning_radps_) * std::min(1.0f, 8 * dt_s);
-        if (c.was(Action::Recentre)) recentre();
+        if (c.wasPressed(Action::Recentre)) recentre();
         // The mouse sets the pointer's position; the stick sets its velocity.
         if (input.cursorMoved != glm::dvec2(0) && !input.rightButton)
             pointer_ = {static_cast<float>(input.cursor.x) * 2 - 1,
                         1 - static_cast<float>(input.cursor.y) * 2};
         pointer_ = glm::clamp(pointer_ + input.gamepad.rightStick * (kStickReach_ps * dt_s), -1.0f, 1.0f);
         mouse.cursor = pointer_;
-        mouse.wheel = static_cast<float>(input.wheel) +
-                      kKeyNotches_ps * dt_s * c.between(Action::Farther, Action::Nearer);
+        mouse.wheel =
+            static_cast<float>(input.wheel) + kKeyNotches_ps * dt_s * c.axis(Action::Farther, Action::Nearer);
         if (hand_ != options.hand) hands_.setActive(hand_ = options.hand);
-        mouse.swapHands = c.was(Action::SwapHands);
+        mouse.swapHands = c.wasPressed(Action::SwapHands);
         const float trigger = input.gamepad.rightTrigger;
-        const bool holds = input.leftButton || c.is(Action::CloseHand);
+        const bool holds = input.leftButton || c.isDown(Action::CloseHand);
         const bool pressed = holds || trigger > kTriggerDeadZone;
         awaitsOpen_ = awaitsOpen_ && pressed;
         const bool down = pressed && !awaitsOpen_;

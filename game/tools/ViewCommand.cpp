@@ -33,7 +33,7 @@ struct Clip {
     float time_s = 0;
 };
 
-// Parses "NAME@SECONDS"; the name alone means its start. Names may hold @, and the longest one counts.
+// Parses "NAME@SECONDS"; NAME alone starts at 0. As names may contain @, it takes the longest that exists.
 Result<Clip> findClip(const scene::Model& model, const std::string& text, const std::string& file) {
     if (text.empty()) return Clip{};
     Clip clip{.animation = model.findAnimation(text)};
@@ -91,7 +91,7 @@ class Viewer {
   private:
     Status draw(const gl::Target& target, bool withLayers = true);
     void pose();
-    Status seeLayers();
+    Status makeLayers();
     Status followPose(bool moving);
     void aim();
 
@@ -102,11 +102,11 @@ class Viewer {
     scene::Pose pose_;
     Clip clip_;
     render::ModelGpu gpu_;
-    render::BodyOccluders body_; // without parts: no other body is near
+    render::BodyOccluders body_; // has no parts, as no other body is near
     std::unique_ptr<Environment> environment_;
     std::unique_ptr<render::BackgroundPass> background_;
     std::optional<render::ObjectPass> objects_;
-    std::optional<occlusion::LayersGpu> layers_; // layers of the pose while it is still
+    std::optional<occlusion::LayersGpu> layers_; // of a still pose; empty while the model moves
     Orbit orbit_;
 };
 
@@ -123,7 +123,7 @@ void Viewer::pose() {
 }
 
 // Makes the layered fragment buffers of the posed model.
-Status Viewer::seeLayers() {
+Status Viewer::makeLayers() {
     const scene::Surface surface = scene::posedSurface(model_, pose_);
     const std::vector<uint32_t>& corners = surface.opaque;
     std::vector<glm::uvec3> triangles;
@@ -227,8 +227,8 @@ Status Viewer::draw(const gl::Target& target, bool withLayers) {
     return objects_->draw(picture, {}, options_.look.glossy);
 }
 
-// Halves width and height by a filter two pixels wide that falls off towards its ends, as path tracers' pixel
-// filters do: less jagged than a box. Alpha is made straight again.
+// Halves width and height with a filter two output pixels wide whose weights fall off, as path tracers do:
+// edges are less jagged than with a box. Unpremultiplies alpha.
 ImageRgba8 reduced(const ImageRgba8& large) {
     static_assert(kSupersampling == 2);
     constexpr std::array<float, 4> kWeights = {1 / 8.0f, 3 / 8.0f, 3 / 8.0f, 1 / 8.0f};
@@ -252,7 +252,7 @@ ImageRgba8 reduced(const ImageRgba8& large) {
 
 Status Viewer::writePicture() {
     if (isLayered(options_.look.occlusion))
-        if (Status seen = seeLayers(); !seen) return seen;
+        if (Status seen = makeLayers(); !seen) return seen;
     const glm::ivec2 size = options_.look.size * kSupersampling;
     GLint maximum = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &maximum);
@@ -270,7 +270,7 @@ Status Viewer::followPose(bool moving) {
         "Shoal: " + options_.model +
         (moving ? " (reflections and shadows of itself are rebuilt when the animation pauses: space)" : ""));
     layers_.reset();
-    return moving ? Done{} : seeLayers();
+    return moving ? Done{} : makeLayers();
 }
 
 Status Viewer::showWindow() {
@@ -310,7 +310,7 @@ Status Viewer::showWindow() {
             const bool resized = target.width() != size.x || target.height() != size.y;
             if (resized) target = gl::Target(size.x, size.y, options_.samples);
             const bool turns = input.leftButton || input.rightButton || input.wheel != 0;
-            // A software renderer takes seconds for a picture's rays: it draws them once the camera rests.
+            // A software renderer traces for seconds, so it leaves the layers out while the camera turns.
             const bool withLayers = !(turns && gl::rendersInSoftware());
             if (turns || turned || moving || relit || resized || !input.keysPressed.empty())
                 if (Status drawn = draw(target, withLayers); !drawn) return drawn;

@@ -153,7 +153,7 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     const auto baked = occlusionOf(request.file, instance.model);
     instance.body = render::makeBodyOccluders(instance.model, instance.pose,
                                               baked ? baked->parts : std::vector<occlusion::BodyPart>(),
-                                              request.onItself);
+                                              request.occludesItself);
     if (reflectance == render::Reflectance::Coded)
         instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
     instance.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);

@@ -1,4 +1,4 @@
-// The posed models of a snapshot: creatures by species, hands, arms. Only on the OpenGL context's thread.
+// Loads, poses and lights the models of creatures, hands and arms. Only on the OpenGL context's thread.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -25,9 +25,9 @@
 
 namespace shoal::app {
 
-// Occlusion of a model: stored beside it or, for a model without, made once by shoal-occlusion and kept in
-// the player's cache folder. Gives the model its self-occlusion and returns its ellipsoids. If none is stored
-// and none can be made, logs why and returns nothing. Making takes seconds. Any thread.
+// Gives a model its baked self-occlusion and returns its ellipsoids. Reads both from beside the file or from
+// the player's cache folder; otherwise has shoal-occlusion make them, which takes seconds, and caches them.
+// If that fails, logs it and returns nothing. Any thread.
 std::optional<render::BakedOcclusion> occlusionOf(const Path& file, scene::Model& model);
 
 // A small lamp above the diver's eyes, so close to them that they see none of its shadows. It lights animals,
@@ -37,37 +37,37 @@ struct DiverLamp {
     glm::vec3 attenuation_perM{0}; // of the water between the lamp and what it lights
 };
 
-// Light that waves focus on the film's ground; null pointers: the film does not show it.
+// The light that waves focus on the film's ground. The pointers are null if the film shows none.
 struct FocusedLight {
     const depth::Caustics* caustics = nullptr;
     const depth::DepthMap* map = nullptr;     // of the same frame
-    const light::ShadowLight* from = nullptr; // the light that the waves focus
+    const light::ShadowLight* from = nullptr; // the source that the waves focus
 };
 
-// Difference between the light at each animal and the light at the camera: that of rock near the animal,
-// smoothed over time, that of waves, and the lamp's. Only on the rendering thread.
+// Computes how the light at each animal differs from the light at the camera: rock near the animal changes
+// it, smoothed over time, and waves and the lamp add to it. Only on the rendering thread.
 class AnimalLight {
   public:
-    // Updates the light of all animals, once for each picture. As often as a film's light changes, it looks
-    // up the light of a few animals in turn, to which each animal's light eases with a time constant of 0.25
-    // s, and finds the waves' light at all animals. light: null for a film without distances. Allocates
-    // nothing once it has grown.
+    // Updates the light of all animals; call once for each picture. About as often as the film's light
+    // changes, it looks up the film's light at a few animals in turn and the waves' light at all. An animal's
+    // light eases to what was looked up with a time constant of 0.25 s. light: null for a film without
+    // distances. Allocates nothing once it has grown.
     void follow(const game::Snapshot& snapshot, const depth::LightDifference* light,
                 const glm::mat3& envFromWorld, const DiverLamp& lamp = {}, const FocusedLight& focused = {});
 
     // Returns the light by index in Snapshot::creatures.
     const depth::LightHarmonics& of(size_t creature) const { return animals_[creature].lit; }
 
-    // Returns the lamp's light alone at a place, world frame. Computed from nine harmonics, the light that a
-    // matte surface reflects is wrong by at most 3/32 of the light that it reflects when it faces the lamp.
+    // Returns the lamp's light alone at a place, world frame. Diffuse shading with these nine harmonics errs
+    // by at most 3/32 of the light that a surface facing the lamp reflects.
     depth::LightHarmonics ofLamp(const glm::vec3& place) const;
 
   private:
     struct Animal {
         glm::vec3 position{0};
-        depth::LightHarmonics found{}, now{}; // of the film, less that at the camera
+        depth::LightHarmonics found{}, now{}; // film's light less that at the camera: looked up, and eased
         depth::LightHarmonics waves{};
-        depth::LightHarmonics lit{}; // now, the waves' and the lamp's
+        depth::LightHarmonics lit{}; // sum of `now`, the waves' light and the lamp's
     };
     std::vector<Animal> animals_;
     DiverLamp lamp_;
@@ -88,8 +88,8 @@ class CreatureModels {
                                        render::Detail detail,
                                        const std::function<bool(float)>& progress = {});
 
-    // Loads the model of one more species, if it is not there yet. The least roughness stays what it is, so
-    // that the light need not be made anew. Returns the model's greatest extent over its length.
+    // Loads the model of one more species, unless it is loaded. Keeps minRoughness(), so that the light need
+    // not be filtered again. Returns the model's greatest size along any axis, in lengths.
     Result<float> add(const game::SpeciesTable& species, size_t which, render::Reflectance reflectance,
                       render::Detail detail);
 
@@ -103,13 +103,13 @@ class CreatureModels {
     struct ModelInstance {
         scene::Model model;
         render::ModelGpu gpu;
-        scene::Pose pose, wave; // whole body at the clip's time; spine at the tail beat's time
+        scene::Pose pose, wave; // pose: body at the clip's time; wave: spine at the tail beat's time
         scene::Spine spine;
         std::array<scene::TailBeat, game::kMotionNames.size()> beats{}; // tail beat of each clip, by Motion
         std::array<int, 2> pectorals{-1, -1};                           // nodes: left, right fin
         render::BodyOccluders body;
         float length_m = 1;                                      // length of the rest pose along z
-        float extent = 1;                                        // greatest along any axis over that length
+        float extent = 1;                                        // greatest size along any axis, in lengths
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::vector<int> jointNodes;                             // nodes of the request's joints
         std::vector<scene::NodeSphere> boundingSpheres;
@@ -119,8 +119,8 @@ class CreatureModels {
         Path file;
         ModelInstance* into;
         std::string variant;                      // material variant; empty: the default
-        std::span<const std::string_view> joints; // joints it must have, posed in the world: hands and arms
-        bool onItself = false;                    // its parts occlude each other
+        std::span<const std::string_view> joints; // joints that a hand or an arm must have
+        bool occludesItself = false;              // its parts occlude each other
         glm::vec3 colour{1};                      // multiplies the materials' colours
         bool isArm = false;
     };

@@ -11,10 +11,10 @@ render::Reflectance reflectanceIn(const environment::Source& source) {
                                                                           : render::Reflectance::Coded;
 }
 
-Path filmFor(const Path& film, FilmChoice choice, bool slow) {
+Path filmFor(const Path& film, FilmChoice choice, bool slowComputer) {
     Path small = film;
     small.replace_extension(".small" + film.extension().string());
-    const bool wanted = choice == FilmChoice::Small || (choice == FilmChoice::Auto && slow);
+    const bool wanted = choice == FilmChoice::Small || (choice == FilmChoice::Auto && slowComputer);
     std::error_code missing;
     return wanted && std::filesystem::exists(small, missing) ? small : film;
 }

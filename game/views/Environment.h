@@ -28,8 +28,8 @@ struct EnvironmentSetup {
 // Returns how reflectance is coded under this environment's light. Models need it before open().
 render::Reflectance reflectanceIn(const environment::Source& source);
 
-// Returns the film to play: `film`, or NAME.small.mp4 beside NAME.mp4 if chosen (Auto: if slow) and present.
-Path filmFor(const Path& film, FilmChoice choice, bool slow);
+// Returns the film to play: NAME.small.mp4 beside `film` if chosen (Auto: on a slow computer) and present.
+Path filmFor(const Path& film, FilmChoice choice, bool slowComputer);
 
 class Environment {
   public:
@@ -38,8 +38,8 @@ class Environment {
                                                      const environment::Wait& wait = {});
 
     // See environment::Player::update().
-    bool update(double time_s, bool exact) {
-        if (!player_->update(time_s, exact)) return false;
+    bool update(double time_s, bool exactFrame) {
+        if (!player_->update(time_s, exactFrame)) return false;
         upload();
         return true;
     }

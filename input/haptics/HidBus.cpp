@@ -36,8 +36,8 @@ class HidapiDevice final : public HidDevice {
     std::optional<CrashStop> crashStop_;
 };
 
-// Returns HidInfo::device of a node, for which hidapi 0.13 has no call. folder: of the node's class in
-// /sys; link: from the node's entry there to the device.
+// Returns HidInfo::device of a node, as hidapi 0.13 cannot. folder: the class folder in /sys that has an
+// entry for the node; link: relative path from that entry to the device.
 std::string deviceOf(const char* folder, const std::string& node, const char* link) {
     std::error_code none;
     return fs::canonical(fs::path(folder) / fs::path(node).filename() / link, none).string();

@@ -20,7 +20,7 @@ struct HidInfo {
     Transport transport = Transport::Any;
     std::string name;   // as the device calls itself; may be empty
     std::string device; // the system's name of the physical device, which may have several paths; or empty
-    uint16_t usagePage = 0, usage = 0; // of its first collection of reports
+    uint16_t usagePage = 0, usage = 0; // of its first HID collection
 };
 
 // An open device; its destructor closes it.
@@ -41,7 +41,7 @@ struct HidBus {
     std::function<std::unique_ptr<HidDevice>(const std::string& path)> open; // null: it may not be opened
 };
 
-// Makes hidapi's bus, for one thread at a time.
+// Makes a bus that uses hidapi; one thread at a time may use it.
 HidBus hidapiBus();
 
 // Returns the bus with gamepads appended that rumble through the kernel's own drivers: force feedback of
@@ -53,8 +53,8 @@ HidBus withForceFeedback(HidBus bus);
 // A helper process that stops a device's motors when the program dies, however it dies.
 class CrashStop {
   public:
-    // Starts a shell that writes the report to the device's file, whose path has no single quote, when this
-    // process has ended, unless this object was destroyed before. Without a shell nothing is guarded.
+    // Starts a shell that writes `stop` to the device's file if this process ends before the destructor runs.
+    // The path must have no single quote. If no shell starts, nothing stops the motors.
     CrashStop(const std::string& file, std::span<const uint8_t> stop);
     ~CrashStop() {
         if (shell_) std::fputs("\n", shell_.get());

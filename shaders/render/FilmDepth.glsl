@@ -7,7 +7,7 @@ uniform vec3 eyeInFilm;       // env frame, metres from the film's camera; 0: th
 float filmInverse(vec3 dirEnv) { return textureLod(filmDepth, latLongFromDirection(dirEnv), 0.0).r * (1.0 / FILM_NEAREST_M); }
 
 // Returns the inverse distance from the eye to the film's surface along a ray; 0: infinitely far. Method: see
-// depth::searchAlong(); behind a depth edge it returns the last surface found before the edge.
+// depth::filmDirectionSeen(); behind a depth edge it returns the last surface found before the edge.
 float inverseAlong(vec3 dirEnv) {
     float eye2 = dot(eyeInFilm, eyeInFilm);
     if (eye2 == 0.0) return filmInverse(dirEnv);

@@ -26,7 +26,7 @@ render::BodyOccluders itself() {
     body.parts.insert(body.parts.begin(), {{{0, 0, -9}, glm::mat3(1), glm::vec3(1e-4f)}, 0});
     body.length = 1;
     body.albedo = {0.2f, 0.4f, 0.5f};
-    body.onItself = true;
+    body.occludesItself = true;
     return body;
 }
 

@@ -77,12 +77,12 @@ struct LivePlayer::Impl {
         while (!stop) {
             Slot& slot = *slots.find(State::Free); // of three slots, at most one is shown and one ready
             slot.state = State::Filling;
-            Result<int64_t> passedOver = Error{};
+            Result<int64_t> skipped = Error{};
             ImageRgb8& bgr = slots.pixelsOf(slot, options);
-            const bool going = inCall(lock, [&] { passedOver = feed->read(bgr, slot.frame); });
-            if (!going || !passedOver) {
+            const bool going = inCall(lock, [&] { skipped = feed->read(bgr, slot.frame); });
+            if (!going || !skipped) {
                 slot.state = State::Free;
-                return passedOver ? Error{} : passedOver.error();
+                return skipped ? Error{} : skipped.error();
             }
             findLayout(bgr);
             slot.frame.layout = layout;
@@ -92,10 +92,10 @@ struct LivePlayer::Impl {
             lock.lock();
             if (Slot* unseen = slots.find(State::Ready)) {
                 unseen->state = State::Free;
-                ++counts.passedOver;
+                ++counts.skipped;
             }
             slot.state = State::Ready;
-            counts.passedOver += *passedOver;
+            counts.skipped += *skipped;
             ++counts.made;
             lastMade_s = options.now_s();
             lost = false;

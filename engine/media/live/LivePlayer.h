@@ -21,12 +21,12 @@ constexpr double kStill_s = 1;
 
 // Counts since open(), for statistics.
 struct LiveCounts {
-    int64_t shown = 0;      // frames given out
-    int64_t made = 0;       // frames decoded and prepared
-    int64_t passedOver = 0; // skipped because a newer one was there
-    int64_t stops = 0;      // times that nothing came for kStill_s
-    int64_t losses = 0;     // times that the connection was lost
-    int64_t resized = 0;    // times that the picture changed its size
+    int64_t shown = 0;   // frames given out
+    int64_t made = 0;    // frames decoded and prepared
+    int64_t skipped = 0; // skipped because a newer one was there
+    int64_t stops = 0;   // times that nothing came for kStill_s
+    int64_t losses = 0;  // times that the connection was lost
+    int64_t resized = 0; // times that the picture changed its size
 };
 
 class LivePlayer {

@@ -66,13 +66,13 @@ class Stream final : public LiveFeed {
     }
 
     Result<int64_t> read(ImageRgb8& bgr, VideoFrame& frame) override {
-        int64_t passedOver = 0;
+        int64_t skipped = 0;
         double began_s = liveNow_s();
         for (;;) {
             while (decoder_.receive()) {
                 // The picture is outdated: it was decoded only because later pictures refer to it.
                 if (queue_.count() > 0 && !stored_ && liveNow_s() - lastShown_s_ < kMaxHidden_s) {
-                    ++passedOver;
+                    ++skipped;
                     continue;
                 }
                 if (Status converted = decoder_.convert(bgr, &frame.radianceLin); !converted)
@@ -81,13 +81,13 @@ class Stream final : public LiveFeed {
                 frame.chromaTexels = decoder_.chromaTexels();
                 lastShown_s_ = liveNow_s();
                 frame.decode_ms = 1e3 * (lastShown_s_ - began_s);
-                return passedOver;
+                return skipped;
             }
             if (ended_) return Error{"", queue_.reason()};
             const PacketQueue::Popped popped = queue_.pop();
             began_s = liveNow_s();
             if (popped.dropped > 0) decoder_.flush();
-            passedOver += popped.dropped;
+            skipped += popped.dropped;
             ended_ = !popped.packet; // reported once the decoder is drained
             const bool hurry = !stored_ && queue_.count() >= kBehind;
             // The stamp carries the packet's time of arrival, microseconds: the decoder returns it with the

@@ -143,8 +143,8 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     if (!started_) prepare(picture, layer ? &layer->tiles : nullptr);
     timed(picture.partTimes(), "wait for the background", [&] { threadPool_.finish(); });
     started_ = false;
-    drawn_.clear();
-    wanted_.assign(FrameTiles::kAll, false);
+    cellsToDraw_.clear();
+    tilesToPaint_.assign(FrameTiles::kAll, false);
     const FilmShadows* shadows = picture.seenShadows(); // may have been cast since prepare()
     const LayerPlaces places = layer ? placesIn(*layer, picture) : LayerPlaces();
     if (layer) layer->layer.pixels(); // reads them
@@ -152,7 +152,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         const BackgroundCell& cell = eye_->grid.all()[k];
         State& state = eye_->states[k];
         const bool objects = layer && layer->tiles.isChosen(state.tiles) && hasObjects(*layer, places, cell);
-        if (!state.here) drawn_.push_back({&cell, objects});
+        if (!state.here) cellsToDraw_.push_back({&cell, objects});
         const bool shaded = shadows && shadows->tiles().isChosen(state.tiles);
         const FilmShadows::Version shown = shaded ? shadows->version() : FilmShadows::Version();
         state.due = state.here && (objects || state.shows != shown);
@@ -164,7 +164,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         paintFrame(picture, layer);
         threadPool_.parallelFor(kParts, samplePart_);
     });
-    if (drawn_.size() < eye_->states.size()) {
+    if (cellsToDraw_.size() < eye_->states.size()) {
         const PartTimes::Scope part(picture.partTimes(), "upload");
         glBindTexture(GL_TEXTURE_2D, picture.canvas.texture());
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -177,7 +177,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
 // Writes the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
 void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer* layer) {
     tiles_.clear();
-    FrameTiles::eachOf(wanted_, [&](const glm::ivec2& tile) { tiles_.push_back(tile); });
+    FrameTiles::eachOf(tilesToPaint_, [&](const glm::ivec2& tile) { tiles_.push_back(tile); });
     if (tiles_.empty()) return;
     const DisplayFrame& frame = eye_->film.frame;
     const glm::ivec2 size(frame.width, frame.height);

@@ -107,7 +107,7 @@ Picture seenFlat(const ImageRgbF& display, const glm::mat3& envFromEye) {
 // Returns the view by the same search for every pixel.
 Picture seenBySearch(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye) {
     return everyPixel(envFromEye, [&](const glm::vec3& ray) {
-        const glm::vec3 seen = depth::searchAlong(frame.widened, eyeInFilm, glm::normalize(ray));
+        const glm::vec3 seen = depth::filmDirectionSeen(frame.widened, eyeInFilm, glm::normalize(ray));
         return sample(frame.display, latLongFromDirection(seen));
     });
 }

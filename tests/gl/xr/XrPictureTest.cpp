@@ -306,7 +306,7 @@ TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
             for (int x = 4; x < width; x += 8) {
                 const glm::vec3 ray = rayThrough(eye, x, y);
                 const glm::vec3 dirEnv = envFromWorld * (down * glm::normalize(ray));
-                const glm::vec3 seen = depth::searchAlong(*environment_->depth(), eyeEnv, dirEnv);
+                const glm::vec3 seen = depth::filmDirectionSeen(*environment_->depth(), eyeEnv, dirEnv);
                 const float inverse_perM = environment_->depth()->inverse_perM(seen);
                 // 1/m along the eye's axis.
                 const glm::vec3 toPlace = seen - eyeEnv * inverse_perM;

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                    {{kWell, 1, false},
                     {kOff, kDt, true},
                     {kWell, 5, true},
-                    {with(0.1f, 0.9f), HeadsetPause::kGoOn_s - 0.05f, true},
+                    {with(0.1f, 0.9f), HeadsetPause::kResume_s - 0.05f, true},
                     {with(0.1f, 0.9f), 0.1f, false}}},
         PauseStory{"AHandWasClosedBeforeItMustOpenFirst", // it holds a fish
                    {{kWell, 1, false},
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {with(0.9f, 0.9f, kOver), 3, false},
                     {kOver, 0.2f, false},
                     {with(0.9f, 0.1f, kOver), 3, false},
-                    {with(0.9f, 0.9f, kOver), HeadsetPause::kAgain_s + 0.05f, false, true}}}),
+                    {with(0.9f, 0.9f, kOver), HeadsetPause::kRestart_s + 0.05f, false, true}}}),
     tests::byName);
 
 TEST(HeadsetPause, APlayersOwnDoesNotEndByItself) {

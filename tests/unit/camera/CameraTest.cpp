@@ -266,10 +266,10 @@ TEST(Glare, SpreadsLightOverFiveDegreesAndLosesNone) {
             std::fill_n(frame.at(x % 1024, y), 3, uint8_t{255});
     const Glare glow = glowOf(frame);
     double sum = 0, square = 0;
-    for (int y = 0; y < kGlowHeight; ++y)
-        for (int x = 0; x < kGlowWidth; ++x) {
+    for (int y = 0; y < kGlareHeight; ++y)
+        for (int x = 0; x < kGlareWidth; ++x) {
             const double light = static_cast<double>(glow.spread.at(x, y)[1]);
-            const double away = x < kGlowWidth / 2 ? x + 0.5 : x + 0.5 - kGlowWidth; // from the seam
+            const double away = x < kGlareWidth / 2 ? x + 0.5 : x + 0.5 - kGlareWidth; // from the seam
             sum += light;
             square += light * away * away;
         }

@@ -218,7 +218,7 @@ TEST(Search, MeetsAWallWhereItIs) {
             for (float y = -0.5f; y <= 0.5f; y += 0.25f) {
                 const glm::vec3 ray = glm::normalize(glm::vec3(x, y, -1));
                 const glm::vec3 met = eye + ray * ((-2 - eye.z) / ray.z);
-                const glm::vec3 seen = searchAlong(map, eye, ray);
+                const glm::vec3 seen = filmDirectionSeen(map, eye, ray);
                 EXPECT_LT(angleBetween(seen, glm::normalize(met)), kOff_rad) << x << " " << y;
                 EXPECT_NEAR(map.inverse_perM(seen), 1 / glm::length(met), 0.004f);
             }
@@ -248,7 +248,7 @@ TEST(Search, MovesNothingThatIsEndlesslyFar) {
     const DepthMap map = mapOf([](const glm::vec3&) { return 0.0f; });
     for (const glm::vec3& eye : kEyes) {
         const glm::vec3 ray = glm::normalize(glm::vec3(0.4f, 0.2f, -1));
-        EXPECT_LT(angleBetween(searchAlong(map, eye, ray), ray), 1e-5f);
+        EXPECT_LT(angleBetween(filmDirectionSeen(map, eye, ray), ray), 1e-5f);
     }
 }
 
@@ -260,7 +260,7 @@ TEST(Search, SeesPastAnEdgeAndIsStoppedByOneThatComesBefore) {
             mapOf([&](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : behind_perM; });
         for (float x = -0.4f; x <= 0.4f; x += 0.01f) {
             if (std::abs(x + eye_m) < 2 * kTexel_rad) continue; // the edge itself
-            const glm::vec3 seen = searchAlong(map, {eye_m, 0, 0}, glm::normalize(glm::vec3(x, 0, -1)));
+            const glm::vec3 seen = filmDirectionSeen(map, {eye_m, 0, 0}, glm::normalize(glm::vec3(x, 0, -1)));
             EXPECT_EQ(map.inverse_perM(seen) > 0.5f, x < -eye_m) << x << " from " << eye_m;
         }
     }

@@ -37,7 +37,7 @@ struct OneThing : OneFish {
     void throwAt(glm::vec3 from, glm::vec3 velocity) {
         place(from, velocity);
         fish().loose.thrown = true;
-        fish().gait.set(Motion::Loose);
+        fish().gait.set(Motion::Detached);
     }
     // Puts the shark at a place, in a state, looking along +Z towards the viewer.
     void putShark(glm::vec3 at, Shark::State state) {
@@ -65,7 +65,7 @@ TEST(Things, DriftWhereTheyAreUntilAHandTakesThem) {
     EXPECT_LT(glm::distance(one.fish().position, kPlace), 0.001f);
     EXPECT_EQ(one.shown().creatures[0].gait.motion, Motion::Drift);
     one.take();
-    EXPECT_EQ(one.shown().creatures[0].gait.motion, Motion::Loose);
+    EXPECT_EQ(one.shown().creatures[0].gait.motion, Motion::Detached);
     EXPECT_EQ(one.shown().hands[1].holdProgress, 0);
     for (int i = 0; i < 600; ++i) one.hand(kPlace, 1); // a stone is kept for as long as the hand is closed
     EXPECT_EQ(one.held(), 0);

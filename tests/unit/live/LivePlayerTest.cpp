@@ -114,7 +114,7 @@ TEST(LivePlayer, ABurstShowsItsNewestAndCountsTheRest) {
     EXPECT_EQ(p.shown(), 5);
     const LiveCounts counts = p.player->counts();
     EXPECT_EQ(counts.shown, 2);
-    EXPECT_EQ(counts.passedOver, 4);
+    EXPECT_EQ(counts.skipped, 4);
     EXPECT_EQ(p.player->newest()->index, 5);
 }
 
