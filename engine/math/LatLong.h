@@ -29,8 +29,7 @@ template <class T> glm::vec<2, T> latLongFromDirection(const glm::vec<3, T>& dir
 }
 
 // Computes latLongFromDirection() within 4e-6 of the map's height, without calls and branches; for maps of
-// few texels; dir may have any length. Abramowitz and Stegun 1964, 4.4.49, with an error of at most 1e-5
-// radians.
+// few texels; dir may have any length. Abramowitz and Stegun 1964, 4.4.49; the error is at most 1e-5 rad.
 inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
     const auto angle = [](float y, float x) { // angle of a point of a plane, -pi to pi
         const float ay = std::abs(y), ax = std::abs(x);

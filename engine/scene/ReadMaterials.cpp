@@ -103,8 +103,7 @@ UvSource uvSourceOf(const Json& use) {
     return source;
 }
 
-// A part of a material: an extension, or the core material. prefix: text before its members' names in
-// messages.
+// A part of a material: an extension, or the core material. prefix: begins its members' names in messages.
 struct Part {
     GltfFile& file;
     const Json& json;

@@ -82,8 +82,7 @@ Status checkFilmSpace(const sim::RecordingHeader&, const FilmSpace*); // null: t
 // begins beyond the end (it belongs to a longer video).
 float enclosureAt(std::span<const VideoMark> marks, double videoLength_s, double time_s);
 
-// Interpolates the snapshots of two neighbouring ticks, alpha 0 to 1. Creatures that jumped are shown as in
-// `after`.
+// Interpolates snapshots of neighbouring ticks, alpha 0 to 1. Creatures that jumped are shown as in `after`.
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out);
 
 } // namespace shoal::game

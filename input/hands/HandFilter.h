@@ -18,8 +18,7 @@ struct OneEuroTuning {
     float speedCutoff_Hz;
 };
 
-// Constants of filtering, prediction, bridging of losses and gestures; tests/unit/hands/TuningTest.cpp tests
-// each.
+// Constants of filtering, prediction, bridging and gestures; tests/unit/hands/TuningTest.cpp tests each.
 namespace tuning {
 
 // Filtering: a larger slope gives less latency in motion, a lower cut-off less jitter at rest.
