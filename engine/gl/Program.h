@@ -66,7 +66,7 @@ struct ShaderSource {
     std::vector<std::string> files; // in the order of #line's numbers
 };
 
-// name: below shaders/, with ending ("render/Object.vert"). defines: names set to 1. glsl: version, at least 330.
+// name: below shaders/, with ending ("render/Object.vert"). defines: names set to 1. glsl: at least 330.
 Result<ShaderSource> readShader(const std::string& name, const std::vector<std::string>& defines, int glsl);
 
 // One shader pair compiled with different sets of features. Software renderers run both sides of every
