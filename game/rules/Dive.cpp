@@ -93,8 +93,8 @@ void Dive::begin(uint64_t seed) {
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
     state_.giant = {};
-    startInOpenWater(state_.fish, context());
-    startInOpenWater(state_.shark, context());
+    startInFreeSpace(state_.fish, context());
+    startInFreeSpace(state_.shark, context());
 }
 
 void Dive::step(const TickInput& input, Events& events) {

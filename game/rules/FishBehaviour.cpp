@@ -410,7 +410,7 @@ void keepInBounds(Fish& f, const DiveContext& in) {
 }
 
 // Moves a fish out of the film's surfaces, but not into the room around the eyes.
-void keepInOpenWater(Fish& f, const DiveContext& in, float most_m) {
+void keepInFreeSpace(Fish& f, const DiveContext& in, float most_m) {
     const Species& kind = in.kindOf(f);
     const float spare_m = glm::distance(f.position, in.head()) - kEyeRoom_m - 0.5f * kind.length_m;
     f.position = in.film.pulledIn(f.position, capsuleOf(f, kind), std::min(spare_m, most_m));
@@ -423,7 +423,7 @@ void move(Fish& f, const DiveContext& in) {
     const glm::vec3 from = f.position;
     f.position += goal * kDt;
     keepInBounds(f, in);
-    keepInOpenWater(f, in, kGiveRoom_mps * kDt);
+    keepInFreeSpace(f, in, kGiveRoom_mps * kDt);
     f.velocity = limited((f.position - from) / kDt, kMaxSpeed_mps);
     f.worldFromBody = bodyTurn(f.forward, f.bank);
 }
@@ -478,10 +478,10 @@ void swim(Fish& f, int id, const Neighbours& around, const DiveContext& in) {
 
 } // namespace
 
-void startInOpenWater(std::span<Fish> fish, const DiveContext& in) {
+void startInFreeSpace(std::span<Fish> fish, const DiveContext& in) {
     // Each move changes the directions that the body covers, so it is repeated; four rounds converge.
     for (int round = 0; round < 4; ++round)
-        for (Fish& f : fish) keepInOpenWater(f, in, FilmSpace::kFar_m);
+        for (Fish& f : fish) keepInFreeSpace(f, in, FilmSpace::kFar_m);
 }
 
 void swimFish(std::span<Fish> fish, const DiveContext& in, std::span<Neighbours> neighbours, Random& random) {

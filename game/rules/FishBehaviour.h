@@ -12,7 +12,7 @@
 namespace shoal::game {
 
 // Moves fish that would start behind a surface of the film towards the camera, before they are first seen.
-void startInOpenWater(std::span<Fish>, const DiveContext&);
+void startInFreeSpace(std::span<Fish>, const DiveContext&);
 
 // Influence of all other fish on one fish, gathered once a tick.
 struct Neighbours {

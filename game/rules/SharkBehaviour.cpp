@@ -435,7 +435,7 @@ void swimShark(Shark& shark, const DiveContext& in) {
     bendAndBeat(shark, kind, spin);
 }
 
-void startInOpenWater(Shark& shark, const DiveContext& in) {
+void startInFreeSpace(Shark& shark, const DiveContext& in) {
     if (!shark.present) return;
     // Takes the first of sixteen bearings that has room for the whole radius, or else the one with most room.
     constexpr int kBearings = 16;

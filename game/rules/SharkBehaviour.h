@@ -35,7 +35,7 @@ constexpr float kWide_m = 2.6f;               // radius from which it begins the
 float openRadius(glm::vec3 place, const DiveContext&, float ahead_s = 0);
 
 // Places the shark where the film leaves room for it, before it is first seen.
-void startInOpenWater(Shark&, const DiveContext&);
+void startInFreeSpace(Shark&, const DiveContext&);
 
 // Chooses its state; a threat scatters the fish near it. Once the dive is over it begins no visit.
 void decide(Shark&, std::span<Fish>, const DiveContext&, Random&, Events&);

@@ -44,7 +44,7 @@ def blade(start, *line):
         half = 0.0014 + 0.0031 * step(0.02, 0.35, v) + 0.0008 * step(0.80, 0.92, v)
         half = half * np.sqrt(np.clip(1 - ((v - 0.88) / 0.121) ** 2 * (v > 0.88), 0.25, 1))
         return middle + (half * (2 * u - 1))[..., None] * across
-    rows = np.append(np.linspace(start, 0.88, 5 if start == 0 else 4), 1)
+    rows = np.append(np.linspace(start, 0.88, 4 if start == 0 else 3), 1)
     return skin(place, [0, 1], rows, frame(np.array([0.5]), *line)[2][0])
 
 

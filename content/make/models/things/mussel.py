@@ -22,8 +22,8 @@ RIM = Curve([(VENTRAL, 0.66), (-6, 0.78), (-1, 0.90), (5, 0.975), (11, 1.0), (18
 BEAK = np.array([0, -0.0137, -LENGTH / 2])
 LIGAMENT = np.array([0, np.sin(np.radians(DORSAL)), np.cos(np.radians(DORSAL))])
 FASTENED = BEAK + 0.62 * 0.60 * LENGTH * LIGAMENT - [0, 0.002, 0]
-ROWS = 0.5 - 0.5 * np.cos(np.pi * np.linspace(0, 1, 9))  # closer where the shell turns down to its rim
-COLUMNS = 0.5 + 0.25 * (np.linspace(-1, 1, 11) + np.sin(np.pi / 2 * np.linspace(-1, 1, 11)))
+ROWS = 0.5 - 0.5 * np.cos(np.pi * np.linspace(0, 1, 8))  # closer where the shell turns down to its rim
+COLUMNS = 0.5 + 0.25 * (np.linspace(-1, 1, 9) + np.sin(np.pi / 2 * np.linspace(-1, 1, 9)))
 
 
 def flat(u, v):
@@ -117,8 +117,8 @@ def make():
     for tile, place, painter in ((OUTER, outer, paint_outer), (INNER, inner, paint_inner), (FLESH, mound, paint_flesh)):
         sheet.paint(tile, place, painter)
     left = np.array([1.0, 0, 0])
-    shell = [sheet.placed(skin(outer, COLUMNS, ROWS, left), OUTER), sheet.placed(skin(inner, COLUMNS, ROWS[::2], -left), INNER)]
-    soft = [sheet.placed(skin(place, np.linspace(0, 1, 6), np.linspace(0, 1, 6), -left), FLESH) for place in (mound, lining)]
+    shell = [sheet.placed(skin(outer, COLUMNS, ROWS, left), OUTER), sheet.placed(skin(inner, COLUMNS, ROWS[[0, 2, 4, 6, 7]], -left), INNER)]
+    soft = [sheet.placed(skin(place, np.linspace(0, 1, 5), np.linspace(0, 1, 6), -left), FLESH) for place in (mound, lining)]
     parts = [bound(part, 1) for part in (*shell, soft[0])] + [bound(mirrored(part), 2) for part in (*shell, soft[1])]
     weed = bladderwrack.tuft(FASTENED, 3, 0.020, sheet)
     open_turns = turned(1)

@@ -20,7 +20,7 @@ def shape(u, v):
     return d * (1 + bumps + hollow)[..., None]
 
 
-GRID_U, GRID_V = np.linspace(0, 1, 17), np.linspace(0, 1, 10)
+GRID_U, GRID_V = np.linspace(0, 1, 15), np.linspace(0, 1, 9)
 CORNERS = shape(*np.meshgrid(GRID_U, GRID_V)).reshape(-1, 3)
 MIDDLE, SPAN = (CORNERS.max(0) + CORNERS.min(0)) / 2, np.ptp(CORNERS, axis=0)
 
