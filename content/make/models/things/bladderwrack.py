@@ -41,7 +41,7 @@ def blade(start, *line):
     """One way of a frond, from start on, without thickness; it is seen from both sides."""
     def place(u, v):
         middle, across, _ = frame(v, *line)
-        half = 0.0014 + 0.0031 * step(0.02, 0.35, v) + 0.0008 * step(0.80, 0.92, v)
+        half = 0.0026 + 0.0019 * step(0.02, 0.35, v) + 0.0008 * step(0.80, 0.92, v)
         half = half * np.sqrt(np.clip(1 - ((v - 0.88) / 0.121) ** 2 * (v > 0.88), 0.25, 1))
         return middle + (half * (2 * u - 1))[..., None] * across
     rows = np.append(np.linspace(start, 0.88, 4 if start == 0 else 3), 1)
