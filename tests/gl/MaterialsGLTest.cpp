@@ -247,7 +247,7 @@ TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
         }
 }
 
-// What a coat reflects does not reach below it: white in even light stays white, what glows is dimmed.
+// Light that a coat reflects does not reach below it: white in even light stays white, a glow is dimmed.
 TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
     const glm::vec4 video(200, 180, 160, 255);
     const Lit lit(uniformFrame(200, 180, 160));

@@ -122,7 +122,7 @@ TEST(EstimateCameraResponse, NoiseIsFoundAgain) {
                             coarse = 255 * found.response.coarseNoise[band];
                 if (grain == 1) {
                     EXPECT_NEAR(fine, noise, 0.33f + 0.15f * noise) << band;
-                    // What is left of fine noise has been taken away.
+                    // The remainder of fine noise has been taken away.
                     EXPECT_LT(coarse, 0.3f + 0.2f * noise) << band;
                 } else {
                     // Squares of 2 x 2 keep their noise in the mean. A block has a quarter as many: a fifth.
