@@ -9,8 +9,7 @@
 
 namespace shoal::occlusion {
 
-// One frame, metres; normals of unit length, one for each position; all finite. Views: the owner keeps them
-// alive.
+// One frame, metres; unit normals, one for each position; all finite. Views: the owner keeps them alive.
 struct BodyMesh {
     std::span<const glm::vec3> positions;
     std::span<const glm::vec3> normals;

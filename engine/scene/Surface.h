@@ -24,8 +24,7 @@ Surface posedSurface(const Model& model, const Pose& pose);
 // counts by its mean colour.
 glm::vec3 meanBaseColour(const Model& model);
 
-// Roughness and metalness of a material, from factors and textures: they decide which prefiltered light maps
-// are made.
+// Roughness and metalness of a material, from factors and textures: they decide which light maps are made.
 struct Gloss {
     // The least perceptual roughness, that of the clearcoat included. Of a texture the smoothest hundredth of
     // the texels is ignored.

@@ -238,8 +238,7 @@ class HandSizing {
 
     enum class State { Waiting, Elsewhere, Holding, Done }; // Elsewhere: the hand is not at kAt_m
 
-    // Takes a frame. rigDistance_m: HandFrame::rigDistance_m, if just one hand is seen and it is open; else
-    // empty.
+    // Takes a frame. rigDistance_m: HandFrame::rigDistance_m, if a single, open hand is seen; else empty.
     void see(std::optional<float> rigDistance_m, float dt_s);
 
     State state() const { return state_; }
