@@ -45,26 +45,30 @@ void BackgroundPass::markTiles(const CellRange& tiles) {
         for (int x = tiles.first.x; x <= tiles.last.x; ++x) tilesToPaint_[FrameTiles::indexOf(x, y)] = true;
 }
 
-Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) {
+Status BackgroundPass::draw(const EyePicture& picture, const ObjectLayer* layer) {
+    const FrameTiles* tiles = layer ? layer->tiles : nullptr;
     cells_.make(picture.view, picture.envFromEye(), picture.size(), picture.filmParallax());
     cellsToDraw_.clear();
     for (const BackgroundCell& cell : cells_.all())
-        cellsToDraw_.push_back({&cell, layer && layer->tiles.isChosen(cell.tiles(layer->tiles.frameSize()))});
-    return drawCells(picture, layer);
+        cellsToDraw_.push_back({&cell, tiles && tiles->isChosen(cell.tiles(tiles->frameSize()))});
+    if (Status s = drawCells(picture, layer); !s) return s;
+    const PartTimes::Scope part(picture.partTimes(), "compositing");
+    if (layer && !tiles) layer->layer.layOver();
+    return Done{};
 }
 
-Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* layer) {
+Status BackgroundPass::drawCells(const EyePicture& picture, const ObjectLayer* layer) {
     if (cellsToDraw_.empty()) return Done{};
     tilesToPaint_.assign(FrameTiles::kAll, false);
     for (const auto& [cell, isPainted] : cellsToDraw_)
-        if (isPainted) markTiles(cell->tiles(layer->tiles.frameSize()));
+        if (isPainted) markTiles(cell->tiles(layer->tiles->frameSize()));
     const FilmShadows* seen = picture.seenShadows();
     if (seen && std::exchange(uploadedShadows_, seen->version()) != seen->version())
         uploadTexels(shadowTexture_, frameOf(seen->remaining()), shadowSize_);
     const GLuint shadows = seen ? shadowTexture_.name() : 0;
     if (std::ranges::find(tilesToPaint_, true) != tilesToPaint_.end()) {
         const FilmedFrame* filmed = layer->filmed ? &picture.filmed : nullptr;
-        composite_.paint(picture.environment, layer->tiles, tilesToPaint_, layer->layer.layer().texture(),
+        composite_.paint(picture.environment, *layer->tiles, tilesToPaint_, layer->layer.layer().texture(),
                          layer->view, picture.envFromWorld, filmed, shadows);
         picture.canvas.bindColour();
     }

@@ -1,6 +1,6 @@
-// Draws the environment behind everything, with the bodies' shadows. If there is a layer of objects,
-// resamples it into the texels of the frame first. Pairs with shaders/render/Background. This class needs
-// OpenGL 3.3; where the driver renders on the processor, make() returns software/SoftwareBackground.
+// Draws the environment behind everything, with the bodies' shadows, and a layer of objects over it or in the
+// texels of its frame. Pairs with shaders/render/Background. This class needs OpenGL 3.3; where the driver
+// renders on the processor, make() returns software/SoftwareBackground.
 #pragma once
 
 #include "engine/gl/Program.h"
@@ -15,11 +15,12 @@
 
 namespace shoal::render {
 
-// Objects drawn from an eye, to be resampled into the texels of the frame.
-struct TexelLayer {
+// Objects drawn from an eye.
+struct ObjectLayer {
     LayerPass& layer;
-    View view; // the layer's view, a little wider than the picture's
-    const FrameTiles& tiles;
+    View view; // the layer's view: the picture's, or a little wider
+    // The tiles of the frame in whose texels the objects are painted; null: they are laid over the picture.
+    const FrameTiles* tiles = nullptr;
     bool filmed = false; // whether the camera's blur, noise and glare are applied to the layer
 };
 
@@ -36,11 +37,11 @@ class BackgroundPass {
 
     // Draws over the whole canvas, which is bound before and after; neither tests nor changes depth. layer:
     // null for the environment alone. Compiles the program for a new tone curve first.
-    virtual Status draw(const EyePicture& picture, const TexelLayer* layer);
+    virtual Status draw(const EyePicture& picture, const ObjectLayer* layer);
 
   protected:
-    Status drawCells(const EyePicture& picture, const TexelLayer* layer); // draws cellsToDraw_
-    void markTiles(const CellRange& tiles);                               // adds them to tilesToPaint_
+    Status drawCells(const EyePicture& picture, const ObjectLayer* layer); // draws cellsToDraw_
+    void markTiles(const CellRange& tiles);                                // adds them to tilesToPaint_
 
     std::vector<CellToDraw> cellsToDraw_; // cells that OpenGL draws
     std::vector<bool> tilesToPaint_;      // by tile: whether it shows objects

@@ -86,20 +86,22 @@ Status Compositor::drawBackground(const EyePicture& picture) {
         glClear(GL_COLOR_BUFFER_BIT);
         return Done{};
     }
-    const TexelLayer layer{layerOf(picture), widened(picture.view, kLayerWidth), tiles_, filmed()};
     const gl::PassTimers::Scope scope(picture.timers, "background");
-    return background_->draw(picture, drawsIntoTexels(picture) ? &layer : nullptr);
+    if (!drawsObjects() || !usesLayer(picture)) return background_->draw(picture, nullptr);
+    const bool inTexels = drawsIntoTexels(picture);
+    const ObjectLayer layer{layerOf(picture), inTexels ? widened(picture.view, kLayerWidth) : picture.view,
+                            inTexels ? &tiles_ : nullptr, filmed()};
+    return background_->draw(picture, &layer);
 }
 
-Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& scene) {
+Status Compositor::drawForeground(EyePicture picture, CompositorScene& scene) {
     if (!drawsObjects()) return Done{};
     if (usesLayer(picture)) {
-        // These particles lie behind the layer's objects; the layer has the particles in front of them.
-        if (Status s = scene.drawParticles(ParticlePass::On::Picture, picture); !s) return s;
-        if (drawsIntoTexels(picture)) return Done{};
-        const PartTimes::Scope part(picture.partTimes(), "compositing");
-        layerOf(picture).layOver(scene.visibleSpheres(picture.view), picture.view);
-        return Done{};
+        if (!drawsFilm(picture)) layerOf(picture).layOver();
+        // The layer has the particles in front of its objects; it hides those behind them.
+        picture.layer = layerOf(picture).texture();
+        picture.layerWidth = drawsIntoTexels(picture) ? kLayerWidth : 1;
+        return scene.drawParticles(ParticlePass::On::Picture, picture);
     }
     glFlush(); // the background's pixels are drawn while the objects' vertices are shaded
     picture.canvas.bind();

@@ -68,7 +68,7 @@ class Compositor {
     void prepareBackground(const EyePicture& picture, CompositorScene& scene);
     Status drawLayer(EyePicture picture, CompositorScene& scene);
     Status drawBackground(const EyePicture& picture);
-    Status drawForeground(const EyePicture& picture, CompositorScene& scene);
+    Status drawForeground(EyePicture picture, CompositorScene& scene);
 
     Composition composition_ = Composition::BackgroundOnly;
     std::unique_ptr<BackgroundPass> background_;

@@ -29,6 +29,8 @@ struct EyePicture {
     glm::vec3 eyeInFilm{0};
     const FilmShadows* shadows = nullptr; // shadows on the film, under the objects; null: none
     SkippedPass skip = SkippedPass::None;
+    GLuint layer = 0;     // texture of the objects that hide what is drawn next, by its alpha; 0: none
+    float layerWidth = 1; // the layer's width, as a multiple of the picture's
     Surroundings surroundings = Surroundings::Film;
     gl::PassTimers* timers = nullptr; // for the passes of this picture; null: nobody asks
 

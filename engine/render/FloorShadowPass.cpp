@@ -26,7 +26,6 @@ Result<FloorShadowPass> FloorShadowPass::make() {
 
 void FloorShadowPass::begin() {
     triangles_.clear();
-    spheres_.clear();
 }
 
 void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
@@ -76,8 +75,6 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
                 0)
             for (const size_t offset : {size_t{0}, size_t{1}, stride, stride, size_t{1}, stride + 1})
                 triangles_.push_back(nodes_[node + offset]);
-    const glm::vec2 middle = low + size / 2.0f;
-    spheres_.push_back({{middle.x, floor_m, middle.y}, glm::length(size) / 2});
 }
 
 void FloorShadowPass::draw(const View& view) {

@@ -28,8 +28,6 @@ class FloorShadowPass {
     // depth is not nearer. Does not change depth.
     void draw(const View& view);
 
-    // Spheres that hold the shadows, world frame.
-    std::span<const Sphere> spheres() const { return spheres_; }
     bool empty() const { return triangles_.empty(); } // since begin()
 
   private:
@@ -41,7 +39,6 @@ class FloorShadowPass {
     gl::Program program_;
     TriangleBatch drawn_;
     std::vector<Node> triangles_; // of all bodies
-    std::vector<Sphere> spheres_;
     std::vector<FlatPiece> body_; // scratch: of one body
     std::vector<Node> nodes_;     // scratch: of one body
 };

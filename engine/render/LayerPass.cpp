@@ -29,20 +29,6 @@ SHOAL_VECTORISE void markRow(const uint32_t* row, int width, uint32_t* blocks) {
 
 } // namespace
 
-Box boxAround(const glm::vec3& centreWorld, float radius, const View& view) {
-    const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (centreWorld - view.eyeWorld);
-    glm::vec2 low, high; // where the eye's tangents to the sphere meet the plane at distance 1
-    for (const int axis : {0, 1}) {
-        const float away = std::hypot(inEye[axis], -inEye.z);
-        if (away <= radius) return {};
-        const float middle = std::atan2(inEye[axis], -inEye.z), half = std::asin(radius / away);
-        constexpr float kSide = std::numbers::pi_v<float> / 2 - 1e-3f;
-        low[axis] = std::tan(std::clamp(middle - half, -kSide, kSide));
-        high[axis] = std::tan(std::clamp(middle + half, -kSide, kSide));
-    }
-    return {(low - view.shift) / view.halfExtent(), (high - view.shift) / view.halfExtent()};
-}
-
 glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows) {
     const float rowsPerSlope = static_cast<float>(frameRows) / std::numbers::pi_v<float>;
     const float scale = rowsPerSlope * 2 * view.halfExtent().y / static_cast<float>(pixels.y);
@@ -118,41 +104,31 @@ bool LayerPass::holdsAnything(const glm::ivec2& low, const glm::ivec2& high) con
     return false;
 }
 
-void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
-    marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
-    for (const scene::Sphere& sphere : spheres) {
-        const Box box = boxAround(sphere.centre, sphere.radius, view);
-        // The margin is half a texel on each side, which the filter reaches.
-        const glm::vec2 margin = 1.0f / glm::vec2(size());
-        const auto cellOf = [](const glm::vec2& place) {
-            return glm::ivec2(glm::floor((glm::clamp(place, -1.5f, 1.5f) * 0.5f + 0.5f) * glm::vec2(kCells)));
-        };
-        const glm::ivec2 first = glm::max(cellOf(box.low - margin), 0);
-        const glm::ivec2 last = glm::min(cellOf(box.high + margin), kCells - 1);
-        for (int y = first.y; y <= last.y; ++y)
-            for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
-    }
+void LayerPass::layOver() {
     const auto isDrawn = [&](int x, int y) {
-        if (!marked_[static_cast<size_t>(y * kCells.x + x)]) return false;
         const glm::ivec2 cell(x, y);
         // The range has a texel more on each side, which the filter reaches.
-        return !areRead_ || holdsAnything(cell * size() / kCells - 1, (cell + 1) * size() / kCells + 2);
+        return holdsAnything(cell * size() / kCells - 1, (cell + 1) * size() / kCells + 2);
     };
     const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
     corners_.clear();
-    for (int y = 0; y < kCells.y; ++y)
+    if (!areRead_) addRectangle(glm::vec2(-1), glm::vec2(1), corners_);
+    for (int y = 0; areRead_ && y < kCells.y; ++y)
         for (int x = 0; x < kCells.x; ++x) {
             const int first = x;
             while (x < kCells.x && isDrawn(x, y)) ++x;
             if (x > first) addRectangle(placeOf(first, y), placeOf(x, y + 1), corners_);
         }
-    if (corners_.empty()) return;
+    layOver(corners_);
+}
 
+void LayerPass::layOver(const std::vector<glm::vec2>& corners) {
+    if (corners.empty()) return;
     program_.use();
     program_.setTexture("layer", 0, layer().texture());
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
-    drawn_.draw(corners_);
+    drawn_.draw(corners);
     glDisable(GL_BLEND);
 }
 

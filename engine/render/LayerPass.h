@@ -7,22 +7,12 @@
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
 #include "engine/render/software/SmoothOutlines.h"
-#include "engine/scene/Model.h"
 
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace shoal::render {
-
-// A rectangle of the picture in normalised device coordinates: -1 to 1, right and up positive.
-struct Box {
-    glm::vec2 low{-1}, high{1};
-};
-
-// Returns the box around a sphere's outline; all of the picture if the sphere surrounds the eye. It may reach
-// beyond the edges.
-Box boxAround(const glm::vec3& centreWorld, float radius, const View& view);
 
 // Returns the size, at most `pixels`, at which a picture is as fine as a lat-long frame of frameRows rows.
 // The two are compared in the picture's middle, where a perspective picture is coarsest.
@@ -45,13 +35,16 @@ class LayerPass {
     // drawn, so it suits software renderers.
     void smoothOutlines();
 
-    // Lays the layer over the bound framebuffer wherever one of the spheres is seen; the layer must be empty
-    // elsewhere. If its pixels have been read, draws only the cells of the picture that are not empty.
-    void layOver(std::span<const scene::Sphere> spheres, const View& view);
+    // Lays the layer over the bound framebuffer. If its pixels have been read, draws only the cells of the
+    // picture that are not empty.
+    void layOver();
+    // Lays it over rectangles of addRectangle(), in normalised device coordinates.
+    void layOver(const std::vector<glm::vec2>& corners);
 
     // Valid after begin().
     glm::ivec2 size() const { return {layer_->width(), layer_->height()}; }
     const gl::Target& layer();
+    GLuint texture() const { return layer_->texture(); } // without what smoothOutlines() has changed
     // Returns the pixels after end(), blue first, from the lowest row; waits for them on the first call.
     std::vector<uint32_t>& pixels();
     // Returns whether anything has been drawn into the pixels from low to high - 1, or a few beside them;
@@ -68,8 +61,7 @@ class LayerPass {
     std::vector<uint32_t> blocks_;   // not 0: the block of pixels holds something; row by row
     bool areRead_ = false;           // whether pixels_ has been read since begin()
     bool areNewer_ = false;          // whether pixels_ is newer than the layer's texture
-    std::vector<bool> marked_;       // scratch: whether each cell of a grid is drawn
-    std::vector<glm::vec2> corners_; // scratch: triangles of the marked cells
+    std::vector<glm::vec2> corners_; // scratch: of the cells that are not empty
 };
 
 } // namespace shoal::render

@@ -1,5 +1,7 @@
 #include "engine/render/ParticlePass.h"
 
+#include "shaders/render/Attributes.glsl"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,8 +15,9 @@ constexpr float kCube_m = 4.2f; // side of the cube of specks: eight a cubic met
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // period of the swell that sways them
 
-constexpr std::array kParticleDefines = {SHOAL_TONE_DEFINES, "SCALED_LIGHT", "FILM_DEPTH"};
-constexpr unsigned kScaledLight = 1u << kToneFeatures, kFilmDepth = kScaledLight << 1;
+constexpr std::array kParticleDefines = {SHOAL_TONE_DEFINES, "SCALED_LIGHT", "FILM_DEPTH", "LAYER"};
+constexpr unsigned kScaledLight = 1u << kToneFeatures, kFilmDepth = kScaledLight << 1,
+                   kLayer = kFilmDepth << 1;
 
 // Returns whether any part of the film is as near as specks are.
 bool hidesSpecks(const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) {
@@ -37,7 +40,7 @@ Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& 
     const bool filmHides = hidesSpecks(picture.environment, picture.eyeInFilm);
     const unsigned features = toneFeatures(picture.exposure) |
                               (picture.environment.lightIsScaled() ? kScaledLight : 0u) |
-                              (filmHides ? kFilmDepth : 0u);
+                              (filmHides ? kFilmDepth : 0u) | (picture.layer ? kLayer : 0u);
     auto found = programs_.get(features);
     if (!found) return found.error();
     const gl::Program& program = **found;
@@ -49,6 +52,11 @@ Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& 
     program.set("cube_m", kCube_m);
     program.set("pixelsPerSlope",
                 static_cast<float>(picture.view.heightPixels) / (2 * picture.view.halfExtent().y));
+    if (picture.layer) {
+        program.setTexture("layer", UNIT_BASE_COLOUR, picture.layer);
+        program.set("perPixel", 1.0f / (picture.layerWidth * glm::vec2(picture.size())));
+        program.set("layerMargin", 0.5f - 0.5f / picture.layerWidth);
+    }
 
     gl::setEnabled(GL_DEPTH_TEST, on != On::Picture);
     glDepthFunc(GL_LESS);

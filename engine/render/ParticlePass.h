@@ -15,7 +15,7 @@ class ParticlePass {
     enum class On {
         Everything, // the picture with depth: nearer objects hide specks
         Objects,    // the same, but only where alpha shows an object
-        Picture     // the picture without depth: no object hides specks
+        Picture     // the picture without depth: the picture's layer hides specks
     };
 
     // Draws the specks, after all else. time_s places every speck, so equal times give equal pictures. Nearer

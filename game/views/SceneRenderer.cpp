@@ -193,10 +193,6 @@ render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {
     spheres_.clear();
     passes_.objects.addVisible(view, spheres_);
-    if (passes_.floorShadows) {
-        const auto shadows = passes_.floorShadows->spheres(); // empty if nothing is shaded
-        spheres_.insert(spheres_.end(), shadows.begin(), shadows.end());
-    }
     return spheres_;
 }
 

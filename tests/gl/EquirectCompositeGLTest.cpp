@@ -67,7 +67,7 @@ class LatLongGL : public WithContext {
     ImageRgba8 shown(render::BackgroundPass& background, const glm::vec3& direction,
                      const gl::Target& target) {
         const render::View view = viewTowards(direction);
-        const render::TexelLayer layer{*layer_, view, tiles_};
+        const render::ObjectLayer layer{*layer_, view, &tiles_};
         target.bindColour();
         EXPECT_TRUE(background.draw({.environment = *environment_, .view = view, .canvas = target}, &layer));
         return target.read();

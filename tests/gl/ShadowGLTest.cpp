@@ -40,7 +40,7 @@ class ShadowGL : public WithContext, public testing::WithParamInterface<render::
 
     void cast(const render::View& view) { shadows_.add(shark(), sunlight(), {&view, 1}); }
 
-    ImageRgba8 drawn(const render::View& view, const render::TexelLayer* layer = nullptr) {
+    ImageRgba8 drawn(const render::View& view, const render::ObjectLayer* layer = nullptr) {
         const gl::Target target(kShadowSize, kShadowSize, 1);
         target.bindColour();
         EXPECT_TRUE(background_->draw(
@@ -116,7 +116,7 @@ TEST_P(ShadowGL, SparesWhatIsBeforeTheGround) {
     layer.end();
     const render::FrameTiles tiles = allTiles();
     // Wider than the picture: texels at its edge are filtered with those beside them.
-    const render::TexelLayer objects{layer, render::widened(view, 1.02f), tiles};
+    const render::ObjectLayer objects{layer, render::widened(view, 1.02f), &tiles};
     const ImageRgba8 covered = drawn(view, &objects);
     int dimmed = 0;
     for (int y = 0; y < kShadowSize; ++y)
@@ -140,7 +140,7 @@ TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
     const ImageRgba8 before = drawn(view);
     auto layer = tests::valueOf(render::LayerPass::make());
     const render::FrameTiles tiles = allTiles();
-    const render::TexelLayer objects{layer, render::widened(view, 1.02f), tiles};
+    const render::ObjectLayer objects{layer, render::widened(view, 1.02f), &tiles};
     const auto with = [&](float alpha) {
         layer.begin({400, 400}, 1);
         fill(120, 100, 150, 200, {0, 0, 0, alpha});

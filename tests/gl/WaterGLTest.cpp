@@ -46,15 +46,18 @@ struct Snowfall {
     int specks = 0; // pixels that are not black
 };
 
-Snowfall snowAt(double time_s) {
+// layer: see EyePicture; it is twice as wide as the picture.
+Snowfall snowAt(double time_s, GLuint layer = 0) {
     const Lit lit(uniformFrame(150, 140, 120));
     auto pass = tests::valueOf(render::ParticlePass::make());
     const gl::Target target(320, 180, 1);
     fill(target);
     const render::View view{.heightPixels = 180};
-    EXPECT_TRUE(pass.draw(render::ParticlePass::On::Everything,
-                          {.environment = lit.environment, .view = view, .canvas = target}, someWater(),
-                          time_s));
+    render::EyePicture picture{.environment = lit.environment, .view = view, .canvas = target};
+    picture.layer = layer;
+    picture.layerWidth = 2;
+    EXPECT_TRUE(pass.draw(layer ? render::ParticlePass::On::Picture : render::ParticlePass::On::Everything,
+                          picture, someWater(), time_s));
     Snowfall fall{target.read()};
     for (size_t i = 0; i < fall.picture.pixels.size(); i += 4) fall.specks += fall.picture.pixels[i + 1] > 4;
     return fall;
@@ -67,6 +70,20 @@ TEST_F(WaterGL, SnowIsThereAndFollowsTimeAlone) {
     EXPECT_EQ(one.picture.pixels, same.picture.pixels);
     EXPECT_NE(one.picture.pixels, later.picture.pixels);
     EXPECT_GT(snowAt(7200).specks, 20); // after hours too
+}
+
+// An object from the layer's left edge to 5/8 of its width reaches to 3/4 of the picture's.
+TEST_F(WaterGL, ObjectsHideSnow) {
+    const gl::Target layer(320, 180, 1);
+    fill(layer, {0, 0, 0, 0});
+    fill(0, 0, 200, 180, glm::vec4(1));
+    const Snowfall all = snowAt(3), left = snowAt(3, layer.texture());
+    for (int y = 0; y < 180; ++y)
+        for (int x = 0; x < 320; ++x) {
+            if (x >= 238 && x < 242) continue; // the filter's pixels
+            EXPECT_EQ(left.picture.at(x, y)[1], x < 240 ? 0 : all.picture.at(x, y)[1]) << x << ", " << y;
+        }
+    EXPECT_GT(left.specks, 0);
 }
 
 } // namespace

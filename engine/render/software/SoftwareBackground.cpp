@@ -16,21 +16,26 @@ bool canSample(const EyePicture& picture) {
     return canSampleFrames() && picture.showsFrameAsCoded() && picture.canvas.samples() == 1;
 }
 
-// Writes the factors of FilmShadows::remaining(), enlarged linearly, for texels low to high - 1 of a frame.
-// Places up to half a texel beyond the map's edge take its outermost texels.
-void enlarge(const Image<uint8_t, 4>& left, const glm::ivec2& low, const glm::ivec2& high,
-             const glm::ivec2& frameSize, std::vector<uint32_t>& out) {
+// Returns pixels low to high - 1 of a picture that is enlarged to `size`.
+SampledCell enlarged(const DisplayFrame& picture, const glm::ivec2& low, const glm::ivec2& high,
+                     const glm::ivec2& size) {
+    const glm::vec2 scale = glm::vec2(picture.width, picture.height) / glm::vec2(size);
+    return {{0, 0}, high - low, (glm::vec2(low) + 0.5f) * scale - 0.5f, {scale.x, 0}, {0, scale.y}};
+}
+
+// Writes these pixels. Places up to half a pixel beyond the picture's edge take its outermost pixels.
+void enlarge(const DisplayFrame& picture, const glm::ivec2& low, const glm::ivec2& high,
+             const glm::ivec2& size, std::vector<uint32_t>& out) {
     constexpr float kInside = 1 / 32.0f;
-    const glm::vec2 mapSize(left.width, left.height), scale = mapSize / glm::vec2(frameSize);
-    const auto placeOf = [&](const glm::ivec2& texel) {
-        return glm::clamp((glm::vec2(texel) + 0.5f) * scale - 0.5f, glm::vec2(kInside),
-                          mapSize - 1.0f - kInside);
-    };
-    const glm::ivec2 size = high - low;
-    const glm::vec2 first = placeOf(low);
-    const glm::vec2 step = (placeOf(high - 1) - first) / glm::vec2(glm::max(size - 1, 1));
-    out.resize(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
-    sampleCell(frameOf(left), {{0, 0}, size, first, {step.x, 0}, {0, step.y}}, out.data(), size.x);
+    SampledCell cell = enlarged(picture, low, high, size);
+    const glm::vec2 inside(kInside), last = glm::vec2(picture.width, picture.height) - 1.0f - kInside;
+    const glm::vec2 steps = cell.high - 1;
+    const glm::vec2 end = glm::clamp(cell.first + steps * glm::vec2(cell.right.x, cell.up.y), inside, last);
+    cell.first = glm::clamp(cell.first, inside, last);
+    cell.right.x = (end.x - cell.first.x) / std::max(steps.x, 1.0f);
+    cell.up.y = (end.y - cell.first.y) / std::max(steps.y, 1.0f);
+    out.resize(static_cast<size_t>(cell.high.x) * static_cast<size_t>(cell.high.y));
+    sampleCell(picture, cell, out.data(), cell.high.x);
 }
 
 // Multiplies bytes: a b / 255, rounded.
@@ -41,13 +46,26 @@ SHOAL_VECTORISE void multiply(const uint8_t* a, const uint8_t* b, size_t count, 
     }
 }
 
+// Lays pixels over others: a + (1 - alpha) b. Edges are at most 1 of 255 darker, so that no sum of rounded
+// numbers exceeds a byte.
+SHOAL_VECTORISE void layOver(const uint32_t* layer, size_t count, uint32_t* picture) {
+    constexpr uint32_t kEach = 0x00ff00ff, kHalf = 0x00800080; // every other channel; half of 255 for each
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t alpha = layer[i] >> 24, below = picture[i];
+        const uint32_t left = 255 - alpha - (alpha - 1 < 254 ? 1 : 0);
+        const uint32_t even = (below & kEach) * left + kHalf, odd = (below >> 8 & kEach) * left + kHalf;
+        picture[i] =
+            layer[i] + ((even + (even >> 8 & kEach)) >> 8 & kEach) + ((odd + (odd >> 8 & kEach)) & ~kEach);
+    }
+}
+
 // Places of a picture's pixels in a layer of objects, in its pixels.
 struct LayerPlaces {
     glm::vec2 first, step;
     glm::ivec2 at(const glm::ivec2& pixel) const { return glm::floor(first + step * glm::vec2(pixel)); }
 };
 
-LayerPlaces placesIn(const TexelLayer& layer, const EyePicture& picture) {
+LayerPlaces placesIn(const ObjectLayer& layer, const EyePicture& picture) {
     const View &from = picture.view, &to = layer.view;
     const glm::vec2 size(layer.layer.size()), perSlope = 0.5f * size / to.halfExtent();
     return {0.5f * size + (from.shift - to.shift - from.halfExtent()) * perSlope,
@@ -55,17 +73,17 @@ LayerPlaces placesIn(const TexelLayer& layer, const EyePicture& picture) {
 }
 
 // Returns whether a layer holds objects within a cell of the picture.
-bool hasObjects(const TexelLayer& layer, const LayerPlaces& places, const BackgroundCell& cell) {
+bool hasObjects(const ObjectLayer& layer, const LayerPlaces& places, const BackgroundCell& cell) {
     // A texel that shares its chroma and is filtered takes colours from two texels around it, and from one
     // pixel more. A texel is at most two of the layer's pixels wide in the picture's middle (sizeAsFine(),
     // layerTexels()), and wider beside it by the square of a ray's length to the image plane.
     float stretch = 1;
     for (const glm::vec3& ray : cell.directions) stretch = std::max(stretch, glm::dot(ray, ray));
-    const int beside = static_cast<int>(4 * stretch) + 2;
+    const int beside = layer.tiles ? static_cast<int>(4 * stretch) + 2 : 2;
     return layer.layer.holdsAnything(places.at(cell.low) - beside, places.at(cell.high) + 1 + beside);
 }
 
-TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer) {
+TexelPaint paintOf(const EyePicture& picture, const ObjectLayer& layer) {
     TexelPaint paint{.layer = layer.layer.pixels().data(),
                      .layerSize = layer.layer.size(),
                      .eyeFromEnv =
@@ -90,9 +108,21 @@ void SoftwareBackground::SamplePart::operator()(int part) const {
     const DisplayFrame painted{reinterpret_cast<const uint8_t*>(pass->texels_.get()), size.x, size.y, size.x};
     const auto beginOf = [&](int k) { return static_cast<size_t>(k) * eye.states.size() / kParts; };
     for (size_t k = beginOf(part); k < beginOf(part + 1); ++k)
-        if (const State& state = eye.states[k]; state.due)
-            sampleCell(state.shows == FilmShadows::Version() ? eye.film.frame : painted, state.sampled,
-                       eye.picture.data(), eye.film.size.x);
+        if (const State& state = eye.states[k]; state.due) {
+            if (!state.isSampled)
+                sampleCell(state.isPainted ? painted : eye.film.frame, state.sampled, eye.picture.data(),
+                           eye.film.size.x);
+            if (state.isUnderLayer) pass->layOverCell(state.sampled.low, state.sampled.high);
+        }
+}
+
+void SoftwareBackground::layOverCell(const glm::ivec2& low, const glm::ivec2& high) const {
+    thread_local std::vector<uint32_t> enlarged;
+    enlarge(over_, low, high, eye_->film.size, enlarged);
+    const auto width = static_cast<size_t>(high.x - low.x);
+    for (int y = low.y; y < high.y; ++y)
+        render::layOver(enlarged.data() + static_cast<size_t>(y - low.y) * width, width,
+                        eye_->picture.data() + ptrdiff_t{y} * eye_->film.size.x + low.x);
 }
 
 void SoftwareBackground::classify(const EyePicture& picture, Eye& eye) {
@@ -132,36 +162,51 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
         state.due = state.here && state.shows != FilmShadows::Version() &&
                     !(shadows && shadows->tiles().isChosen(state.tiles)) &&
                     !(tiles && tiles->isChosen(state.tiles));
-        if (state.due) state.shows = FilmShadows::Version();
+        if (!state.due) continue;
+        state.shows = FilmShadows::Version();
+        state.isSampled = state.isPainted = state.isUnderLayer = false;
     }
     threadPool_.start(kParts, samplePart_);
     started_ = true;
 }
 
-Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* layer) {
+Status SoftwareBackground::draw(const EyePicture& picture, const ObjectLayer* layer) {
     if (!canSample(picture)) return BackgroundPass::draw(picture, layer);
-    if (!started_) prepare(picture, layer ? &layer->tiles : nullptr);
+    const FrameTiles* tiles = layer ? layer->tiles : nullptr;
+    if (!started_) prepare(picture, tiles);
     timed(picture.partTimes(), "wait for the background", [&] { threadPool_.finish(); });
     started_ = false;
     cellsToDraw_.clear();
+    corners_.clear();
     tilesToPaint_.assign(FrameTiles::kAll, false);
     const FilmShadows* shadows = picture.seenShadows(); // may have been cast since prepare()
     const LayerPlaces places = layer ? placesIn(*layer, picture) : LayerPlaces();
-    if (layer) layer->layer.pixels(); // reads them
+    if (layer) {
+        const auto* pixels = reinterpret_cast<const uint8_t*>(layer->layer.pixels().data()); // reads them
+        over_ = {pixels, layer->layer.size().x, layer->layer.size().y, layer->layer.size().x};
+    }
     for (size_t k = 0; k < eye_->states.size(); ++k) {
         const BackgroundCell& cell = eye_->grid.all()[k];
         State& state = eye_->states[k];
-        const bool objects = layer && layer->tiles.isChosen(state.tiles) && hasObjects(*layer, places, cell);
-        if (!state.here) cellsToDraw_.push_back({&cell, objects});
+        const bool objects =
+            layer && (!tiles || tiles->isChosen(state.tiles)) && hasObjects(*layer, places, cell);
+        if (!state.here) cellsToDraw_.push_back({&cell, objects && tiles});
+        state.isUnderLayer = objects && !tiles && state.here &&
+                             isWithin(over_, enlarged(over_, cell.low, cell.high, picture.size()));
+        if (objects && !tiles && !state.isUnderLayer)
+            addRectangle(2.0f * glm::vec2(cell.low) / glm::vec2(picture.size()) - 1.0f,
+                         2.0f * glm::vec2(cell.high) / glm::vec2(picture.size()) - 1.0f, corners_);
         const bool shaded = shadows && shadows->tiles().isChosen(state.tiles);
         const FilmShadows::Version shown = shaded ? shadows->version() : FilmShadows::Version();
         state.due = state.here && (objects || state.shows != shown);
         if (!state.due) continue;
+        state.isSampled = !tiles && state.shows == shown;
         state.shows = objects ? std::nullopt : std::optional(shown);
-        if (shaded || objects) markTiles(state.tiles);
+        state.isPainted = !state.isSampled && (shaded || (objects && tiles));
+        if (state.isPainted) markTiles(state.tiles);
     }
     timed(picture.partTimes(), "compositing", [&] {
-        paintFrame(picture, layer);
+        paintFrame(picture, tiles ? layer : nullptr);
         threadPool_.parallelFor(kParts, samplePart_);
     });
     if (cellsToDraw_.size() < eye_->states.size()) {
@@ -171,11 +216,13 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, eye_->film.size.x, eye_->film.size.y, GL_BGRA,
                         GL_UNSIGNED_BYTE, eye_->picture.data());
     }
-    return drawCells(picture, layer);
+    if (Status s = drawCells(picture, layer); !s) return s;
+    if (layer) layer->layer.layOver(corners_);
+    return Done{};
 }
 
 // Writes the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
-void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer* layer) {
+void SoftwareBackground::paintFrame(const EyePicture& picture, const ObjectLayer* layer) {
     tiles_.clear();
     FrameTiles::eachOf(tilesToPaint_, [&](const glm::ivec2& tile) { tiles_.push_back(tile); });
     if (tiles_.empty()) return;
@@ -196,7 +243,7 @@ void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer*
         if (low.x >= high.x || low.y >= high.y) return;
         const auto width = static_cast<size_t>(high.x - low.x);
         const bool shaded = shadows && shadows->tiles().chosen()[number];
-        if (shaded) enlarge(shadows->remaining(), low, high, size, factors);
+        if (shaded) enlarge(frameOf(shadows->remaining()), low, high, size, factors);
         for (int y = low.y; y < high.y; ++y) {
             const uint8_t* from = frame.pixels + 4 * (ptrdiff_t{y} * frame.rowPixels + low.x);
             auto* to = reinterpret_cast<uint8_t*>(texels_.get() + ptrdiff_t{y} * size.x + low.x);
@@ -207,7 +254,7 @@ void SoftwareBackground::paintFrame(const EyePicture& picture, const TexelLayer*
             else
                 std::copy_n(from, 4 * width, to);
         }
-        if (layer && layer->tiles.chosen()[number]) paintTexels(paint, low, high, size, texels_.get());
+        if (layer && layer->tiles->chosen()[number]) paintTexels(paint, low, high, size, texels_.get());
     });
 }
 

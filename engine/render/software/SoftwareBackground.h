@@ -1,4 +1,4 @@
-// Samples the background, and paints objects into the frame's texels, on the processor: 1 ns a pixel where
+// Samples the background on the processor, with objects in its texels or laid over it: 1 ns a pixel where
 // llvmpipe takes 6. OpenGL draws the cells at the poles and the frame's edges, and all of a picture with an
 // HDR frame, another exposure or tone curve, or a multisampled canvas.
 #pragma once
@@ -23,7 +23,7 @@ class SoftwareBackground final : public BackgroundPass {
     // objects. Cells of an eye's earlier picture of the same frame and view are kept: until the film's next
     // frame, pictures at rest differ only where objects are.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
-    Status draw(const EyePicture& picture, const TexelLayer* layer) override;
+    Status draw(const EyePicture& picture, const ObjectLayer* layer) override;
 
   private:
     struct Sampled { // the film as the view shows it
@@ -41,7 +41,10 @@ class SoftwareBackground final : public BackgroundPass {
         bool here = false; // whether it is sampled here; otherwise OpenGL draws it
         // The shadows that the cell's pixels show, null for none; empty if the pixels show objects too.
         std::optional<FilmShadows::Version> shows{};
-        bool due = false; // whether it is sampled next
+        bool due = false;          // whether it is made next:
+        bool isSampled = false;    // its pixels show the background already
+        bool isPainted = false;    // it is sampled from texels_, otherwise from the frame
+        bool isUnderLayer = false; // the layer is laid over it
     };
     static constexpr int kParts = 32; // number of parts into which the cells are divided for threads
     struct Eye {
@@ -56,7 +59,8 @@ class SoftwareBackground final : public BackgroundPass {
     };
 
     static void classify(const EyePicture& picture, Eye& eye);
-    void paintFrame(const EyePicture& picture, const TexelLayer* layer);
+    void layOverCell(const glm::ivec2& low, const glm::ivec2& high) const;
+    void paintFrame(const EyePicture& picture, const ObjectLayer* layer);
 
     std::array<Eye, 2> eyes_;
     Eye* eye_ = eyes_.data(); // the one whose picture is sampled
@@ -65,7 +69,9 @@ class SoftwareBackground final : public BackgroundPass {
     // Not a vector, which would touch all of its memory: objects are in few places.
     std::unique_ptr<uint32_t[]> texels_;
     glm::ivec2 texelsSize_{0};
-    std::vector<glm::ivec2> tiles_; // scratch: the wanted tiles
+    DisplayFrame over_;              // the layer that is laid over the picture
+    std::vector<glm::vec2> corners_; // scratch: of cells over which OpenGL lays it
+    std::vector<glm::ivec2> tiles_;  // scratch: the wanted tiles
     SamplePart samplePart_{this};
     ThreadPool threadPool_; // last, so that its threads end before their data
 };
