@@ -9,19 +9,12 @@ Target::Target(int width, int height, int samples) : width_(width), height_(heig
     GLint maximum = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &maximum);
     samples_ = std::clamp(samples, 1, std::max(1, maximum));
-    const int storage = samples_ > 1 ? samples_ : 0;
-    const auto make = [&](Renderbuffer& buffer, GLenum format) {
-        buffer = Renderbuffer::make();
-        glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, storage, format, width, height);
-    };
     // The texture that is read in the end; without multisampling it is drawn into directly. Blue first in
     // memory, as in windows, which Mesa grants only if the internal format is unsized; other orders are
     // copied more slowly.
     texture_ = makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
-    if (samples_ > 1) make(samplesColour_, GL_RGBA8);
-    make(depth_, GL_DEPTH_COMPONENT24);
+    if (samples_ > 1) makeStorage(samplesColour_, GL_RGBA8);
 
     // sampled: whether it is drawn into with all samples.
     const auto makeFramebuffer = [&](Framebuffer& buffer, bool sampled) {
@@ -36,13 +29,21 @@ Target::Target(int width, int height, int samples) : width_(width), height_(heig
     makeFramebuffer(resolved_, false);
     makeFramebuffer(colourOnly_, true);
     makeFramebuffer(drawn_, true);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
-    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+}
+
+void Target::makeStorage(Renderbuffer& buffer, GLenum format) const {
+    buffer = Renderbuffer::make();
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_ > 1 ? samples_ : 0, format, width_, height_);
 }
 
 void Target::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
     glViewport(0, 0, width_, height_);
+    if (depth_) return;
+    makeStorage(depth_, GL_DEPTH_COMPONENT24);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
 void Target::bindColour() const {

@@ -19,7 +19,7 @@ class Target {
     int height() const { return height_; }
     int samples() const { return samples_; }
 
-    void bind() const; // also sets the viewport
+    void bind() const; // also sets the viewport; the first call makes the depth
     // Binds it without depth, for passes that need none: Mesa's llvmpipe then draws rectangles whole instead
     // of as triangles.
     void bindColour() const;
@@ -42,9 +42,12 @@ class Target {
     ImageRgba8 read() const;
 
   private:
+    void makeStorage(Renderbuffer& buffer, GLenum format) const;
+
     int width_ = 0, height_ = 0, samples_ = 1;
     Framebuffer drawn_, colourOnly_, resolved_; // resolved_: of the texture alone
-    Renderbuffer samplesColour_, depth_;        // the first only if multisampled
+    Renderbuffer samplesColour_;                // only if multisampled
+    mutable Renderbuffer depth_;                // a canvas under a layer of objects needs none
     Texture texture_;
 };
 

@@ -13,7 +13,7 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kFine = 1024; // width in texels from which on textures are halved for Detail::Lean
+constexpr int kFine = 512; // width in texels from which on textures are halved for Detail::Lean
 
 struct FixedVertex { // attributes that morphing leaves unchanged
     glm::vec4 tangent{1, 0, 0, 1};

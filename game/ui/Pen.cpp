@@ -33,6 +33,7 @@ void Fonts::fit(float line_px) {
     }
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
+    atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     for (size_t i = 0; i < pixels.size(); ++i) {
         ImFontConfig config;
         config.SizePixels = pixels[i];
@@ -45,7 +46,16 @@ void Fonts::fit(float line_px) {
                                                               pixels[i], &config, kRanges);
     }
     ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    // Letters are white: one channel serves, where ImGui's own upload has four.
+    uint8_t* coverage = nullptr;
+    glm::ivec2 size;
+    atlas.GetTexDataAsAlpha8(&coverage, &size.x, &size.y);
+    texture_ = gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size.x, size.y, 0, GL_RED, GL_UNSIGNED_BYTE, coverage);
+    constexpr std::array<GLint, 4> kFromRed = {GL_ONE, GL_ONE, GL_ONE, GL_RED};
+    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, kFromRed.data());
+    atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(texture_.name())));
     atlas.ClearTexData(); // the GPU has a copy
 }
 

@@ -42,6 +42,7 @@ class Fonts {
     std::array<std::vector<uint8_t>, 2> files_; // of text and of headings, as read
     std::array<ImFont*, kTextScale.size()> fonts_{};
     std::array<float, kTextScale.size()> pixels_{};
+    gl::Texture texture_; // of all letters
 };
 
 // Reads one of the program's own PNG (alpha not premultiplied) or JPEG files by stb_image. media::readPhoto()
