@@ -35,6 +35,9 @@ class BackgroundPass {
     // The tiles (null: no layer) and the environment's frame must live until draw().
     virtual void prepare(const EyePicture&, const FrameTiles*) {}
 
+    // Helps with the work that prepare() has started.
+    virtual void help() {}
+
     // Draws over the whole canvas, which is bound before and after; neither tests nor changes depth. layer:
     // null for the environment alone. Compiles the program for a new tone curve first.
     virtual Status draw(const EyePicture& picture, const ObjectLayer* layer);

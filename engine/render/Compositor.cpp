@@ -75,7 +75,11 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     if (Status s = scene.drawParticles(ParticlePass::On::Objects, picture); !s) return s;
     layerOf(picture).end();
     if (samples_ != 1) return Done{};
-    timed(picture.partTimes(), "wait for the layer", [&] { layerOf(picture).pixels(); });
+    timed(picture.partTimes(), "wait for the layer", [&] {
+        glFlush();
+        background_->help();
+        layerOf(picture).pixels();
+    });
     timed(picture.partTimes(), "outlines", [&] { layerOf(picture).smoothOutlines(); });
     return Done{};
 }

@@ -23,6 +23,7 @@ class SoftwareBackground final : public BackgroundPass {
     // objects. Cells of an eye's earlier picture of the same frame and view are kept: until the film's next
     // frame, pictures at rest differ only where objects are.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
+    void help() override { threadPool_.finish(); }
     Status draw(const EyePicture& picture, const ObjectLayer* layer) override;
 
   private:
