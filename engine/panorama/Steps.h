@@ -25,10 +25,8 @@ struct Lens {
 
     // horizontalFov: radians, below pi.
     static Lens make(double width, double height, double horizontalFov) {
-        Lens lens{width, height, width / 2 / std::tan(horizontalFov / 2)};
-        lens.longitude = horizontalFov / 2;
-        lens.latitude = std::atan(height / 2 / lens.focal_px);
-        return lens;
+        const double focal_px = width / 2 / std::tan(horizontalFov / 2);
+        return {width, height, focal_px, horizontalFov / 2, std::atan(height / 2 / focal_px)};
     }
 
     // Longitudes grow to the right, latitudes upwards, in radians. The middle of the first pixel is at 0.5.

@@ -63,11 +63,7 @@ Transform readTransform(const tinygltf::Node& from, const std::string& who) {
 }
 
 Node readNode(GltfFile& file, const tinygltf::Node& from, const std::string& who) {
-    Node node;
-    node.name = from.name;
-    node.children = from.children;
-    node.mesh = from.mesh;
-    node.skin = from.skin;
+    Node node{.name = from.name, .children = from.children, .mesh = from.mesh, .skin = from.skin};
     for (const double weight : from.weights) node.morphWeights.push_back(static_cast<float>(weight));
     size_t targets = 0;
     if (node.mesh >= 0 && !file.gltf.meshes[node.mesh].primitives.empty())
@@ -250,9 +246,7 @@ std::optional<Channel> readChannel(GltfFile& file, const Model& model, const tin
     }
     if (from.target_node < 0) return std::nullopt;
     const TargetKind& kind = found->second;
-    Channel channel;
-    channel.node = from.target_node;
-    channel.target = kind.target;
+    Channel channel{.target = kind.target, .node = from.target_node};
     const Node& node = model.nodes[channel.node];
     const size_t weights = node.mesh < 0 ? 0 : model.meshes[node.mesh].morphWeights.size();
     if (kind.target == Target::Weights && weights == 0)
@@ -285,8 +279,7 @@ void readNodes(GltfFile& file, Model& model) {
 void readAnimations(GltfFile& file, Model& model) {
     for (const tinygltf::Animation& from : file.gltf.animations) {
         const std::string who = element("animations", model.animations.size());
-        Animation& animation = model.animations.emplace_back();
-        animation.name = from.name;
+        Animation& animation = model.animations.emplace_back(Animation{.name = from.name});
         std::set<std::pair<int, Target>> moved;
         for (size_t i = 0; i < from.channels.size(); ++i) {
             const std::string name = who + "." + element("channels", i);

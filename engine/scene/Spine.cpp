@@ -84,10 +84,9 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
     const float centre_m = high_m - kCentreOfMass * length_m;
     float total = 0;
     for (size_t i = 0; i < best.size(); ++i) {
-        Spine::Joint joint;
-        joint.node = best[i];
-        joint.rest = model.nodes[best[i]].parentFromNode;
-        joint.nodeFromModel = glm::conjugate(rotationOf(pose.modelFromNode[best[i]]));
+        Spine::Joint joint{.node = best[i],
+                           .rest = model.nodes[best[i]].parentFromNode,
+                           .nodeFromModel = glm::conjugate(rotationOf(pose.modelFromNode[best[i]]))};
         // A joint's share is half the length of its two segments; the first, which moves the body, has none.
         const float z = place(best[i]).z;
         const float after =

@@ -69,13 +69,11 @@ struct Tracking {
 inline render::View viewOf(const Eye& eye) {
     const float left = std::tan(eye.fov.left), right = std::tan(eye.fov.right);
     const float down = std::tan(eye.fov.down), up = std::tan(eye.fov.up);
-    render::View view;
-    view.eyeWorld = eye.worldFromEye.position;
-    view.worldFromEye = eye.worldFromEye.orientation;
-    view.verticalFov = 2 * std::atan((up - down) / 2);
-    view.aspect = (right - left) / (up - down);
-    view.shift = {(left + right) / 2, (down + up) / 2};
-    return view;
+    return {.eyeWorld = eye.worldFromEye.position,
+            .worldFromEye = eye.worldFromEye.orientation,
+            .verticalFov = 2 * std::atan((up - down) / 2),
+            .aspect = (right - left) / (up - down),
+            .shift = {(left + right) / 2, (down + up) / 2}};
 }
 
 // Returns whether positions are finite and within 100 m and the orientation has unit length within a tenth.

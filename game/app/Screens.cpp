@@ -531,13 +531,12 @@ std::vector<MenuPicture> Screens::catches() const {
         const game::Species& kind = (*facts.species)[i];
         const float largest_m = tally[i].largest_m;
         const bool before = findMet(facts.metBefore, kind.name), record = isRecord(kind, largest_m);
-        MenuPicture& picture = pictures.emplace_back();
-        picture.file = "guide/" + kind.name + ".png";
-        picture.count = fmt::format("\u00d7{}", tally[i].caught);
-        picture.caption = animalName(kind, tally[i].caught, language());
-        picture.note = largest_m > 0 ? lengthText(largest_m) + "  " : "";
-        picture.note += before ? record ? in("record") : "" : in("new");
-        picture.marked = record || !before;
+        pictures.push_back({.file = "guide/" + kind.name + ".png",
+                            .count = fmt::format("\u00d7{}", tally[i].caught),
+                            .caption = animalName(kind, tally[i].caught, language()),
+                            .note = (largest_m > 0 ? lengthText(largest_m) + "  " : "") +
+                                    (before ? record ? in("record") : "" : in("new")),
+                            .marked = record || !before});
     }
     return pictures;
 }

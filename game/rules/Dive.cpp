@@ -366,10 +366,7 @@ TickInput fromBytes(std::span<const uint8_t, kTickInputBytes> bytes) {
 }
 
 sim::RecordingHeader recordingHeader(const Dive& dive) {
-    sim::RecordingHeader header;
-    header.seed = dive.seed();
-    header.dive = dive.file().name;
-    header.inputBytes = kTickInputBytes;
+    sim::RecordingHeader header{.seed = dive.seed(), .dive = dive.file().name, .inputBytes = kTickInputBytes};
     const DiveRules& rules = dive.rules();
     header.settings = {{"film", dive.file().video},
                        {"assist", enumName(rules.assist)},

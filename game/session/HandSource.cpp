@@ -74,9 +74,7 @@ Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
 
 void MouseSource::frame(const Controls* controls, const ControlOptions& options, const game::Snapshot& shown,
                         float dt_s, float verticalFov, float aspect) {
-    hands::MouseInput mouse;
-    mouse.aspect = aspect;
-    mouse.fovY = verticalFov;
+    hands::MouseInput mouse{.aspect = aspect, .fovY = verticalFov};
     if (controls) {
         const Controls& c = *controls;
         const platform::WindowInput& input = c.input;

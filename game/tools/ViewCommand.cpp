@@ -65,14 +65,13 @@ struct Orbit {
     render::View view(float verticalFov, float aspect) const {
         const glm::vec3 back(std::sin(phi) * std::sin(theta), std::cos(phi), std::sin(phi) * std::cos(theta));
         const glm::vec3 right(std::cos(theta), 0, -std::sin(theta)); // level, even straight above the target
-        render::View view;
-        view.eyeWorld = target + radius * back;
-        view.worldFromEye = glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
-        view.verticalFov = verticalFov;
-        view.aspect = aspect;
-        view.far_m = (radius + modelRadius) * 1.01f;
-        view.near_m = std::max((radius - modelRadius) * 0.99f, view.far_m * 2e-4f);
-        return view;
+        const float far_m = (radius + modelRadius) * 1.01f;
+        return {.eyeWorld = target + radius * back,
+                .worldFromEye = glm::quat_cast(glm::mat3(right, glm::cross(back, right), back)),
+                .verticalFov = verticalFov,
+                .aspect = aspect,
+                .near_m = std::max((radius - modelRadius) * 0.99f, far_m * 2e-4f),
+                .far_m = far_m};
     }
 };
 

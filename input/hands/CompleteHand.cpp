@@ -58,9 +58,7 @@ HandPose HandCompleter::complete(const PartialHand& hand, Side side) const {
     const glm::quat deviceFromRest = palmTurn * glm::conjugate(rest.joints[kPalmJoint].orientation);
     const float size = sizeOf(hand);
 
-    HandPose out;
-    out.tracked = true;
-    out.confidence = std::clamp(hand.confidence.value_or(1.0f), 0.0f, 1.0f);
+    HandPose out{.tracked = true, .confidence = std::clamp(hand.confidence.value_or(1.0f), 0.0f, 1.0f)};
     auto& joints = out.joints;
     for (int i = 0; i < kJointCount; ++i) {
         const glm::vec3 inRest = rest.joints[i].position - rest.joints[kPalmJoint].position;

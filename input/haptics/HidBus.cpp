@@ -107,10 +107,8 @@ class EventNode final : public HidDevice {
             if (::ioctl(fd_, EVIOCSFF, &effect) < 0) return false;
             effect_ = effect.id;
         }
-        input_event event{};
-        event.type = EV_FF;
-        event.code = static_cast<uint16_t>(effect_);
-        event.value = stop ? 0 : 1;
+        const input_event event{
+            .time = {}, .type = EV_FF, .code = static_cast<uint16_t>(effect_), .value = stop ? 0 : 1};
         return ::write(fd_, &event, sizeof event) == sizeof event;
     }
 

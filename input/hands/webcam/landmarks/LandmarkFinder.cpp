@@ -110,9 +110,8 @@ Fit firstFit(const Seen& seen, const std::array<glm::vec3, kLandmarkCount>& rest
             normal += glm::outerProduct(row, row);
             right -= row * (seen.ray[i][axis] * seen.shape[i].z + seen.shape[i][axis]);
         }
-    Fit fit;
-    fit.wrist = glm::inverse(normal) * right + seen.shape[kWrist];
-    fit.turn = glm::normalize(glm::quat_cast(palmAxes(seen.shape) * glm::transpose(palmAxes(rest))));
+    Fit fit{.turn = glm::normalize(glm::quat_cast(palmAxes(seen.shape) * glm::transpose(palmAxes(rest)))),
+            .wrist = glm::inverse(normal) * right + seen.shape[kWrist]};
     for (int finger = 0; finger < kFingerCount; ++finger) {
         const auto root = static_cast<size_t>(1 + 4 * finger);
         float bend = 0;
