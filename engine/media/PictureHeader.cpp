@@ -160,6 +160,8 @@ Size avifSize(ByteSpan b) {
     return size;
 }
 
+Size exrSize(ByteSpan) { return {1, 1}; } // OpenExr.cpp reads it
+
 struct Kind {
     const char* name;
     bool (*is)(ByteSpan);
@@ -180,10 +182,7 @@ constexpr Kind kKinds[] = {
     {"PNM", isPnm, pnmSize},
     {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
      radianceSize},
-    {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); },
-     [](ByteSpan) {
-         return Size{1, 1};
-     }}, // OpenExr.cpp reads it
+    {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
     {"PFM", [](ByteSpan b) { return isEndedWord(b, "PF") || isEndedWord(b, "Pf") || isEndedWord(b, "PF4"); },
      [](ByteSpan b) { return readPfmHeader(b).size; }},
 };

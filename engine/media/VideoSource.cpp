@@ -267,8 +267,7 @@ bool VideoSource::jump(int64_t number) {
     for (int64_t before = 0;; before = 2 * before + 16) {
         const int64_t aim = std::max(int64_t{0}, number - before);
         const double stamp = stampOf(static_cast<double>(aim) + kLate);
-        if (!(std::abs(stamp) < kMaxStamp)) return false;
-        if (!in_.seek(static_cast<int64_t>(stamp))) return false;
+        if (!(std::abs(stamp) < kMaxStamp) || !in_.seek(static_cast<int64_t>(stamp))) return false;
         isShowing_ = false;
         decodeAhead();
         if (hasAhead_) {

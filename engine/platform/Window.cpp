@@ -152,11 +152,9 @@ void Window::setVsync(bool on) { glfwSwapInterval(on ? 1 : 0); }
 
 void Window::toggleFullscreen() {
     GLFWwindow* window = state_->window;
-    if (glfwGetWindowMonitor(window)) {
-        glfwSetWindowMonitor(window, nullptr, state_->restorePlace.x, state_->restorePlace.y,
-                             state_->restoreSize.x, state_->restoreSize.y, GLFW_DONT_CARE);
-        return;
-    }
+    if (glfwGetWindowMonitor(window))
+        return glfwSetWindowMonitor(window, nullptr, state_->restorePlace.x, state_->restorePlace.y,
+                                    state_->restoreSize.x, state_->restoreSize.y, GLFW_DONT_CARE);
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     if (!monitor) return;
     glfwGetWindowPos(window, &state_->restorePlace.x, &state_->restorePlace.y);

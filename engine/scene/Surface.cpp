@@ -65,8 +65,7 @@ void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere
         const size_t below = positions.size() - half.size();
         if (below > 0 && !half.empty()) {
             addSpheres(node, positions.first(below), all);
-            addSpheres(node, positions.subspan(below), all);
-            return;
+            return addSpheres(node, positions.subspan(below), all);
         }
     }
     float radius = 0;

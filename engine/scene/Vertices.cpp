@@ -80,11 +80,8 @@ glm::vec3 safeNormalize(const glm::dvec3& v, const glm::vec3& otherwise) {
 glm::vec3 perpendicular(const glm::vec3& unit) {
     // The cross product with the axis along which the vector's component is smallest.
     const glm::vec3 size = glm::abs(unit);
-    glm::vec3 axis(0, 0, 1);
-    if (size.x <= size.y && size.x <= size.z)
-        axis = {1, 0, 0};
-    else if (size.y <= size.z)
-        axis = {0, 1, 0};
+    glm::vec3 axis(0);
+    axis[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
     return glm::normalize(glm::cross(axis, unit));
 }
 

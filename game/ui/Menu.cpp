@@ -220,8 +220,7 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
         pen.fill({{track.low.x, middle - half}, {at, middle + half}}, colour::kAccent);
         pen.list->AddCircleFilled(ImVec2(at, middle), 0.3f * line_,
                                   focused ? colour::kAccent : colour::kWhite);
-        pen.text(area->high.x - 0.5f * line_, y, 1, TextSize::Body, ink, item.value);
-        return;
+        return pen.text(area->high.x - 0.5f * line_, y, 1, TextSize::Body, ink, item.value);
     }
     if (focused && item.adjustable()) {
         pen.text(track.low.x, y, 0, TextSize::Body, colour::kAccent, "\u2039");

@@ -76,12 +76,8 @@ Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
     if (gesture_ == Gesture::Fist && grip_ < kGripOpens) gesture_ = Gesture::Open;
     if (gesture_ == Gesture::Pinch && grip_ > kPinchToFist) gesture_ = Gesture::Fist;
     if (gesture_ == Gesture::Pinch && pinch_ < kPinchOpens) gesture_ = Gesture::Open;
-    if (gesture_ == Gesture::Open) {
-        if (grip_ > kGripCloses)
-            gesture_ = Gesture::Fist;
-        else if (pinch_ > kPinchCloses)
-            gesture_ = Gesture::Pinch;
-    }
+    if (gesture_ == Gesture::Open && grip_ > kGripCloses) gesture_ = Gesture::Fist;
+    if (gesture_ == Gesture::Open && pinch_ > kPinchCloses) gesture_ = Gesture::Pinch;
     grip = gesture_ == Gesture::Fist ? std::max(grip_, kClosedMin) : std::min(grip_, kOpenMax);
     pinch = gesture_ == Gesture::Pinch ? std::max(pinch_, kClosedMin) : std::min(pinch_, kOpenMax);
     return gesture_;

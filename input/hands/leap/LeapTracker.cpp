@@ -129,8 +129,7 @@ class LeapTracker final : public HandTracker {
         if (stopping_) return;
         if (closeCode_ == kUnknownVersion && version_ > 1) {
             --version_;
-            connectIn(1);
-            return;
+            return connectIn(1);
         }
         version_ = kNewestLeapVersion;
         // A service that accepts and closes at once is tried only once in this time.

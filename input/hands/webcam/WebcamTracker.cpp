@@ -127,12 +127,9 @@ class WebcamTracker final : public HandTracker {
 
     void run(const std::stop_token& ending) {
         lowerThreadPriority();
-        if (!options_.file.empty()) {
-            stream().setState(watchClip(ending));
-        } else {
-            do stream().setState(watchCamera(ending));
-            while (waitUntil(ending, Clock::now() + kRetry));
-        }
+        const bool isClip = !options_.file.empty();
+        do stream().setState(isClip ? watchClip(ending) : watchCamera(ending));
+        while (!isClip && waitUntil(ending, Clock::now() + kRetry));
         stream().close();
     }
 
