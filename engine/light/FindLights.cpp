@@ -267,21 +267,19 @@ static float sceneDistance(const FoundLights& a, const FoundLights& b) {
     return static_cast<float>(sum / (4 * std::numbers::pi));
 }
 
-void LightOverTime::take(const FoundLights& found, float presence) {
+const ShadowLight& LightOverTime::take(const FoundLights& found, float presence) {
     now_.presence = found.count ? presence : 0;
     if (found.count) now_.light = found.lights[0];
     now_.groundIrradiance = found.groundIrradiance;
     strongerFor_s_ = 0;
+    return now_;
 }
 
 const ShadowLight& LightOverTime::follow(const FoundLights& found, float dt_s) {
     const bool cut = !begun_ || sceneDistance(found, last_) > kCut;
     begun_ = true;
     last_ = found;
-    if (cut) {
-        take(found, 1);
-        return now_;
-    }
+    if (cut) return take(found, 1);
     const FoundLight* same = nullptr;
     float nearest = std::cos(std::max(kSame, 0.7f * now_.light.radius));
     for (size_t i = 0; i < found.count; ++i) {
@@ -295,10 +293,7 @@ const ShadowLight& LightOverTime::follow(const FoundLights& found, float dt_s) {
     strongerFor_s_ = otherIsStronger ? strongerFor_s_ + dt_s : 0;
     const bool leaving = !same || strongerFor_s_ > kStrongerFor_s;
     now_.presence += ((leaving ? 0.0f : 1.0f) - now_.presence) * math::followShare(dt_s, kFade_s);
-    if (leaving && now_.presence < kGone) {
-        take(found, kGone);
-        return now_;
-    }
+    if (leaving && now_.presence < kGone) return take(found, kGone);
     const float part = math::followShare(dt_s, kFollow_s);
     now_.groundIrradiance += (found.groundIrradiance - now_.groundIrradiance) * part;
     if (!same) return now_;

@@ -85,7 +85,7 @@ class LightOverTime {
     const ShadowLight& follow(const FoundLights& found, float dt_s);
 
   private:
-    void take(const FoundLights& found, float presence);
+    const ShadowLight& take(const FoundLights& found, float presence);
 
     ShadowLight now_;
     FoundLights last_;

@@ -62,8 +62,7 @@ const HandPose& PoseBlend::step(const HandPose& seen, int stretch, float notSeen
     const bool known = stretch != 0 && notSeen_s <= kHandLost_s;
     if (!known) {
         pose_.tracked = false;
-        pose_.confidence = 0;
-        glide_s_ = 0;
+        pose_.confidence = glide_s_ = 0;
         stretch_ = 0;
         return pose_;
     }

@@ -142,8 +142,7 @@ std::span<const FoundPalm> HandNets::findPalms(const cv::Mat& bgr) {
                           score});
     }
     // Non-maximum suppression, in place.
-    std::sort(found_.begin(), found_.end(),
-              [](const FoundPalm& a, const FoundPalm& b) { return a.score > b.score; });
+    std::ranges::sort(found_, std::ranges::greater(), &FoundPalm::score);
     size_t kept = 0;
     for (const FoundPalm& palm : found_) {
         const bool known = std::ranges::any_of(std::span(found_).first(kept), [&](const FoundPalm& other) {

@@ -260,9 +260,8 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
     partial.direction = fit.joints[kPalmJoint].orientation * glm::vec3(0, 0, -1);
     partial.normal = fit.joints[kPalmJoint].orientation * glm::vec3(0, -1, 0);
     partial.confidence = hand.presence;
-    HandPose pose = completer_.complete(partial, track.side);
-    if (!plausible(pose)) return std::nullopt;
-    return pose;
+    const HandPose pose = completer_.complete(partial, track.side);
+    return plausible(pose) ? std::optional(pose) : std::nullopt;
 }
 
 HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
