@@ -1,6 +1,5 @@
-// Trigonometry and an exponential from additions, multiplications, divisions and square roots alone, so that
-// they have the same bits on every machine; the C library's are not correctly rounded and differ between
-// libraries and processors.
+// Trigonometry and an exponential by additions, multiplications, divisions and square roots alone: the same
+// bits on every machine. The C library's are not correctly rounded and differ by library and processor.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>

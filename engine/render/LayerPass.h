@@ -9,7 +9,6 @@
 #include "engine/render/software/SmoothOutlines.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace shoal::render {

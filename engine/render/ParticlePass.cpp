@@ -54,8 +54,8 @@ Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& 
                 static_cast<float>(picture.view.heightPixels) / (2 * picture.view.halfExtent().y));
     if (picture.layer) {
         program.setTexture("layer", UNIT_BASE_COLOUR, picture.layer);
-        program.set("perPixel", 1.0f / (picture.layerWidth * glm::vec2(picture.size())));
-        program.set("layerMargin", 0.5f - 0.5f / picture.layerWidth);
+        program.set("layerFromPixel", glm::vec3(1.0f / (picture.layerWidth * glm::vec2(picture.size())),
+                                                0.5f - 0.5f / picture.layerWidth));
     }
 
     gl::setEnabled(GL_DEPTH_TEST, on != On::Picture);

@@ -12,9 +12,8 @@
 
 namespace shoal::game {
 
-// The sounds of the game, in the order of the audio's clips: name, file in content/sounds without .flac, and
-// gain, 0 to 1, on the clip as mastered. The two beds are background sounds of the sea, one for open water
-// and one for a tunnel.
+// The game's sounds, in order of the audio's clips: name, file in content/sounds without .flac, and gain, 0
+// to 1, on the clip as mastered. The two beds are the sea's background sounds, for open water and a tunnel.
 // clang-format off
 #define SHOAL_SOUNDS(ROW) \
     ROW(BedOpen, "bed_open", 0.45f) \

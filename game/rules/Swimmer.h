@@ -1,6 +1,5 @@
-// Position, heading and body shape of something that swims, and how they advance in one tick; fish and shark
-// share it. World frame, metres, seconds, radians. No library trigonometry: the state must be the same on
-// every machine.
+// Position, heading and body shape of a fish or the shark, and how they advance in one tick. World frame,
+// metres, seconds, radians. No library trigonometry: the state must be the same on every machine.
 #pragma once
 
 #include "engine/physics/Contact.h"

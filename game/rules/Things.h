@@ -3,11 +3,10 @@
 // does not swim. It drifts on torn-off seaweed, as mussels and stones do in the sea (Emery and Tschudy 1941,
 // "Transportation of rock by kelp"), until a hand takes it; from then on the physics world moves it.
 //
-// A mussel that is held for half a second cracks; fish around lose their fear and come to feed at the hand. A
-// stone frightens the fish that it passes, and turns the shark away where it passes close before its eyes; on
-// the snout of a striking shark it saves the fish. A bottle comes up from the bottom and rises out of reach;
-// held as long as a fish it is out of the sea. A mussel or stone that has lain unseen for a while drifts
-// at its old place again.
+// A mussel held for half a second cracks; fish around lose their fear and feed at the hand. A stone frightens
+// the fish that it passes, and turns the shark away where it passes close before its eyes; on the snout of a
+// striking shark it saves the fish. A bottle comes up from the bottom and rises out of reach; held as long as
+// a fish it is out of the sea. A mussel or stone that lay unseen a while drifts at its old place again.
 #pragma once
 
 #include "engine/physics/World.h"
@@ -18,8 +17,7 @@
 
 namespace shoal::game {
 
-// Makes a thing wait at its place, which is where it is at first: a bottle at the bottom, out of sight, and
-// others on seaweed.
+// Makes a thing wait where it is at first: a bottle at the bottom, out of sight, and others on seaweed.
 void startDrifting(Fish&, const Species&);
 
 // Returns how long a hand must hold it to crack, catch or collect it; 0: holding it changes nothing.

@@ -1,6 +1,5 @@
-// All texts that the game writes on the screen, in each of its languages: the rows of texts.tsv. The English
-// text is the key, as in gettext; a key that has no row does not compile. Command line, log and error
-// messages stay English.
+// All texts that the game shows, in each language: the rows of texts.tsv. The English text is the key, as in
+// gettext; a key that has no row does not compile. Command line, log and error messages stay English.
 #pragma once
 
 #include <fmt/core.h>

@@ -107,8 +107,7 @@ class EventNode final : public HidDevice {
             if (::ioctl(fd_, EVIOCSFF, &effect) < 0) return false;
             effect_ = effect.id;
         }
-        const input_event event{
-            .time = {}, .type = EV_FF, .code = static_cast<uint16_t>(effect_), .value = stop ? 0 : 1};
+        const input_event event{.type = EV_FF, .code = static_cast<uint16_t>(effect_), .value = stop ? 0 : 1};
         return ::write(fd_, &event, sizeof event) == sizeof event;
     }
 

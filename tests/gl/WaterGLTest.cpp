@@ -53,9 +53,8 @@ Snowfall snowAt(double time_s, GLuint layer = 0) {
     const gl::Target target(320, 180, 1);
     fill(target);
     const render::View view{.heightPixels = 180};
-    render::EyePicture picture{.environment = lit.environment, .view = view, .canvas = target};
-    picture.layer = layer;
-    picture.layerWidth = 2;
+    const render::EyePicture picture{
+        .environment = lit.environment, .view = view, .canvas = target, .layer = layer, .layerWidth = 2};
     EXPECT_TRUE(pass.draw(layer ? render::ParticlePass::On::Picture : render::ParticlePass::On::Everything,
                           picture, someWater(), time_s));
     Snowfall fall{target.read()};

@@ -49,6 +49,12 @@ class Backends : public testing::Test {
                          .compositor = {.composition = composition, .backend = backend}}));
     }
 
+    void keepPlanes() {
+        EnvironmentSetup setup = environment_->setup();
+        setup.player.planes = true;
+        environment_ = tests::valueOf(Environment::open(setup));
+    }
+
     // Returns a dive that has run for so long, and its film with it.
     GameSession sessionAt(double time_s) {
         GameSession session(*config_);
@@ -137,12 +143,34 @@ TEST_F(Backends, ShowAFilmsPlanesAsItsPixels) {
     };
     const std::array compositions = {Composition::BackgroundOnly, Composition::VideoTexels};
     const std::array before = {drawn(compositions[0]), drawn(compositions[1])};
-    EnvironmentSetup setup = environment_->setup();
-    setup.player.planes = true;
-    environment_ = tests::valueOf(Environment::open(setup));
+    keepPlanes();
     ASSERT_TRUE(environment_->player().frame().planes);
     for (size_t i = 0; i < before.size(); ++i)
         EXPECT_LE(greatestDifference(drawn(compositions[i]), before[i]), i == 0 ? 2 : 3);
+}
+
+int finishes = 0, planesSent = 0;
+PFNGLBUFFERDATAPROC bufferData = nullptr;
+
+// A card is sent each of the film's pictures once, in three planes, for both eyes, and nobody waits for it.
+TEST_F(Backends, SendEachPictureOnceAndFinishNothing) {
+    keepPlanes();
+    drawBy(Composition::CameraResponse, Backend::OpenGL);
+    draw({}, 2); // resolves the entry points
+    const auto finish = epoxy_glFinish;
+    epoxy_glFinish = [] { ++finishes; };
+    bufferData = std::exchange(
+        epoxy_glBufferData, +[](GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+            planesSent += target == GL_PIXEL_UNPACK_BUFFER;
+            bufferData(target, size, data, usage);
+        });
+    for (const auto& [time_s, planes] : {std::pair(1.0, 3), {1.0, 3}, {2.0, 6}}) {
+        environment_->update(time_s, true);
+        draw({}, 2);
+        EXPECT_EQ(planesSent, planes) << time_s << " s";
+    }
+    EXPECT_EQ(finishes, 0);
+    epoxy_glFinish = finish, epoxy_glBufferData = bufferData;
 }
 
 // Put into the video's texels objects are as bright as drawn over the picture: resampling keeps means but for

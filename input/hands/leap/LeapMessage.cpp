@@ -128,8 +128,7 @@ static LeapFrame readFrame(const json& from) {
     return frame;
 }
 
-// Returns the unit vector from the wrist to the elbow, device's frame; 0 without an elbow at an arm's
-// distance.
+// Returns the unit vector from wrist to elbow, device's frame; 0 without an elbow at an arm's distance.
 static glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
     constexpr float kShortest_m = 0.1f, kLongest_m = 0.5f;
     if (!hand.elbow) return glm::vec3(0);
