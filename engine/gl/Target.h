@@ -23,7 +23,7 @@ class Target {
     // Binds it without depth, for passes that need none: Mesa's llvmpipe then draws rectangles whole instead
     // of as triangles.
     void bindColour() const;
-    GLuint framebuffer() const { return drawn_.name(); }
+    GLuint framebuffer() const { return drawn_.name(); } // with depth after bind()
 
     // Returns the colour texture: linear filter, clamped to its edges. With several samples it contains the
     // drawing only after resolve(), which leaves another framebuffer bound.

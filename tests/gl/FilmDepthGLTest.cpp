@@ -90,6 +90,7 @@ TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
     lit.environment.setDepth({&map_, &map_, &range_});
     auto pass = tests::valueOf(render::DepthPass::make());
     const gl::Target drawn(64, 64, 1), into(64, 64, 1);
+    into.bind(); // makes its depth
     for (const glm::vec3 eye : {glm::vec3(0), glm::vec3(0.1f, 0.05f, -0.2f)})
         for (const float drawn_m : {100.0f, 50.0f, 2.0f}) {
             render::View seen = view(eye);
