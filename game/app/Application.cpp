@@ -284,7 +284,8 @@ Status Application::frame() {
 void Application::rest(bool hidden) {
     if (!window_ || options_.timedemo || inHeadset()) return;
     const bool menu = play_->states.byPerson() && play_->states.state() != ProgramStates::State::Diving;
-    const bool quiet = quiet_s_ > kQuietAfter_s && !play_->session.tracked;
+    const std::optional<TrackedHands>& tracked = play_->session.tracked;
+    const bool quiet = quiet_s_ > kQuietAfter_s && !(tracked && tracked->moveHands());
     // Displays that wait are a little late at times: then this wait must not cost the next picture.
     constexpr double kEarly = 0.9;
     const double period_s = hidden           ? kHiddenPeriod_s

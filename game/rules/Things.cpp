@@ -140,8 +140,7 @@ void comeBack(Fish& f, const DiveContext& in) {
     if (lies || (isUp && unseen)) startDrifting(f, kind);
 }
 
-// Brings in a thing that a wall of the film has overtaken, or that is below the floor; it loses its speed
-// outwards.
+// Brings in a thing that a film's wall has overtaken, or that is below the floor; it loses its outward speed.
 void stayInside(Fish& f, const Species& kind, const DiveContext& in) {
     const auto stop = [&](glm::vec3 out) { f.push -= out * std::max(0.0f, glm::dot(f.push, out)); };
     const float deep = in.film.known() ? 0.5f * kind.bodyRadius_m - in.film.surfaceGap_m(f.position) : 0;
