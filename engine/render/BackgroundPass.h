@@ -27,7 +27,7 @@ struct ObjectLayer {
 class BackgroundPass {
   public:
     // Makes the implementation for this context. Backend::Software works in every context; it falls back to
-    // OpenGL for frames that the processor cannot sample. withLayers: whether draw() will be given layers.
+    // OpenGL for frames that the processor cannot sample. withLayers: whether draw() will be given tiles.
     static Result<std::unique_ptr<BackgroundPass>> make(Backend backend, bool withLayers);
     virtual ~BackgroundPass() = default;
 

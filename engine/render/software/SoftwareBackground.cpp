@@ -52,7 +52,7 @@ SHOAL_VECTORISE void layOver(const uint32_t* layer, size_t count, uint32_t* pict
     constexpr uint32_t kEach = 0x00ff00ff, kHalf = 0x00800080; // every other channel; half of 255 for each
     for (size_t i = 0; i < count; ++i) {
         const uint32_t alpha = layer[i] >> 24, below = picture[i];
-        const uint32_t left = 255 - alpha - (alpha - 1 < 254 ? 1 : 0);
+        const uint32_t left = 255 - alpha - (alpha > 0 && alpha < 255 ? 1 : 0);
         const uint32_t even = (below & kEach) * left + kHalf, odd = (below >> 8 & kEach) * left + kHalf;
         picture[i] =
             layer[i] + ((even + (even >> 8 & kEach)) >> 8 & kEach) + ((odd + (odd >> 8 & kEach)) & ~kEach);
@@ -117,11 +117,11 @@ void SoftwareBackground::SamplePart::operator()(int part) const {
 }
 
 void SoftwareBackground::layOverCell(const glm::ivec2& low, const glm::ivec2& high) const {
-    thread_local std::vector<uint32_t> enlarged;
-    enlarge(over_, low, high, eye_->film.size, enlarged);
+    thread_local std::vector<uint32_t> objects;
+    enlarge(over_, low, high, eye_->film.size, objects);
     const auto width = static_cast<size_t>(high.x - low.x);
     for (int y = low.y; y < high.y; ++y)
-        render::layOver(enlarged.data() + static_cast<size_t>(y - low.y) * width, width,
+        render::layOver(objects.data() + static_cast<size_t>(y - low.y) * width, width,
                         eye_->picture.data() + ptrdiff_t{y} * eye_->film.size.x + low.x);
 }
 
